@@ -1,0 +1,66 @@
+# One static library per module; the order of dependencies is the order of the storeys.
+include(GNUInstallDirs)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+if(PROJECT_IS_TOP_LEVEL)
+    find_program(MUSTER_CCACHE ccache)
+    if(MUSTER_CCACHE)
+        set(CMAKE_CXX_COMPILER_LAUNCHER ${MUSTER_CCACHE})
+    endif()
+endif()
+
+find_package(Threads REQUIRED)
+
+# Flags that keep every build bit-identical, and warnings.
+add_library(muster_flags INTERFACE)
+target_compile_features(muster_flags INTERFACE cxx_std_20)
+target_compile_options(muster_flags INTERFACE -ffp-contract=off)
+target_compile_definitions(muster_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
+add_library(muster_warnings INTERFACE)
+target_compile_options(muster_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+
+if(MUSTER_SANITIZE)
+    add_compile_options(-fsanitize=${MUSTER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${MUSTER_SANITIZE})
+    add_compile_definitions(MUSTER_ASSERTIONS=1)
+endif()
+
+# Third-party headers (Eigen, nlohmann-json) come from the system, or from MUSTER_DEPS_INCLUDE when cross-compiling.
+set(MUSTER_DEPS_INCLUDE "" CACHE PATH "Folder with the Eigen and nlohmann headers when the system's cannot be used")
+add_library(muster_eigen INTERFACE)
+if(MUSTER_DEPS_INCLUDE)
+    target_include_directories(muster_eigen SYSTEM INTERFACE ${MUSTER_DEPS_INCLUDE} ${MUSTER_DEPS_INCLUDE}/eigen3)
+else()
+    target_include_directories(muster_eigen SYSTEM INTERFACE /usr/include/eigen3)
+endif()
+
+set(MUSTER_MODULES "" CACHE INTERNAL "")
+
+# muster_module(name dependency...): builds src/name/*.cpp with the public headers include/muster/name/.
+function(muster_module name)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+    if(NOT sources)
+        message(STATUS "module ${name} has no sources yet")
+        return()
+    endif()
+    add_library(muster_${name} STATIC ${sources})
+    add_library(muster::${name} ALIAS muster_${name})
+    set_target_properties(muster_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(muster_${name}
+        PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+        PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_compile_features(muster_${name} PUBLIC cxx_std_20)
+    target_link_libraries(muster_${name} PRIVATE
+        $<BUILD_INTERFACE:muster_flags> $<BUILD_INTERFACE:muster_warnings> $<BUILD_INTERFACE:muster_eigen>)
+    foreach(dependency ${ARGN})
+        if(TARGET muster_${dependency})
+            target_link_libraries(muster_${name} PUBLIC muster_${dependency})
+        endif()
+    endforeach()
+    if(name STREQUAL "base")
+        target_link_libraries(muster_${name} PUBLIC Threads::Threads)
+    endif()
+    set(MUSTER_MODULES ${MUSTER_MODULES} ${name} CACHE INTERNAL "")
+endfunction()

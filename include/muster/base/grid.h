@@ -1,0 +1,61 @@
+// Regular grids over the ground plane.
+#pragma once
+
+#include <cstdint>
+
+#include "muster/base/vec2.h"
+
+namespace muster {
+
+/// A cell by column and row.
+struct Cell {
+    std::int32_t x = 0;  ///< Column, 0 at the left.
+    std::int32_t y = 0;  ///< Row, 0 at the bottom.
+    friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// The four cells around a point with their bilinear weights.
+struct BilinearStencil {
+    std::int32_t cell[4];  ///< Row-major indices: lower left, lower right, upper left, upper right.
+    double weight[4];      ///< Sum 1, each >= 0.
+};
+
+/// Square cells covering a box, row-major from the lower left. Values sit at cell centres.
+struct Grid {
+    Vec2 origin;              ///< Lower left corner of cell (0, 0) [m].
+    double cell = 0.25;       ///< Edge of a cell [m] > 0.
+    std::int32_t width = 0;   ///< Columns.
+    std::int32_t height = 0;  ///< Rows.
+
+    /// The smallest grid of cells of edge `cell` [m] that covers `box`.
+    static Grid covering(const Box& box, double cell);
+
+    std::int32_t count() const { return width * height; }  ///< Number of cells.
+    /// Index of a cell that lies inside.
+    std::int32_t index(Cell c) const { return c.y * width + c.x; }
+    /// The cell with that index.
+    Cell at(std::int32_t index) const { return {index % width, index / width}; }
+    /// True where the cell exists.
+    bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
+    /// The cell that holds `p`; may lie outside. Coordinates beyond 1e9 cells are clamped.
+    Cell cellOf(Vec2 p) const;
+    /// The existing cell nearest to `p`.
+    Cell nearestCell(Vec2 p) const;
+    /// Centre of a cell [m].
+    Vec2 centre(Cell c) const {
+        return {origin.x + (c.x + 0.5) * cell, origin.y + (c.y + 0.5) * cell};
+    }
+    /// The four cell centres around `p`, clamped to the grid at its edges.
+    BilinearStencil bilinear(Vec2 p) const;
+    /// The box covered.
+    Box box() const { return {origin, {origin.x + width * cell, origin.y + height * cell}}; }
+
+    /// Lets an archive read or write the grid.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(origin, cell, width, height);
+    }
+    friend bool operator==(const Grid&, const Grid&) = default;
+};
+
+}  // namespace muster

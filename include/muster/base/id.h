@@ -1,0 +1,31 @@
+// Typed ids.
+#pragma once
+
+#include <cstdint>
+
+namespace muster {
+
+/// A number that names one thing of one kind for as long as the world lives; 0 names nothing.
+/// Ids are given in ascending order and never used again.
+template <class Tag>
+struct Id {
+    std::uint32_t value = 0;  ///< 0 for none.
+
+    /// True where it names something.
+    explicit operator bool() const { return value != 0; }
+    friend bool operator==(const Id&, const Id&) = default;
+    friend auto operator<=>(const Id&, const Id&) = default;
+
+    /// Lets an archive read or write the id.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(value);
+    }
+};
+
+using ObstacleId = Id<struct ObstacleTag>;  ///< Names an obstacle.
+using PatchId = Id<struct PatchTag>;        ///< Names a patch.
+using GroupId = Id<struct GroupTag>;        ///< Names a group.
+using ControlId = Id<struct ControlTag>;    ///< Names a control.
+
+}  // namespace muster
