@@ -1,0 +1,65 @@
+// Cost fields: |grad phi| = C by fast marching (SPEC A2, paper eq. 5).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "muster/base/status.h"
+#include "muster/fields/unit_cost.h"
+
+namespace muster {
+
+/// Options of a solve.
+struct EikonalDef {
+    bool secondOrder = true;    ///< Second-order upwind differences where two accepted neighbours allow it.
+    double startRadius = 1.0;   ///< Straight-line costs are exact within it where the ground is clear and uniform [m] >= 0.
+    double margin = 1.5;        ///< The front goes on this much cost beyond the farthest target >= 0.
+};
+
+/// The cost to reach `source`, stored for the part of the grid that was marched.
+class CostField {
+public:
+    /// Cost from `p` by bilinear interpolation; infinite where not reached. Exact (straight line) next to the source.
+    double cost(Vec2 p) const;
+    /// The unit direction of steepest descent at `p`; zero where not reached.
+    Vec2 direction(Vec2 p) const;
+    /// Value of a cell; infinite where not reached.
+    float value(Cell cell) const;
+    /// Where the cost is zero [m].
+    Vec2 source() const { return source_; }
+    /// Cells marched.
+    std::int32_t marched() const { return marched_; }
+
+private:
+    friend class EikonalSolver;
+    Grid grid_;                  // Of the whole ground.
+    Vec2 source_;
+    Cell low_;                   // Lower left cell of the stored window.
+    std::int32_t width_ = 0;     // Of the window.
+    std::int32_t height_ = 0;
+    std::int32_t marched_ = 0;
+    std::vector<float> values_;
+};
+
+/// Owns the working memory; one per thread. Repeated solves do not allocate once warm.
+class EikonalSolver {
+public:
+    explicit EikonalSolver(const EikonalDef& def = {});
+    ~EikonalSolver();
+    EikonalSolver(EikonalSolver&&) noexcept;
+    EikonalSolver& operator=(EikonalSolver&&) noexcept;
+
+    /// Marches from `source` until every reachable target's surrounding cells are accepted, and `margin` beyond;
+    /// over the whole reachable ground where `targets` is empty. A source in a wall cell starts from the nearest
+    /// free cells. Unreachable targets end with infinite cost: give only targets of the same region where that
+    /// can be known, or the front floods the region.
+    void solve(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets, CostField& field);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace muster

@@ -1,0 +1,82 @@
+// What a metre costs, by cell and direction (SPEC A3-A5, paper eq. 7).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "muster/environment/environment.h"
+#include "muster/fields/density.h"
+
+namespace muster {
+
+/// Weights and thresholds of the unit cost C = (alpha f + beta + gamma g) / (f TravelSpeed). The speed f is
+/// relative to the free speed, so that alpha + beta = 1 makes C = 1 in the open: costs are then metres.
+struct UnitCostDef {
+    double alpha = 0.5;          ///< Weight of path length >= 0.
+    double beta = 0.5;           ///< Weight of time >= 0; alpha + beta > 0.
+    double gamma = 1.0;          ///< Weight of discomfort >= 0.
+    bool density = true;         ///< Slows where it is crowded.
+    bool discomfort = true;      ///< Avoids ground ahead of moving obstacles.
+    double freeSpeed = 2.0;      ///< Speed of a character in the open [m/s] > 0.
+    double densityMin = 1.3;     ///< Below it nobody is slowed [1/m^2].
+    double densityMax = 3.5;     ///< Above it one moves with the flow [1/m^2] > densityMin.
+    double lookAhead = 0.5;      ///< Distance r at which density is read [m] >= 0.
+    double minSpeed = 0.05;      ///< Floor of f, relative to the free speed > 0.
+    double discomfortTime = 1.5; ///< How far ahead moving obstacles are predicted [s] >= 0.
+    double discomfortRange = 1.0;///< Discomfort reaches this far beyond the swept surface [m] > 0.
+    double discomfortGain = 8.0; ///< Value of g on the obstacle's own track; falls to 0 with time and range.
+};
+
+/// Cost per metre of leaving a cell in the four directions; infinite for walls and into walls.
+struct CellCost {
+    float east = 1.0f;
+    float north = 1.0f;
+    float west = 1.0f;
+    float south = 1.0f;
+
+    /// Lets an archive read or write the cost.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(east, north, west, south);
+    }
+};
+
+/// The unit cost of one radius class over the whole ground.
+struct UnitCost {
+    Grid grid;                     ///< The ground cells.
+    double radius = 0.25;          ///< Cells whose centre is nearer to an obstacle are walls [m].
+    std::vector<CellCost> cells;   ///< Row-major.
+    float lowest = 1.0f;           ///< The smallest finite cost of all cells.
+
+    /// True where nobody of this radius can be.
+    bool wall(std::int32_t index) const {
+        const CellCost& c = cells[static_cast<std::size_t>(index)];
+        constexpr float kInfinite = 3.0e38f;
+        return c.east > kInfinite && c.north > kInfinite && c.west > kInfinite && c.south > kInfinite;
+    }
+    /// Lets an archive read or write the cost.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(grid, radius, cells, lowest);
+    }
+};
+
+/// Builds unit costs; keeps what did not change since its last call as a cache (the result is the same
+/// as that of a new builder).
+class UnitCostBuilder {
+public:
+    /// Writes to `cost` the unit cost for characters of `radius` [m] in this environment and crowd.
+    void build(const UnitCostDef& def, const Environment& environment, const DensityField& density, double radius,
+               UnitCost& cost);
+    /// Discomfort g per ground cell of the last build.
+    const std::vector<float>& discomfort() const { return discomfort_; }
+
+private:
+    std::vector<float> discomfort_;
+    std::vector<CellCost> base_;
+    std::vector<std::int32_t> touched_;
+    std::uint64_t version_ = 0;
+    double baseRadius_ = -1.0;
+};
+
+}  // namespace muster

@@ -1,0 +1,69 @@
+// The deformable mesh of one group: rest shape, user mesh Vu, environment, final mesh Vf (SPEC M2, M4, M5).
+#pragma once
+
+#include <vector>
+
+#include "muster/environment/environment.h"
+#include "muster/formation/arap.h"
+#include "muster/formation/control.h"
+#include "muster/formation/formation.h"
+
+namespace muster {
+
+/// How the mesh gives way and comes back.
+struct FormationMeshDef {
+    double relaxTime = 1.0;       ///< To return to the rest shape after the last control [s] > 0.
+    bool environmentField = true; ///< Potential field and contact displace vertices.
+    double fieldGain = 1.0;       ///< Displacement per unit of field [m].
+    double fieldSpeed = 1.5;      ///< Bound on the change of a vertex's displacement [m/s] > 0.
+    double morphSpeed = 3.0;      ///< Bound on vertex speed while relaxing or changing formation [m/s] > 0.
+};
+
+/// Vertices and what they remember. The rest shape is the registered formation, never a deformed mesh.
+class FormationMesh {
+public:
+    /// Takes a formation at a placement; the mesh stands there at once.
+    Status reset(const Formation& formation, const Pose& pose);
+    /// Changes to another formation, best fitted where the mesh stands (its orientation is kept).
+    /// Call ControlSet::rebind afterwards.
+    Status change(const Formation& formation);
+    /// Moves the whole mesh, rest placement and all, to another pose at once.
+    void place(const Pose& pose);
+
+    /// Computes Vu from the controls: two and more constraints by the ARAP solver; one translates the
+    /// rest placement; none relaxes to the rest shape best fitted where it stands.
+    Status deform(const FormationMeshDef& def, const ControlDef& controlDef, const ControlSet& controls, double dt);
+    /// Computes Vf: the potential field displaces each vertex at bounded speed, decays where none acts,
+    /// and vertices inside obstacles move to the nearest surface.
+    void meet(const FormationMeshDef& def, const Environment& environment, double dt);
+
+    const Formation& formation() const { return formation_; }         ///< Rest shape and places.
+    const Pose& pose() const { return pose_; }                        ///< Placement of the rest shape.
+    const std::vector<Vec2>& userMesh() const { return user_; }       ///< Vu [m].
+    const std::vector<Vec2>& finalMesh() const { return final_; }     ///< Vf [m].
+    /// Positions of all places on Vf [m].
+    void placePositions(std::vector<Vec2>& positions) const;
+
+    /// Lets an archive read or write the state (not the solver: that is a cache).
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(formation_, pose_.position, pose_.rotation.c, pose_.rotation.s, user_, final_, displacement_);
+        if constexpr (Archive::kReading) solverReady_ = false;
+    }
+
+private:
+    Formation formation_;
+    Pose pose_;
+    std::vector<Vec2> user_;
+    std::vector<Vec2> final_;
+    std::vector<Vec2> displacement_;  ///< Of each vertex by the environment [m].
+    ArapSolver solver_;
+    bool solverReady_ = false;
+    std::vector<std::int32_t> hard_;           // Working memory.
+    std::vector<Vec2> hardTargets_;
+    std::vector<SoftConstraint> soft_;
+    std::vector<Vec2> softTargets_;
+    std::vector<Vec2> goal_;
+};
+
+}  // namespace muster

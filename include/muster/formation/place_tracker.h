@@ -1,0 +1,63 @@
+// Places that travel: from points of Vf to where characters can stand (SPEC M5).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/environment/environment.h"
+
+namespace muster {
+
+/// How places travel.
+struct PlaceDef {
+    double radius = 0.25;    ///< Of the characters [m] > 0.
+    double clearance = 0.02; ///< Kept from obstacles beyond the radius [m] >= 0.
+    double maxSpeed = 2.0;   ///< [m/s] > 0, times the ground's travel speed.
+};
+
+/// Places of one group: each follows its target continuously, along ways a character could take.
+class PlaceTracker {
+public:
+    /// Puts every place on its reachable target at once (a new group).
+    void reset(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
+               std::int32_t region);
+    /// Moves places towards `targets` (one per place) for `dt` [s]: targets are first moved to the nearest
+    /// point of the region with clearance and a diameter apart; those that find no room are marked unfit.
+    /// A place whose straight way is blocked follows a path round the obstacle; it never crosses one.
+    /// A changed number of targets adds places at their reachable targets or drops the last ones.
+    void advance(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
+                 std::int32_t region, double dt);
+
+    const std::vector<Vec2>& positions() const { return position_; }    ///< [m]
+    const std::vector<Vec2>& velocities() const { return velocity_; }   ///< [m/s]
+    /// 1 where a character can stand, 0 where the place is unfit and stays unmatched.
+    const std::vector<std::uint8_t>& fit() const { return fit_; }
+
+    /// Lets an archive read or write the state.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(position_, velocity_, fit_, detours_);
+    }
+
+private:
+    /// The rest of a way round an obstacle.
+    struct Detour {
+        std::int32_t place = 0;
+        Vec2 goal;               ///< The target it was made for [m].
+        std::vector<Vec2> way;   ///< Corners still ahead [m].
+
+        template <class Archive>
+        void visit(Archive& archive) {
+            archive(place, goal, way);
+        }
+    };
+
+    std::vector<Vec2> position_;
+    std::vector<Vec2> velocity_;
+    std::vector<std::uint8_t> fit_;
+    std::vector<Detour> detours_;  ///< Ordered by place.
+    std::vector<Vec2> goal_;       // Working memory.
+};
+
+}  // namespace muster

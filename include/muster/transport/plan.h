@@ -1,0 +1,84 @@
+// Plans: who goes where (SPEC A1-A3). No field and no cost matrix crosses this interface.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "muster/base/archive.h"
+#include "muster/base/parallel.h"
+#include "muster/environment/environment.h"
+#include "muster/fields/unit_cost.h"
+#include "muster/transport/assignment.h"
+
+namespace muster {
+
+/// The objective and how it is committed.
+struct PlanDef {
+    double exponent = 2.0;   ///< p of the objective sum c^p f, >= 1.
+    double threshold = 0.1;  ///< A change of places (one cycle or path of exchanges) is committed only where it lowers the objective by more [cost^p] >= 0.
+    double thresholdShare = 0.01;  ///< ... and by more than this share of the objective of those it concerns >= 0.
+    bool geodesic = true;    ///< Costs by the cost field; else straight-line distances (ways still follow the field).
+    bool reassign = true;    ///< False keeps every incumbent place (assigned once, fixed places): only ways are planned.
+};
+
+/// What a plan reads. Spans stay valid during the call only; start() copies what it needs.
+struct PlanInput {
+    std::span<const Vec2> characters;         ///< Positions [m].
+    std::span<const double> supply;           ///< Per character; empty for 1 each.
+    std::span<const Vec2> places;             ///< Positions [m].
+    std::span<const double> demand;           ///< Per place; empty for 1 each.
+    std::span<const std::uint8_t> usable;     ///< Per place, 0 for one nobody may take; empty for all.
+    std::span<const std::int32_t> incumbent;  ///< Place of each character now, -1 for none.
+    const UnitCost* cost = nullptr;           ///< Not null.
+};
+
+/// What a plan returns.
+struct PlanResult {
+    std::vector<Flow> flows;          ///< Ordered by character.
+    std::vector<double> cost;         ///< Of each character to its place; infinite for the unmatched.
+    double objective = 0.0;           ///< Of the flows as committed [cost^p].
+    double gapBound = 0.0;            ///< Objective less a proven lower bound [cost^p]: what the threshold kept back.
+    std::int32_t changed = 0;         ///< Characters whose place is another than the incumbent.
+};
+
+/// A plan of one group. Work can be spread over several steps: start(), then advance() with shares that
+/// add up to the whole, then finish(). The last finished plan serves steer() meanwhile.
+class Plan {
+public:
+    virtual ~Plan() = default;
+
+    /// "exact", "fast"...
+    virtual const char* name() const = 0;
+    /// Freezes the input of the next plan. Fails with InvalidArgument where sizes do not fit; a plan under way is dropped.
+    virtual Status start(const PlanDef& def, const PlanInput& input) = 0;
+    /// True between start() and finish().
+    virtual bool pending() const = 0;
+    /// Does share `slice` of `slices` (0, 1, ... in turn) of the work.
+    virtual void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) = 0;
+    /// Completes the plan (all shares not yet done are done now) and writes the result.
+    virtual Status finish(ThreadPool& pool, PlanResult& result) = 0;
+
+    /// Writes for each character the unit direction to walk now, and the cost left, by the last finished plan.
+    /// `place` is -1 for the unmatched (direction zero). `placesNow` are today's positions of the places. Within
+    /// a clear straight line of `direct` [m] the direction leads straight to the place.
+    virtual void steer(std::span<const Vec2> characters, std::span<const std::int32_t> place,
+                       std::span<const Vec2> placesNow, const Environment& environment, double direct,
+                       std::span<Vec2> direction, std::span<double> cost) const = 0;
+
+    /// Cost to place `place` from `p` by the last finished plan, for pictures; infinite where unknown.
+    virtual double costAt(std::int32_t place, Vec2 p) const = 0;
+
+    /// Writes all that can influence later results (frozen inputs, progress; never the fields).
+    virtual void save(Writer& archive) const = 0;
+    /// Reads what save() wrote, and makes the fields anew. False where it does not fit.
+    virtual bool load(Reader& archive, ThreadPool& pool) = 0;
+    /// Adds what save() writes to a hash.
+    virtual void hash(Hasher& archive) const = 0;
+};
+
+/// The reference: one cost field per place, exact assignment.
+std::unique_ptr<Plan> makeExactPlan();
+
+}  // namespace muster
