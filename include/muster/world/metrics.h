@@ -1,0 +1,58 @@
+// Figures of a run, in the words of the specification's section 8.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "muster/world/world.h"
+
+namespace muster {
+
+/// Figures of a run. Times count from the last command.
+struct RunFigures {
+    std::int32_t characters = 0;
+    std::uint32_t steps = 0;
+    std::uint64_t hash = 0;
+    double arrived95 = -1.0;        ///< [s]; -1 where not reached.
+    double arrived100 = -1.0;       ///< [s]; -1 where not reached.
+    std::int32_t stuck = 0;
+    double pathRatio = -1.0;        ///< Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
+    std::int32_t overlapPairsMax = 0;
+    double worstPenetration = 0.0;  ///< Share of the mean diameter.
+    double swapsPerCharacterPerSecond = 0.0;
+    double lagP95 = 0.0;            ///< Distance to the place at the end, p95 [m].
+    std::int32_t unmatched = 0;     ///< At the end.
+    std::int32_t collected = 0;     ///< Items.
+    double stepP50 = 0.0;           ///< [ms]
+    double stepP95 = 0.0;           ///< [ms]
+    double stepMax = 0.0;           ///< [ms]
+    std::array<double, static_cast<std::size_t>(Stage::Count)> stageMean{};  ///< [ms] by Stage.
+};
+
+/// Watches a world and never changes it.
+class RunMetrics {
+public:
+    /// Starts watching; call before the first step.
+    explicit RunMetrics(const World& world);
+    /// Call after every step.
+    void observe(const World& world);
+    /// The figures so far.
+    RunFigures figures(const World& world) const;
+
+private:
+    std::vector<std::uint32_t> arrivedSince_;   // Step at which it got within reach; max for "not".
+    std::vector<std::uint32_t> ids_;
+    std::vector<Vec2> start_;
+    std::vector<Vec2> last_;
+    std::vector<double> walked_;
+    std::vector<std::vector<Vec2>> trail_;      // Positions by second, the last six.
+    std::vector<float> stepTimes_;
+    std::array<double, static_cast<std::size_t>(Stage::Count)> stageSum_{};
+    std::uint64_t swaps_ = 0;
+    double characterSeconds_ = 0.0;
+    std::int32_t overlapPairsMax_ = 0;
+    double worstPenetration_ = 0.0;
+    double leastSum_ = -1.0;
+};
+
+}  // namespace muster

@@ -1,0 +1,112 @@
+// A world: environment, groups, characters, and the step that joins all layers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "muster/base/parallel.h"
+#include "muster/crowd/characters.h"
+#include "muster/fields/density.h"
+#include "muster/fields/unit_cost.h"
+#include "muster/formation/control.h"
+#include "muster/formation/formation_mesh.h"
+#include "muster/formation/place_tracker.h"
+#include "muster/transport/plan.h"
+#include "muster/world/command.h"
+#include "muster/world/event.h"
+#include "muster/world/world_def.h"
+
+namespace muster {
+
+/// The stages of a step, in order.
+enum class Stage : std::uint8_t {
+    Commands, Controls, UserMesh, FinalMesh, Places, DensityAndCost, Plan, Steering, Contacts, Patches, Events, Count
+};
+/// "commands", "controls", "user mesh"...
+const char* stageName(Stage stage);
+
+/// Milliseconds of the last step by stage: for reports only.
+struct StageTimes {
+    std::array<double, static_cast<std::size_t>(Stage::Count)> milliseconds{};  ///< By Stage.
+    double total = 0.0;                                                         ///< Whole step [ms].
+};
+
+/// Contacts after the last step.
+struct ContactReport {
+    std::int32_t overlapPairs = 0;     ///< Pairs deeper than 10 % of the mean diameter.
+    double worstPenetration = 0.0;     ///< Deepest pair, as a share of the mean diameter.
+};
+
+/// A command that could not be applied, and why.
+struct Rejection {
+    Command command;
+    Status status;
+};
+
+/// What can be read of a group.
+struct GroupView {
+    GroupId id;
+    const GroupDef* def = nullptr;          ///< Name, count and formation as they are now.
+    const FormationMesh* mesh = nullptr;    ///< Rest shape, Vu, Vf.
+    const ControlSet* controls = nullptr;
+    const PlaceTracker* places = nullptr;
+    const Plan* plan = nullptr;
+    double objective = 0.0;                 ///< Of the last plan [cost^p].
+    double gapBound = 0.0;                  ///< Of the last plan [cost^p].
+    double meanLag = 0.0;                   ///< Mean distance of characters to their places [m].
+    std::uint32_t formationVersion = 0;     ///< Grows when the mesh is exchanged.
+};
+
+/// Deterministic simulation at a fixed time step. Not thread-safe; threads inside never change results.
+class World {
+public:
+    /// Builds a world. `threads` as for ThreadPool. Fails with InvalidArgument naming the culprit.
+    static Result<World> create(const WorldDef& def, std::int32_t threads = 1);
+    /// A world from snapshot(): goes on bit for bit. Fails with ParseError on anything else.
+    static Result<World> restore(std::span<const std::uint8_t> snapshot, std::int32_t threads = 1);
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    /// Queues a command. Fails where it is malformed or its step has passed; whether it applies (does the
+    /// group exist?) shows when its step comes: see rejections().
+    Status submit(const Command& command);
+    /// Advances by one time step.
+    void step();
+
+    std::uint32_t stepCount() const;           ///< Steps done.
+    double time() const;                       ///< [s] = stepCount * stepTime.
+    const Parameters& parameters() const;
+    const Environment& environment() const;
+    const Characters& characters() const;
+    std::size_t groupCount() const;
+    GroupView group(std::size_t index) const;  ///< In ascending order of ids.
+    const DensityField& density() const;       ///< Of the last step.
+    /// Unit cost that the last plan read; null before the first.
+    const UnitCost* unitCost() const;
+    std::span<const Event> events() const;         ///< Of the last step.
+    std::span<const Rejection> rejections() const; ///< Of the last step.
+    std::span<const ItemDef> items() const;
+    std::span<const std::uint8_t> collected() const;  ///< Per item, 1 once collected.
+    std::span<const FormationCheckpointDef> checkpoints() const;
+    const StageTimes& stageTimes() const;
+    const ContactReport& contacts() const;
+    /// Step of the last applied command (0 for none): the clock of "arrived" starts there.
+    std::uint32_t lastCommandStep() const;
+
+    /// Hash of all state.
+    std::uint64_t hash() const;
+    /// All state as bytes.
+    std::vector<std::uint8_t> snapshot() const;
+
+private:
+    struct Impl;
+    explicit World(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace muster
