@@ -1,0 +1,101 @@
+// The static facts of a world: the JSON inside the Scene message (docs/protocol.md). Lengths in metres, angles in
+// radians; points are [x, y] with y to the north.
+
+export type Point2 = readonly [number, number];
+
+export interface SceneBox {
+  readonly min: Point2;
+  readonly max: Point2;
+}
+
+/** A polygon, or a disc where it has a radius. */
+export interface SceneObstacle {
+  readonly id: number;
+  readonly name: string;
+  /** Corners counter-clockwise; absent for a disc. */
+  readonly polygon?: readonly Point2[];
+  readonly centre?: Point2;
+  readonly radius?: number;
+  readonly height: number;
+  readonly moving: boolean;
+}
+
+export interface ScenePatch {
+  readonly id: number;
+  readonly name: string;
+  readonly polygon: readonly Point2[];
+  /** Index into `clips`. */
+  readonly motion: number;
+  /** Travel speed relative to running. */
+  readonly speed: number;
+  readonly moving: boolean;
+}
+
+export interface SceneClip {
+  readonly name: string;
+  readonly speed: number;
+  readonly cyclic: boolean;
+}
+
+export interface SceneGroup {
+  readonly id: number;
+  readonly name: string;
+  readonly count: number;
+  readonly formation: string;
+  /** Index of the accent: blue, ember, green, plum, ochre, slate. */
+  readonly colour: number;
+}
+
+export interface SceneItem {
+  readonly position: Point2;
+  readonly radius: number;
+}
+
+export interface SceneCheckpoint {
+  readonly position: Point2;
+  readonly radius: number;
+  readonly formation: string;
+  /** Index of the group it concerns; -1 for any. */
+  readonly group: number;
+}
+
+export interface SceneFacts {
+  /** File name without .json. */
+  readonly name: string;
+  readonly title: string;
+  readonly description: string;
+  readonly credit: string;
+  readonly box: SceneBox;
+  /** Edge of a ground cell. */
+  readonly cell: number;
+  /** Of a character's body. */
+  readonly radius: number;
+  readonly obstacles: readonly SceneObstacle[];
+  readonly patches: readonly ScenePatch[];
+  readonly clips: readonly SceneClip[];
+  readonly groups: readonly SceneGroup[];
+  readonly items: readonly SceneItem[];
+  readonly checkpoints: readonly SceneCheckpoint[];
+}
+
+/** Reads the JSON of a Scene message; absent lists are empty. Throws where it is no JSON object with a box. */
+export function parseScene(json: string): SceneFacts {
+  const raw: unknown = JSON.parse(json);
+  if (typeof raw !== 'object' || raw === null || !('box' in raw)) throw new Error('The scene has no box.');
+  const facts = raw as Partial<SceneFacts> & { box: SceneBox };
+  return {
+    name: facts.name ?? '',
+    title: facts.title ?? facts.name ?? '',
+    description: facts.description ?? '',
+    credit: facts.credit ?? '',
+    box: facts.box,
+    cell: facts.cell ?? 0.25,
+    radius: facts.radius ?? 0.25,
+    obstacles: facts.obstacles ?? [],
+    patches: facts.patches ?? [],
+    clips: facts.clips ?? [],
+    groups: facts.groups ?? [],
+    items: facts.items ?? [],
+    checkpoints: facts.checkpoints ?? [],
+  };
+}

@@ -1,0 +1,92 @@
+// What the view reads of the protocol's messages. Structural, so that decoded messages and synthetic ones both fit.
+
+export type Numbers = ArrayLike<number>;
+
+export interface ControlPointView {
+  readonly touch: number;
+  readonly down: boolean;
+  readonly x: number;
+  readonly y: number;
+  /** x, y of the checkpoints ahead. */
+  readonly path: Numbers;
+}
+
+export interface ControlView {
+  readonly id: number;
+  /** 0 point, 1 line, 2 area. */
+  readonly kind: number;
+  readonly client: number;
+  readonly pinned: boolean;
+  readonly open: boolean;
+  readonly points: readonly ControlPointView[];
+  /** x, y. */
+  readonly supplementary: Numbers;
+}
+
+export interface GroupView {
+  readonly id: number;
+  readonly meshVersion: number;
+  readonly lag: number;
+  /** x, y of the mesh's vertices. */
+  readonly vertices: Numbers;
+  /** x, y. */
+  readonly places: Numbers;
+  /** Per place, 0: no room for anyone. */
+  readonly fit: Numbers;
+  readonly controls: readonly ControlView[];
+}
+
+export interface MovingView {
+  /** 0 obstacle, 1 patch. */
+  readonly kind: number;
+  readonly id: number;
+  readonly x: number;
+  readonly y: number;
+  readonly angle: number;
+}
+
+export interface FrameView {
+  readonly frame: number;
+  readonly step: number;
+  /** World time [s]. */
+  readonly time: number;
+  readonly playing: boolean;
+  /** Empty where unchanged since the last frame. */
+  readonly ids: Numbers;
+  /** Index into groups, per character; empty together with `ids`. */
+  readonly group: Numbers;
+  readonly x: Numbers;
+  readonly y: Numbers;
+  readonly heading: Numbers;
+  readonly motion: Numbers;
+  readonly phase: Numbers;
+  readonly groups: readonly GroupView[];
+  readonly moving: readonly MovingView[];
+  readonly collected: Numbers;
+}
+
+export interface GroupMeshView {
+  readonly group: number;
+  readonly version: number;
+  readonly formation: string;
+  readonly triangles: Numbers;
+  /** Loops: length, then vertices. */
+  readonly boundary: Numbers;
+}
+
+export interface OverlayView {
+  /** 0 none, 1 field, 2 cost, 3 density. */
+  readonly kind: number;
+  /** Id, for Cost. */
+  readonly character: number;
+  /** Centre of the first cell. */
+  readonly x: number;
+  readonly y: number;
+  readonly cell: number;
+  readonly width: number;
+  readonly height: number;
+  /** Row-major from the lower left; not finite: not reached. */
+  readonly values: Numbers;
+  /** x, y from the character to its place. */
+  readonly path: Numbers;
+}

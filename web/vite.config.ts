@@ -1,0 +1,20 @@
+import { defineConfig } from 'vitest/config';
+
+// The page is served by `muster studio` at its root. `npm run dev` hands the WebSocket on to a server on port 8080.
+export default defineConfig({
+  base: './',
+  build: {
+    outDir: 'dist',
+    target: 'es2022',
+    sourcemap: false,
+    chunkSizeWarningLimit: 900,
+    rollupOptions: { input: 'index.html' },
+  },
+  worker: { format: 'es' },
+  server: { proxy: { '/ws': { target: 'ws://127.0.0.1:8080', ws: true } } },
+  test: {
+    // Tests that need a document say so: `// @vitest-environment jsdom`.
+    environment: 'node',
+    include: ['src/**/*.test.ts'],
+  },
+});
