@@ -1,0 +1,22 @@
+// The studio: page and WebSocket on one port of the loopback interface.
+#pragma once
+
+#include <string>
+
+namespace muster {
+
+/// How the studio is started.
+struct StudioOptions {
+    std::string host = "127.0.0.1";  ///< Address to listen on; loopback only.
+    int port = 8080;                 ///< The next free one is taken where it is in use.
+    std::string scenario;            ///< Loaded first; a name in the folder or a path; empty for the first one.
+    std::string scenarioFolder;      ///< Where the picker's scenarios lie.
+    std::string pageFolder;          ///< The built page.
+    int threads = 1;                 ///< Of the simulation; 0 takes what the machine has.
+    bool openBrowser = false;        ///< Opens the page in the desktop's browser.
+};
+
+/// Serves until interrupted. Returns the program's exit code; failures are told on standard error.
+int runStudio(const StudioOptions& options);
+
+}  // namespace muster

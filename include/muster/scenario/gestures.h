@@ -1,0 +1,22 @@
+// Gesture files: time-stamped touches and other commands, as JSON (docs/scenario-format.md).
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "muster/base/status.h"
+#include "muster/world/command.h"
+
+namespace muster {
+
+/// Reads a gestures file into commands for a world of that step time, ordered by (step, client, sequence).
+/// An event at time t belongs to step floor(t / stepTime + 1e-9). Fails as loadScenario does.
+Result<std::vector<Command>> loadGestures(const std::string& path, double stepTime);
+/// The same from text.
+Result<std::vector<Command>> parseGestures(std::string_view text, const std::string& sourceName, double stepTime);
+/// Any command log as a gestures file: reading it gives the same commands, numbered anew per client.
+std::string writeGestures(std::span<const Command> commands, double stepTime);
+
+}  // namespace muster
