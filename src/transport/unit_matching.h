@@ -1,0 +1,57 @@
+// Dense matching of single units: shortest augmenting paths after Jonker and Volgenant (1987).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace muster {
+
+/// Matches every row of a dense matrix with a column of its own at least total cost. Owns its working memory.
+class UnitMatching {
+public:
+    /// `cost` is row-major, infinite where a pair is impossible; rows <= columns. Returns false (with the rows
+    /// matched so far) where not every row can be matched.
+    bool solve(std::int32_t rows, std::int32_t columns, const double* cost);
+
+    const std::vector<std::int32_t>& columnOf() const { return columnOf_; }      ///< Per row; -1 for none.
+    const std::vector<double>& rowPrice() const { return rowPrice_; }            ///< u_i = c_ij - v_j of its pair.
+    const std::vector<double>& columnPrice() const { return columnPrice_; }      ///< v_j <= 0 for rows < columns; 0 where unmatched.
+    std::int32_t augmentations() const { return augmentations_; }                ///< Shortest paths searched.
+
+private:
+    struct TwoLowest {
+        double first;
+        double second;
+        std::int32_t firstColumn;
+        std::int32_t secondColumn;
+    };
+
+    const double* row(std::int32_t i) const { return cost_ + static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_); }
+    void pair(std::int32_t i, std::int32_t j);
+    void reduceColumns();
+    void transferReduction();
+    TwoLowest twoLowest(std::int32_t i) const;
+    void reduceRows();
+    void reduceRow(std::int32_t i, std::int32_t& budget);
+    bool before(std::int32_t a, std::int32_t b) const;
+    std::int32_t relax(std::int32_t i, double offset);
+    bool augment(std::int32_t from);
+    void flip(std::int32_t end, std::int32_t from);
+
+    const double* cost_ = nullptr;
+    std::int32_t rows_ = 0;
+    std::int32_t columns_ = 0;
+    std::int32_t augmentations_ = 0;
+    std::vector<std::int32_t> columnOf_;
+    std::vector<std::int32_t> rowOf_;
+    std::vector<double> rowPrice_;
+    std::vector<double> columnPrice_;
+    std::vector<std::int32_t> free_;      // Rows without a column.
+    std::vector<std::int32_t> freeNext_;
+    std::vector<double> distance_;        // Per column, of the search under way.
+    std::vector<std::int32_t> through_;   // Row by which the column was reached.
+    std::vector<std::int32_t> open_;      // Columns not scanned yet.
+    std::vector<std::int32_t> scanned_;   // Columns whose distance is final.
+};
+
+}  // namespace muster
