@@ -84,6 +84,9 @@ public:
     /// A patch's polygon where it stands now; empty for an unknown id.
     Polygon patchPolygon(PatchId id) const;
 
+    /// Changes range and strength of the field of obstacles that give none.
+    void setFieldDefaults(double range, double strength);
+
     /// Puts moving things where they are at `time` [s] and brings the rasters up to date.
     void setTime(double time);
     /// Grows by one whenever the ground changes (an edit, or a moving thing moved).

@@ -10,6 +10,7 @@
 
 #include "muster/base/parallel.h"
 #include "muster/crowd/characters.h"
+#include "muster/crowd/contacts.h"
 #include "muster/fields/density.h"
 #include "muster/fields/unit_cost.h"
 #include "muster/formation/control.h"
@@ -33,12 +34,6 @@ const char* stageName(Stage stage);
 struct StageTimes {
     std::array<double, static_cast<std::size_t>(Stage::Count)> milliseconds{};  ///< By Stage.
     double total = 0.0;                                                         ///< Whole step [ms].
-};
-
-/// Contacts after the last step.
-struct ContactReport {
-    std::int32_t overlapPairs = 0;     ///< Pairs deeper than 10 % of the mean diameter.
-    double worstPenetration = 0.0;     ///< Deepest pair, as a share of the mean diameter.
 };
 
 /// A command that could not be applied, and why.
@@ -103,8 +98,9 @@ public:
     /// All state as bytes.
     std::vector<std::uint8_t> snapshot() const;
 
+    struct Impl;  ///< Private.
+
 private:
-    struct Impl;
     explicit World(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,41 @@
+// Nobody enters another or an obstacle (SPEC A6): positions are corrected by projection.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/crowd/neighbours.h"
+#include "muster/environment/environment.h"
+
+namespace muster {
+
+/// How contacts are resolved.
+struct ContactDef {
+    double radius = 0.25;          ///< Of a character [m] > 0.
+    std::int32_t iterations = 8;   ///< Rounds over all contacts >= 1; ends early once nothing is left to correct.
+};
+
+/// Contacts left after a step.
+struct ContactReport {
+    std::int32_t overlapPairs = 0;  ///< Pairs deeper than 10 % of the diameter.
+    double worstPenetration = 0.0;  ///< Deepest pair, as a share of the diameter.
+};
+
+/// Corrects positions in place: pairs by halves in a fixed order, then obstacles, which have the last word.
+class Contacts {
+public:
+    /// Moves `positions` apart and out of obstacles and reports what is left.
+    ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions);
+
+private:
+    double separatePairs(double diameter, std::span<Vec2> positions) const;
+    double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const;
+    ContactReport report(double diameter, std::span<const Vec2> positions) const;
+
+    NeighbourGrid neighbours_;
+    std::vector<NearPair> pairs_;
+    std::vector<std::int32_t> nearObstacle_;
+};
+
+}  // namespace muster

@@ -1,0 +1,34 @@
+// Who is near whom: a sorted cell list.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/base/grid.h"
+
+namespace muster {
+
+/// Two characters close to each other, `a` < `b`.
+struct NearPair {
+    std::int32_t a = 0;  ///< Index into the positions given.
+    std::int32_t b = 0;  ///< Index into the positions given.
+};
+
+/// Finds close pairs in time proportional to their number; reuses its memory.
+class NeighbourGrid {
+public:
+    /// Writes to `pairs` all pairs nearer than `reach` [m] > 0, in a fixed order that depends on the
+    /// positions and indices only.
+    void findPairs(std::span<const Vec2> positions, double reach, std::vector<NearPair>& pairs);
+
+private:
+    void sortIntoCells(std::span<const Vec2> positions, double reach);
+
+    Grid grid_;
+    std::vector<std::int32_t> cellStart_;
+    std::vector<std::int32_t> cellOf_;
+    std::vector<std::int32_t> order_;
+};
+
+}  // namespace muster

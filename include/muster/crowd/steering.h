@@ -1,0 +1,50 @@
+// From the way planned to the next velocity (SPEC A6).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "muster/crowd/characters.h"
+#include "muster/crowd/neighbours.h"
+#include "muster/environment/environment.h"
+
+namespace muster {
+
+/// Gains and bounds of movement.
+struct SteeringDef {
+    double radius = 0.25;           ///< Of a character [m] > 0.
+    double maxSpeed = 2.0;          ///< In the open [m/s] > 0; times the ground's travel speed elsewhere.
+    double acceleration = 10.0;     ///< Bound on the change of velocity [m/s^2] > 0.
+    double velocityGain = 8.0;      ///< Derivative gain of the PD controller [1/s] > 0.
+    double positionGain = 4.0;      ///< Proportional gain near the place [1/s] > 0.
+    double directReach = 1.5;       ///< Within it of the place the PD controller aims at the place itself [m].
+    double separationGain = 1.0;    ///< Sidestep before contact [1/s] >= 0.
+    double separationReach = 0.15;  ///< Gap between two bodies below which they sidestep [m] >= 0.
+};
+
+/// What each character is to follow, one entry per character.
+struct SteeringInput {
+    std::span<const Vec2> place;          ///< Position of its place [m] (its own position for the unmatched).
+    std::span<const Vec2> placeVelocity;  ///< [m/s]
+    std::span<const Vec2> facing;         ///< Unit heading of its formation, taken up when standing.
+};
+
+/// Computes next velocities and headings from the frozen present.
+class Steering {
+public:
+    /// Reads `now`, writes next velocity and heading (one per character) and the ground's travel speed.
+    void run(const SteeringDef& def, const Characters& now, const SteeringInput& input, const Environment& environment,
+             double dt, std::span<Vec2> velocity, std::span<Vec2> heading);
+
+private:
+    Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i,
+                           double topSpeed) const;
+    void addSidesteps(const SteeringDef& def, const Characters& now);
+
+    NeighbourGrid neighbours_;
+    std::vector<NearPair> pairs_;
+    std::vector<Vec2> preferred_;
+    std::vector<double> topSpeed_;
+};
+
+}  // namespace muster

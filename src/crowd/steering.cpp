@@ -1,0 +1,82 @@
+#include "muster/crowd/steering.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace muster {
+namespace {
+
+// A locked character turns at most this far from its entry heading (cosine and sine of 20 degrees).
+constexpr Rotation kLockTurn{0.93969262078590838405, 0.34202014332566873304};
+constexpr double kLockEnds = 0.6;       // Nearer to its place than this nobody is carried on [m].
+constexpr double kTurnRate = 8.0;       // Share of the turn made up per second.
+constexpr double kWalkingSpeed = 0.15;  // Below it one stands and faces with the formation [m/s].
+
+Vec2 withinLock(Vec2 direction, Vec2 heading) {
+    if (dot(direction, heading) >= kLockTurn.c) return direction;
+    return cross(heading, direction) >= 0.0 ? kLockTurn.apply(heading) : kLockTurn.applyInverse(heading);
+}
+
+Vec2 turned(Vec2 heading, Vec2 towards, double share) {
+    // Opposite headings have no middle: turn left.
+    if (dot(heading, towards) < -0.999) towards = perpendicular(heading);
+    return normalized(heading + (towards - heading) * share, heading);
+}
+
+}  // namespace
+
+Vec2 Steering::preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input,
+                                 std::size_t i, double topSpeed) const {
+    if (now.place[i] < 0 && now.direction[i] == Vec2{}) return {};
+    const Vec2 toPlace = input.place[i] - now.position[i];
+    const double left = length(toPlace);
+    const bool crossing = now.phase[i] == MotionPhase::Locked && left > kLockEnds && lengthSquared(now.velocity[i]) > 0.01;
+    if (crossing) return withinLock(now.direction[i], now.heading[i]) * topSpeed;
+    if (now.place[i] >= 0 && left < def.directReach && dot(now.direction[i], toPlace) > 0.999 * left)
+        return clampLength(input.placeVelocity[i] + toPlace * def.positionGain, topSpeed);
+    if (now.place[i] >= 0 && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
+    return now.direction[i] * topSpeed;
+}
+
+void Steering::addSidesteps(const SteeringDef& def, const Characters& now) {
+    if (def.separationGain <= 0.0 || def.separationReach <= 0.0) return;
+    const double reach = 2.0 * def.radius + def.separationReach;
+    neighbours_.findPairs(now.position, reach, pairs_);
+    for (const NearPair pair : pairs_) {
+        const auto a = static_cast<std::size_t>(pair.a);
+        const auto b = static_cast<std::size_t>(pair.b);
+        const Vec2 between = now.position[b] - now.position[a];
+        const Vec2 away = normalized(between, {1.0, 0.0});
+        const double closeness = (reach - length(between)) / def.separationReach;
+        const Vec2 push = away * (def.separationGain * def.separationReach * std::min(1.0, closeness));
+        // Head on, both give way to their right, so that neither waits for the other.
+        const double closing = dot(preferred_[a] - preferred_[b], away);
+        const Vec2 aside = closing > 0.0 ? perpendicular(away) * (0.25 * closing * std::min(1.0, closeness)) : Vec2{};
+        preferred_[a] -= push + aside;
+        preferred_[b] += push + aside;
+    }
+}
+
+void Steering::run(const SteeringDef& def, const Characters& now, const SteeringInput& input,
+                   const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading) {
+    const std::size_t count = now.size();
+    preferred_.resize(count);
+    topSpeed_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        topSpeed_[i] = def.maxSpeed * environment.ground(now.position[i]).travelSpeed;
+        preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
+    }
+    addSidesteps(def, now);
+    const double share = std::min(1.0, def.velocityGain * dt);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 wish = clampLength(preferred_[i], topSpeed_[i]);
+        const Vec2 change = clampLength((wish - now.velocity[i]) * share, def.acceleration * dt);
+        velocity[i] = clampLength(now.velocity[i] + change, topSpeed_[i]);
+        const double speed = length(velocity[i]);
+        const Vec2 towards = speed > kWalkingSpeed ? velocity[i] / speed : input.facing[i];
+        heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i]
+                                                         : turned(now.heading[i], towards, std::min(1.0, kTurnRate * dt));
+    }
+}
+
+}  // namespace muster

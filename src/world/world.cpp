@@ -1,0 +1,227 @@
+#include "muster/world/world.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+#include "world/world_state.h"
+
+namespace muster {
+namespace {
+
+constexpr std::uint32_t kSnapshotMagic = 0x4d535031;  // "MSP1"
+
+std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> orderOf(const Command& command) {
+    return {command.step, command.client, command.sequence};
+}
+
+void archive(Writer& writer, Environment& environment) { environment.save(writer); }
+void archive(Hasher& hasher, Environment& environment) { environment.hash(hasher); }
+void archive(Reader& reader, Environment& environment) {
+    if (!environment.load(reader)) reader.fail();
+}
+
+void archive(Writer& writer, std::vector<Command>& queue) {
+    auto count = static_cast<std::uint32_t>(queue.size());
+    writer(count);
+    for (const Command& command : queue) encodeCommand(writer, command);
+}
+void archive(Reader& reader, std::vector<Command>& queue) {
+    std::uint32_t count = 0;
+    reader(count);
+    queue.clear();
+    for (std::uint32_t i = 0; i < count && reader.ok(); ++i) {
+        Result<Command> command = decodeCommand(reader);
+        if (!command.ok()) {
+            reader.fail();
+            return;
+        }
+        queue.push_back(*std::move(command));
+    }
+}
+void archive(Hasher& hasher, std::vector<Command>& queue) {
+    for (const Command& command : queue) {
+        Writer writer;
+        encodeCommand(writer, command);
+        auto bytes = writer.take();
+        hasher(bytes);
+    }
+}
+
+void archivePlan(Writer& writer, Group& group, ThreadPool&) { group.plan->save(writer); }
+void archivePlan(Hasher& hasher, Group& group, ThreadPool&) { group.plan->hash(hasher); }
+void archivePlan(Reader& reader, Group& group, ThreadPool& pool) {
+    group.plan = makeExactPlan();
+    if (reader.ok() && !group.plan->load(reader, pool)) reader.fail();
+}
+
+void archiveGroups(auto& ar, std::vector<Group>& groups, ThreadPool& pool) {
+    auto count = static_cast<std::uint32_t>(groups.size());
+    ar(count);
+    if constexpr (std::decay_t<decltype(ar)>::kReading) {
+        groups.clear();
+        for (std::uint32_t i = 0; i < count && ar.ok(); ++i) {
+            ar(groups.emplace_back());
+            archivePlan(ar, groups.back(), pool);
+        }
+    } else {
+        for (Group& group : groups) {
+            ar(group);
+            archivePlan(ar, group, pool);
+        }
+    }
+}
+
+Status addGround(World::Impl& world, const WorldDef& def) {
+    for (std::size_t i = 0; i < def.obstacles.size(); ++i) {
+        const auto added = world.environment.addObstacle(def.obstacles[i]);
+        if (!added.ok()) return added.status().within("obstacles[" + std::to_string(i) + "]");
+    }
+    for (std::size_t i = 0; i < def.patches.size(); ++i) {
+        const auto added = world.environment.addPatch(def.patches[i]);
+        if (!added.ok()) return added.status().within("patches[" + std::to_string(i) + "]");
+    }
+    if (!def.map) return {};
+    for (const ObstacleDef& obstacle : mapObstacles(def.map->grid, def.map->def)) {
+        const auto added = world.environment.addObstacle(obstacle);
+        if (!added.ok()) return added.status().within("map");
+    }
+    for (const PatchDef& patch : mapPatches(def.map->grid, def.map->def, 1)) {
+        const auto added = world.environment.addPatch(patch);
+        if (!added.ok()) return added.status().within("map");
+    }
+    return {};
+}
+
+}  // namespace
+
+template <class Archive>
+void World::Impl::visit(Archive& ar) {
+    for (const ParameterInfo& info : parameterTable()) ar(parameters.*(info.member));
+    archive(ar, environment);
+    ar(characters);
+    archive(ar, queue);
+    ar(checkpoints, checkpointState, items, collected, random, stepCount, lastCommandStep, nextCharacter, nextGroup);
+    if constexpr (Archive::kReading)
+        if (!ar.ok()) return;
+    archiveGroups(ar, groups, *pool);
+}
+
+const char* stageName(Stage stage) {
+    constexpr const char* kNames[] = {"commands", "controls", "user mesh", "final mesh", "places", "density and cost",
+                                      "plan",     "steering", "contacts",  "patches",    "events"};
+    return stage < Stage::Count ? kNames[static_cast<std::size_t>(stage)] : "none";
+}
+
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const WorldDef& def, std::int32_t threads) {
+    EnvironmentDef ground;
+    ground.box = def.box;
+    ground.cell = def.cell;
+    ground.defaultRange = def.parameters.fieldRange;
+    ground.defaultStrength = def.parameters.fieldStrength;
+    ground.clips = def.clips;
+    Result<Environment> environment = Environment::create(ground);
+    if (!environment.ok()) return environment.status();
+
+    auto impl = std::make_unique<Impl>();
+    impl->pool = std::make_unique<ThreadPool>(threads);
+    impl->parameters = def.parameters;
+    impl->environment = *std::move(environment);
+    impl->random = Random(def.seed);
+    const Status grounded = addGround(*impl, def);
+    if (!grounded.ok()) return grounded;
+    impl->environment.setTime(0.0);
+    impl->density = DensityField(def.box, {def.parameters.densityCell, def.parameters.densityLambda});
+    impl->checkpoints = def.checkpoints;
+    impl->items = def.items;
+    impl->collected.assign(def.items.size(), 0);
+    for (std::size_t i = 0; i < def.groups.size(); ++i) {
+        const Status added = impl->addGroup(def.groups[i]);
+        if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");
+    }
+    return World(std::move(impl));
+}
+
+Status World::submit(const Command& command) {
+    const Status valid = validateCommand(command);
+    if (!valid.ok()) return valid;
+    if (command.step < impl_->stepCount)
+        return invalidArgument(std::string(commandName(command)) + ": found step " + std::to_string(command.step) +
+                               ", expected " + std::to_string(impl_->stepCount) + " or later");
+    const auto at = std::upper_bound(impl_->queue.begin(), impl_->queue.end(), command,
+                                     [](const Command& a, const Command& b) { return orderOf(a) < orderOf(b); });
+    impl_->queue.insert(at, command);
+    return {};
+}
+
+std::uint64_t World::hash() const {
+    Hasher hasher;
+    impl_->visit(hasher);
+    return hasher.value();
+}
+
+std::vector<std::uint8_t> World::snapshot() const {
+    Writer writer;
+    std::uint32_t magic = kSnapshotMagic;
+    writer(magic);
+    impl_->visit(writer);
+    return writer.take();
+}
+
+Result<World> World::restore(std::span<const std::uint8_t> snapshot, std::int32_t threads) {
+    Reader reader(snapshot);
+    std::uint32_t magic = 0;
+    reader(magic);
+    if (magic != kSnapshotMagic) return Status(StatusCode::ParseError, "snapshot: found another kind of file, expected a world");
+    auto impl = std::make_unique<Impl>();
+    impl->pool = std::make_unique<ThreadPool>(threads);
+    impl->visit(reader);
+    if (!reader.ok() || reader.remaining() != 0)
+        return Status(StatusCode::ParseError, "snapshot: found torn or foreign data, expected a whole world");
+    for (const std::uint32_t group : impl->characters.group)
+        if (group >= impl->groups.size()) return Status(StatusCode::ParseError, "snapshot: a character names no group");
+    const Parameters& p = impl->parameters;
+    impl->density = DensityField(impl->environment.def().box, {p.densityCell, p.densityLambda});
+    impl->refreshMembers();
+    return World(std::move(impl));
+}
+
+std::uint32_t World::stepCount() const { return impl_->stepCount; }
+double World::time() const { return impl_->time(); }
+const Parameters& World::parameters() const { return impl_->parameters; }
+const Environment& World::environment() const { return impl_->environment; }
+const Characters& World::characters() const { return impl_->characters; }
+std::size_t World::groupCount() const { return impl_->groups.size(); }
+const DensityField& World::density() const { return impl_->density; }
+const UnitCost* World::unitCost() const { return impl_->costBuilt ? &impl_->unitCost : nullptr; }
+std::span<const Event> World::events() const { return impl_->events; }
+std::span<const Rejection> World::rejections() const { return impl_->rejections; }
+std::span<const ItemDef> World::items() const { return impl_->items; }
+std::span<const std::uint8_t> World::collected() const { return impl_->collected; }
+std::span<const FormationCheckpointDef> World::checkpoints() const { return impl_->checkpoints; }
+const StageTimes& World::stageTimes() const { return impl_->times; }
+const ContactReport& World::contacts() const { return impl_->contacts; }
+std::uint32_t World::lastCommandStep() const { return impl_->lastCommandStep; }
+
+GroupView World::group(std::size_t index) const {
+    const Group& group = impl_->groups[index];
+    GroupView view;
+    view.id = group.id;
+    view.def = &group.def;
+    view.mesh = &group.mesh;
+    view.controls = &group.controls;
+    view.places = &group.places;
+    view.plan = group.plan.get();
+    view.objective = group.objective;
+    view.gapBound = group.gapBound;
+    view.meanLag = group.meanLag;
+    view.formationVersion = group.formationVersion;
+    return view;
+}
+
+}  // namespace muster

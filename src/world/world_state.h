@@ -1,0 +1,145 @@
+// The state of a world, and the memory that its step reuses.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "muster/base/archive.h"
+#include "muster/base/random.h"
+#include "muster/crowd/contacts.h"
+#include "muster/crowd/motion.h"
+#include "muster/crowd/steering.h"
+#include "muster/world/world.h"
+
+namespace muster {
+
+/// A group as the world keeps it.
+struct Group {
+    GroupId id;
+    GroupDef def;
+    FormationMesh mesh;
+    ControlSet controls;
+    PlaceTracker places;
+    std::unique_ptr<Plan> plan;
+    double objective = 0.0;
+    double gapBound = 0.0;
+    double meanLag = 0.0;
+    std::uint32_t formationVersion = 1;
+    bool planNow = true;      ///< The next plan is made whole in one step, without incumbents.
+    bool assigned = false;    ///< A first assignment stands (for plans made once).
+    std::int32_t slice = 0;   ///< Shares of the pending plan done.
+    std::int32_t slices = 1;  ///< Shares it was cut into.
+    std::vector<std::int32_t> members;  // Cache: indices of its characters, ascending.
+
+    /// Lets an archive read or write everything but the plan and the caches.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, def, mesh, controls, places, objective, gapBound, meanLag, formationVersion, planNow, assigned,
+                slice, slices);
+    }
+};
+
+/// Memory that a step reuses; nothing in it outlives the step.
+struct StepMemory {
+    std::vector<Vec2> targets;
+    std::vector<Vec2> groupPositions;
+    std::vector<std::int32_t> groupPlaces;
+    std::vector<Vec2> groupDirections;
+    std::vector<double> groupCosts;
+    std::vector<Vec2> placePosition;
+    std::vector<Vec2> placeVelocity;
+    std::vector<Vec2> facing;
+    std::vector<Vec2> nextVelocity;
+    std::vector<Vec2> nextHeading;
+    std::vector<Vec2> nextPosition;
+    std::vector<MotionEvent> motionEvents;
+    std::vector<std::int32_t> regionLabels;
+    PlanResult planResult;
+};
+
+/// Everything a world is.
+struct World::Impl {
+    // State.
+    Parameters parameters;
+    Environment environment;
+    Characters characters;
+    std::vector<Group> groups;
+    std::vector<Command> queue;  ///< Ordered by (step, client, sequence).
+    std::vector<FormationCheckpointDef> checkpoints;
+    std::vector<std::uint8_t> checkpointState;  ///< checkpoints x groups: bit 0 inside now, bit 1 used.
+    std::vector<ItemDef> items;
+    std::vector<std::uint8_t> collected;
+    Random random;
+    std::uint32_t stepCount = 0;
+    std::uint32_t lastCommandStep = 0;
+    std::uint32_t nextCharacter = 1;
+    std::uint32_t nextGroup = 1;
+
+    // Reports of the last step, and caches.
+    std::vector<Event> events;
+    std::vector<Rejection> rejections;
+    ContactReport contacts;
+    StageTimes times;
+    DensityField density;
+    UnitCostBuilder costBuilder;
+    UnitCost unitCost;
+    bool costBuilt = false;
+    Steering steering;
+    Contacts contactSolver;
+    std::unique_ptr<ThreadPool> pool;
+    StepMemory memory;
+
+    double time() const { return stepCount * parameters.stepTime; }
+
+    // Making and changing groups (world_groups.cpp).
+    Status addGroup(const GroupDef& def);
+    void removeGroup(std::size_t index);
+    Status changeFormation(Group& group, const FormationDef& def, std::int32_t count);
+    void setCount(Group& group, std::int32_t count);
+    void addCharacter(const Group& group, std::uint32_t groupIndex, Vec2 position);
+    void removeCharacter(std::size_t index);
+    void refreshMembers();
+    Group* findGroup(GroupId id);
+    std::int32_t regionOf(const Group& group);
+
+    // The stages of a step, in order (world_step.cpp).
+    void applyCommands();
+    void moveControls();
+    void deformMeshes();
+    void meetEnvironment();
+    void movePlaces();
+    void buildDensityAndCost();
+    void plan();
+    void steer();
+    void resolveContacts();
+    void updatePatches();
+    void raiseEvents();
+
+    // One command each (world_commands.cpp).
+    Status apply(const Command& command);
+
+    // Parts of stages.
+    bool plansThisStep(const Group& group, std::size_t index) const;
+    void startPlan(Group& group);
+    void finishPlan(Group& group);
+    void steerGroup(Group& group);
+    void directTheUnmatched(Group& group);
+    void collectItems();
+    void meetCheckpoints();
+    void measureLag();
+
+    // Views of the parameters.
+    ControlDef controlDef() const;
+    FormationMeshDef meshDef() const;
+    PlaceDef placeDef() const;
+    UnitCostDef costDef() const;
+    PlanDef planDef() const;
+    PlanMode planMode() const;
+    SteeringDef steeringDef() const;
+
+    /// All state, for saving, loading and hashing alike.
+    template <class Archive>
+    void visit(Archive& archive);
+};
+
+}  // namespace muster

@@ -1,0 +1,277 @@
+// The step: each stage reads what stands frozen before it and writes the next.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "muster/base/stopwatch.h"
+#include "world/world_state.h"
+
+namespace muster {
+namespace {
+
+using StageFunction = void (World::Impl::*)();
+
+constexpr double kUnmatchedReach = 2.0;  // The unmatched stop this far from the nearest place [m].
+
+}  // namespace
+
+// The whole step, stage by stage.
+constexpr StageFunction kStages[] = {
+    &World::Impl::applyCommands,        // Stage::Commands
+    &World::Impl::moveControls,         // Stage::Controls
+    &World::Impl::deformMeshes,         // Stage::UserMesh
+    &World::Impl::meetEnvironment,      // Stage::FinalMesh
+    &World::Impl::movePlaces,           // Stage::Places
+    &World::Impl::buildDensityAndCost,  // Stage::DensityAndCost
+    &World::Impl::plan,                 // Stage::Plan
+    &World::Impl::steer,                // Stage::Steering
+    &World::Impl::resolveContacts,      // Stage::Contacts
+    &World::Impl::updatePatches,        // Stage::Patches
+    &World::Impl::raiseEvents,          // Stage::Events
+};
+static_assert(std::size(kStages) == static_cast<std::size_t>(Stage::Count));
+
+void World::step() {
+    const Stopwatch whole;
+    Stopwatch watch;
+    for (std::size_t i = 0; i < std::size(kStages); ++i) {
+        watch.restart();
+        (impl_.get()->*kStages[i])();
+        impl_->times.milliseconds[i] = watch.milliseconds();
+    }
+    ++impl_->stepCount;
+    impl_->times.total = whole.milliseconds();
+}
+
+// SPEC U6: the mesh waits for a crowd that falls behind.
+void World::Impl::moveControls() {
+    for (Group& group : groups) {
+        const double pace =
+            parameters.opposingForce != 0.0 ? std::max(0.0, 1.0 - parameters.opposingGain * group.meanLag) : 1.0;
+        group.controls.advance(controlDef(), parameters.stepTime, time(), pace);
+    }
+}
+
+void World::Impl::deformMeshes() {
+    for (Group& group : groups) {
+        const Status status = group.mesh.deform(meshDef(), controlDef(), group.controls, parameters.stepTime);
+        MUSTER_ASSERT(status.ok());
+        (void)status;
+    }
+}
+
+void World::Impl::meetEnvironment() {
+    for (Group& group : groups) group.mesh.meet(meshDef(), environment, parameters.stepTime);
+}
+
+void World::Impl::movePlaces() {
+    for (Group& group : groups) {
+        group.mesh.placePositions(memory.targets);
+        group.places.advance(placeDef(), memory.targets, environment, regionOf(group), parameters.stepTime);
+    }
+}
+
+// Groups take turns within the period, so that their plans do not fall on one step.
+bool World::Impl::plansThisStep(const Group& group, std::size_t index) const {
+    const auto period = static_cast<std::uint32_t>(parameters.planPeriod);
+    return group.planNow || (!group.plan->pending() && (stepCount + index) % period == 0);
+}
+
+void World::Impl::buildDensityAndCost() {
+    density.splat(characters.position, characters.velocity);
+    bool needed = false;
+    for (std::size_t g = 0; g < groups.size(); ++g) needed = needed || plansThisStep(groups[g], g);
+    if (!needed) return;
+    costBuilder.build(costDef(), environment, density, parameters.radius, unitCost);
+    costBuilt = true;
+}
+
+void World::Impl::startPlan(Group& group) {
+    const PlanMode mode = planMode();
+    memory.groupPositions.clear();
+    memory.groupPlaces.clear();
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        memory.groupPositions.push_back(characters.position[i]);
+        const bool own = mode == PlanMode::Fixed && k < group.places.positions().size();
+        memory.groupPlaces.push_back(own ? static_cast<std::int32_t>(k) : characters.place[i]);
+    }
+    PlanDef def = planDef();
+    def.reassign = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
+    PlanInput input;
+    input.characters = memory.groupPositions;
+    input.places = group.places.positions();
+    input.usable = group.places.fit();
+    input.incumbent = memory.groupPlaces;
+    input.cost = &unitCost;
+    group.slices = group.planNow ? 1 : static_cast<std::int32_t>(parameters.planPeriod);
+    group.slice = 0;
+    const Status status = group.plan->start(def, input);
+    MUSTER_ASSERT(status.ok());
+    (void)status;
+}
+
+void World::Impl::finishPlan(Group& group) {
+    const Status status = group.plan->finish(*pool, memory.planResult);
+    MUSTER_ASSERT(status.ok());
+    (void)status;
+    group.objective = memory.planResult.objective;
+    group.gapBound = memory.planResult.gapBound;
+    memory.groupPlaces.assign(group.members.size(), -1);
+    for (const Flow& flow : memory.planResult.flows) memory.groupPlaces[static_cast<std::size_t>(flow.character)] = flow.place;
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        const std::int32_t place = memory.groupPlaces[k];
+        if (place == characters.place[i]) continue;
+        if (!group.planNow && place >= 0 && characters.place[i] >= 0)
+            events.push_back({EventKind::Swap, characters.id[i], static_cast<std::uint32_t>(place), characters.position[i]});
+        characters.place[i] = place;
+    }
+    group.assigned = true;
+    group.planNow = false;
+}
+
+void World::Impl::plan() {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        Group& group = groups[g];
+        if (plansThisStep(group, g)) startPlan(group);
+        if (!group.plan->pending()) continue;
+        group.plan->advance(group.slice, group.slices, *pool);
+        if (++group.slice >= group.slices) finishPlan(group);
+    }
+}
+
+void World::Impl::steerGroup(Group& group) {
+    const std::size_t count = group.members.size();
+    memory.groupPositions.resize(count);
+    memory.groupPlaces.resize(count);
+    memory.groupDirections.resize(count);
+    memory.groupCosts.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        memory.groupPositions[k] = characters.position[i];
+        memory.groupPlaces[k] = characters.place[i];
+    }
+    directTheUnmatched(group);
+    group.plan->steer(memory.groupPositions, memory.groupPlaces, group.places.positions(), environment,
+                      parameters.directReach, memory.groupDirections, memory.groupCosts);
+    const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        const std::int32_t place = characters.place[i];
+        characters.direction[i] = memory.groupDirections[k];
+        characters.cost[i] = place >= 0 ? memory.groupCosts[k] : std::numeric_limits<double>::infinity();
+        memory.facing[i] = facing;
+        const auto j = static_cast<std::size_t>(place);
+        memory.placePosition[i] = place >= 0 ? group.places.positions()[j] : characters.position[i];
+        memory.placeVelocity[i] = place >= 0 ? group.places.velocities()[j] : Vec2{};
+    }
+}
+
+// The unmatched come as near as the nearest place that someone can take, and wait there beside the mesh.
+void World::Impl::directTheUnmatched(Group& group) {
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        if (memory.groupPlaces[k] >= 0) continue;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < group.places.positions().size(); ++j) {
+            if (group.places.fit()[j] == 0) continue;
+            const double d = distance(group.places.positions()[j], memory.groupPositions[k]);
+            if (d >= nearest) continue;
+            nearest = d;
+            memory.groupPlaces[k] = static_cast<std::int32_t>(j);
+        }
+        if (nearest < kUnmatchedReach) memory.groupPlaces[k] = -1;
+    }
+}
+
+void World::Impl::steer() {
+    const std::size_t count = characters.size();
+    memory.placePosition.resize(count);
+    memory.placeVelocity.resize(count);
+    memory.facing.resize(count);
+    memory.nextVelocity.resize(count);
+    memory.nextHeading.resize(count);
+    memory.nextPosition.resize(count);
+    for (Group& group : groups) steerGroup(group);
+    const SteeringInput input{memory.placePosition, memory.placeVelocity, memory.facing};
+    steering.run(steeringDef(), characters, input, environment, parameters.stepTime, memory.nextVelocity,
+                 memory.nextHeading);
+    for (std::size_t i = 0; i < count; ++i)
+        memory.nextPosition[i] = characters.position[i] + memory.nextVelocity[i] * parameters.stepTime;
+}
+
+void World::Impl::resolveContacts() {
+    const ContactDef def{parameters.radius, static_cast<std::int32_t>(parameters.contactIterations)};
+    contacts = contactSolver.resolve(def, environment, memory.nextPosition);
+    // What contacts took away is not speed any more; what they pushed adds none.
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const Vec2 moved = (memory.nextPosition[i] - characters.position[i]) / parameters.stepTime;
+        characters.velocity[i] = clampLength(moved, length(memory.nextVelocity[i]));
+        characters.position[i] = memory.nextPosition[i];
+        characters.heading[i] = memory.nextHeading[i];
+    }
+}
+
+void World::Impl::updatePatches() {
+    memory.motionEvents.clear();
+    updateMotions(environment, parameters.stepTime, characters, memory.motionEvents);
+}
+
+void World::Impl::raiseEvents() {
+    for (const MotionEvent& event : memory.motionEvents) {
+        const auto i = static_cast<std::size_t>(event.character);
+        // The first kinds of both lists correspond one to one.
+        const auto kind = static_cast<EventKind>(event.change);
+        events.push_back({kind, characters.id[i], event.value, characters.position[i]});
+    }
+    collectItems();
+    meetCheckpoints();
+    measureLag();
+}
+
+void World::Impl::collectItems() {
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        if (collected[k] != 0) continue;
+        for (std::size_t i = 0; i < characters.size(); ++i) {
+            if (distance(characters.position[i], items[k].position) > items[k].radius) continue;
+            collected[k] = 1;
+            events.push_back({EventKind::Collect, characters.id[i], static_cast<std::uint32_t>(k), items[k].position});
+            break;
+        }
+    }
+}
+
+void World::Impl::meetCheckpoints() {
+    for (std::size_t c = 0; c < checkpoints.size(); ++c) {
+        const FormationCheckpointDef& checkpoint = checkpoints[c];
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            if (checkpoint.group >= 0 && static_cast<std::size_t>(checkpoint.group) != g) continue;
+            Group& group = groups[g];
+            std::uint8_t& state = checkpointState[c * groups.size() + g];
+            const bool inside = distance(group.mesh.pose().position, checkpoint.position) <= checkpoint.radius;
+            const bool comes = inside && (state & 1) == 0 && !(checkpoint.once && (state & 2) != 0);
+            state = static_cast<std::uint8_t>((state & 2) | (inside ? 1 : 0));
+            if (!comes) continue;
+            state |= 2;
+            if (changeFormation(group, checkpoint.formation, group.def.count).ok())
+                events.push_back({EventKind::FormationChange, group.id.value, static_cast<std::uint32_t>(c),
+                                  checkpoint.position});
+        }
+    }
+}
+
+void World::Impl::measureLag() {
+    for (Group& group : groups) {
+        double sum = 0.0;
+        std::int32_t matched = 0;
+        for (const std::int32_t member : group.members) {
+            const auto i = static_cast<std::size_t>(member);
+            if (characters.place[i] < 0) continue;
+            sum += distance(characters.position[i], group.places.positions()[static_cast<std::size_t>(characters.place[i])]);
+            ++matched;
+        }
+        group.meanLag = matched > 0 ? sum / matched : 0.0;
+    }
+}
+
+}  // namespace muster
