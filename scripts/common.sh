@@ -1,0 +1,64 @@
+# Shared by run and test: installing what is missing, building. Sourced, not run.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root" || exit 1
+
+# Debian packages: to build the program and its page, and on top of that to test both.
+build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev)
+test_packages=(doctest-dev librapidcheck-dev liblemon-dev chromium libgl1-mesa-dri libegl1 emscripten)
+
+say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
+fail() { printf 'muster: %s\n' "$*" >&2; exit 1; }
+
+# install_packages NAME...: installs those Debian packages that are missing.
+install_packages() {
+    local missing=() name
+    for name in "$@"; do
+        [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
+    done
+    [ ${#missing[@]} -eq 0 ] && return 0
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || fail "these packages are missing and neither root nor sudo is at hand: ${missing[*]}"
+        as_root=(sudo)
+    fi
+    say "Installing ${missing[*]}"
+    "${as_root[@]}" apt-get update -qq || fail "apt-get update failed; is there a network?"
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
+        fail "apt-get could not install: ${missing[*]}"
+}
+
+# Node from wherever it comes, else Debian's.
+install_node() {
+    if command -v node >/dev/null && command -v npm >/dev/null; then
+        [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 18 ] || fail "found Node $(node --version), expected 18 or newer"
+        return 0
+    fi
+    install_packages nodejs npm
+}
+
+# build_program PRESET TARGET...: configures once, then builds.
+build_program() {
+    local preset=$1
+    shift
+    [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >/dev/null || fail "cmake could not configure the preset $preset"
+    cmake --build "build/$preset" --target "$@" >"build/$preset/build.log" 2>&1 || {
+        grep -A 12 -m 1 -E 'error|FAILED' "build/$preset/build.log" >&2
+        fail "the build failed; the whole log is build/$preset/build.log"
+    }
+}
+
+# build_page: installs the page's packages and builds web/dist where sources are newer than it.
+build_page() {
+    if [ ! -f web/node_modules/.package-lock.json ] || [ web/package-lock.json -nt web/node_modules/.package-lock.json ]; then
+        say "Installing the page's packages"
+        (cd web && npm ci --no-audit --no-fund --silent) || fail "npm ci failed in web/"
+        touch web/node_modules/.package-lock.json
+    fi
+    if [ ! -f web/dist/index.html ] ||
+        [ -n "$(find web protocol -newer web/dist/index.html -type f -not -path 'web/node_modules/*' -not -path 'web/dist/*' -not -path 'web/test-results/*' -print -quit)" ]; then
+        say "Building the page"
+        (cd web && npm run --silent build) >&2 || fail "the page does not build"
+        touch web/dist/index.html
+    fi
+}

@@ -1,0 +1,73 @@
+#include "muster/crowd/contacts.h"
+
+#include <doctest.h>
+
+#include "muster/base/random.h"
+
+using namespace muster;
+
+namespace {
+
+Environment room(double half) {
+    EnvironmentDef def;
+    def.box = {{-half, -half}, {half, half}};
+    return Environment::create(def).value();
+}
+
+}  // namespace
+
+TEST_CASE("two in one spot part to a diameter, symmetric about it") {
+    Environment environment = room(10);
+    environment.setTime(0.0);
+    std::vector<Vec2> positions{{1, 1}, {1, 1}};
+    Contacts contacts;
+    const ContactReport report = contacts.resolve({0.25, 16}, environment, positions);
+    CHECK(distance(positions[0], positions[1]) == doctest::Approx(0.5).epsilon(1e-3));
+    CHECK(distance(lerp(positions[0], positions[1], 0.5), {1, 1}) < 1e-9);
+    CHECK(report.overlapPairs == 0);
+}
+
+TEST_CASE("those who do not touch stay where they are, bit for bit") {
+    Environment environment = room(10);
+    environment.setTime(0.0);
+    std::vector<Vec2> positions{{0, 0}, {0.51, 0}, {3, 3}};
+    const std::vector<Vec2> before = positions;
+    Contacts contacts;
+    contacts.resolve({0.25, 8}, environment, positions);
+    CHECK(positions == before);
+}
+
+TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles") {
+    Random random(6);
+    Environment environment = room(12);
+    ObstacleDef block;
+    block.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+    REQUIRE(environment.addObstacle(block).ok());
+    ObstacleDef disc;
+    disc.centre = {5, 5};
+    disc.radius = 1.5;
+    REQUIRE(environment.addObstacle(disc).ok());
+    environment.setTime(0.0);
+    Contacts contacts;
+    for (int scene = 0; scene < 20; ++scene) {
+        std::vector<Vec2> positions(150);
+        for (Vec2& p : positions) p = {random.uniform(-7, 7), random.uniform(-7, 7)};
+        ContactReport report;
+        for (int step = 0; step < 30; ++step) report = contacts.resolve({0.25, 16}, environment, positions);
+        CHECK(report.overlapPairs == 0);
+        CHECK(report.worstPenetration < 0.1);
+        for (const Vec2 p : positions) CHECK(environment.distanceToObstacle(p) > 0.25 - 1e-6);
+    }
+}
+
+TEST_CASE("overlaps are reported when there is no room to part") {
+    Environment environment = room(0.6);
+    environment.setTime(0.0);
+    std::vector<Vec2> positions(12, Vec2{0, 0});
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i].x = 0.01 * static_cast<double>(i);
+    Contacts contacts;
+    const ContactReport report = contacts.resolve({0.25, 8}, environment, positions);
+    CHECK(report.overlapPairs > 0);
+    CHECK(report.worstPenetration > 0.1);
+    for (const Vec2 p : positions) CHECK(isFinite(p));
+}

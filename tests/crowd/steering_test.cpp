@@ -1,0 +1,136 @@
+#include "muster/crowd/steering.h"
+
+#include <doctest.h>
+
+#include <limits>
+
+using namespace muster;
+
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;
+
+Environment ground(double patchSpeed) {
+    EnvironmentDef def;
+    def.box = {{-30, -30}, {30, 30}};
+    Environment environment = Environment::create(def).value();
+    PatchDef patch;
+    patch.name = "Mud";
+    patch.polygon = {{5, -5}, {15, -5}, {15, 5}, {5, 5}};
+    patch.motion = 1;
+    patch.speed = patchSpeed;
+    REQUIRE(environment.addPatch(patch).ok());
+    environment.setTime(0.0);
+    return environment;
+}
+
+void add(Characters& c, Vec2 position, Vec2 direction) {
+    c.id.push_back(static_cast<std::uint32_t>(c.size()) + 1);
+    c.group.push_back(0);
+    c.position.push_back(position);
+    c.velocity.push_back({});
+    c.heading.push_back({1, 0});
+    c.place.push_back(static_cast<std::int32_t>(c.place.size()));
+    c.direction.push_back(direction);
+    c.cost.push_back(0);
+    c.motion.push_back(0);
+    c.phase.push_back(MotionPhase::Steady);
+    c.motionTime.push_back(0);
+    c.patch.push_back(0);
+    c.lastSingle.push_back(0);
+}
+
+// Runs towards fixed places, straight, without contacts.
+void walk(Characters& c, const std::vector<Vec2>& places, const Environment& environment, int steps) {
+    Steering steering;
+    const SteeringDef def;
+    std::vector<Vec2> still(c.size());
+    std::vector<Vec2> facing(c.size(), Vec2{0, 1});
+    std::vector<Vec2> velocity(c.size());
+    std::vector<Vec2> heading(c.size());
+    for (int s = 0; s < steps; ++s) {
+        for (std::size_t i = 0; i < c.size(); ++i) c.direction[i] = normalized(places[i] - c.position[i]);
+        steering.run(def, c, {places, still, facing}, environment, kStep, velocity, heading);
+        c.velocity = velocity;
+        c.heading = heading;
+        for (std::size_t i = 0; i < c.size(); ++i) c.position[i] += velocity[i] * kStep;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a character reaches top speed, arrives without overshoot and turns with its formation") {
+    const Environment environment = ground(0.5);
+    Characters c;
+    add(c, {-10, 0}, {1, 0});
+    walk(c, {{-2, 0}}, environment, 120);
+    CHECK(length(c.velocity[0]) == doctest::Approx(2.0).epsilon(1e-6));
+    CHECK(c.heading[0].x == doctest::Approx(1.0).epsilon(1e-3));
+    double furthest = -10.0;
+    for (int s = 0; s < 400; ++s) {
+        walk(c, {{-2, 0}}, environment, 1);
+        furthest = std::max(furthest, c.position[0].x);
+    }
+    CHECK(distance(c.position[0], {-2, 0}) < 1e-3);
+    CHECK(furthest < -2.0 + 0.02);
+    CHECK(c.heading[0].y == doctest::Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("on a patch the top speed is the patch's") {
+    const Environment environment = ground(0.35);
+    Characters c;
+    add(c, {6, 0}, {1, 0});
+    walk(c, {{14, 0}}, environment, 120);
+    CHECK(length(c.velocity[0]) == doctest::Approx(0.7).epsilon(1e-6));
+}
+
+TEST_CASE("two who meet head on pass each other, each to its right") {
+    const Environment environment = ground(0.5);
+    Characters c;
+    add(c, {-5, 10}, {1, 0});
+    add(c, {0, 10}, {-1, 0});
+    std::vector<Vec2> places{{0, 10}, {-5, 10}};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int s = 0; s < 600; ++s) {
+        walk(c, places, environment, 1);
+        nearest = std::min(nearest, distance(c.position[0], c.position[1]));
+    }
+    CHECK(distance(c.position[0], places[0]) < 0.1);
+    CHECK(distance(c.position[1], places[1]) < 0.1);
+    CHECK(nearest > 0.0);
+}
+
+TEST_CASE("the unmatched stand still") {
+    const Environment environment = ground(0.5);
+    Characters c;
+    add(c, {0, 0}, {});
+    c.place[0] = -1;
+    Steering steering;
+    std::vector<Vec2> own{{0, 0}};
+    std::vector<Vec2> still(1);
+    std::vector<Vec2> facing(1, Vec2{1, 0});
+    std::vector<Vec2> velocity(1);
+    std::vector<Vec2> heading(1);
+    steering.run({}, c, {own, still, facing}, environment, kStep, velocity, heading);
+    CHECK(velocity[0] == Vec2{});
+}
+
+TEST_CASE("within a single-step motion nobody turns away by more than 20 degrees") {
+    const Environment environment = ground(0.5);
+    Characters c;
+    add(c, {0, 0}, {-1, 0});
+    c.phase[0] = MotionPhase::Locked;
+    c.velocity[0] = {2, 0};
+    Steering steering;
+    std::vector<Vec2> place{{-9, 0}};
+    std::vector<Vec2> still(1);
+    std::vector<Vec2> facing(1, Vec2{1, 0});
+    std::vector<Vec2> velocity(1);
+    std::vector<Vec2> heading(1);
+    for (int s = 0; s < 60; ++s) {
+        steering.run({}, c, {place, still, facing}, environment, kStep, velocity, heading);
+        c.velocity = velocity;
+    }
+    CHECK(dot(normalized(velocity[0]), Vec2{1, 0}) > 0.93);
+    CHECK(heading[0] == Vec2{1, 0});
+}
