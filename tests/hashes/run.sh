@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Compares the hashes of every scenario between builds: threads 1, 2, 4, 8; debug; clang where it is installed;
+# WebAssembly under Node. Usage: run.sh [SECONDS]
+set -u
+root=$(cd "$(dirname "$0")/../.." && pwd)
+cd "$root" || exit 1
+seconds=${1:-8}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0
+failed=0
+
+# compare NAME FILE: each scenario is one comparison with the release build on one thread.
+compare() {
+    local scenario
+    for scenario in $(cut -d' ' -f1 "$work/reference" | sort -u); do
+        if diff -q <(grep "^$scenario " "$work/reference") <(grep "^$scenario " "$2") >/dev/null; then
+            passed=$((passed + 1))
+        else
+            failed=$((failed + 1))
+            echo "$1: $scenario differs, first at step $(diff <(grep "^$scenario " "$work/reference") <(grep "^$scenario " "$2") | grep -m1 '^<' | cut -d' ' -f3)"
+        fi
+    done
+}
+
+# build PRESET: a build of the hash program; its path is build/PRESET/tests/hashes/scenario_hashes.
+build() {
+    [ -f "build/$1/build.ninja" ] || cmake --preset "$1" >/dev/null || return 1
+    cmake --build "build/$1" --target scenario_hashes >"build/$1/hashes.log" 2>&1 || { tail -n 20 "build/$1/hashes.log"; return 1; }
+}
+
+build release || { echo "0 passed, 1 failed"; exit 1; }
+build/release/tests/hashes/scenario_hashes scenarios "$seconds" 1 >"$work/reference" || { echo "0 passed, 1 failed"; exit 1; }
+cat "$work/reference"
+for threads in 2 4 8; do
+    build/release/tests/hashes/scenario_hashes scenarios "$seconds" "$threads" >"$work/threads" || failed=$((failed + 1))
+    compare "$threads threads" "$work/threads"
+done
+presets=(debug)
+if command -v clang++ >/dev/null; then presets+=(clang); else echo "skipped: clang, which is not installed"; fi
+for preset in "${presets[@]}"; do
+    if build "$preset"; then
+        "build/$preset/tests/hashes/scenario_hashes" scenarios "$seconds" 2 >"$work/$preset" || failed=$((failed + 1))
+        compare "$preset" "$work/$preset"
+    else
+        failed=$((failed + 1))
+    fi
+done
+
+# WebAssembly: Debian's emscripten finds its JavaScript packages here.
+export NODE_PATH=/usr/share/nodejs
+mkdir -p build/wasm/deps
+ln -sfn /usr/include/eigen3 build/wasm/deps/eigen3
+ln -sfn /usr/include/nlohmann build/wasm/deps/nlohmann
+if { [ -f build/wasm/build.ninja ] ||
+    emcmake cmake -S . -B build/wasm -G Ninja -DCMAKE_BUILD_TYPE=Release -DMUSTER_BUILD_APPS=OFF -DMUSTER_BUILD_TESTS=OFF \
+        -DMUSTER_BUILD_HASHES=ON -DMUSTER_DEPS_INCLUDE="$root/build/wasm/deps" >build/wasm/configure.log 2>&1; } &&
+    cmake --build build/wasm --target scenario_hashes >build/wasm/build.log 2>&1; then
+    node build/wasm/tests/hashes/scenario_hashes.js scenarios "$seconds" 1 >"$work/wasm" || failed=$((failed + 1))
+    compare WebAssembly "$work/wasm"
+else
+    tail -n 20 build/wasm/configure.log build/wasm/build.log
+    failed=$((failed + 1))
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
