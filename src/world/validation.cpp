@@ -85,6 +85,7 @@ Status validateGround(const WorldDef& def) {
         !s.ok()) {
         return s;
     }
+    if (def.seed > 9007199254740991ull) return invalidArgument("seed is above 2^53 - 1");
     if (!(def.box.width() > 0.0 && def.box.height() > 0.0)) return invalidArgument("box is empty");
     const double cells = std::ceil(def.box.width() / def.cell) * std::ceil(def.box.height() / def.cell);
     if (cells > 16e6) {

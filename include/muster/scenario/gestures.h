@@ -12,7 +12,8 @@
 namespace muster {
 
 /// Reads a gestures file into commands for a world of that step time, ordered by (step, client, sequence).
-/// An event at time t belongs to step floor(t / stepTime + 1e-9). Fails as loadScenario does.
+/// An event at time t belongs to step floor(t / stepTime + 1e-9); those of one step and client keep the order of
+/// the file. Fails as loadScenario does.
 Result<std::vector<Command>> loadGestures(const std::string& path, double stepTime);
 /// The same from text.
 Result<std::vector<Command>> parseGestures(std::string_view text, const std::string& sourceName, double stepTime);

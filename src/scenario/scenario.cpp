@@ -1,0 +1,173 @@
+#include "muster/scenario/scenario.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "scenario/describe.h"
+#include "scenario/map_field.h"
+
+namespace muster {
+namespace {
+
+constexpr const char* kFormat = "muster-scenario";
+constexpr double kLargestSeed = 9007199254740991.0;  // 2^53 - 1: exact in every JSON reader.
+
+std::vector<std::string> clipNames(const std::vector<ClipFacts>& clips) {
+    std::vector<std::string> names;
+    for (const ClipFacts& clip : clips) names.push_back(clip.name);
+    return names;
+}
+
+/// `format` and `version`: what the file is.
+template <class Visitor>
+void describeHead(Visitor& v) {
+    std::string format = kFormat;
+    std::int32_t version = 1;
+    v.choice("format", format, {kFormat}, "What this file is.", Need::Required);
+    v.whole("version", version, {1.0, 1.0}, "Of the format.", Need::Required);
+    if constexpr (Visitor::kReading || Visitor::kSchema) {
+        std::string schema;
+        v.text("$schema", schema, "Where editors find this schema.");
+    }
+}
+
+/// The corner points [x, y] of the world box.
+template <class Visitor>
+void describeBox(Visitor& v, Box& box) {
+    std::vector<Vec2> corners{box.min, box.max};
+    v.points("box", corners, 2, 2,
+             "Lower left and upper right corner of the world; left out: the map's, or 32 x 32 m about the origin.");
+    if constexpr (Visitor::kReading) {
+        if (!v.failed()) box = {corners[0], corners[1]};
+    }
+}
+
+template <class Visitor>
+void describePreset(Visitor& v, Parameters& parameters) {
+    if constexpr (Visitor::kReading || Visitor::kSchema) {
+        std::string preset = "muster";
+        v.choice("preset", preset, {"muster", "paper"}, "Where parameters start from.");
+        if (const auto found = parameterPreset(preset); found.ok()) parameters = *found;
+    }
+}
+
+/// All of a scenario. `folder` is where map files lie.
+template <class Visitor>
+void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
+    describeHead(v);
+    v.text("name", def.name, "Shown in the studio.");
+    v.text("description", def.description, "One or two sentences.");
+    v.text("credit", def.credit, "Whose data it uses.");
+    if (describeMap(v, def.map, folder) && def.map) def.box = mapBox(*def.map);
+    describeBox(v, def.box);
+    v.number("cell", def.cell, {0.01, 100.0, "m"}, "Edge of a ground cell.");
+    v.whole("seed", def.seed, {0.0, kLargestSeed}, "Of all random numbers.");
+    v.list("clips", def.clips, 1000, "Facts of motion clips; left out: run, walk, duck, crawl, swim, jump, climb, idle.",
+           [](auto& item, ClipFacts& clip) { describeClip(item, clip); });
+    const auto motions = clipNames(def.clips);
+    v.list("obstacles", def.obstacles, kMaxObstacles, "What nobody can walk through.",
+           [](auto& item, ObstacleDef& obstacle) { describeObstacle(item, obstacle); });
+    v.list("patches", def.patches, kMaxObstacles, "Ground that asks for another motion.",
+           [&](auto& item, PatchDef& patch) { describePatch(item, patch, motions); });
+    v.list("groups", def.groups, 1000, "Crowds, each with one mesh.",
+           [](auto& item, GroupDef& group) { describeGroup(item, group); });
+    const std::size_t groups = def.groups.size();
+    v.list("checkpoints", def.checkpoints, kMaxObstacles, "Spots that change the formation of a group.",
+           [&](auto& item, FormationCheckpointDef& c) { describeCheckpoint(item, c, groups); });
+    v.list("items", def.items, kMaxObstacles, "Things to collect.",
+           [](auto& item, ItemDef& i) { describeItem(item, i); });
+    describePreset(v, def.parameters);
+    v.object("parameters", "Every number that may be changed.",
+             [&](auto& inner) { describeParameters(inner, def.parameters); });
+}
+
+std::string folderOf(const std::string& path) {
+    const std::size_t slash = path.find_last_of("/\\");
+    return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+Status clipNamesDiffer(const WorldDef& def) {
+    const auto names = clipNames(def.clips);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (names[i] == names[j]) {
+                return invalidArgument("clips[" + std::to_string(i) + "].name: found the name \"" + names[i] +
+                                       "\" a second time, expected different names");
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<std::string> readTextFile(const std::string& path, std::size_t limit) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file) return Status(StatusCode::IoError, path + ": cannot be opened");
+    std::string text;
+    char buffer[65536];
+    while (const std::size_t got = std::fread(buffer, 1, sizeof(buffer), file.get())) {
+        text.append(buffer, got);
+        if (text.size() > limit) {
+            return Status(StatusCode::LimitExceeded, path + ": found more than " + std::to_string(limit) + " bytes");
+        }
+    }
+    if (std::ferror(file.get())) return Status(StatusCode::IoError, path + ": cannot be read");
+    return text;
+}
+
+Result<WorldDef> loadScenario(const std::string& path) {
+    const auto text = readTextFile(path);
+    if (!text.ok()) return text.status();
+    return parseScenario(*text, path, folderOf(path));
+}
+
+Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceName, const std::string& baseFolder) {
+    if (text.size() > kMaxScenarioBytes) {
+        return Status(StatusCode::LimitExceeded, sourceName + ": found more than 64 MB");
+    }
+    const auto json = parseJson(text, sourceName);
+    if (!json.ok()) return json.status();
+    WorldDef def;
+    std::string failure;
+    FieldReader reader(*json, "$", failure);
+    if (failure.empty()) describeWorld(reader, def, baseFolder);
+    reader.finish();
+    if (!failure.empty()) return Status(StatusCode::ParseError, sourceName + ": " + failure);
+    Status valid = clipNamesDiffer(def);
+    if (valid.ok()) valid = validateWorld(def);
+    if (!valid.ok()) return Status(valid.code(), sourceName + ": $." + valid.message());
+    return def;
+}
+
+std::string writeScenario(const WorldDef& def) {
+    WorldDef copy = def;
+    Json json;
+    FieldWriter writer(json);
+    describeWorld(writer, copy, {});
+    return printJson(json);
+}
+
+Status saveScenario(const WorldDef& def, const std::string& path) {
+    const std::string text = writeScenario(def);
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (file == nullptr) return {StatusCode::IoError, path + ": cannot be written"};
+    const bool wrote = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    const bool closed = std::fclose(file) == 0;
+    return wrote && closed ? Status() : Status(StatusCode::IoError, path + ": cannot be written in full");
+}
+
+std::string scenarioSchema() {
+    Json body;
+    FieldSchema schema(body);
+    WorldDef def;
+    describeWorld(schema, def, {});
+    Json json = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                 {"title", "Muster scenario"},
+                 {"description", "Metres, seconds, radians; x right, y forward. See docs/scenario-format.md."}};
+    for (auto item = body.begin(); item != body.end(); ++item) json[item.key()] = *item;
+    return printJson(json);
+}
+
+}  // namespace muster
