@@ -16,11 +16,17 @@ namespace muster {
 
 /// The objective and how it is committed.
 struct PlanDef {
-    double exponent = 2.0;   ///< p of the objective sum c^p f, >= 1.
+    double exponent = 2.0;   ///< p of the objective sum c^p f, 1 to 16.
     double threshold = 0.1;  ///< A change of places (one cycle or path of exchanges) is committed only where it lowers the objective by more [cost^p] >= 0.
     double thresholdShare = 0.01;  ///< ... and by more than this share of the objective of those it concerns >= 0.
     bool geodesic = true;    ///< Costs by the cost field; else straight-line distances (ways still follow the field).
     bool reassign = true;    ///< False keeps every incumbent place (assigned once, fixed places): only ways are planned.
+
+    /// Lets an archive read or write the definition.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(exponent, threshold, thresholdShare, geodesic, reassign);
+    }
 };
 
 /// What a plan reads. Spans stay valid during the call only; start() copies what it needs.
@@ -39,8 +45,8 @@ struct PlanResult {
     std::vector<Flow> flows;          ///< Ordered by character.
     std::vector<double> cost;         ///< Of each character to its place; infinite for the unmatched.
     double objective = 0.0;           ///< Of the flows as committed [cost^p].
-    double gapBound = 0.0;            ///< Objective less a proven lower bound [cost^p]: what the threshold kept back.
-    std::int32_t changed = 0;         ///< Characters whose place is another than the incumbent.
+    double gapBound = 0.0;            ///< Objective less a proven lower bound [cost^p]: what the threshold kept back; the whole objective where places are kept.
+    std::int32_t changed = 0;         ///< Characters whose place (that of the largest flow) is another than the incumbent.
 };
 
 /// A plan of one group. Work can be spread over several steps: start(), then advance() with shares that
@@ -51,18 +57,23 @@ public:
 
     /// "exact", "fast"...
     virtual const char* name() const = 0;
-    /// Freezes the input of the next plan. Fails with InvalidArgument where sizes do not fit; a plan under way is dropped.
+    /// Freezes the input of the next plan; a plan under way is dropped. Fails with InvalidArgument, changing nothing,
+    /// where sizes do not fit or a value is out of range.
     virtual Status start(const PlanDef& def, const PlanInput& input) = 0;
     /// True between start() and finish().
     virtual bool pending() const = 0;
     /// Does share `slice` of `slices` (0, 1, ... in turn) of the work.
     virtual void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) = 0;
-    /// Completes the plan (all shares not yet done are done now) and writes the result.
+    /// Completes the plan (all shares not yet done are done now) and writes the result. Fails with InvalidArgument
+    /// where no plan is under way.
     virtual Status finish(ThreadPool& pool, PlanResult& result) = 0;
 
     /// Writes for each character the unit direction to walk now, and the cost left, by the last finished plan.
     /// `place` is -1 for the unmatched (direction zero). `placesNow` are today's positions of the places. Within
-    /// a clear straight line of `direct` [m] the direction leads straight to the place.
+    /// a clear straight line of `direct` [m] the direction leads straight to the place, and the cost is the
+    /// straight distance. Elsewhere the field leads to where the place was when the plan was started. Where the
+    /// field is unknown: straight where the line is clear, else back to known ground, else zero. Cost is infinite for
+    /// the unmatched and where no way is known.
     virtual void steer(std::span<const Vec2> characters, std::span<const std::int32_t> place,
                        std::span<const Vec2> placesNow, const Environment& environment, double direct,
                        std::span<Vec2> direction, std::span<double> cost) const = 0;
@@ -74,7 +85,8 @@ public:
     virtual void save(Writer& archive) const = 0;
     /// Reads what save() wrote, and makes the fields anew. False where it does not fit.
     virtual bool load(Reader& archive, ThreadPool& pool) = 0;
-    /// Adds what save() writes to a hash.
+    /// Adds what save() writes to a hash, less the cells of unit costs: these follow from the state that was
+    /// hashed at the step of start().
     virtual void hash(Hasher& archive) const = 0;
 };
 

@@ -1,0 +1,157 @@
+#include "transport/exact_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "muster/base/maths.h"
+
+namespace muster {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+std::size_t pairIndex(std::int32_t character, std::int32_t place, std::int32_t places) {
+    return static_cast<std::size_t>(character) * static_cast<std::size_t>(places) + static_cast<std::size_t>(place);
+}
+
+}  // namespace
+
+std::unique_ptr<Plan> makeExactPlan() { return std::make_unique<ExactPlan>(); }
+
+Status ExactPlan::start(const PlanDef& def, const PlanInput& input) {
+    if (Status status = checkPlan(def, input); !status.ok()) return status;
+    pending_.freeze(def, input);
+    return {};
+}
+
+void ExactPlan::advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) {
+    if (!pending() || slices <= 0 || slice < 0) return;
+    const std::int64_t end = static_cast<std::int64_t>(pending_.places()) * (static_cast<std::int64_t>(slice) + 1) / slices;
+    pending_.solve(static_cast<std::int32_t>(std::min<std::int64_t>(end, pending_.places())), pool, workers_);
+}
+
+Status ExactPlan::finish(ThreadPool& pool, PlanResult& result) {
+    if (!pending()) return invalidArgument("no plan is under way");
+    pending_.solve(pending_.places(), pool, workers_);
+    if (pending_.def().reassign) {
+        if (Status status = assign(result); !status.ok()) return status;
+    } else {
+        keepIncumbents(result);
+    }
+    std::swap(pending_, finished_);
+    pending_.clear();
+    return {};
+}
+
+void ExactPlan::fillCosts() {
+    const std::int32_t characters = pending_.characters();
+    const std::int32_t places = pending_.places();
+    const double exponent = pending_.def().exponent;
+    cost_.resize(static_cast<std::size_t>(characters) * static_cast<std::size_t>(places));
+    powered_.resize(cost_.size());
+    for (std::int32_t i = 0; i < characters; ++i)
+        for (std::int32_t j = 0; j < places; ++j) {
+            const double c = pending_.pairCost(i, j);
+            cost_[pairIndex(i, j, places)] = c;
+            powered_[pairIndex(i, j, places)] = c < kInfinite ? power(c, exponent) : kInfinite;
+        }
+}
+
+// What the incumbents still hold: a place that nobody may take or that cannot be reached any more is lost, and
+// where several claim more than a place can take, the later ones get what is left.
+void ExactPlan::collectIncumbents() {
+    left_ = demand_;
+    incumbents_.clear();
+    for (std::int32_t i = 0; i < pending_.characters(); ++i) {
+        const std::int32_t j = pending_.incumbent(i);
+        if (j < 0 || !(cost_[pairIndex(i, j, pending_.places())] < kInfinite)) continue;
+        const double amount = std::min(pending_.supplyOf(i), left_[j]);
+        if (amount <= 0.0) continue;
+        left_[j] -= amount;
+        incumbents_.push_back({i, j, amount});
+    }
+}
+
+Status ExactPlan::assign(PlanResult& result) {
+    fillCosts();
+    demand_.clear();
+    for (std::int32_t j = 0; j < pending_.places(); ++j) demand_.push_back(pending_.demandOf(j));
+    const TransportProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(), demand_};
+    if (Status status = solver_.solve(problem, solution_); !status.ok()) return status.within("plan");
+    collectIncumbents();
+    rule_.choose(pending_.def(), pending_.characters(), pending_.places(), powered_, incumbents_, solution_.flows,
+                 result.flows);
+    report(result);
+    result.gapBound = std::max(0.0, result.objective - solution_.cost);
+    return {};
+}
+
+void ExactPlan::keepIncumbents(PlanResult& result) {
+    result.flows.clear();
+    cost_.assign(static_cast<std::size_t>(pending_.characters()) * static_cast<std::size_t>(pending_.places()), kInfinite);
+    powered_ = cost_;
+    for (std::int32_t i = 0; i < pending_.characters(); ++i) {
+        const std::int32_t j = pending_.incumbent(i);
+        if (j < 0 || pending_.supplyOf(i) <= 0.0) continue;
+        const std::size_t k = pairIndex(i, j, pending_.places());
+        cost_[k] = pending_.pairCost(i, j);
+        if (cost_[k] < kInfinite) powered_[k] = power(cost_[k], pending_.def().exponent);
+        result.flows.push_back({i, j, pending_.supplyOf(i)});
+    }
+    report(result);
+    // Nothing was solved, and costs are at least 0.
+    result.gapBound = result.objective;
+}
+
+// Costs, objective and changes of the flows written. A character's place is that of its largest flow.
+void ExactPlan::report(PlanResult& result) {
+    result.cost.assign(pending_.characters(), kInfinite);
+    result.objective = 0.0;
+    result.changed = 0;
+    std::size_t k = 0;
+    for (std::int32_t i = 0; i < pending_.characters(); ++i) {
+        std::int32_t place = -1;
+        double most = 0.0;
+        for (; k < result.flows.size() && result.flows[k].character == i; ++k) {
+            const Flow& flow = result.flows[k];
+            const double c = powered_[pairIndex(i, flow.place, pending_.places())];
+            if (c < kInfinite) result.objective += c * flow.amount;
+            if (flow.amount <= most) continue;
+            most = flow.amount;
+            place = flow.place;
+        }
+        if (place >= 0) result.cost[i] = cost_[pairIndex(i, place, pending_.places())];
+        if (place != pending_.incumbent(i)) ++result.changed;
+    }
+}
+
+double ExactPlan::costAt(std::int32_t place, Vec2 p) const {
+    const CostField* field = finished_.field(place);
+    return field == nullptr ? kInfinite : field->cost(p);
+}
+
+void ExactPlan::save(Writer& archive) const {
+    finished_.save(archive);
+    pending_.save(archive);
+}
+
+bool ExactPlan::load(Reader& archive, ThreadPool& pool) {
+    std::int32_t finishedProgress = 0;
+    std::int32_t pendingProgress = 0;
+    if (!finished_.load(archive, finishedProgress) || !pending_.load(archive, pendingProgress)) {
+        finished_.clear();
+        pending_.clear();
+        return false;
+    }
+    if (finished_.valid()) finished_.solve(finishedProgress, pool, workers_);
+    if (pending_.valid()) pending_.solve(pendingProgress, pool, workers_);
+    return true;
+}
+
+void ExactPlan::hash(Hasher& archive) const {
+    finished_.hash(archive);
+    pending_.hash(archive);
+}
+
+}  // namespace muster

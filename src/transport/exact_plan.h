@@ -1,0 +1,59 @@
+// The reference plan: one cost field per place, exact assignment (SPEC A1, A2).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/transport/plan.h"
+#include "transport/commit_rule.h"
+#include "transport/plan_generation.h"
+
+namespace muster {
+
+/// Two generations: the pending one is being solved, the finished one steers.
+class ExactPlan final : public Plan {
+public:
+    const char* name() const override { return "exact"; }
+    Status start(const PlanDef& def, const PlanInput& input) override;
+    bool pending() const override { return pending_.valid(); }
+    void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
+    Status finish(ThreadPool& pool, PlanResult& result) override;
+    void steer(std::span<const Vec2> characters, std::span<const std::int32_t> place, std::span<const Vec2> placesNow,
+               const Environment& environment, double direct, std::span<Vec2> direction,
+               std::span<double> cost) const override;
+    double costAt(std::int32_t place, Vec2 p) const override;
+    void save(Writer& archive) const override;
+    bool load(Reader& archive, ThreadPool& pool) override;
+    void hash(Hasher& archive) const override;
+
+private:
+    struct Heading {
+        Vec2 direction;
+        double cost;
+    };
+
+    Status assign(PlanResult& result);
+    void keepIncumbents(PlanResult& result);
+    void fillCosts();
+    void collectIncumbents();
+    void report(PlanResult& result);
+    Heading head(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment, double direct) const;
+    Heading headUnknown(Vec2 p, const CostField* field, Vec2 placeNow, const Environment& environment) const;
+    double steerRadius() const;
+
+    PlanGeneration pending_;
+    PlanGeneration finished_;
+    // Working memory.
+    std::vector<FieldWorker> workers_;
+    TransportSolver solver_;
+    TransportSolution solution_;
+    CommitRule rule_;
+    std::vector<double> cost_;      // Characters x places.
+    std::vector<double> powered_;   // The same to the power of the objective.
+    std::vector<double> demand_;
+    std::vector<double> left_;      // Demand not taken by incumbents.
+    std::vector<Flow> incumbents_;
+};
+
+}  // namespace muster

@@ -1,0 +1,60 @@
+// Which way to walk by the fields of the exact plan (SPEC A6).
+#include <cmath>
+#include <limits>
+
+#include "transport/exact_plan.h"
+
+namespace muster {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// Taken off the radius before asking for a clear line, so that a character that touches a wall may walk along it [m].
+constexpr double kHair = 0.01;
+
+}  // namespace
+
+void ExactPlan::steer(std::span<const Vec2> characters, std::span<const std::int32_t> place,
+                      std::span<const Vec2> placesNow, const Environment& environment, double direct,
+                      std::span<Vec2> direction, std::span<double> cost) const {
+    MUSTER_ASSERT(place.size() == characters.size() && direction.size() == characters.size() &&
+                  cost.size() == characters.size());
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        Heading heading{{0.0, 0.0}, kInfinite};
+        if (place[i] >= 0 && static_cast<std::size_t>(place[i]) < placesNow.size())
+            heading = head(characters[i], place[i], placesNow[static_cast<std::size_t>(place[i])], environment, direct);
+        direction[i] = heading.direction;
+        cost[i] = heading.cost;
+    }
+}
+
+double ExactPlan::steerRadius() const {
+    const double radius = finished_.valid() ? finished_.cost().radius : pending_.valid() ? pending_.cost().radius : 0.0;
+    return radius > kHair ? radius - kHair : 0.0;
+}
+
+ExactPlan::Heading ExactPlan::head(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment,
+                                   double direct) const {
+    const double away = distance(p, placeNow);
+    const Heading straight{normalized(placeNow - p), away};
+    const CostField* field = finished_.field(place);
+    // The field leads to where the place was. Once nearer to that than the place has moved on, it leads astray.
+    const bool passed = field != nullptr && distance(p, field->source()) < distance(field->source(), placeNow);
+    if ((away <= direct || passed) && environment.clearLine(p, placeNow, steerRadius())) return straight;
+    if (field == nullptr) return headUnknown(p, nullptr, placeNow, environment);
+    const double cost = field->cost(p);
+    const Vec2 way = std::isfinite(cost) ? field->direction(p) : Vec2{};
+    if (way == Vec2{}) return headUnknown(p, field, placeNow, environment);
+    return {way, cost};
+}
+
+// Off the ground that the front has marched: straight to the place where nothing is between, else back to the front.
+ExactPlan::Heading ExactPlan::headUnknown(Vec2 p, const CostField* field, Vec2 placeNow,
+                                          const Environment& environment) const {
+    if (environment.clearLine(p, placeNow, steerRadius())) return {normalized(placeNow - p), distance(p, placeNow)};
+    Cell cell;
+    if (field == nullptr || !nearestReached(*field, finished_.cost().grid, p, cell)) return {{0.0, 0.0}, kInfinite};
+    const Vec2 to = finished_.cost().grid.centre(cell);
+    return {normalized(to - p), static_cast<double>(field->value(cell)) + distance(p, to)};
+}
+
+}  // namespace muster

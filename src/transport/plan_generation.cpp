@@ -1,0 +1,143 @@
+#include "transport/plan_generation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "transport/unit_cost_archive.h"
+
+namespace muster {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// How far off reached ground a character still counts as standing at it [cells]: contacts may press it
+// into cells that count as wall.
+constexpr std::int32_t kReach = 4;
+
+template <class T>
+void copy(std::span<const T> from, std::vector<T>& to) {
+    to.assign(from.begin(), from.end());
+}
+
+}  // namespace
+
+void PlanGeneration::freeze(const PlanDef& def, const PlanInput& input) {
+    def_ = def;
+    copy(input.characters, characters_);
+    copy(input.supply, supply_);
+    copy(input.places, places_);
+    copy(input.demand, demand_);
+    copy(input.usable, usable_);
+    copy(input.incumbent, incumbent_);
+    cost_ = *input.cost;
+    solved_ = 0;
+    valid_ = true;
+    prepare();
+}
+
+void PlanGeneration::prepare() {
+    regions_.label(cost_);
+    characterRegion_.clear();
+    placeRegion_.clear();
+    for (const Vec2 p : characters_) characterRegion_.push_back(regions_.at(p));
+    for (const Vec2 p : places_) placeRegion_.push_back(regions_.at(p));
+    // Fields beyond the number of places keep their memory for later.
+    if (fields_.size() < places_.size()) fields_.resize(places_.size());
+    known_.assign(places_.size(), 0);
+}
+
+void PlanGeneration::solve(std::int32_t end, ThreadPool& pool, std::vector<FieldWorker>& workers) {
+    end = std::clamp(end, solved_, places());
+    if (static_cast<std::int32_t>(workers.size()) < pool.threads()) workers.resize(pool.threads());
+    const auto work = [&](std::int32_t item, std::int32_t worker) { solveOne(solved_ + item, workers[worker]); };
+    pool.run(end - solved_, std::ref(work));
+    solved_ = end;
+}
+
+// The front stops when it has met all who might take the place; without them there is no front.
+void PlanGeneration::solveOne(std::int32_t place, FieldWorker& worker) {
+    worker.targets.clear();
+    if (placeRegion_[place] < 0 || (def_.reassign && demandOf(place) <= 0.0)) return;
+    for (std::int32_t i = 0; i < characters(); ++i) {
+        if (characterRegion_[i] != placeRegion_[place] || supplyOf(i) <= 0.0) continue;
+        if (!def_.reassign && incumbent_[i] != place) continue;
+        worker.targets.push_back(characters_[i]);
+    }
+    if (worker.targets.empty()) return;
+    worker.solver.solve(cost_, places_[place], worker.targets, fields_[place]);
+    known_[place] = 1;
+}
+
+const CostField* PlanGeneration::field(std::int32_t place) const {
+    if (!valid_ || place < 0 || place >= solved_ || !known_[place]) return nullptr;
+    return &fields_[place];
+}
+
+double PlanGeneration::pairCost(std::int32_t character, std::int32_t place) const {
+    const CostField* of = field(place);
+    if (of == nullptr || characterRegion_[character] != placeRegion_[place]) return kInfinite;
+    if (!def_.geodesic) return distance(characters_[character], places_[place]);
+    return costNear(*of, cost_.grid, characters_[character]);
+}
+
+template <class Self, class Archive>
+void PlanGeneration::visitInputs(Self& self, Archive& archive) {
+    archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_, self.incumbent_,
+            self.solved_);
+}
+
+void PlanGeneration::save(Writer& archive) const {
+    archive(valid_);
+    if (!valid_) return;
+    visitInputs(*this, archive);
+    saveUnitCost(archive, cost_);
+}
+
+bool PlanGeneration::load(Reader& archive, std::int32_t& progress) {
+    valid_ = false;
+    progress = 0;
+    bool present = false;
+    archive(present);
+    if (!archive.ok()) return false;
+    if (!present) return true;
+    visitInputs(*this, archive);
+    progress = solved_;
+    solved_ = 0;
+    if (!loadUnitCost(archive, cost_) || progress < 0 || progress > places()) return false;
+    const PlanInput input{characters_, supply_, places_, demand_, usable_, incumbent_, &cost_};
+    if (!checkPlan(def_, input).ok()) return false;
+    valid_ = true;
+    prepare();
+    return true;
+}
+
+void PlanGeneration::hash(Hasher& archive) const {
+    archive(valid_);
+    if (!valid_) return;
+    visitInputs(*this, archive);
+    archive(cost_.grid, cost_.radius, cost_.lowest);
+}
+
+bool nearestReached(const CostField& field, const Grid& grid, Vec2 p, Cell& found) {
+    const Cell from = grid.nearestCell(p);
+    double best = kInfinite;
+    for (std::int32_t y = std::max(0, from.y - kReach); y <= std::min(grid.height - 1, from.y + kReach); ++y)
+        for (std::int32_t x = std::max(0, from.x - kReach); x <= std::min(grid.width - 1, from.x + kReach); ++x) {
+            const double d = distance(p, grid.centre({x, y}));
+            if (d >= best || !std::isfinite(field.value({x, y}))) continue;
+            best = d;
+            found = {x, y};
+        }
+    return best < kInfinite;
+}
+
+double costNear(const CostField& field, const Grid& grid, Vec2 p) {
+    const double cost = field.cost(p);
+    if (std::isfinite(cost)) return std::max(0.0, cost);
+    Cell cell;
+    if (!nearestReached(field, grid, p, cell)) return kInfinite;
+    return static_cast<double>(field.value(cell)) + distance(p, grid.centre(cell));
+}
+
+}  // namespace muster

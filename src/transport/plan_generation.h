@@ -1,0 +1,90 @@
+// One plan's frozen inputs, and the fields made of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/base/archive.h"
+#include "muster/base/parallel.h"
+#include "muster/fields/eikonal.h"
+#include "muster/transport/plan.h"
+#include "transport/ground_regions.h"
+
+namespace muster {
+
+/// Private working memory of a thread that solves fields.
+struct FieldWorker {
+    EikonalSolver solver;
+    std::vector<Vec2> targets;
+};
+
+/// Refuses what start() must refuse.
+Status checkPlan(const PlanDef& def, const PlanInput& input);
+
+/// Inputs as they stood at start(), how many fields are solved, and as a cache of these the fields themselves.
+class PlanGeneration {
+public:
+    /// Copies the input (checked before).
+    void freeze(const PlanDef& def, const PlanInput& input);
+    /// Empties it, keeping memory.
+    void clear() { valid_ = false; }
+    /// Solves the fields of places [solved(), end).
+    void solve(std::int32_t end, ThreadPool& pool, std::vector<FieldWorker>& workers);
+
+    bool valid() const { return valid_; }                   ///< Holds frozen inputs.
+    const PlanDef& def() const { return def_; }             ///< As frozen.
+    std::int32_t characters() const { return static_cast<std::int32_t>(characters_.size()); }  ///< Number of them.
+    std::int32_t places() const { return static_cast<std::int32_t>(places_.size()); }          ///< Number of them.
+    std::int32_t solved() const { return solved_; }         ///< Places whose fields are done.
+    const UnitCost& cost() const { return cost_; }          ///< As frozen.
+    std::span<const double> supply() const { return supply_; }                  ///< Empty for 1 each.
+    double supplyOf(std::int32_t character) const { return supply_.empty() ? 1.0 : supply_[character]; }  ///< >= 0
+    /// What a place can take: 0 where nobody may take it.
+    double demandOf(std::int32_t place) const {
+        return usable(place) ? (demand_.empty() ? 1.0 : demand_[place]) : 0.0;
+    }
+    bool usable(std::int32_t place) const { return usable_.empty() || usable_[place] != 0; }  ///< May be taken.
+    std::int32_t incumbent(std::int32_t character) const { return incumbent_[character]; }   ///< -1 for none.
+    /// The field of a place, or null where none was needed or it is not solved yet.
+    const CostField* field(std::int32_t place) const;
+    /// Cost from a character to a place, infinite where there is no way.
+    double pairCost(std::int32_t character, std::int32_t place) const;
+
+    /// Writes frozen inputs and progress.
+    void save(Writer& archive) const;
+    /// Reads what save() wrote; the fields must be solved again up to progress(). False where it does not fit.
+    bool load(Reader& archive, std::int32_t& progress);
+    /// Adds frozen inputs and progress, less the cells of the unit cost.
+    void hash(Hasher& archive) const;
+
+private:
+    void prepare();
+    void solveOne(std::int32_t place, FieldWorker& worker);
+    template <class Self, class Archive>
+    static void visitInputs(Self& self, Archive& archive);
+
+    bool valid_ = false;
+    PlanDef def_;
+    std::vector<Vec2> characters_;
+    std::vector<double> supply_;
+    std::vector<Vec2> places_;
+    std::vector<double> demand_;
+    std::vector<std::uint8_t> usable_;
+    std::vector<std::int32_t> incumbent_;
+    UnitCost cost_;
+    std::int32_t solved_ = 0;
+    // Caches.
+    GroundRegions regions_;
+    std::vector<std::int32_t> characterRegion_;
+    std::vector<std::int32_t> placeRegion_;
+    std::vector<CostField> fields_;
+    std::vector<std::uint8_t> known_;
+};
+
+/// Cost at `p`; where its surroundings were not reached, by the nearest reached cell within a few cells, else infinite.
+double costNear(const CostField& field, const Grid& grid, Vec2 p);
+/// Finds the reached cell nearest to `p` within a few cells; false where there is none.
+bool nearestReached(const CostField& field, const Grid& grid, Vec2 p, Cell& found);
+
+}  // namespace muster
