@@ -108,6 +108,7 @@ private:
         reader(mark.step, mark.hash);
         if (!reader.ok() || reader.remaining() > 0) return corrupt("found a mark of the wrong size");
         if (!take_.marks.empty() && mark.step < take_.marks.back().step) return corrupt("found an earlier mark");
+        mark.commands = static_cast<std::uint32_t>(take_.commands.size());
         take_.marks.push_back(mark);
         return {};
     }
