@@ -1,0 +1,32 @@
+// Property: whatever scene and whatever fingers, nobody ends in an obstacle or in another, and no number breaks.
+#include <doctest.h>
+#include <rapidcheck.h>
+
+#include "scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+TEST_CASE("random scenes under random fingers keep every invariant") {
+    const bool holds = rc::check("no NaN, nobody in an obstacle, no overlap", [] {
+        const auto seed = *rc::gen::inRange<std::uint64_t>(1, 1u << 20);
+        World world = World::create(busyFloor(seed)).value();
+        RandomDirector director(seed * 7 + 1);
+        for (int s = 0; s < 150; ++s) {
+            director.act(world);
+            world.step();
+            const Characters& c = world.characters();
+            for (std::size_t i = 0; i < c.size(); ++i) {
+                RC_ASSERT(isFinite(c.position[i]) && isFinite(c.velocity[i]) && isFinite(c.heading[i]));
+                RC_ASSERT(world.environment().def().box.contains(c.position[i]));
+                RC_ASSERT(world.environment().distanceToObstacle(c.position[i]) > world.parameters().radius - 1e-3);
+            }
+            for (std::size_t g = 0; g < world.groupCount(); ++g)
+                for (const Vec2 v : world.group(g).mesh->finalMesh()) RC_ASSERT(isFinite(v));
+            RC_ASSERT(world.contacts().worstPenetration < 1.0);
+        }
+        for (int s = 0; s < 60; ++s) world.step();
+        RC_ASSERT(world.contacts().overlapPairs == 0);
+    });
+    CHECK(holds);
+}

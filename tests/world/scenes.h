@@ -1,0 +1,117 @@
+// Small worlds that the world's tests share.
+#pragma once
+
+#include "muster/base/random.h"
+#include "muster/world/world.h"
+
+namespace muster::testing {
+
+/// An open floor of 24 m with one square group of `count` at the left.
+inline WorldDef openFloor(std::int32_t count = 25) {
+    WorldDef def;
+    def.box = {{-12, -12}, {12, 12}};
+    GroupDef group;
+    group.count = count;
+    group.position = {-6, 0};
+    def.groups.push_back(group);
+    return def;
+}
+
+inline ObstacleDef block(double x0, double y0, double x1, double y1) {
+    ObstacleDef def;
+    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    return def;
+}
+
+inline ObstacleDef tree(Vec2 centre, double radius) {
+    ObstacleDef def;
+    def.centre = centre;
+    def.radius = radius;
+    return def;
+}
+
+inline PatchDef rectangle(double x0, double y0, double x1, double y1, MotionId motion) {
+    PatchDef def;
+    def.name = "patch";
+    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    def.motion = motion;
+    return def;
+}
+
+/// A floor with a block, trees, a moving car, patches and two groups, chosen by `seed`.
+inline WorldDef busyFloor(std::uint64_t seed) {
+    Random random(seed);
+    WorldDef def = openFloor(16 + static_cast<std::int32_t>(random.below(20)));
+    def.seed = seed;
+    def.obstacles.push_back(block(-1, -3, 1, random.uniform(0, 3)));
+    for (int i = 0; i < 5; ++i)
+        def.obstacles.push_back(tree({random.uniform(2, 10), -9 + 4.0 * i}, random.uniform(0.2, 0.7)));
+    ObstacleDef car = tree({0, 8}, 0.8);
+    car.path.waypoints = {{0, {0, 0}, 0}, {4, {6, 0}, 0}, {8, {0, 0}, 0}};
+    car.path.loop = true;
+    def.obstacles.push_back(car);
+    def.patches.push_back(rectangle(-4, -10, 4, -6, 3));
+    def.patches.push_back(rectangle(3, 5, 4, 8, 6));
+    GroupDef second;
+    second.count = 9;
+    second.position = {6, 9};
+    second.formation.kind = FormationKind::Ring;
+    def.groups.push_back(second);
+    def.groups[0].jitter = 0.1;
+    return def;
+}
+
+/// Submits a command of client 1 for the coming step.
+inline Status give(World& world, std::uint32_t& sequence, CommandBody body) {
+    return world.submit({world.stepCount(), 1, sequence++, std::move(body)});
+}
+
+/// Touches, drags and lifts at random, changes formations, edits the ground: one call per step.
+class RandomDirector {
+public:
+    explicit RandomDirector(std::uint64_t seed) : random_(seed) {}
+
+    void act(World& world) {
+        const std::uint32_t dice = random_.below(100);
+        const double now = world.time();
+        if (dice < 4) begin(world, now);
+        for (std::uint32_t touch = 1; touch <= down_; ++touch) {
+            positions_[touch] += Vec2{random_.uniform(-0.1, 0.2), random_.uniform(-0.1, 0.1)};
+            (void)give(world, sequence_, TouchMove{touch, positions_[touch], now});
+        }
+        if (dice == 50) {
+            for (std::uint32_t touch = 1; touch <= down_; ++touch) (void)give(world, sequence_, TouchUp{touch, now});
+            down_ = 0;
+        }
+        if (dice == 60) {
+            FormationDef formation;
+            formation.kind = static_cast<FormationKind>(random_.below(8));
+            (void)give(world, sequence_, SetFormation{world.group(0).id, formation});
+        }
+        if (dice == 70) (void)give(world, sequence_, AddObstacle{tree({random_.uniform(-9, 9), random_.uniform(-9, 9)}, 0.4)});
+        if (dice == 80 && !world.environment().obstacleIds().empty())
+            (void)give(world, sequence_, RemoveObstacle{world.environment().obstacleIds().back()});
+        if (dice == 90) (void)give(world, sequence_, SetCount{world.group(0).id, static_cast<std::int32_t>(10 + random_.below(30))});
+    }
+
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(random_, sequence_, down_, positions_);
+    }
+
+private:
+    void begin(World& world, double now) {
+        if (down_ >= 3) return;
+        const auto& mesh = world.group(0).mesh->finalMesh();
+        const std::uint32_t touch = ++down_;
+        positions_[touch] = mesh[random_.below(static_cast<std::uint32_t>(mesh.size()))];
+        (void)give(world, sequence_, TouchDown{touch, positions_[touch], now, world.group(0).id});
+    }
+
+    Random random_;
+    std::uint32_t sequence_ = 0;
+    std::uint32_t down_ = 0;
+    std::array<Vec2, 4> positions_{};
+};
+
+}  // namespace muster::testing
