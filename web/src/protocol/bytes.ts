@@ -1,0 +1,146 @@
+// Little-endian bytes of messages: what the generated code reads and writes with.
+
+/** A message that does not follow the protocol. */
+export class ProtocolError extends Error {
+  override name = 'ProtocolError';
+}
+
+type Numbers = Uint8Array | Uint32Array | Float32Array | Float64Array;
+
+/** Reads values in turn; throws ProtocolError where the bytes do not suffice or have no such value. */
+export class ByteReader {
+  private readonly view: DataView;
+  private at = 0;
+
+  constructor(private readonly buffer: ArrayBuffer) {
+    this.view = new DataView(buffer);
+  }
+
+  u8(): number {
+    return this.view.getUint8(this.advance(1));
+  }
+  u32(): number {
+    return this.view.getUint32(this.advance(4), true);
+  }
+  f32(): number {
+    return this.view.getFloat32(this.advance(4), true);
+  }
+  f64(): number {
+    return this.view.getFloat64(this.advance(8), true);
+  }
+  bool(): boolean {
+    return this.choice(2) === 1;
+  }
+  /** A byte below `count`. */
+  choice(count: number): number {
+    const value = this.u8();
+    if (value >= count) throw new ProtocolError(`byte ${this.at - 1}: ${value} where 0 to ${count - 1} was expected`);
+    return value;
+  }
+  string(): string {
+    const length = this.u32();
+    const from = this.advance(length);
+    return new TextDecoder().decode(new Uint8Array(this.buffer, from, length));
+  }
+  u8s(): Uint8Array {
+    return new Uint8Array(this.slice(1));
+  }
+  u32s(): Uint32Array {
+    return new Uint32Array(this.slice(4));
+  }
+  f32s(): Float32Array {
+    return new Float32Array(this.slice(4));
+  }
+  f64s(): Float64Array {
+    return new Float64Array(this.slice(8));
+  }
+  list<T>(read: (reader: ByteReader) => T): T[] {
+    const count = this.u32();
+    if (count > this.view.byteLength - this.at) throw new ProtocolError(`a list of ${count} does not fit`);
+    const items: T[] = [];
+    for (let i = 0; i < count; ++i) items.push(read(this));
+    return items;
+  }
+  /** Throws where bytes are left over. */
+  end(): void {
+    const left = this.view.byteLength - this.at;
+    if (left > 0) throw new ProtocolError(`${left} bytes too many`);
+  }
+
+  /** Copies an array's bytes, so that the result is aligned and the message can be freed or transferred. */
+  private slice(bytesEach: number): ArrayBuffer {
+    const size = this.u32() * bytesEach;
+    const from = this.advance(size);
+    return this.buffer.slice(from, from + size);
+  }
+  private advance(size: number): number {
+    const from = this.at;
+    if (size > this.view.byteLength - from) throw new ProtocolError(`the message ends at byte ${this.view.byteLength}`);
+    this.at += size;
+    return from;
+  }
+}
+
+/** Appends values. */
+export class ByteWriter {
+  private buffer = new ArrayBuffer(256);
+  private view = new DataView(this.buffer);
+  private size = 0;
+
+  u8(value: number): void {
+    this.view.setUint8(this.reserve(1), value);
+  }
+  u32(value: number): void {
+    this.view.setUint32(this.reserve(4), value, true);
+  }
+  f32(value: number): void {
+    this.view.setFloat32(this.reserve(4), value, true);
+  }
+  f64(value: number): void {
+    this.view.setFloat64(this.reserve(8), value, true);
+  }
+  bool(value: boolean): void {
+    this.u8(value ? 1 : 0);
+  }
+  string(value: string): void {
+    this.u8s(new TextEncoder().encode(value));
+  }
+  u8s(values: Uint8Array): void {
+    this.raw(values);
+  }
+  u32s(values: Uint32Array): void {
+    this.raw(values);
+  }
+  f32s(values: Float32Array): void {
+    this.raw(values);
+  }
+  f64s(values: Float64Array): void {
+    this.raw(values);
+  }
+  list<T>(items: readonly T[], write: (writer: ByteWriter, item: T) => void): void {
+    this.u32(items.length);
+    for (const item of items) write(this, item);
+  }
+  /** What was written. */
+  bytes(): ArrayBuffer {
+    return this.buffer.slice(0, this.size);
+  }
+
+  /** Every platform that browsers run on is little-endian, as the protocol is. */
+  private raw(values: Numbers): void {
+    this.u32(values.length);
+    const from = this.reserve(values.byteLength);
+    new Uint8Array(this.buffer, from).set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength));
+  }
+  private reserve(size: number): number {
+    const from = this.size;
+    this.size += size;
+    if (this.size > this.buffer.byteLength) {
+      const larger = new ArrayBuffer(Math.max(this.size, 2 * this.buffer.byteLength));
+      new Uint8Array(larger).set(new Uint8Array(this.buffer, 0, from));
+      this.buffer = larger;
+      this.view = new DataView(larger);
+    }
+    return from;
+  }
+}
