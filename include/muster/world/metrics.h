@@ -1,6 +1,7 @@
 // Figures of a run, in the words of the specification's section 8.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -36,23 +37,30 @@ public:
     explicit RunMetrics(const World& world);
     /// Call after every step.
     void observe(const World& world);
-    /// The figures so far.
-    RunFigures figures(const World& world) const;
+    /// The figures so far. The path ratio needs one cost field per place, so it can be left out (-1).
+    RunFigures figures(const World& world, bool withPathRatio = true) const;
 
 private:
-    std::vector<std::uint32_t> arrivedSince_;   // Step at which it got within reach; max for "not".
+    void follow(const Characters& characters);
+    void watchArrivals(const World& world);
+    void arrivals(const World& world, RunFigures& figures) const;
+    double pathRatio(const World& world) const;
+
     std::vector<std::uint32_t> ids_;
+    std::vector<std::uint32_t> reachedAt_;      // Step at which it got within reach; kNever outside.
     std::vector<Vec2> start_;
     std::vector<Vec2> last_;
     std::vector<double> walked_;
-    std::vector<std::vector<Vec2>> trail_;      // Positions by second, the last six.
+    std::vector<std::array<Vec2, 6>> trail_;    // Positions by second, the newest first.
+    std::uint32_t trailSamples_ = 0;
+    std::uint32_t samplePeriod_ = 60;           // Steps in a second.
+    bool still_ = true;                         // Nothing moved on a path and no command was given.
     std::vector<float> stepTimes_;
     std::array<double, static_cast<std::size_t>(Stage::Count)> stageSum_{};
     std::uint64_t swaps_ = 0;
     double characterSeconds_ = 0.0;
     std::int32_t overlapPairsMax_ = 0;
     double worstPenetration_ = 0.0;
-    double leastSum_ = -1.0;
 };
 
 }  // namespace muster

@@ -1,0 +1,173 @@
+#include "muster/world/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "world/least_walk.h"
+
+namespace muster {
+namespace {
+
+constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+constexpr double kReach = 0.5;       // Of "arrived" [m].
+constexpr double kStandFor = 1.0;    // Of "arrived" [s].
+constexpr double kStuckMove = 0.25;  // Of "stuck" [m].
+
+/// Distance of a character to its place; infinite without one.
+double lagOf(const World& world, std::size_t i) {
+    const Characters& c = world.characters();
+    const std::int32_t place = c.place[i];
+    if (place < 0) return std::numeric_limits<double>::infinity();
+    const auto& positions = world.group(c.group[i]).places->positions();
+    const auto index = static_cast<std::size_t>(place);
+    return index < positions.size() ? distance(c.position[i], positions[index])
+                                    : std::numeric_limits<double>::infinity();
+}
+
+/// The smallest value that `share` of all do not exceed; -1 for none.
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return -1.0;
+    std::sort(values.begin(), values.end());
+    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
+}
+
+bool anythingMoves(const Environment& environment) {
+    for (ObstacleId id : environment.obstacleIds()) {
+        if (!environment.obstacle(id)->path.still()) return true;
+    }
+    for (PatchId id : environment.patchIds()) {
+        if (!environment.patch(id)->path.still()) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+RunMetrics::RunMetrics(const World& world) {
+    samplePeriod_ = static_cast<std::uint32_t>(std::max(1.0, std::floor(1.0 / world.parameters().stepTime + 0.5)));
+    follow(world.characters());
+    still_ = world.stepCount() == 0 && !anythingMoves(world.environment());
+}
+
+/// Keeps one entry per character: those that left drop out, those that joined begin here.
+void RunMetrics::follow(const Characters& characters) {
+    if (ids_ == characters.id) return;
+    const RunMetrics old = *this;
+    const std::size_t count = characters.size();
+    ids_ = characters.id;
+    reachedAt_.assign(count, kNever);
+    start_ = last_ = characters.position;
+    walked_.assign(count, 0.0);
+    trail_.resize(count);
+    std::size_t from = 0;  // Both lists ascend.
+    for (std::size_t i = 0; i < count; ++i) {
+        trail_[i].fill(characters.position[i]);
+        while (from < old.ids_.size() && old.ids_[from] < ids_[i]) ++from;
+        if (from == old.ids_.size() || old.ids_[from] != ids_[i]) continue;
+        reachedAt_[i] = old.reachedAt_[from];
+        start_[i] = old.start_[from];
+        last_[i] = old.last_[from];
+        walked_[i] = old.walked_[from];
+        trail_[i] = old.trail_[from];
+    }
+}
+
+void RunMetrics::watchArrivals(const World& world) {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        if (lagOf(world, i) > kReach) {
+            reachedAt_[i] = kNever;
+        } else if (reachedAt_[i] == kNever) {
+            reachedAt_[i] = world.stepCount();
+        }
+    }
+}
+
+void RunMetrics::observe(const World& world) {
+    const Characters& characters = world.characters();
+    follow(characters);
+    const bool sample = world.stepCount() % samplePeriod_ == 0;
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        walked_[i] += distance(last_[i], characters.position[i]);
+        last_[i] = characters.position[i];
+        if (!sample) continue;
+        std::move_backward(trail_[i].begin(), trail_[i].end() - 1, trail_[i].end());
+        trail_[i][0] = characters.position[i];
+    }
+    if (sample) ++trailSamples_;
+    watchArrivals(world);
+    for (const Event& event : world.events()) swaps_ += event.kind == EventKind::Swap ? 1 : 0;
+    characterSeconds_ += static_cast<double>(ids_.size()) * world.parameters().stepTime;
+    overlapPairsMax_ = std::max(overlapPairsMax_, world.contacts().overlapPairs);
+    worstPenetration_ = std::max(worstPenetration_, world.contacts().worstPenetration);
+    still_ = still_ && world.lastCommandStep() == 0;
+    stepTimes_.push_back(static_cast<float>(world.stageTimes().total));
+    for (std::size_t s = 0; s < stageSum_.size(); ++s) stageSum_[s] += world.stageTimes().milliseconds[s];
+}
+
+void RunMetrics::arrivals(const World& world, RunFigures& figures) const {
+    const double stepTime = world.parameters().stepTime;
+    const std::uint32_t clock = world.lastCommandStep();
+    std::vector<double> moments;
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        const std::uint32_t at = reachedAt_[i];
+        const bool arrived = at != kNever && (world.stepCount() - at) * stepTime >= kStandFor - 1e-9;
+        moments.push_back(arrived ? (at > clock ? (at - clock) * stepTime : 0.0)
+                                  : std::numeric_limits<double>::infinity());
+        if (arrived || trailSamples_ < trail_[i].size()) continue;
+        double moved = 0.0;
+        for (Vec2 p : trail_[i]) moved = std::max(moved, distance(p, last_[i]));
+        if (moved < kStuckMove) ++figures.stuck;
+    }
+    const auto finite = [](double moment) { return std::isfinite(moment) ? moment : -1.0; };
+    figures.arrived95 = finite(quantile(moments, 0.95));
+    figures.arrived100 = finite(quantile(moments, 1.0));
+}
+
+double RunMetrics::pathRatio(const World& world) const {
+    double least = 0.0;
+    double walked = 0.0;
+    for (double w : walked_) walked += w;
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        std::vector<Vec2> starts;
+        for (std::size_t i = 0; i < ids_.size(); ++i) {
+            if (world.characters().group[i] == g) starts.push_back(start_[i]);
+        }
+        const double sum = leastWalk(world.environment(), world.parameters().radius, starts,
+                                     world.group(g).places->positions());
+        if (sum < 0.0) return -1.0;
+        least += sum;
+    }
+    return least > 0.0 ? walked / least : -1.0;
+}
+
+RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
+    RunFigures figures;
+    figures.characters = static_cast<std::int32_t>(ids_.size());
+    figures.steps = world.stepCount();
+    figures.hash = world.hash();
+    arrivals(world, figures);
+    figures.overlapPairsMax = overlapPairsMax_;
+    figures.worstPenetration = worstPenetration_;
+    if (characterSeconds_ > 0.0) figures.swapsPerCharacterPerSecond = static_cast<double>(swaps_) / characterSeconds_;
+    std::vector<double> lags;
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        const double lag = lagOf(world, i);
+        if (std::isfinite(lag)) lags.push_back(lag);
+    }
+    figures.unmatched = figures.characters - static_cast<std::int32_t>(lags.size());
+    figures.lagP95 = std::max(0.0, quantile(lags, 0.95));
+    for (std::uint8_t collected : world.collected()) figures.collected += collected != 0 ? 1 : 0;
+    const std::vector<double> times(stepTimes_.begin(), stepTimes_.end());
+    figures.stepP50 = std::max(0.0, quantile(times, 0.5));
+    figures.stepP95 = std::max(0.0, quantile(times, 0.95));
+    figures.stepMax = std::max(0.0, quantile(times, 1.0));
+    for (std::size_t s = 0; s < stageSum_.size(); ++s) {
+        figures.stageMean[s] = times.empty() ? 0.0 : stageSum_[s] / static_cast<double>(times.size());
+    }
+    if (withPathRatio && still_ && figures.arrived100 >= 0.0) figures.pathRatio = pathRatio(world);
+    return figures;
+}
+
+}  // namespace muster
