@@ -1,0 +1,145 @@
+// What obstacles look like: buildings cut at 3.2 m, pillars, fountains, trees and cars, told apart by their names.
+
+import type { BufferGeometry } from 'three';
+import type { Point2, SceneObstacle } from '../protocol/scene';
+import { circlePoints, counterClockwise, GeometryBuilder, type Vec3 } from './geometry_builder';
+import type { Palette } from './palette';
+
+/** Nothing is drawn higher than this, so that streets stay visible [m]. */
+export const kCutHeight = 3.2;
+
+export type ObstacleLook = 'building' | 'pillar' | 'fountain' | 'tree' | 'car';
+
+/** How an obstacle is shown. */
+export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
+  const name = obstacle.name.toLowerCase();
+  if (/\b(car|van|bus|taxi)\b/.test(name)) return 'car';
+  const disc = (obstacle.radius ?? 0) > 0;
+  if (disc && /tree|oak|pine|birch/.test(name)) return 'tree';
+  if (disc && name.includes('fountain')) return 'fountain';
+  return disc ? 'pillar' : 'building';
+}
+
+/** An edge line of an obstacle [m]. */
+export type EdgeLine = readonly [Vec3, Vec3];
+
+/** Adds an obstacle's body; returns the lines of its upper edge. */
+export function addObstacle(builder: GeometryBuilder, obstacle: SceneObstacle, palette: Palette): EdgeLine[] {
+  const look = lookOfObstacle(obstacle);
+  const height = Math.min(kCutHeight, Math.max(0.1, obstacle.height));
+  if (look === 'fountain') return addFountain(builder, obstacle, palette);
+  const outline = outlineOf(obstacle);
+  if (outline.length < 3) return [];
+  const stone = look === 'pillar';
+  builder.prism(outline, 0, height, stone ? palette.stone : palette.wall, stone ? palette.stone : palette.roof);
+  return rimOf(outline, height);
+}
+
+/** Corners, counter-clockwise; a disc becomes a polygon of 28 sides. */
+export function outlineOf(obstacle: SceneObstacle): readonly Point2[] {
+  if (obstacle.polygon && obstacle.polygon.length >= 3) return counterClockwise(obstacle.polygon);
+  const centre = obstacle.centre ?? [0, 0];
+  return circlePoints(centre[0], centre[1], obstacle.radius ?? 0.5, 28);
+}
+
+function rimOf(outline: readonly Point2[], height: number): EdgeLine[] {
+  return outline.map((a, i) => {
+    const b = outline[(i + 1) % outline.length] as Point2;
+    return [[a[0], a[1], height], [b[0], b[1], height]] as const;
+  });
+}
+
+function addFountain(builder: GeometryBuilder, obstacle: SceneObstacle, palette: Palette): EdgeLine[] {
+  const [x, y] = obstacle.centre ?? [0, 0];
+  const radius = obstacle.radius ?? 1;
+  const outer = circlePoints(x, y, radius, 36);
+  const inner = circlePoints(x, y, 0.8 * radius, 36);
+  builder.walls(outer, 0, 0.55, palette.stone);
+  for (let i = 0; i < outer.length; ++i) {
+    const j = (i + 1) % outer.length;
+    const [a, b, c, d] = [outer[i], outer[j], inner[j], inner[i]] as [Point2, Point2, Point2, Point2];
+    builder.quad([a[0], a[1], 0.55], [b[0], b[1], 0.55], [c[0], c[1], 0.55], [d[0], d[1], 0.55], palette.stone);
+    builder.quad([c[0], c[1], 0.4], [d[0], d[1], 0.4], [d[0], d[1], 0.55], [c[0], c[1], 0.55], palette.stone);
+  }
+  builder.floor(inner, 0.42, palette.water);
+  builder.frustum(x, y, 0.4, 1.25, 0.24 * radius, 0.17 * radius, 16, palette.stone, palette.stone);
+  return [...rimOf(outer, 0.55), ...rimOf(inner, 0.55)];
+}
+
+/** A tree of 1 m trunk radius scale: trunk and a crown of facets, for a disc of radius 0.3 m. */
+export function makeTreeGeometry(palette: Palette): BufferGeometry {
+  const builder = new GeometryBuilder();
+  builder.frustum(0, 0, 0, 2.1, 0.2, 0.13, 7, palette.trunk, palette.trunk);
+  addBlob(builder, [0, 0, 2.95], 1.25, 1.05, palette.crown, 3);
+  addBlob(builder, [0.55, 0.4, 2.55], 0.75, 0.6, palette.crown, 11);
+  addBlob(builder, [-0.6, -0.25, 2.6], 0.7, 0.6, palette.crown, 29);
+  return builder.build();
+}
+
+/** A lumpy ball of flat facets; `seed` makes lumps. */
+function addBlob(builder: GeometryBuilder, centre: Vec3, radius: number, height: number, colour: string, seed: number): void {
+  const rows = 5;
+  const sides = 9;
+  const point = (row: number, side: number): Vec3 => {
+    const tilt = (Math.PI * row) / rows - Math.PI / 2;
+    const s = row === 0 || row === rows ? 0 : side % sides;
+    const lump = 0.88 + 0.2 * Math.abs(Math.sin(seed * 12.9898 + row * 78.233 + s * 37.719));
+    const turn = (2 * Math.PI * (s + 0.5 * (row % 2))) / sides;
+    const flat = Math.cos(tilt) * radius * lump;
+    return [centre[0] + flat * Math.cos(turn), centre[1] + flat * Math.sin(turn),
+      centre[2] + Math.sin(tilt) * height * lump];
+  };
+  for (let row = 0; row < rows; ++row) {
+    for (let side = 0; side < sides; ++side) {
+      const [a, b, c, d] = [point(row, side), point(row, side + 1), point(row + 1, side + 1), point(row + 1, side)];
+      builder.triangle(a, b, c, colour);
+      builder.triangle(a, c, d, colour);
+    }
+  }
+}
+
+/** Box round an outline whose longest side gives the direction: centre, half length, half width, angle [rad]. */
+export function boxOf(outline: readonly Point2[]): { x: number; y: number; length: number; width: number; angle: number } {
+  let longest = 0;
+  let angle = 0;
+  for (let i = 0; i < outline.length; ++i) {
+    const a = outline[i] as Point2;
+    const b = outline[(i + 1) % outline.length] as Point2;
+    const size = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    if (size > longest + 1e-9) {
+      longest = size;
+      angle = Math.atan2(b[1] - a[1], b[0] - a[0]);
+    }
+  }
+  const c = Math.cos(angle);
+  const s = Math.sin(angle);
+  const along = outline.map((p) => c * p[0] + s * p[1]);
+  const across = outline.map((p) => -s * p[0] + c * p[1]);
+  const middle = (values: number[]): number => (Math.min(...values) + Math.max(...values)) / 2;
+  const half = (values: number[]): number => (Math.max(...values) - Math.min(...values)) / 2;
+  const u = middle(along);
+  const v = middle(across);
+  return { x: c * u - s * v, y: s * u + c * v, length: half(along), width: half(across), angle };
+}
+
+/** Adds a car that fills the outline: body, cabin, wheels. */
+export function addCar(builder: GeometryBuilder, outline: readonly Point2[], body: string, palette: Palette): void {
+  const box = boxOf(outline);
+  const c = Math.cos(box.angle);
+  const s = Math.sin(box.angle);
+  const at = (u: number, v: number): Point2 => [
+    box.x + c * u * box.length - s * v * box.width, box.y + s * u * box.length + c * v * box.width];
+  const slab = (u0: number, u1: number, v: number, low: number, high: number, wall: string, lid: string): void =>
+    builder.prism([at(u0, -v), at(u1, -v), at(u1, v), at(u0, v)], low, high, wall, lid);
+  for (const u of [-0.62, 0.62]) {
+    slab(u - 0.15, u + 0.15, 1, 0, 0.6, '#1B1E22', '#1B1E22');
+  }
+  slab(-1, 1, 0.94, 0.22, 0.78, body, body);
+  const low = [at(-0.72, -0.86), at(0.45, -0.86), at(0.45, 0.86), at(-0.72, 0.86)] as const;
+  const top = [at(-0.55, -0.74), at(0.2, -0.74), at(0.2, 0.74), at(-0.55, 0.74)] as const;
+  for (let i = 0; i < 4; ++i) {
+    const [a, b, e, d] = [low[i], low[(i + 1) % 4], top[(i + 1) % 4], top[i]] as [Point2, Point2, Point2, Point2];
+    builder.quad([a[0], a[1], 0.78], [b[0], b[1], 0.78], [e[0], e[1], 1.4], [d[0], d[1], 1.4], palette.glass);
+  }
+  builder.floor(top, 1.4, body);
+}

@@ -1,0 +1,246 @@
+// All that stands in the world apart from people: obstacles, patches, items, checkpoints.
+
+import { BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, type Material, Quaternion, ShaderMaterial, Vector3 } from 'three';
+import type { Point2, SceneFacts, SceneObstacle, ScenePatch } from '../protocol/scene';
+import { FatLines } from './fat_lines';
+import type { MovingView } from './frame_types';
+import { centroid, circlePoints, GeometryBuilder } from './geometry_builder';
+import { addCar, addObstacle, type EdgeLine, lookOfObstacle, makeTreeGeometry, outlineOf } from './obstacle_geometry';
+import { addPatch, type PatchParts, type TintedLine } from './patch_geometry';
+import type { Palette } from './palette';
+import { bodyMaterial, floorMaterial, type ShadeUniforms } from './shade';
+import { lookOf } from './figures';
+
+/** A thing that moves: its parts hang on a group that turns about `centre`. */
+interface MovingThing {
+  readonly group: Group;
+  readonly centre: Point2;
+}
+
+function shifted(points: readonly Point2[], centre: Point2): Point2[] {
+  return points.map((p) => [p[0] - centre[0], p[1] - centre[1]] as const);
+}
+
+export class WorldLayer {
+  readonly group = new Group();
+  private readonly hatched_: MeshLambertMaterial;
+  private readonly body_: MeshLambertMaterial;
+  private readonly floor_: ShaderMaterial;
+  private readonly moving_ = new Map<string, MovingThing>();
+  private lines_: FatLines[] = [];
+  private items_: InstancedMesh | null = null;
+  private itemCount_ = 0;
+  private collectedKey_ = '';
+  private scene_: SceneFacts | null = null;
+  private size_ = { width: 1, height: 1, ratio: 1 };
+
+  constructor(shade: ShadeUniforms) {
+    this.hatched_ = bodyMaterial(shade, true);
+    this.body_ = bodyMaterial(shade, false);
+    this.floor_ = floorMaterial(shade);
+  }
+
+  /** Builds everything anew in the palette's colours. */
+  build(scene: SceneFacts, palette: Palette): void {
+    this.clear();
+    this.scene_ = scene;
+    this.buildStillObstacles(scene, palette);
+    this.buildTrees(scene, palette);
+    for (const obstacle of scene.obstacles) if (obstacle.moving) this.buildMovingObstacle(obstacle, palette);
+    this.buildStillPatches(scene, palette);
+    for (const patch of scene.patches) if (patch.moving) this.buildMovingPatch(patch, scene, palette);
+    this.buildItems(scene, palette);
+    this.setSize(this.size_.width, this.size_.height, this.size_.ratio);
+  }
+
+  setSize(width: number, height: number, ratio: number): void {
+    this.size_ = { width, height, ratio };
+    for (const lines of this.lines_) lines.setSize(width, height, ratio);
+  }
+
+  /** Places what moves. */
+  move(moving: readonly MovingView[]): void {
+    for (const one of moving) {
+      const thing = this.moving_.get(`${one.kind}:${one.id}`);
+      if (!thing) continue;
+      thing.group.position.set(thing.centre[0] + one.x, thing.centre[1] + one.y, 0);
+      thing.group.rotation.z = one.angle;
+    }
+  }
+
+  /** Hides items that are gone; `collected` holds 1 per item gone. */
+  setCollected(collected: ArrayLike<number>): void {
+    const mesh = this.items_;
+    const scene = this.scene_;
+    if (!mesh || !scene) return;
+    const key = Array.from(collected).join('');
+    if (key === this.collectedKey_) return;
+    this.collectedKey_ = key;
+    const matrix = new Matrix4();
+    for (let i = 0; i < this.itemCount_; ++i) {
+      const item = scene.items[i];
+      if (!item) continue;
+      const size = collected[i] ? 0 : Math.max(0.22, Math.min(0.4, item.radius * 0.7));
+      matrix.makeScale(size, size, size).setPosition(item.position[0], item.position[1], 0.55);
+      mesh.setMatrixAt(i, matrix);
+    }
+    mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.clear();
+    for (const material of [this.hatched_, this.body_, this.floor_]) material.dispose();
+  }
+
+  private clear(): void {
+    this.group.traverse((object) => {
+      if (object instanceof Mesh) (object as Mesh<BufferGeometry>).geometry.dispose();
+    });
+    for (const lines of this.lines_) lines.dispose();
+    this.items_?.dispose();
+    this.items_ = null;
+    this.collectedKey_ = '';
+    this.lines_ = [];
+    this.moving_.clear();
+    this.group.clear();
+  }
+
+  private addMesh(parent: Group, builder: GeometryBuilder, material: Material, order: number, casts: boolean): void {
+    if (builder.triangleCount === 0) return;
+    const mesh = new Mesh(builder.build(), material);
+    mesh.castShadow = casts;
+    mesh.receiveShadow = true;
+    mesh.renderOrder = order;
+    parent.add(mesh);
+  }
+
+  private addLines(parent: Group, list: readonly TintedLine[], width: number, dash: number): void {
+    if (list.length === 0) return;
+    const lines = new FatLines({ width, dash, renderOrder: 2 });
+    lines.reserve(list.length);
+    list.forEach(({ line: [a, b], colour, alpha }, i) => {
+      lines.setLine(i, a[0], a[1], a[2], b[0], b[1], b[2]);
+      lines.setTint(i, colour, alpha);
+    });
+    lines.flush(true);
+    this.lines_.push(lines);
+    parent.add(lines.mesh);
+  }
+
+  private buildStillObstacles(scene: SceneFacts, palette: Palette): void {
+    const builder = new GeometryBuilder();
+    const edges: EdgeLine[] = [];
+    for (const obstacle of scene.obstacles) {
+      if (obstacle.moving || lookOfObstacle(obstacle) === 'tree') continue;
+      if (lookOfObstacle(obstacle) === 'car') addCar(builder, outlineOf(obstacle), palette.carBodies[0] ?? '#888888', palette);
+      else edges.push(...addObstacle(builder, obstacle, palette));
+    }
+    this.addMesh(this.group, builder, this.hatched_, 0, true);
+    const lines = withoutShared(edges).map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 }));
+    this.addLines(this.group, lines, 1, 0);
+  }
+
+  private buildTrees(scene: SceneFacts, palette: Palette): void {
+    const trees = scene.obstacles.filter((obstacle) => !obstacle.moving && lookOfObstacle(obstacle) === 'tree');
+    if (trees.length === 0) return;
+    const mesh = new InstancedMesh(makeTreeGeometry(palette), this.body_, trees.length);
+    const up = new Vector3(0, 0, 1);
+    trees.forEach((tree, i) => {
+      const look = lookOf(tree.id + 77);
+      const radius = tree.radius ?? 0.3;
+      const wide = Math.min(1.6, Math.max(0.75, 0.6 + radius)) * (0.9 + 0.25 * look.size);
+      const turn = new Quaternion().setFromAxisAngle(up, look.size * 6.28);
+      const [x, y] = tree.centre ?? [0, 0];
+      mesh.setMatrixAt(i, new Matrix4().compose(new Vector3(x, y, 0), turn, new Vector3(wide, wide, 0.95 * wide)));
+    });
+    mesh.castShadow = true;
+    mesh.receiveShadow = true;
+    mesh.frustumCulled = false;
+    this.group.add(mesh);
+  }
+
+  private thing(kind: number, id: number, centre: Point2): Group {
+    const group = new Group();
+    group.position.set(centre[0], centre[1], 0);
+    this.moving_.set(`${kind}:${id}`, { group, centre });
+    this.group.add(group);
+    return group;
+  }
+
+  private buildMovingObstacle(obstacle: SceneObstacle, palette: Palette): void {
+    const outline = outlineOf(obstacle);
+    const centre = obstacle.centre && !obstacle.polygon ? obstacle.centre : centroid(outline);
+    const group = this.thing(0, obstacle.id, centre);
+    const builder = new GeometryBuilder();
+    const local = shifted(outline, centre);
+    if (lookOfObstacle(obstacle) === 'car') {
+      const bodies = palette.carBodies;
+      addCar(builder, local, bodies[obstacle.id % bodies.length] ?? '#888888', palette);
+    } else {
+      const still: SceneObstacle = { ...obstacle, polygon: local };
+      const edges = addObstacle(builder, still, palette);
+      this.addLines(group, edges.map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 })), 1, 0);
+    }
+    this.addMesh(group, builder, this.hatched_, 0, true);
+  }
+
+  private buildStillPatches(scene: SceneFacts, palette: Palette): void {
+    const parts = emptyParts();
+    for (const patch of scene.patches) {
+      if (!patch.moving) addPatch(parts, patch, scene.clips[patch.motion]?.name ?? '', palette);
+    }
+    for (const checkpoint of scene.checkpoints) {
+      const circle = circlePoints(checkpoint.position[0], checkpoint.position[1], checkpoint.radius, 40);
+      circle.forEach((a, i) => {
+        const b = circle[(i + 1) % circle.length] as Point2;
+        parts.rim.push({ line: [[a[0], a[1], 0.012], [b[0], b[1], 0.012]], colour: palette.ink2, alpha: 0.7 });
+      });
+    }
+    this.addParts(this.group, parts);
+  }
+
+  private buildMovingPatch(patch: ScenePatch, scene: SceneFacts, palette: Palette): void {
+    const centre = centroid(patch.polygon);
+    const parts = emptyParts();
+    const local = { ...patch, polygon: shifted(patch.polygon, centre) };
+    addPatch(parts, local, scene.clips[patch.motion]?.name ?? '', palette);
+    this.addParts(this.thing(1, patch.id, centre), parts);
+  }
+
+  private addParts(parent: Group, parts: PatchParts): void {
+    this.addMesh(parent, parts.floor, this.floor_, 1, false);
+    this.addMesh(parent, parts.solid, this.body_, 0, true);
+    this.addLines(parent, parts.rim, 1.5, 0.5);
+    this.addLines(parent, parts.lines, 1.25, 0);
+  }
+
+  private buildItems(scene: SceneFacts, palette: Palette): void {
+    this.itemCount_ = scene.items.length;
+    if (this.itemCount_ === 0) return;
+    const builder = new GeometryBuilder();
+    builder.frustum(0, 0, -1, 0, 0.001, 0.8, 6, palette.item, palette.item);
+    builder.frustum(0, 0, 0, 1, 0.8, 0.001, 6, palette.item, palette.item);
+    this.items_ = new InstancedMesh(builder.build(), this.body_, this.itemCount_);
+    this.items_.castShadow = true;
+    this.items_.frustumCulled = false;
+    this.group.add(this.items_);
+    this.setCollected([]);
+  }
+}
+
+function emptyParts(): PatchParts {
+  return { floor: new GeometryBuilder(), solid: new GeometryBuilder(), rim: [], lines: [] };
+}
+
+/** Leaves out edges that two pieces share: they lie inside one building. */
+export function withoutShared(edges: readonly EdgeLine[]): EdgeLine[] {
+  const name = (p: readonly number[]): string => p.map((v) => Math.round(v * 1000)).join();
+  const count = new Map<string, number>();
+  const keyOf = ([a, b]: EdgeLine): string => {
+    const u = name(a);
+    const v = name(b);
+    return u < v ? `${u}|${v}` : `${v}|${u}`;
+  };
+  for (const edge of edges) count.set(keyOf(edge), (count.get(keyOf(edge)) ?? 0) + 1);
+  return edges.filter((edge) => count.get(keyOf(edge)) === 1);
+}
