@@ -117,7 +117,7 @@ Status World::Impl::addGroup(const GroupDef& def) {
         addCharacter(group, index, start);
     }
     groups.push_back(std::move(group));
-    checkpointState.assign(checkpoints.size() * groups.size(), 0);
+    checkpointState.resize(checkpoints.size() * groups.size(), 0);
     refreshMembers();
     Group& added = groups.back();
     // Characters that begin in each other or in a wall part before anything is planned.
@@ -132,7 +132,8 @@ void World::Impl::removeGroup(std::size_t index) {
         else if (characters.group[i] > index) --characters.group[i];
     }
     groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(index));
-    checkpointState.assign(checkpoints.size() * groups.size(), 0);
+    const auto states = checkpointState.begin() + static_cast<std::ptrdiff_t>(index * checkpoints.size());
+    checkpointState.erase(states, states + static_cast<std::ptrdiff_t>(checkpoints.size()));
     refreshMembers();
 }
 

@@ -66,7 +66,7 @@ struct World::Impl {
     std::vector<Group> groups;
     std::vector<Command> queue;  ///< Ordered by (step, client, sequence).
     std::vector<FormationCheckpointDef> checkpoints;
-    std::vector<std::uint8_t> checkpointState;  ///< checkpoints x groups: bit 0 inside now, bit 1 used.
+    std::vector<std::uint8_t> checkpointState;  ///< groups x checkpoints: bit 0 inside now, bit 1 used.
     std::vector<ItemDef> items;
     std::vector<std::uint8_t> collected;
     Random random;

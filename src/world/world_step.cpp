@@ -247,7 +247,7 @@ void World::Impl::meetCheckpoints() {
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (checkpoint.group >= 0 && static_cast<std::size_t>(checkpoint.group) != g) continue;
             Group& group = groups[g];
-            std::uint8_t& state = checkpointState[c * groups.size() + g];
+            std::uint8_t& state = checkpointState[g * checkpoints.size() + c];
             const bool inside = distance(group.mesh.pose().position, checkpoint.position) <= checkpoint.radius;
             const bool comes = inside && (state & 1) == 0 && !(checkpoint.once && (state & 2) != 0);
             state = static_cast<std::uint8_t>((state & 2) | (inside ? 1 : 0));
