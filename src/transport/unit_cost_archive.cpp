@@ -7,13 +7,18 @@ namespace muster {
 namespace {
 
 constexpr std::int64_t kMostCells = 16'000'000;  // As Environment.
+// Far beyond any real unit cost; damaged numbers outside could keep fast marching busy for ever.
+constexpr float kLeast = 1e-6f;
+constexpr float kMost = 1e9f;
 
 bool sameBits(const CellCost& a, const CellCost& b) { return std::memcmp(&a, &b, sizeof(CellCost)) == 0; }
 
 bool plausible(const Grid& grid) {
     return grid.width > 0 && grid.height > 0 && static_cast<std::int64_t>(grid.width) * grid.height <= kMostCells &&
-           grid.cell > 0.0 && std::isfinite(grid.cell) && isFinite(grid.origin);
+           grid.cell > 1e-4 && grid.cell < 1e4 && isFinite(grid.origin);
 }
+
+bool plausible(float cost) { return cost >= kLeast && (cost <= kMost || std::isinf(cost)); }
 
 }  // namespace
 
@@ -38,11 +43,11 @@ bool loadUnitCost(Reader& archive, UnitCost& cost) {
     archive(cost.grid, cost.radius, cost.lowest, lengths, values);
     if (!archive.ok() || !plausible(cost.grid) || values.size() != 4 * lengths.size()) return false;
     for (const float value : values)
-        if (!(value > 0.0f)) return false;
+        if (!plausible(value)) return false;
     const auto count = static_cast<std::size_t>(cost.grid.count());
     std::size_t total = 0;
     for (const std::uint32_t length : lengths) total += length;
-    if (total != count || !std::isfinite(cost.radius) || !(cost.lowest > 0.0f)) return false;
+    if (total != count || !std::isfinite(cost.radius) || !plausible(cost.lowest)) return false;
     cost.cells.clear();
     cost.cells.reserve(count);
     for (std::size_t run = 0; run < lengths.size(); ++run) {
