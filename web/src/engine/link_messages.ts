@@ -1,0 +1,23 @@
+// What page and worker tell each other.
+
+import type { ClientMessage, Frame, ServerMessage } from '../protocol/messages';
+
+/** Where the connection stands. */
+export type LinkState =
+  | { readonly phase: 'connecting' }
+  | { readonly phase: 'open' }
+  /** `retryAt` by Date.now() [ms]. */
+  | { readonly phase: 'lost'; readonly attempt: number; readonly retryAt: number };
+
+export type ToWorker =
+  | { readonly kind: 'open'; readonly url: string }
+  | { readonly kind: 'send'; readonly message: ClientMessage }
+  /** The page has taken the last frame and has time for another. */
+  | { readonly kind: 'ready' }
+  | { readonly kind: 'retry' };
+
+export type FromWorker =
+  | { readonly kind: 'message'; readonly message: Exclude<ServerMessage, Frame> }
+  /** `receivedAt` since the epoch [ms], as worker and page have different origins of time. */
+  | { readonly kind: 'frame'; readonly frame: Frame; readonly receivedAt: number }
+  | { readonly kind: 'link'; readonly state: LinkState };

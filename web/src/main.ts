@@ -1,0 +1,50 @@
+// The studio's page.
+
+import '@fontsource-variable/inter';
+import './ui/styles/tokens.css';
+import './ui/styles/base.css';
+import './ui/styles/panels.css';
+import './ui/styles/layouts.css';
+
+import { StudioClient } from './engine/studio_client';
+import { StudioApp } from './ui/studio_app';
+import { StudioView } from './view/studio_view';
+
+function byId<T extends HTMLElement>(id: string, type: new () => T): T {
+  const found = document.getElementById(id);
+  if (!(found instanceof type)) throw new Error(`The page has no #${id}.`);
+  return found;
+}
+
+function socketAddress(): string {
+  const url = new URL('ws', document.baseURI);
+  url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
+  return url.href;
+}
+
+const canvas = byId('scene', HTMLCanvasElement);
+const view = new StudioView(canvas, byId('overlay', HTMLElement));
+const worker = new Worker(new URL('./engine/worker.ts', import.meta.url), { type: 'module' });
+const client = new StudioClient(worker);
+const app = new StudioApp(client, view, canvas, byId('ui', HTMLElement));
+client.connect(socketAddress());
+
+/** For tests and the curious. */
+Object.defineProperty(window, '__muster', {
+  value: {
+    client,
+    view,
+    get connected() {
+      return client.state.phase === 'open';
+    },
+    get frame() {
+      return app.frame;
+    },
+    get latency() {
+      return app.latency.samples;
+    },
+    get state() {
+      return app.store.state;
+    },
+  },
+});

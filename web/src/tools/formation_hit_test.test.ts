@@ -1,0 +1,71 @@
+import { describe, expect, it } from 'vitest';
+import type { GroupFrame, GroupMesh } from '../protocol/messages';
+import { FormationHitTest, edgesOf, rimReach } from './formation_hit_test';
+
+function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame: GroupFrame } {
+  return {
+    mesh: {
+      type: 'GroupMesh',
+      group,
+      version,
+      formation: 'square',
+      triangles: new Uint32Array([0, 1, 2, 0, 2, 3]),
+      boundary: new Uint32Array([4, 0, 1, 2, 3]),
+    },
+    frame: {
+      id: group,
+      meshVersion: version,
+      lag: 0,
+      vertices: new Float32Array([x, 0, x + 4, 0, x + 4, 4, x, 4]),
+      places: new Float32Array(),
+      fit: new Uint8Array(),
+      controls: [],
+    },
+  };
+}
+
+function hitTest(...squares: { mesh: GroupMesh; frame: GroupFrame }[]): FormationHitTest {
+  const test = new FormationHitTest();
+  for (const { mesh } of squares) test.setMesh(mesh);
+  test.setGroups(squares.map(({ frame }) => frame));
+  return test;
+}
+
+describe('FormationHitTest', () => {
+  it('finds the mesh that holds the point', () => {
+    const test = hitTest(square(7, 0), square(9, 10));
+    expect(test.find({ x: 2, y: 2 }, 1)).toEqual({ index: 0, group: 7, distance: 0 });
+    expect(test.find({ x: 12, y: 2 }, 1)).toEqual({ index: 1, group: 9, distance: 0 });
+  });
+  it('takes the nearest rim within reach', () => {
+    const test = hitTest(square(7, 0), square(9, 5));
+    expect(test.find({ x: 4.8, y: 2 }, 1)?.group).toBe(9);
+    expect(test.find({ x: 4.2, y: 2 }, 1)?.group).toBe(7);
+    expect(test.find({ x: 4.2, y: 2 }, 0.1)).toBeNull();
+  });
+  it('calls the rest empty ground', () => {
+    expect(hitTest(square(7, 0)).find({ x: 9, y: 9 }, 1.5)).toBeNull();
+    expect(new FormationHitTest().find({ x: 0, y: 0 }, 1)).toBeNull();
+  });
+  it('ignores vertices of another mesh version', () => {
+    const old = square(7, 0);
+    const test = new FormationHitTest();
+    test.setMesh({ ...old.mesh, version: 2 });
+    test.setGroups([old.frame]);
+    expect(test.find({ x: 2, y: 2 }, 1)).toBeNull();
+  });
+});
+
+describe('edgesOf', () => {
+  it('closes every loop', () => {
+    expect(edgesOf([3, 0, 1, 2, 2, 5, 6])).toEqual([[0, 1], [1, 2], [2, 0], [5, 6], [6, 5]]);
+  });
+});
+
+describe('rimReach', () => {
+  it('is a fingertip within its bounds', () => {
+    expect(rimReach(40)).toBeCloseTo(0.6);
+    expect(rimReach(1000)).toBe(0.3);
+    expect(rimReach(2)).toBe(1.5);
+  });
+});

@@ -1,0 +1,50 @@
+// One table of keys, for the handler and for the help.
+
+export type ShortcutGroup = 'Crowd' | 'Formations' | 'Time' | 'Camera' | 'Show';
+
+export interface Shortcut {
+  /** As the help shows it. */
+  readonly keys: string;
+  readonly does: string;
+  readonly group: ShortcutGroup;
+  /** `KeyboardEvent.key`, letters in lower case; empty for what is only explained here. */
+  readonly match: readonly string[];
+  readonly run?: (event: KeyboardEvent) => void;
+  /** Only while the scene, not a button, has the focus. */
+  readonly sceneOnly?: boolean;
+}
+
+/** Where typing or choosing goes on, shortcuts keep out. */
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.closest('input, textarea, select, dialog, [role="menu"], [role="listbox"]') !== null;
+}
+
+function isControl(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.closest('button, a, [role="toolbar"]') !== null;
+}
+
+export function findShortcut(
+  shortcuts: readonly Shortcut[],
+  event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'target'>,
+): Shortcut | null {
+  if (event.ctrlKey || event.metaKey || isTyping(event.target)) return null;
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const found = shortcuts.find((shortcut) => shortcut.run && shortcut.match.includes(key));
+  return !found || (found.sceneOnly && isControl(event.target)) ? null : found;
+}
+
+export class ShortcutHandler {
+  constructor(
+    target: EventTarget,
+    private readonly shortcuts: readonly Shortcut[],
+  ) {
+    target.addEventListener('keydown', (event) => this.handle(event as KeyboardEvent));
+  }
+
+  private handle(event: KeyboardEvent): void {
+    const shortcut = findShortcut(this.shortcuts, event);
+    if (!shortcut?.run || event.defaultPrevented) return;
+    event.preventDefault();
+    shortcut.run(event);
+  }
+}

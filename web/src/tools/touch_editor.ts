@@ -1,0 +1,76 @@
+// Contacts that begin on a formation: each is a finger that the server makes controls of.
+
+import type { GroundPoint } from '../view/camera_types';
+import type { Contact, ContactOwner } from './contact';
+import type { FormationHit } from './formation_hit_test';
+import type { TouchSender } from './touch_sender';
+
+/** The ring under a finger, drawn in the very next frame. */
+export interface TouchMarks {
+  touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
+}
+
+interface Finger {
+  readonly touch: number;
+  readonly index: number;
+  readonly from: Contact;
+  last: GroundPoint;
+  moved: boolean;
+}
+
+const STILL_PX = 4;
+
+export class TouchEditor {
+  private readonly fingers = new Map<number, Finger>();
+
+  constructor(
+    private readonly sender: TouchSender,
+    private readonly marks: TouchMarks,
+  ) {}
+
+  /** Fingers that are down. */
+  get count(): number {
+    return this.fingers.size;
+  }
+
+  /** The owner of a contact that began on this formation. */
+  ownerFor(hit: FormationHit): ContactOwner {
+    return {
+      begin: (contact) => this.begin(contact, hit),
+      move: (contacts) => this.move(contacts),
+      end: (contact, cancelled) => this.end(contact, cancelled),
+    };
+  }
+
+  private begin(contact: Contact, hit: FormationHit): void {
+    if (!contact.ground) return;
+    const touch = this.sender.nextTouch();
+    this.fingers.set(contact.pointer, { touch, index: hit.index, from: contact, last: contact.ground, moved: false });
+    this.marks.touchMark(contact.pointer, contact.ground, hit.index);
+    this.sender.down(touch, contact.ground, contact.time, hit.group);
+  }
+
+  private move(contacts: readonly Contact[]): void {
+    for (const contact of contacts) {
+      const finger = this.fingers.get(contact.pointer);
+      if (!finger || !contact.ground) continue;
+      const dx = contact.screen.x - finger.from.screen.x;
+      const dy = contact.screen.y - finger.from.screen.y;
+      finger.moved ||= Math.hypot(dx, dy) > STILL_PX;
+      finger.last = contact.ground;
+      this.sender.move(finger.touch, contact.ground, contact.time);
+      this.marks.touchMark(contact.pointer, contact.ground, finger.index);
+    }
+  }
+
+  private end(contact: Contact, cancelled: boolean): void {
+    const finger = this.fingers.get(contact.pointer);
+    if (!finger) return;
+    this.fingers.delete(contact.pointer);
+    this.marks.touchMark(contact.pointer, null, finger.index);
+    // A click that drew nothing must leave no control behind that would stand in the way of a double click.
+    const dropped = cancelled || (contact.kind === 'mouse' && !finger.moved);
+    if (dropped) this.sender.cancel(finger.touch, finger.last, contact.time);
+    else this.sender.up(finger.touch, contact.ground ?? finger.last, contact.time);
+  }
+}

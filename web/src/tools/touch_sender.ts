@@ -1,0 +1,54 @@
+// Sends touches: downs and lifts at once, moves together once per drawn frame.
+
+import { TouchPhase, type TouchEvent } from '../protocol/messages';
+import type { MessageSender } from '../engine/studio_client';
+import type { GroundPoint } from '../view/camera_types';
+
+export class TouchSender {
+  private queue: TouchEvent[] = [];
+  private lastTouch = 0;
+
+  /** `sent` hears the time of every event that leaves, for the measurement of latency. */
+  constructor(
+    private readonly client: MessageSender,
+    private readonly sent: (time: number) => void = () => undefined,
+  ) {}
+
+  /** A number that no finger of this page has had. */
+  nextTouch(): number {
+    this.lastTouch += 1;
+    return this.lastTouch;
+  }
+
+  down(touch: number, at: GroundPoint, time: number, group: number): void {
+    this.push(TouchPhase.Down, touch, at, time, group);
+    this.flush();
+  }
+
+  move(touch: number, at: GroundPoint, time: number): void {
+    this.push(TouchPhase.Move, touch, at, time, 0);
+  }
+
+  up(touch: number, at: GroundPoint, time: number): void {
+    this.push(TouchPhase.Up, touch, at, time, 0);
+    this.flush();
+  }
+
+  cancel(touch: number, at: GroundPoint, time: number): void {
+    this.push(TouchPhase.Cancel, touch, at, time, 0);
+    this.flush();
+  }
+
+  /** Sends what waits. */
+  flush(): void {
+    if (this.queue.length === 0) return;
+    const events = this.queue;
+    this.queue = [];
+    this.client.send({ type: 'Touches', events });
+    for (const event of events) if (event.phase <= TouchPhase.Move) this.sent(event.time);
+  }
+
+  private push(phase: TouchPhase, touch: number, at: GroundPoint, time: number, group: number): void {
+    this.queue.push({ phase, touch, x: at.x, y: at.y, time, group });
+  }
+}

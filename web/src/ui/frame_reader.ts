@@ -1,0 +1,63 @@
+// From scene, meshes and frames to what the panels show.
+
+import type { Frame, GroupMesh } from '../protocol/messages';
+import type { SceneFacts } from '../protocol/scene';
+import type { GroupInfo, StudioState } from './studio_state';
+
+/** Characters per group index. */
+export function countGroups(group: Uint8Array, groups: number): number[] {
+  const counts = new Array<number>(groups).fill(0);
+  for (const index of group) if (index < groups) counts[index]! += 1;
+  return counts;
+}
+
+export class FrameReader {
+  private scene: SceneFacts | null = null;
+  private readonly formations = new Map<number, string>();
+  private counts: number[] = [];
+
+  setScene(scene: SceneFacts): void {
+    this.scene = scene;
+    this.formations.clear();
+    for (const group of scene.groups) this.formations.set(group.id, group.formation);
+    this.counts = scene.groups.map((group) => group.count);
+  }
+
+  setMesh(mesh: GroupMesh): void {
+    this.formations.set(mesh.group, mesh.formation);
+  }
+
+  /** `before` is kept where nothing changed, so that watchers stay quiet. */
+  groups(frame: Frame, before: readonly GroupInfo[]): readonly GroupInfo[] {
+    if (frame.group.length > 0) this.counts = countGroups(frame.group, frame.groups.length);
+    const groups = frame.groups.map(({ id }, index): GroupInfo => {
+      const known = this.scene?.groups.find((group) => group.id === id);
+      return {
+        id,
+        name: known?.name ?? `Group ${index + 1}`,
+        colour: known?.colour ?? index,
+        count: this.counts[index] ?? 0,
+        formation: this.formations.get(id) ?? '',
+      };
+    });
+    return JSON.stringify(groups) === JSON.stringify(before) ? before : groups;
+  }
+
+  change(frame: Frame, state: StudioState): Partial<StudioState> {
+    const groups = this.groups(frame, state.groups);
+    return {
+      groups,
+      active: Math.min(state.active, Math.max(0, groups.length - 1)),
+      playing: frame.playing,
+      replaying: frame.replaying,
+      speed: frame.speed,
+      recorded: frame.recordedSeconds,
+      characters: frame.x.length,
+      stepMs: frame.stepMs,
+      lag: frame.lagP95,
+      swaps: frame.swapsPerSecond,
+      frames: state.frames + 1,
+      loaded: true,
+    };
+  }
+}

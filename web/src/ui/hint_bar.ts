@@ -1,0 +1,67 @@
+// For the first visit: four pictures of how to point, line, area and camera; the words follow the last input.
+
+import { element, setText } from './dom';
+import type { StudioActions } from './studio_actions';
+import type { InputKind, StudioStore } from './studio_state';
+
+interface Words {
+  readonly title: string;
+  readonly does: string;
+}
+
+const WORDS: Record<InputKind, readonly Words[]> = {
+  touch: [
+    { title: 'One finger', does: 'drags a point' },
+    { title: 'Two together', does: 'move a line' },
+    { title: 'Three or more', does: 'carry an area' },
+    { title: 'Empty ground', does: 'moves the camera' },
+  ],
+  mouse: [
+    { title: 'Drag', does: 'pulls a point' },
+    { title: 'Shift + drag', does: 'spans a line' },
+    { title: 'Alt + drag', does: 'lassoes an area' },
+    { title: 'Empty ground', does: 'moves the camera' },
+  ],
+};
+
+const HALO = 'class="halo"';
+const HANDLE = 'class="handle"';
+
+const PICTURES = [
+  `<circle cx="20" cy="20" r="17" class="reach"/><circle ${HALO} cx="20" cy="20" r="9.5"/><circle ${HANDLE} cx="20" cy="20" r="4.2"/>`,
+  `<circle ${HALO} cx="8" cy="30" r="8"/><circle ${HALO} cx="32" cy="10" r="8"/><path class="bar" d="M8 30 32 10"/>` +
+    `<circle ${HANDLE} cx="8" cy="30" r="4"/><circle ${HANDLE} cx="32" cy="10" r="4"/>`,
+  `<path class="hull" d="M20 7 33 31 7 31Z"/><circle ${HALO} cx="20" cy="7" r="7"/><circle ${HALO} cx="7" cy="31" r="7"/>` +
+    `<circle ${HALO} cx="33" cy="31" r="7"/><path class="outline" d="M20 7 33 31 7 31Z"/><circle ${HANDLE} cx="20" cy="7" r="3.6"/>` +
+    `<circle ${HANDLE} cx="7" cy="31" r="3.6"/><circle ${HANDLE} cx="33" cy="31" r="3.6"/>`,
+  `<path class="arrows" d="M20 4v32 M4 20h32 M15.5 8.5 20 4l4.500 4.500 M15.500 31.500 20 36l4.500-4.500 M8.500 15.500 4 20l4.500 4.500 M31.500 15.500 36 20l-4.500 4.500"/>`,
+];
+
+function picture(body: string): SVGSVGElement {
+  const template = document.createElement('template');
+  template.innerHTML = `<svg class="hint-picture" width="40" height="40" viewBox="0 0 40 40" aria-hidden="true">${body}</svg>`;
+  return template.content.firstElementChild as SVGSVGElement;
+}
+
+export class HintBar {
+  readonly root = element('section', { class: 'hint panel', 'aria-label': 'How to steer the crowd' });
+
+  constructor(store: StudioStore, actions: StudioActions) {
+    const items = PICTURES.map((body) => {
+      const title = element('strong');
+      const does = element('span', { class: 'secondary' });
+      this.root.append(element('div', { class: 'hint-item' }, picture(body), element('div', { class: 'hint-words' }, title, does)));
+      return { title, does };
+    });
+    const done = element('button', { type: 'button', class: 'soft hint-done' }, 'Got it');
+    done.addEventListener('click', () => actions.dismissHint());
+    this.root.append(done);
+    store.watch(['input', 'hint', 'link', 'loaded'], (state) => {
+      this.root.hidden = !state.hint || !state.loaded || state.link.phase === 'lost';
+      WORDS[state.input].forEach((words, i) => {
+        setText(items[i]!.title, words.title);
+        setText(items[i]!.does, words.does);
+      });
+    });
+  }
+}

@@ -1,0 +1,68 @@
+// A panel that a button opens: Escape, a press outside or a choice closes it.
+
+import { setAttribute } from './dom';
+
+export class Popup {
+  constructor(
+    private readonly button: HTMLElement,
+    private readonly panel: HTMLElement,
+    private readonly opened: () => void = () => undefined,
+  ) {
+    button.setAttribute('aria-expanded', 'false');
+    panel.hidden = true;
+    button.addEventListener('click', () => (this.isOpen ? this.close(true) : this.open()));
+    panel.addEventListener('keydown', (event) => this.pressed(event));
+    button.addEventListener('keydown', (event) => {
+      if (event.key === 'ArrowDown' && !this.isOpen) {
+        event.preventDefault();
+        event.stopPropagation();
+        this.open();
+      }
+    });
+    document.addEventListener('pointerdown', (event) => this.pointed(event), true);
+  }
+
+  get isOpen(): boolean {
+    return !this.panel.hidden;
+  }
+
+  open(): void {
+    this.panel.hidden = false;
+    setAttribute(this.button, 'aria-expanded', 'true');
+    this.opened();
+    const items = this.items();
+    (items.find((item) => item.getAttribute('aria-current') === 'true') ?? items[0])?.focus();
+  }
+
+  close(giveFocusBack: boolean): void {
+    if (!this.isOpen) return;
+    this.panel.hidden = true;
+    setAttribute(this.button, 'aria-expanded', 'false');
+    if (giveFocusBack) this.button.focus();
+  }
+
+  private items(): HTMLElement[] {
+    return [...this.panel.querySelectorAll<HTMLElement>('button')].filter((item) => !item.hidden);
+  }
+
+  private pointed(event: Event): void {
+    const target = event.target as Node;
+    if (!this.panel.contains(target) && !this.button.contains(target)) this.close(false);
+  }
+
+  private pressed(event: KeyboardEvent): void {
+    if (event.key === 'Escape') {
+      event.stopPropagation();
+      this.close(true);
+      return;
+    }
+    if (event.key === 'Tab') this.close(false);
+    const items = this.items();
+    const at = items.indexOf(document.activeElement as HTMLElement);
+    const move = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;
+    if (move === 0 || at < 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    items[(at + move + items.length) % items.length]!.focus();
+  }
+}

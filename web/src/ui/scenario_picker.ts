@@ -1,0 +1,45 @@
+// Top left: the scenario's title, and a list of all with descriptions and counts.
+
+import type { ScenarioInfo } from '../protocol/messages';
+import { element, setText } from './dom';
+import { formatCount } from './formatters';
+import { icon, logo } from './icons';
+import { Popup } from './popup';
+import type { StudioActions } from './studio_actions';
+import type { StudioState, StudioStore } from './studio_state';
+
+export class ScenarioPicker {
+  private readonly title = element('span', { class: 'title' });
+  private readonly button = element('button', {
+    type: 'button', class: 'scenario-button', 'aria-haspopup': 'true', 'data-tip': 'Choose a scenario',
+  }, logo(), this.title, icon('chevron'));
+  private readonly list = element('div', { class: 'scenario-list panel', role: 'group', 'aria-label': 'Scenarios' });
+  readonly root = element('div', { class: 'scenario panel' }, this.button, this.list);
+  private readonly popup = new Popup(this.button, this.list);
+
+  constructor(store: StudioStore, private readonly actions: StudioActions) {
+    store.watch(['title'], (state) => {
+      setText(this.title, state.title || 'Muster');
+      this.button.setAttribute('aria-label', `Scenario: ${state.title || 'none'}`);
+    });
+    store.watch(['scenarios', 'scenario', 'credit'], (state) => this.fill(state));
+  }
+
+  private fill(state: StudioState): void {
+    const items = state.scenarios.map((info) => this.item(info, info.name === state.scenario));
+    const credit = state.credit ? [element('p', { class: 'credit secondary' }, state.credit)] : [];
+    this.list.replaceChildren(...items, ...credit);
+  }
+
+  private item(info: ScenarioInfo, current: boolean): HTMLButtonElement {
+    const item = element('button', { type: 'button', class: 'scenario-item', 'aria-current': current ? 'true' : undefined },
+      element('span', { class: 'scenario-name' }, info.title || info.name),
+      element('span', { class: 'scenario-count secondary' }, formatCount(info.characters)),
+      element('span', { class: 'scenario-about secondary' }, info.description));
+    item.addEventListener('click', () => {
+      this.popup.close(true);
+      this.actions.loadScenario(info.name);
+    });
+    return item;
+  }
+}

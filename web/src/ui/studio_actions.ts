@@ -1,0 +1,27 @@
+// What buttons, keys and gestures can ask for; panels know no more of the studio.
+
+import type { OverlayKind } from '../protocol/messages';
+import type { LayerState } from './studio_state';
+
+export interface StudioActions {
+  togglePlay(): void;
+  singleStep(): void;
+  restart(): void;
+  /** To the next of the usual speeds; backwards where `back`. */
+  nextSpeed(back?: boolean): void;
+  toggleRecord(): void;
+  downloadTake(): void;
+  openTake(file: File): void;
+  loadScenario(name: string): void;
+  setFormation(name: string): void;
+  setActiveGroup(index: number): void;
+  toggleLayer(layer: keyof LayerState): void;
+  /** Shows the overlay, or takes it away where it is shown. */
+  toggleOverlay(kind: OverlayKind): void;
+  toggleTheme(): void;
+  showHelp(open: boolean): void;
+  dismissHint(): void;
+  dismissNotice(): void;
+  retry(): void;
+  fit(): void;
+}

@@ -1,0 +1,73 @@
+// Puts the panels on the page.
+
+import type { Shortcut } from '../tools/shortcuts';
+import { LostBanner, NoticeBanner } from './banner';
+import { ControlChip } from './control_chip';
+import { element } from './dom';
+import { EmptyPanel } from './empty_panel';
+import { FormationPanel } from './formation_panel';
+import { GroupChips } from './group_chips';
+import { HelpDialog } from './help_dialog';
+import { HintBar } from './hint_bar';
+import { LayerBar } from './layer_bar';
+import { LegendPanel } from './legend_panel';
+import { LiveRegion } from './live_region';
+import { PhoneBar } from './phone_bar';
+import { Readout } from './readout';
+import { ScaleBar } from './scale_bar';
+import { ScenarioPicker } from './scenario_picker';
+import type { StudioActions } from './studio_actions';
+import type { StudioStore } from './studio_state';
+import { Tooltip } from './tooltip';
+import { TransportBar } from './transport_bar';
+import type { Padding } from '../view/camera_types';
+
+export class StudioShell {
+  readonly scale = new ScaleBar();
+  readonly chip = new ControlChip();
+  readonly live = new LiveRegion();
+  private readonly top: HTMLElement[];
+  private readonly bottom: HTMLElement;
+  private readonly formations: FormationPanel;
+  private readonly transport: TransportBar;
+  private readonly readout: Readout;
+
+  constructor(
+    private readonly page: HTMLElement,
+    private readonly store: StudioStore,
+    actions: StudioActions,
+    shortcuts: readonly Shortcut[],
+  ) {
+    const scenario = new ScenarioPicker(store, actions).root;
+    const groups = new GroupChips(store, actions).root;
+    const layers = new LayerBar(store, actions).root;
+    this.formations = new FormationPanel(store, actions);
+    this.transport = new TransportBar(store, actions);
+    this.readout = new Readout(store);
+    const phone = new PhoneBar(store, actions, () => this.transport.chooseFile()).root;
+    const sheet = element('div', { class: 'sheet' }, this.formations.root, element('hr'), this.transport.root);
+    const hint = new HintBar(store, actions).root;
+    const legend = new LegendPanel(store).root;
+    const header = element('header', { class: 'contents' }, scenario, groups, layers, phone);
+    const main = element('div', { class: 'contents', role: 'region', 'aria-label': 'Tools' },
+      new LostBanner(store, actions).root, new NoticeBanner(store, actions).root, new EmptyPanel(store, actions).root,
+      hint, sheet, legend, this.readout.root, this.scale.root, this.chip.root);
+    this.page.append(header, main, this.live.root, new HelpDialog(store, actions, shortcuts).root, new Tooltip(document).root);
+    this.top = [scenario, groups, layers, phone];
+    this.bottom = sheet;
+  }
+
+  /** What the panels cover; fits keep clear of it. */
+  padding(): Padding {
+    const { layout } = this.store.state;
+    const top = Math.max(...this.top.map((panel) => panel.getBoundingClientRect().bottom)) + 12;
+    const height = window.innerHeight;
+    if (layout === 'desktop' || layout === 'landscape') {
+      const left = this.formations.root.getBoundingClientRect().right + 12;
+      const right = layout === 'desktop' ? 24 : window.innerWidth - this.transport.root.getBoundingClientRect().left + 12;
+      const lowest = layout === 'desktop' ? this.transport.root : this.readout.root;
+      return { top, right, bottom: height - lowest.getBoundingClientRect().top + 12, left };
+    }
+    return { top, right: 24, bottom: height - this.bottom.getBoundingClientRect().top + 24, left: 24 };
+  }
+}

@@ -1,0 +1,80 @@
+// The studio's keys.
+
+import { OverlayKind } from '../protocol/messages';
+import type { ArrowKey } from '../tools/keyboard_steering';
+import type { Shortcut } from '../tools/shortcuts';
+import { FORMATIONS } from './formation_panel';
+import type { StudioActions } from './studio_actions';
+
+/** What keys ask of camera and tools. */
+export interface KeyTools {
+  arrow(key: ArrowKey, long: boolean): void;
+  zoom(factor: number): void;
+  turn(radians: number): void;
+  grabOrDrop(): void;
+  letGo(): void;
+  togglePin(): void;
+  removeControl(): void;
+  nextGroup(): void;
+}
+
+const QUARTER_STEP = Math.PI / 36;
+
+function crowdKeys(tools: KeyTools): Shortcut[] {
+  return [
+    { keys: 'Enter', does: 'takes the formation in hand, and drops it', group: 'Crowd', match: ['Enter'], sceneOnly: true, run: () => tools.grabOrDrop() },
+    { keys: '← ↑ → ↓', does: 'carry it (Shift: farther)', group: 'Crowd', match: [] },
+    { keys: 'P', does: 'pins the control under the pointer, or the newest', group: 'Crowd', match: ['p'], run: () => tools.togglePin() },
+    { keys: 'Delete', does: 'removes it', group: 'Crowd', match: ['Delete', 'Backspace'], run: () => tools.removeControl() },
+    { keys: 'Esc', does: 'lets go of all controls', group: 'Crowd', match: ['Escape'], run: () => tools.letGo() },
+    { keys: 'G', does: 'next group', group: 'Crowd', match: ['g'], run: () => tools.nextGroup() },
+  ];
+}
+
+function formationKeys(actions: StudioActions): Shortcut[] {
+  const names = FORMATIONS.slice(0, 8);
+  const keys = names.map(({ name }, i): Shortcut => {
+    const key = String(i + 1);
+    return { keys: key, does: names[i]!.label.toLowerCase(), group: 'Formations', match: [key], run: () => actions.setFormation(name) };
+  });
+  return keys;
+}
+
+function timeKeys(actions: StudioActions): Shortcut[] {
+  return [
+    // Space acts on its release, as it also pans while a mouse drags: see SpaceKey.
+    { keys: 'Space', does: 'plays or pauses', group: 'Time', match: [] },
+    { keys: '.', does: 'single step', group: 'Time', match: ['.'], run: () => actions.singleStep() },
+    { keys: '< >', does: 'slower, faster', group: 'Time', match: ['<', '>'], run: (event) => actions.nextSpeed(event.key === '<') },
+    { keys: 'R', does: 'records a take, and stops', group: 'Time', match: ['r'], run: () => actions.toggleRecord() },
+    { keys: 'Home', does: 'restart', group: 'Time', match: ['Home'], sceneOnly: true, run: () => actions.restart() },
+  ];
+}
+
+function cameraKeys(actions: StudioActions, tools: KeyTools): Shortcut[] {
+  const arrows = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight'];
+  return [
+    { keys: '← ↑ → ↓', does: 'pan', group: 'Camera', match: arrows, sceneOnly: true, run: (event) => tools.arrow(event.key as ArrowKey, event.shiftKey) },
+    { keys: '+ -', does: 'zoom', group: 'Camera', match: ['+', '=', '-'], run: (event) => tools.zoom(event.key === '-' ? 1 / 1.2 : 1.2) },
+    { keys: 'Q E', does: 'turn', group: 'Camera', match: ['q', 'e'], run: (event) => tools.turn(event.key.toLowerCase() === 'q' ? QUARTER_STEP : -QUARTER_STEP) },
+    { keys: 'F', does: 'fits crowd and paths', group: 'Camera', match: ['f'], run: () => actions.fit() },
+  ];
+}
+
+function showKeys(actions: StudioActions): Shortcut[] {
+  const key = (keys: string, does: string, run: () => void): Shortcut => ({ keys, does, group: 'Show', match: [keys.toLowerCase()], run });
+  return [
+    key('M', 'mesh', () => actions.toggleLayer('mesh')),
+    key('L', 'places', () => actions.toggleLayer('places')),
+    key('T', 'paths', () => actions.toggleLayer('paths')),
+    key('V', 'field of obstacles', () => actions.toggleOverlay(OverlayKind.Field)),
+    key('C', 'cost of a character', () => actions.toggleOverlay(OverlayKind.Cost)),
+    key('D', 'density', () => actions.toggleOverlay(OverlayKind.Density)),
+    key('N', 'light or dark', () => actions.toggleTheme()),
+    { keys: 'H ?', does: 'this help', group: 'Show', match: ['h', '?'], run: () => actions.showHelp(true) },
+  ];
+}
+
+export function studioShortcuts(actions: StudioActions, tools: KeyTools): Shortcut[] {
+  return [...crowdKeys(tools), ...formationKeys(actions), ...timeKeys(actions), ...cameraKeys(actions, tools), ...showKeys(actions)];
+}

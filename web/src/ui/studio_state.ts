@@ -1,0 +1,129 @@
+// What the panels show: one plain state, changed in one place.
+
+import { OverlayKind, type Notice, type ScenarioInfo } from '../protocol/messages';
+import type { LinkState } from '../engine/link_messages';
+import type { Layout } from './layout';
+
+export type Theme = 'light' | 'dark';
+export type InputKind = 'touch' | 'mouse';
+
+export interface GroupInfo {
+  readonly id: number;
+  readonly name: string;
+  readonly colour: number;
+  readonly count: number;
+  readonly formation: string;
+}
+
+export interface LayerState {
+  readonly mesh: boolean;
+  readonly places: boolean;
+  readonly paths: boolean;
+}
+
+export interface CostFigures {
+  readonly cost: number;
+  readonly way: number;
+  readonly straight: number;
+}
+
+/** What the colours of an overlay stand for. */
+export interface RampScale {
+  readonly max: number;
+  /** Between two contours; every fifth is numbered. */
+  readonly step: number;
+  /** Values go beyond `max`. */
+  readonly beyond: boolean;
+}
+
+export interface StudioState {
+  readonly layout: Layout;
+  readonly theme: Theme;
+  readonly input: InputKind;
+  readonly link: LinkState;
+  /** Whether a scene was ever seen. */
+  readonly loaded: boolean;
+  readonly scenarios: readonly ScenarioInfo[];
+  readonly scenario: string;
+  readonly title: string;
+  readonly credit: string;
+  readonly groups: readonly GroupInfo[];
+  /** Index into groups. */
+  readonly active: number;
+  readonly layers: LayerState;
+  readonly overlay: OverlayKind;
+  /** Character whose cost is shown; -1 for none. */
+  readonly chosen: number;
+  readonly cost: CostFigures | null;
+  readonly ramp: RampScale | null;
+  readonly playing: boolean;
+  readonly replaying: boolean;
+  readonly speed: number;
+  /** Negative: not recording. */
+  readonly recorded: number;
+  readonly characters: number;
+  readonly stepMs: number;
+  readonly lag: number;
+  readonly swaps: number;
+  /** Rises with each frame, for what draws histories. */
+  readonly frames: number;
+  readonly notice: Notice | null;
+  readonly hint: boolean;
+  readonly help: boolean;
+}
+
+export const initialState: StudioState = {
+  layout: 'desktop',
+  theme: 'light',
+  input: 'mouse',
+  link: { phase: 'connecting' },
+  loaded: false,
+  scenarios: [],
+  scenario: '',
+  title: '',
+  credit: '',
+  groups: [],
+  active: 0,
+  layers: { mesh: true, places: true, paths: true },
+  overlay: OverlayKind.None,
+  chosen: -1,
+  cost: null,
+  ramp: null,
+  playing: false,
+  replaying: false,
+  speed: 1,
+  recorded: -1,
+  characters: 0,
+  stepMs: 0,
+  lag: 0,
+  swaps: 0,
+  frames: 0,
+  notice: null,
+  hint: false,
+  help: false,
+};
+
+type Listener = (state: StudioState, before: StudioState) => void;
+
+export class StudioStore {
+  private listeners: Listener[] = [];
+  private current: StudioState = initialState;
+
+  get state(): StudioState {
+    return this.current;
+  }
+
+  set(change: Partial<StudioState>): void {
+    const before = this.current;
+    this.current = { ...before, ...change };
+    for (const listener of this.listeners) listener(this.current, before);
+  }
+
+  /** The listener is called at once, and whenever one of the fields changes. */
+  watch(fields: readonly (keyof StudioState)[], listener: (state: StudioState) => void): void {
+    listener(this.current);
+    this.listeners.push((state, before) => {
+      if (fields.some((field) => state[field] !== before[field])) listener(state);
+    });
+  }
+}

@@ -1,0 +1,36 @@
+// Takes travel by plain HTTP: one is downloaded, or a file is opened.
+
+/** A file name for a take of this scenario. */
+export function takeName(scenario: string, now: Date): string {
+  const plain = scenario.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'take';
+  return `${plain}-${now.toISOString().slice(0, 19).replace(/[:T]/g, '-')}.take`;
+}
+
+/** Null where it worked, else a sentence for the visitor. */
+export async function downloadTake(scenario: string): Promise<string | null> {
+  try {
+    const answer = await fetch('take');
+    if (!answer.ok) return answer.status === 404 ? 'There is no take yet: record one first.' : `The take could not be downloaded: ${answer.statusText}.`;
+    const url = URL.createObjectURL(await answer.blob());
+    const link = document.createElement('a');
+    link.href = url;
+    link.download = takeName(scenario, new Date());
+    link.click();
+    window.setTimeout(() => URL.revokeObjectURL(url), 10000);
+    return null;
+  } catch {
+    return 'The take could not be downloaded: the server does not answer.';
+  }
+}
+
+/** Null where it worked, else a sentence for the visitor. */
+export async function openTake(file: File): Promise<string | null> {
+  try {
+    const answer = await fetch('take', { method: 'POST', body: file, headers: { 'Content-Type': 'application/octet-stream' } });
+    if (answer.ok) return null;
+    const reason = (await answer.text()).trim();
+    return `“${file.name}” could not be opened: ${reason || answer.statusText}`;
+  } catch {
+    return `“${file.name}” could not be sent: the server does not answer.`;
+  }
+}

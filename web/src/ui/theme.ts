@@ -1,0 +1,37 @@
+// Light or dark: the visitor's choice, else the system's.
+
+import type { Theme } from './studio_state';
+
+const KEY = 'muster.theme';
+
+/** Storage may be forbidden; then choices last as long as the page. */
+export function readSetting(storage: () => Storage, key: string): string | null {
+  try {
+    return storage().getItem(key);
+  } catch {
+    return null;
+  }
+}
+
+export function writeSetting(storage: () => Storage, key: string, value: string): void {
+  try {
+    storage().setItem(key, value);
+  } catch {
+    // See above.
+  }
+}
+
+export function preferredTheme(page: Window): Theme {
+  const chosen = readSetting(() => page.localStorage, KEY);
+  if (chosen === 'light' || chosen === 'dark') return chosen;
+  return page.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+}
+
+export function applyTheme(page: Window, theme: Theme): void {
+  page.document.documentElement.dataset['theme'] = theme;
+  page.document.querySelector('meta[name="theme-color"]')?.setAttribute('content', theme === 'dark' ? '#21262C' : '#E6E1D9');
+}
+
+export function rememberTheme(page: Window, theme: Theme): void {
+  writeSetting(() => page.localStorage, KEY, theme);
+}

@@ -1,0 +1,49 @@
+// One Tab stop per toolbar; arrow keys, Home and End move inside it.
+
+const FORWARD = new Set(['ArrowRight', 'ArrowDown']);
+const BACK = new Set(['ArrowLeft', 'ArrowUp']);
+
+export class ToolbarFocus {
+  constructor(private readonly root: HTMLElement) {
+    root.addEventListener('keydown', (event) => this.moved(event));
+    root.addEventListener('focusin', (event) => this.enter(event.target as HTMLElement));
+    this.refresh();
+  }
+
+  /** After buttons came, went or were hidden. */
+  refresh(): void {
+    const buttons = this.buttons();
+    const current = buttons.find((button) => button.tabIndex === 0) ?? buttons[0];
+    for (const button of buttons) button.tabIndex = button === current ? 0 : -1;
+  }
+
+  private buttons(): HTMLElement[] {
+    const all = [...this.root.querySelectorAll<HTMLElement>('button')];
+    const shown = all.filter((button) => !button.hidden && button.closest('[hidden]') === null);
+    return shown.filter((button) => getComputedStyle(button).display !== 'none');
+  }
+
+  private enter(target: HTMLElement): void {
+    const buttons = this.buttons();
+    if (!buttons.includes(target)) return;
+    for (const button of buttons) button.tabIndex = button === target ? 0 : -1;
+  }
+
+  private moved(event: KeyboardEvent): void {
+    const buttons = this.buttons();
+    const at = buttons.indexOf(document.activeElement as HTMLElement);
+    if (at < 0) return;
+    const next = this.nextIndex(event.key, at, buttons.length);
+    if (next === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    buttons[next]!.focus();
+  }
+
+  private nextIndex(key: string, at: number, count: number): number | null {
+    if (FORWARD.has(key)) return (at + 1) % count;
+    if (BACK.has(key)) return (at + count - 1) % count;
+    if (key === 'Home') return 0;
+    return key === 'End' ? count - 1 : null;
+  }
+}
