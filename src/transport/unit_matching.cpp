@@ -24,9 +24,7 @@ bool UnitMatching::solve(std::int32_t rows, std::int32_t columns, const double* 
     rowOf_.assign(columns, -1);
     rowPrice_.assign(rows, 0.0);
     columnPrice_.assign(columns, 0.0);
-    distance_.resize(columns);
-    through_.resize(columns);
-    open_.resize(columns);
+    through_.assign(columns, -1);
     // Lowering the price of a column that ends unmatched would be wrong, so columns are reduced
     // only where all of them end matched.
     if (rows == columns) {
@@ -129,67 +127,63 @@ void UnitMatching::reduceRow(std::int32_t i, std::int32_t& budget) {
     freeNext_.push_back(i);
 }
 
-// Order of columns in the search: nearer, then unmatched, then the lower index.
-bool UnitMatching::before(std::int32_t a, std::int32_t b) const {
-    if (distance_[a] != distance_[b]) return distance_[a] < distance_[b];
-    const bool freeA = rowOf_[a] < 0;
-    const bool freeB = rowOf_[b] < 0;
-    return freeA != freeB ? freeA : a < b;
+// Shortens the distances of open columns over row `i`; returns the least of them. The loops are straight so that
+// compilers can turn them into vector code: a scanned column has the price minus infinity, which no way can beat.
+double UnitMatching::relax(std::int32_t i, double offset) {
+    const double* c = row(i);
+    const double* price = openPrice_.data();
+    double* distances = openDistance_.data();
+    std::int64_t* through = through_.data();
+    for (std::int32_t j = 0; j < columns_; ++j) {
+        const double reached = c[j] - price[j] - offset;
+        const bool nearer = reached < distances[j];
+        distances[j] = nearer ? reached : distances[j];
+        through[j] = nearer ? i : through[j];
+    }
+    double low[4] = {kInfinite, kInfinite, kInfinite, kInfinite};
+    std::int32_t j = 0;
+    for (; j + 4 <= columns_; j += 4)
+        for (std::int32_t k = 0; k < 4; ++k) low[k] = distances[j + k] < low[k] ? distances[j + k] : low[k];
+    for (; j < columns_; ++j) low[0] = std::min(low[0], distances[j]);
+    return std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
 }
 
-// Shortens the distances of open columns over row `i`; returns the position in open_ of the nearest, -1 for none.
-std::int32_t UnitMatching::relax(std::int32_t i, double offset) {
-    const double* c = row(i);
-    const double* price = columnPrice_.data();
-    double* distances = distance_.data();
-    double lowest = kInfinite;
-    std::int32_t best = -1;
-    for (std::int32_t k = 0; k < static_cast<std::int32_t>(open_.size()); ++k) {
-        const std::int32_t j = open_[k];
-        const double reached = c[j] - price[j] - offset;
-        double now = distances[j];
-        if (reached < now) {
-            distances[j] = now = reached;
-            through_[j] = i;
-        }
-        if (now > lowest || now == kInfinite) continue;
-        if (now < lowest || before(j, open_[best])) {
-            lowest = now;
-            best = k;
-        }
+// The open column at that distance: an unmatched one first, then the lower index.
+std::int32_t UnitMatching::pick(double reached) const {
+    std::int32_t matched = -1;
+    for (std::int32_t j = 0; j < columns_; ++j) {
+        if (openDistance_[j] != reached) continue;
+        if (rowOf_[j] < 0) return j;
+        if (matched < 0) matched = j;
     }
-    return best;
+    return matched;
 }
 
 bool UnitMatching::augment(std::int32_t from) {
     ++augmentations_;
     scanned_.clear();
-    open_.resize(columns_);
-    for (std::int32_t j = 0; j < columns_; ++j) {
-        open_[j] = j;
-        distance_[j] = kInfinite;
-    }
-    std::int32_t best = relax(from, 0.0);
-    while (best >= 0) {
-        const std::int32_t j = open_[best];
-        const double reached = distance_[j];
+    openPrice_ = columnPrice_;
+    openDistance_.assign(columns_, kInfinite);
+    double reached = relax(from, 0.0);
+    while (reached < kInfinite) {
+        const std::int32_t j = pick(reached);
         if (rowOf_[j] < 0) {
-            for (const std::int32_t k : scanned_) columnPrice_[k] += distance_[k] - reached;
+            for (const Scanned& done : scanned_) columnPrice_[done.column] += done.distance - reached;
             flip(j, from);
             return true;
         }
-        open_[best] = open_.back();
-        open_.pop_back();
-        scanned_.push_back(j);
+        scanned_.push_back({j, reached});
+        openPrice_[j] = -kInfinite;
+        openDistance_[j] = kInfinite;
         const std::int32_t i = rowOf_[j];
-        best = relax(i, row(i)[j] - columnPrice_[j] - reached);
+        reached = relax(i, row(i)[j] - columnPrice_[j] - reached);
     }
     return false;
 }
 
 void UnitMatching::flip(std::int32_t end, std::int32_t from) {
     for (std::int32_t j = end;;) {
-        const std::int32_t i = through_[j];
+        const auto i = static_cast<std::int32_t>(through_[j]);
         const std::int32_t next = columnOf_[i];
         pair(i, j);
         if (i == from) return;

@@ -26,6 +26,11 @@ private:
         std::int32_t secondColumn;
     };
 
+    struct Scanned {
+        std::int32_t column;
+        double distance;  // Final.
+    };
+
     const double* row(std::int32_t i) const { return cost_ + static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_); }
     void pair(std::int32_t i, std::int32_t j);
     void reduceColumns();
@@ -33,8 +38,8 @@ private:
     TwoLowest twoLowest(std::int32_t i) const;
     void reduceRows();
     void reduceRow(std::int32_t i, std::int32_t& budget);
-    bool before(std::int32_t a, std::int32_t b) const;
-    std::int32_t relax(std::int32_t i, double offset);
+    double relax(std::int32_t i, double offset);
+    std::int32_t pick(double reached) const;
     bool augment(std::int32_t from);
     void flip(std::int32_t end, std::int32_t from);
 
@@ -48,10 +53,11 @@ private:
     std::vector<double> columnPrice_;
     std::vector<std::int32_t> free_;      // Rows without a column.
     std::vector<std::int32_t> freeNext_;
-    std::vector<double> distance_;        // Per column, of the search under way.
-    std::vector<std::int32_t> through_;   // Row by which the column was reached.
-    std::vector<std::int32_t> open_;      // Columns not scanned yet.
-    std::vector<std::int32_t> scanned_;   // Columns whose distance is final.
+    // The search under way, per column: price and distance while open, and the row by which it was reached.
+    std::vector<double> openPrice_;
+    std::vector<double> openDistance_;
+    std::vector<std::int64_t> through_;  // As wide as a distance, for the vector code.
+    std::vector<Scanned> scanned_;
 };
 
 }  // namespace muster
