@@ -1,0 +1,137 @@
+// Ground lines, obstacles and patches.
+#include <algorithm>
+#include <cmath>
+
+#include "debug/theme.h"
+#include "muster/geometry/polygon.h"
+
+namespace muster {
+namespace {
+
+/// Parallel lines at 45 degrees inside a convex polygon, `gap` [m] apart.
+void hatch(const Pen& pen, const Polygon& corners, double gap, const Stroke& stroke) {
+    const Box box = boundsOf(corners);
+    const double low = box.min.x - box.max.y, high = box.max.x - box.min.y;
+    for (double c = std::ceil(low / gap) * gap; c < high; c += gap) {
+        std::vector<Vec2> hits;  // Where x - y = c crosses the edges.
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
+            const double da = a.x - a.y - c, db = b.x - b.y - c;
+            if ((da < 0.0) != (db < 0.0)) hits.push_back(lerp(a, b, da / (da - db)));
+        }
+        if (hits.size() == 2) pen.draw.line(hits, stroke);
+    }
+}
+
+Colour patchColour(const Theme& theme, const std::string& motion) {
+    if (motion == "swim") return theme.water;
+    if (motion == "crawl") return theme.net;
+    if (motion == "climb") return theme.brick;
+    if (motion == "duck") return theme.branch;
+    if (motion == "jump") return theme.jump;
+    return theme.plain;
+}
+
+/// What lies on the floor: a net's meshes, waves, bricks.
+void patchTexture(const Pen& pen, const Polygon& corners, const std::string& motion, Colour colour) {
+    const Box box = boundsOf(corners);
+    const Stroke fine = pen.stroke(faded(colour, 0.30), 1.0);
+    const auto inside = [&](Vec2 a, Vec2 b) {
+        if (containsPoint(corners, a) && containsPoint(corners, b)) pen.draw.line(std::vector<Vec2>{a, b}, fine);
+    };
+    if (motion == "crawl") {
+        for (double x = box.min.x + 0.5; x < box.max.x; x += 0.5) inside({x, box.min.y}, {x, box.max.y});
+        for (double y = box.min.y + 0.5; y < box.max.y; y += 0.5) inside({box.min.x, y}, {box.max.x, y});
+    } else if (motion == "swim") {
+        int row = 0;
+        for (double y = box.min.y + 0.45; y < box.max.y; y += 0.7, ++row) {
+            for (double x = box.min.x + (row % 2 == 0 ? 0.3 : 1.1); x + 0.8 < box.max.x; x += 1.6) {
+                std::vector<Vec2> wave;
+                for (int k = 0; k <= 8; ++k) wave.push_back({x + 0.1 * k, y + 0.09 * std::sin(k * 0.785398)});
+                if (containsPoint(corners, wave.front()) && containsPoint(corners, wave.back())) pen.draw.line(wave, fine);
+            }
+        }
+    } else if (motion == "climb") {
+        int row = 0;
+        for (double y = box.min.y; y < box.max.y; y += 0.5, ++row) {
+            if (row > 0) inside({box.min.x, y}, {box.max.x, y});
+            for (double x = box.min.x + (row % 2 == 0 ? 0.4 : 0.8); x < box.max.x; x += 0.8) {
+                inside({x, y}, {x, std::min(y + 0.5, box.max.y)});
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void drawGroundLines(const Pen& pen) {
+    const Box box = pen.world.environment().def().box;
+    const double step = pen.draw.pixel() * 5.0 > 1.0 ? 25.0 : 5.0;
+    const bool fine = pen.draw.pixel() * 12.0 < 1.0;
+    const auto lineAt = [&](double value, bool vertical, bool coarse) {
+        if (!coarse && !fine) return;
+        const std::vector<Vec2> ends = vertical ? std::vector<Vec2>{{value, box.min.y}, {value, box.max.y}}
+                                                : std::vector<Vec2>{{box.min.x, value}, {box.max.x, value}};
+        pen.draw.line(ends, pen.stroke(coarse ? pen.theme.gridCoarse : pen.theme.gridFine, 1.0));
+    };
+    const double each = fine ? 1.0 : step;
+    for (double x = std::ceil(box.min.x / each) * each; x <= box.max.x; x += each) lineAt(x, true, std::fmod(x, step) == 0.0);
+    for (double y = std::ceil(box.min.y / each) * each; y <= box.max.y; y += each) lineAt(y, false, std::fmod(y, step) == 0.0);
+}
+
+void drawObstacles(const Pen& pen) {
+    const auto pieces = pen.world.environment().pieces();
+    const auto& theme = pen.theme;
+    for (const ObstaclePiece& piece : pieces) {  // Shadows first: they fall on everything.
+        const ObstacleDef* def = pen.world.environment().obstacle(piece.obstacle);
+        const double length = 0.16 * std::min(def != nullptr ? def->height : 3.0, 3.2);
+        const Vec2 cast{length, -0.6 * length};
+        if (piece.corners.empty()) {
+            pen.draw.disc(piece.centre + cast, piece.radius, theme.shadow, {});
+            continue;
+        }
+        std::vector<Vec2> both = piece.corners;
+        for (Vec2 p : piece.corners) both.push_back(p + cast);
+        pen.draw.polygon(convexHull(both), theme.shadow, {});
+    }
+    const Stroke edge = pen.stroke(theme.obstacleEdge, 1.6), lines = pen.stroke(theme.hatch, 1.0);
+    for (const ObstaclePiece& piece : pieces) {
+        if (piece.corners.empty()) {
+            pen.draw.disc(piece.centre, piece.radius, theme.obstacleFill, edge);
+        } else {
+            pen.draw.polygon(piece.corners, theme.obstacleFill, edge);
+        }
+    }
+    for (const ObstaclePiece& piece : pieces) {  // Seams between parts of one obstacle vanish under the roof.
+        if (piece.corners.empty()) continue;
+        pen.draw.polygon(piece.corners, theme.obstacleFill, {});
+        if (pen.metres(14.0) < 4.0) hatch(pen, piece.corners, pen.metres(14.0), lines);
+    }
+}
+
+void drawPatches(const Pen& pen) {
+    const Environment& environment = pen.world.environment();
+    const auto& clips = environment.def().clips;
+    for (PatchId id : environment.patchIds()) {
+        const PatchDef& def = *environment.patch(id);
+        const Polygon corners = environment.patchPolygon(id);
+        const std::string& motion = clips[static_cast<std::size_t>(def.motion)].name;
+        const Colour colour = patchColour(pen.theme, motion);
+        pen.draw.polygon(corners, faded(colour, 0.20), {});
+        patchTexture(pen, corners, motion, colour);
+        pen.draw.polygon(corners, {}, pen.stroke(faded(colour, 0.9), 1.6, 6.0));
+    }
+    for (PatchId id : environment.patchIds()) {
+        const PatchDef& def = *environment.patch(id);
+        const Box box = boundsOf(environment.patchPolygon(id));
+        if (box.width() < pen.metres(70.0) || def.name.empty()) continue;
+        const Vec2 middle = (box.min + box.max) * 0.5;
+        const double half = pen.metres(4.2 * static_cast<double>(def.name.size()) + 9.0), high = pen.metres(10.0);
+        const Polygon tag{{middle.x - half, middle.y - high}, {middle.x + half, middle.y - high},
+                          {middle.x + half, middle.y + high}, {middle.x - half, middle.y + high}};
+        pen.draw.polygon(tag, pen.theme.panel, {});
+        pen.draw.text(middle, def.name, 12.0 * pen.unit, pen.theme.ink, TextAnchor::Centre);
+    }
+}
+
+}  // namespace muster
