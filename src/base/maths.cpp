@@ -1,9 +1,10 @@
 #include "muster/base/maths.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "muster/base/bits.h"
 
 namespace muster {
 namespace {
@@ -117,7 +118,7 @@ double exponential(double x) {
     const auto whole = static_cast<std::int64_t>(n);
     const std::int64_t half = whole / 2;
     const auto scale = [](std::int64_t e) {
-        return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+        return bitCast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
     };
     return sum * scale(half) * scale(whole - half);
 }
@@ -131,9 +132,9 @@ double logarithm(double x) {
         x *= 18014398509481984.0;  // 2^54
         exponent -= 54;
     }
-    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto bits = bitCast<std::uint64_t>(x);
     exponent += static_cast<std::int64_t>((bits >> 52) & 0x7ff) - 1023;
-    double mantissa = std::bit_cast<double>((bits & 0x000fffffffffffffull) | 0x3ff0000000000000ull);
+    double mantissa = bitCast<double>((bits & 0x000fffffffffffffull) | 0x3ff0000000000000ull);
     if (mantissa > 1.41421356237309504880) {
         mantissa *= 0.5;
         exponent += 1;

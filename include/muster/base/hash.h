@@ -1,10 +1,11 @@
 // The hash of simulated state.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <string>
+
+#include "muster/base/bits.h"
 
 namespace muster {
 
@@ -18,9 +19,9 @@ public:
         state_ ^= state_ >> 29;
     }
     /// Adds the bits of a double; both zeros count as one.
-    void add(double value) { addWord(std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
+    void add(double value) { addWord(bitCast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
     /// Adds the bits of a float; both zeros count as one.
-    void add(float value) { addWord(std::bit_cast<std::uint32_t>(value == 0.0f ? 0.0f : value)); }
+    void add(float value) { addWord(bitCast<std::uint32_t>(value == 0.0f ? 0.0f : value)); }
     /// Adds a whole number.
     void add(std::uint64_t value) { addWord(value); }
     void add(std::uint32_t value) { addWord(value); }
