@@ -1,0 +1,171 @@
+#include "session/frame_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "muster/formation/formation.h"
+
+namespace muster {
+namespace {
+
+constexpr std::size_t kSwapWindow = 120;  // Steps that the rate of swaps looks back.
+
+float narrow(double value) { return static_cast<float>(value); }
+
+void appendPoint(std::vector<float>& list, Vec2 p) {
+    list.push_back(narrow(p.x));
+    list.push_back(narrow(p.y));
+}
+
+void fillPoints(std::vector<float>& list, const std::vector<Vec2>& points) {
+    list.clear();
+    list.reserve(2 * points.size());
+    for (const Vec2 p : points) appendPoint(list, p);
+}
+
+protocol::ControlFrame controlFrame(const Control& control, const FormationMesh& mesh) {
+    protocol::ControlFrame frame;
+    frame.id = control.id.value;
+    frame.kind = static_cast<protocol::ControlKind>(control.kind);
+    frame.client = control.client;
+    frame.pinned = control.pinned;
+    frame.open = control.open;
+    for (const ControlPoint& point : control.points) {
+        protocol::ControlPointFrame& out = frame.points.emplace_back();
+        out.touch = point.touch;
+        out.down = point.down;
+        out.x = narrow(point.position.x);
+        out.y = narrow(point.position.y);
+        for (const Checkpoint& checkpoint : point.path) appendPoint(out.path, checkpoint.position);
+    }
+    for (const MeshPoint& point : control.supplementary)
+        appendPoint(frame.supplementary, point.position(mesh.formation().mesh.triangles, mesh.finalMesh()));
+    return frame;
+}
+
+void fillGroup(const GroupView& view, protocol::GroupFrame& frame) {
+    frame.id = view.id.value;
+    frame.meshVersion = view.formationVersion;
+    frame.lag = narrow(view.meanLag);
+    fillPoints(frame.vertices, view.mesh->finalMesh());
+    fillPoints(frame.places, view.places->positions());
+    frame.fit = view.places->fit();
+    frame.controls.clear();
+    for (const Control& control : view.controls->controls())
+        frame.controls.push_back(controlFrame(control, *view.mesh));
+}
+
+protocol::MovingFrame movingFrame(protocol::MovingKind kind, std::uint32_t id, const Waypoint& at) {
+    return {kind, id, narrow(at.position.x), narrow(at.position.y), narrow(at.angle)};
+}
+
+void fillMoving(const Environment& environment, std::vector<protocol::MovingFrame>& moving) {
+    moving.clear();
+    const double time = environment.time();
+    for (const ObstacleId id : environment.obstacleIds()) {
+        const TimedPath& path = environment.obstacle(id)->path;
+        if (!path.still()) moving.push_back(movingFrame(protocol::MovingKind::Obstacle, id.value, path.at(time)));
+    }
+    for (const PatchId id : environment.patchIds()) {
+        const TimedPath& path = environment.patch(id)->path;
+        if (!path.still()) moving.push_back(movingFrame(protocol::MovingKind::Patch, id.value, path.at(time)));
+    }
+}
+
+}  // namespace
+
+void FrameBuilder::restart() {
+    swaps_.assign(kSwapWindow, 0);
+    swapSum_ = 0;
+    observed_ = 0;
+    slowestStep_ = 0.0;
+}
+
+void FrameBuilder::observe(const World& world) {
+    std::uint32_t swaps = 0;
+    for (const Event& event : world.events()) swaps += event.kind == EventKind::Swap ? 1u : 0u;
+    std::uint32_t& slot = swaps_[observed_++ % kSwapWindow];
+    swapSum_ += swaps;
+    swapSum_ -= slot;
+    slot = swaps;
+    slowestStep_ = std::max(slowestStep_, world.stageTimes().total);
+}
+
+void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
+    const Characters& characters = world.characters();
+    const std::size_t count = characters.size();
+    frame.ids = characters.id;
+    frame.group.resize(count);
+    frame.x.resize(count);
+    frame.y.resize(count);
+    frame.heading.resize(count);
+    frame.motion.resize(count);
+    frame.phase.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        frame.group[i] = static_cast<std::uint8_t>(std::min<std::uint32_t>(characters.group[i], 255));
+        frame.x[i] = narrow(characters.position[i].x);
+        frame.y[i] = narrow(characters.position[i].y);
+        frame.heading[i] = narrow(std::atan2(characters.heading[i].y, characters.heading[i].x));
+        frame.motion[i] = static_cast<std::uint8_t>(std::clamp(characters.motion[i], 0, 255));
+        frame.phase[i] = static_cast<std::uint8_t>(characters.phase[i]);
+    }
+    if (frame.ids == ids_ && frame.group == groups_) return;
+    ids_ = frame.ids;
+    groups_ = frame.group;
+    ++idsVersion_;
+}
+
+double FrameBuilder::lagP95(const World& world) {
+    const Characters& characters = world.characters();
+    lags_.clear();
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        if (characters.place[i] < 0) continue;
+        const auto& places = world.group(characters.group[i]).places->positions();
+        const auto place = static_cast<std::size_t>(characters.place[i]);
+        if (place < places.size()) lags_.push_back(narrow(distance(characters.position[i], places[place])));
+    }
+    if (lags_.empty()) return 0.0;
+    const std::size_t rank = (lags_.size() * 95 + 99) / 100 - 1;
+    std::nth_element(lags_.begin(), lags_.begin() + static_cast<std::ptrdiff_t>(rank), lags_.end());
+    return lags_[rank];
+}
+
+void FrameBuilder::build(const World& world, protocol::Frame& frame) {
+    frame.step = world.stepCount();
+    frame.time = world.time();
+    buildCharacters(world, frame);
+    frame.groups.resize(world.groupCount());
+    for (std::size_t g = 0; g < world.groupCount(); ++g) fillGroup(world.group(g), frame.groups[g]);
+    fillMoving(world.environment(), frame.moving);
+    frame.collected.assign(world.collected().begin(), world.collected().end());
+    frame.stepMs = narrow(slowestStep_);
+    slowestStep_ = world.stageTimes().total;
+    frame.lagP95 = narrow(lagP95(world));
+    const double seconds = static_cast<double>(std::min(observed_, kSwapWindow)) * world.parameters().stepTime;
+    const double shares = seconds * static_cast<double>(world.characters().size());
+    frame.swapsPerSecond = shares > 0.0 ? narrow(static_cast<double>(swapSum_) / shares) : 0.0f;
+}
+
+protocol::GroupMesh buildGroupMesh(const GroupView& group) {
+    protocol::GroupMesh message;
+    message.group = group.id.value;
+    message.version = group.formationVersion;
+    message.formation = std::string(formationName(group.def->formation.kind));
+    const TriangleMesh& mesh = group.mesh->formation().mesh;
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::int32_t vertex : triangle) message.triangles.push_back(static_cast<std::uint32_t>(vertex));
+    for (const auto& loop : boundaryLoops(mesh)) {
+        message.boundary.push_back(static_cast<std::uint32_t>(loop.size()));
+        for (const std::int32_t vertex : loop) message.boundary.push_back(static_cast<std::uint32_t>(vertex));
+    }
+    return message;
+}
+
+void appendEvents(const World& world, std::vector<protocol::EventFrame>& events) {
+    for (const Event& event : world.events()) {
+        events.push_back({static_cast<std::uint8_t>(event.kind), event.subject, event.value,
+                          narrow(event.position.x), narrow(event.position.y)});
+    }
+}
+
+}  // namespace muster

@@ -1,0 +1,42 @@
+// The world as a frame.
+#pragma once
+
+#include <vector>
+
+#include "muster/session/protocol.h"
+#include "muster/world/world.h"
+
+namespace muster {
+
+/// Builds what is the same for all clients, and remembers what lies further back than one step.
+class FrameBuilder {
+public:
+    /// A new world.
+    void restart();
+    /// Call after every step.
+    void observe(const World& world);
+    /// Writes ids, positions, groups, moving things and figures of the world as it stands to `frame`.
+    void build(const World& world, protocol::Frame& frame);
+    /// Grows whenever the characters or their groups change; of the last build.
+    std::uint32_t idsVersion() const { return idsVersion_; }
+
+private:
+    void buildCharacters(const World& world, protocol::Frame& frame);
+    double lagP95(const World& world);
+
+    std::vector<std::uint32_t> swaps_;  // Of the last steps, a ring.
+    std::uint64_t swapSum_ = 0;
+    std::size_t observed_ = 0;          // Steps.
+    std::vector<std::uint32_t> ids_;    // Of the last build.
+    std::vector<std::uint8_t> groups_;
+    std::uint32_t idsVersion_ = 0;
+    std::vector<float> lags_;           // Working memory.
+    double slowestStep_ = 0.0;          // Since the last build [ms].
+};
+
+/// Topology of a group's mesh.
+protocol::GroupMesh buildGroupMesh(const GroupView& group);
+/// Events as the page gets them.
+void appendEvents(const World& world, std::vector<protocol::EventFrame>& events);
+
+}  // namespace muster

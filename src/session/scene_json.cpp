@@ -1,0 +1,144 @@
+#include "session/scene_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "muster/base/hash.h"
+#include "muster/formation/formation.h"
+
+namespace muster {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kColours = 6;  // Accents that the page knows.
+
+Json point(Vec2 p) { return Json::array({p.x, p.y}); }
+
+Json points(const Polygon& polygon) {
+    Json list = Json::array();
+    for (const Vec2 p : polygon) list.push_back(point(p));
+    return list;
+}
+
+Json obstacles(const Environment& environment) {
+    Json list = Json::array();
+    for (const ObstacleId id : environment.obstacleIds()) {
+        const ObstacleDef& def = *environment.obstacle(id);
+        Json item{{"id", id.value}, {"name", def.name}};
+        if (def.polygon.empty()) {
+            item["centre"] = point(def.centre);
+            item["radius"] = def.radius;
+        } else {
+            item["polygon"] = points(def.polygon);
+        }
+        item["height"] = def.height;
+        item["moving"] = !def.path.still();
+        list.push_back(std::move(item));
+    }
+    return list;
+}
+
+Json patches(const Environment& environment) {
+    Json list = Json::array();
+    const auto& clips = environment.def().clips;
+    for (const PatchId id : environment.patchIds()) {
+        const PatchDef& def = *environment.patch(id);
+        const auto motion = static_cast<std::size_t>(def.motion);
+        const double clipSpeed = motion < clips.size() ? clips[motion].speed : 1.0;
+        list.push_back(Json{{"id", id.value},
+                            {"name", def.name},
+                            {"polygon", points(def.polygon)},
+                            {"motion", def.motion},
+                            {"speed", def.speed > 0.0 ? def.speed : clipSpeed},
+                            {"moving", !def.path.still()}});
+    }
+    return list;
+}
+
+Json clips(const Environment& environment) {
+    Json list = Json::array();
+    for (const ClipFacts& clip : environment.def().clips)
+        list.push_back(Json{{"name", clip.name}, {"speed", clip.speed}, {"cyclic", clip.cyclic}});
+    return list;
+}
+
+Json groups(const World& world) {
+    Json list = Json::array();
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        const GroupView view = world.group(g);
+        list.push_back(Json{{"id", view.id.value},
+                            {"name", view.def->name},
+                            {"count", view.def->count},
+                            {"formation", formationName(view.def->formation.kind)},
+                            {"colour", (view.id.value + kColours - 1) % kColours}});
+    }
+    return list;
+}
+
+Json spots(const World& world) {
+    Json list = Json::array();
+    for (const FormationCheckpointDef& spot : world.checkpoints()) {
+        list.push_back(Json{{"position", point(spot.position)},
+                            {"radius", spot.radius},
+                            {"formation", formationName(spot.formation.kind)},
+                            {"group", spot.group}});
+    }
+    return list;
+}
+
+Json items(const World& world) {
+    Json list = Json::array();
+    for (const ItemDef& item : world.items())
+        list.push_back(Json{{"position", point(item.position)}, {"radius", item.radius}});
+    return list;
+}
+
+Json parameters(const World& world) {
+    Json list = Json::array();
+    for (const ParameterInfo& info : parameterTable()) {
+        list.push_back(Json{{"name", info.name},
+                            {"unit", info.unit},
+                            {"minimum", info.minimum},
+                            {"maximum", info.maximum},
+                            {"description", info.description},
+                            {"value", world.parameters().*(info.member)}});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string buildSceneJson(const std::string& name, const WorldDef& def, const World& world) {
+    const Environment& environment = world.environment();
+    Json scene;
+    scene["name"] = name;
+    scene["title"] = def.name;
+    scene["description"] = def.description;
+    scene["credit"] = def.credit;
+    scene["box"] = Json{{"min", point(environment.def().box.min)}, {"max", point(environment.def().box.max)}};
+    scene["cell"] = environment.def().cell;
+    scene["radius"] = world.parameters().radius;
+    scene["obstacles"] = obstacles(environment);
+    scene["patches"] = patches(environment);
+    scene["clips"] = clips(environment);
+    scene["groups"] = groups(world);
+    scene["items"] = items(world);
+    scene["checkpoints"] = spots(world);
+    scene["parameters"] = parameters(world);
+    // Names come from files: what is no UTF-8 is replaced, never thrown about.
+    return scene.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::uint64_t sceneSignature(const World& world) {
+    Hash hash;
+    hash.add(world.environment().staticVersion());
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        const GroupView view = world.group(g);
+        hash.add(view.id.value);
+        hash.add(view.def->count);
+    }
+    for (const ParameterInfo& info : parameterTable()) hash.add(world.parameters().*(info.member));
+    return hash.value();
+}
+
+}  // namespace muster

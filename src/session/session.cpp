@@ -1,0 +1,226 @@
+#include <algorithm>
+
+#include "session/scene_json.h"
+#include "session/session_state.h"
+
+namespace muster {
+namespace {
+
+constexpr double kLongWait = 1.0;          // Told as the time to the next step while paused [s].
+constexpr std::size_t kMaxEvents = 4096;   // Kept for a client that takes no frames; the oldest go.
+
+}  // namespace
+
+Session::Session(SessionDef def) : impl_(std::make_unique<Impl>(std::move(def))) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+// ---- Worlds ----
+
+Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef, std::optional<Take> take) {
+    auto made = World::create(newDef, def.threads);
+    if (!made.ok()) return made.status();
+    stopRecording();
+    world.emplace(std::move(made).value());
+    if (&worldDef != &newDef) worldDef = newDef;
+    name = worldName;
+    replay.reset();
+    if (take) replay.emplace(std::move(*take));
+    else log.begin(worldDef, def.limits.takeBytes);
+    toldFull = false;
+    waitingCommands = 0;
+    singleSteps = 0;
+    pacer.reset();
+    playing = true;
+    frames.restart();
+    refreshScene();
+    touchState();
+    for (auto& [id, client] : clients) {
+        client.clock.restart();
+        client.sequence = 0;
+        client.steers = false;
+        client.events.clear();
+        client.sentMeshes.clear();
+        client.touchWaiting = client.touchShown = 0.0;
+    }
+    return {};
+}
+
+Status Session::Impl::restart() {
+    if (!world) return {StatusCode::NotFound, "there is no world to restart"};
+    std::optional<Take> take;
+    if (replay) take = replay->take();
+    return begin(name, worldDef, std::move(take));
+}
+
+Status Session::load(const std::string& name, const WorldDef& def) { return impl_->begin(name, def, std::nullopt); }
+
+Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName) {
+    if (bytes.size() > impl_->def.limits.openTakeBytes) {
+        return {StatusCode::LimitExceeded, sourceName + ": found " + std::to_string(bytes.size()) +
+                                               " bytes, expected at most " +
+                                               std::to_string(impl_->def.limits.openTakeBytes)};
+    }
+    auto take = parseTake(bytes, sourceName);
+    if (!take.ok()) return take.status();
+    if (take->steps() == 0) return invalidArgument(sourceName + ": holds no step to replay");
+    const WorldDef def = take->def;
+    return impl_->begin(def.name, def, std::move(take).value());
+}
+
+Result<std::vector<std::uint8_t>> Session::take() const {
+    if (!impl_->world) return Status(StatusCode::NotFound, "there is no world to keep a take of");
+    if (!impl_->replay) return impl_->log.bytes(*impl_->world);
+    const Take& take = impl_->replay->take();
+    std::vector<std::uint8_t> bytes = TakeEncoder::begin(take.def);
+    const auto append = [&](const std::vector<std::uint8_t>& record) {
+        bytes.insert(bytes.end(), record.begin(), record.end());
+    };
+    std::size_t next = 0;
+    for (const HashMark& mark : take.marks) {
+        for (; next < mark.commands; ++next) append(TakeEncoder::command(take.commands[next]));
+        append(&mark == &take.marks.back() ? TakeEncoder::end(mark) : TakeEncoder::mark(mark));
+    }
+    return bytes;
+}
+
+std::string Session::takeName() const {
+    std::string name;
+    for (const char c : impl_->name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        name += plain || c == '-' || c == '_' ? c : '-';
+    }
+    return (name.empty() ? "muster" : name.substr(0, 60)) + ".take";
+}
+
+void Session::finish() { impl_->stopRecording(); }
+
+const World* Session::world() const { return impl_->world ? &*impl_->world : nullptr; }
+bool Session::playing() const { return impl_->playing; }
+bool Session::replaying() const { return impl_->replay.has_value(); }
+
+// ---- Recording ----
+
+void Session::Impl::setRecording(bool on, std::uint32_t client) {
+    if (!on) {
+        stopRecording();
+        touchState();
+        return;
+    }
+    if (recordedFrom >= 0.0) return;
+    recordedFrom = world->time();
+    touchState();
+    if (!def.openSink) return;
+    auto sink = def.openSink(name);
+    const Status status = sink.ok() ? log.attach(std::move(sink).value()) : sink.status();
+    if (status.ok()) return;
+    const auto found = clients.find(client);
+    if (found == clients.end()) return;
+    notice(found->second, protocol::NoticeLevel::Warning, "record",
+           "Recording in memory only: " + status.message() + ".");
+}
+
+void Session::Impl::stopRecording() {
+    recordedFrom = -1.0;
+    if (!world || !log.attached()) return;
+    const Status status = log.detach(*world);
+    if (!status.ok()) noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
+}
+
+// ---- Steps ----
+
+void Session::elapse(double seconds) {
+    impl_->realTime += std::max(0.0, seconds);
+    if (impl_->world && impl_->playing)
+        impl_->pacer.elapse(seconds, impl_->speed, impl_->world->parameters().stepTime);
+}
+
+bool Session::stepDue() const {
+    if (!impl_->world) return false;
+    if (!impl_->playing) return impl_->singleSteps > 0;
+    return impl_->pacer.due(impl_->world->parameters().stepTime);
+}
+
+double Session::untilNextStep() const {
+    if (!impl_->world) return kLongWait;
+    if (!impl_->playing) return impl_->singleSteps > 0 ? 0.0 : kLongWait;
+    return impl_->pacer.until(impl_->speed, impl_->world->parameters().stepTime);
+}
+
+void Session::step() {
+    const std::int32_t batch = impl_->playing ? Pacer::batch(impl_->speed) : 1;
+    for (std::int32_t i = 0; i < batch && stepDue(); ++i) {
+        if (impl_->playing) impl_->pacer.pay(impl_->world->parameters().stepTime);
+        else --impl_->singleSteps;
+        impl_->stepOnce();
+    }
+}
+
+void Session::Impl::stepOnce() {
+    if (replay && replay->atEnd(*world)) {
+        replayEnded();
+        return;
+    }
+    Status replayed;
+    if (replay) replayed = replay->feed(*world);
+    world->step();
+    waitingCommands = 0;
+    touchState();
+    frames.observe(*world);
+    if (!replay) log.observe(*world);
+    else if (replayed.ok()) replayed = replay->compare(*world);
+    if (!replayed.ok()) {
+        playing = false;
+        noticeAll(protocol::NoticeLevel::Error, "replay", "The replay differs from the take: " + replayed.message());
+    } else if (replay && replay->atEnd(*world)) {
+        replayEnded();
+    }
+    if (log.full() && !toldFull && !replay) {
+        toldFull = true;
+        noticeAll(protocol::NoticeLevel::Warning, "take-full", "The take is full; restart to record a new one.");
+    }
+    stepEvents.clear();
+    appendEvents(*world, stepEvents);
+    for (auto& [id, client] : clients) {
+        client.touchShown = std::max(client.touchShown, client.touchWaiting);
+        client.events.insert(client.events.end(), stepEvents.begin(), stepEvents.end());
+        if (client.events.size() > kMaxEvents) {
+            const auto excess = static_cast<std::ptrdiff_t>(client.events.size() - kMaxEvents);
+            client.events.erase(client.events.begin(), client.events.begin() + excess);
+        }
+    }
+    reportRejections();
+    if (sceneSignature(*world) != signature) refreshScene();
+}
+
+void Session::Impl::replayEnded() {
+    playing = false;
+    touchState();
+    noticeAll(protocol::NoticeLevel::Info, "replay-end", "The take ends here; every hash matched.");
+}
+
+void Session::Impl::reportRejections() {
+    for (const Rejection& rejection : world->rejections()) {
+        const CommandBody& body = rejection.command.body;
+        // The rest of a finger whose beginning was refused needs no words.
+        if (std::holds_alternative<TouchMove>(body) || std::holds_alternative<TouchUp>(body) ||
+            std::holds_alternative<TouchCancel>(body))
+            continue;
+        const auto found = clients.find(rejection.command.client);
+        if (found != clients.end() && !replay)
+            notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message());
+    }
+}
+
+void Session::Impl::refreshScene() {
+    signature = sceneSignature(*world);
+    ++sceneRevision;
+    protocol::Scene scene;
+    scene.revision = sceneRevision;
+    scene.json = buildSceneJson(name, worldDef, *world);
+    sceneBytes = protocol::encode(scene);
+    touchState();
+}
+
+}  // namespace muster

@@ -1,0 +1,122 @@
+// A session's clients: who is there and what is sent to them.
+#include <algorithm>
+
+#include "session/overlay.h"
+#include "session/session_state.h"
+
+namespace muster {
+
+std::uint32_t Session::connect() {
+    const std::uint32_t id = ++impl_->lastClient;
+    impl_->clients.emplace(id, SessionClient(impl_->def.limits));
+    return id;
+}
+
+void Session::disconnect(std::uint32_t client) {
+    const auto found = impl_->clients.find(client);
+    if (found == impl_->clients.end()) return;
+    if (found->second.steers && !impl_->replay) {
+        std::vector<CommandBody> bodies{ReleaseClient{}};
+        // Where even this finds no room the fingers stay until the next load: nothing else can be done.
+        (void)impl_->submit(client, found->second, bodies);
+    }
+    impl_->clients.erase(found);
+}
+
+void Session::notice(std::uint32_t client, bool error, const std::string& code, const std::string& text) {
+    const auto found = impl_->clients.find(client);
+    if (found == impl_->clients.end()) return;
+    impl_->notice(found->second, error ? protocol::NoticeLevel::Error : protocol::NoticeLevel::Info, code, text);
+}
+
+void Session::Impl::notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,
+                           const std::string& text) {
+    if (!client.notices.take(realTime)) return;
+    protocol::Notice message;
+    message.level = level;
+    message.code = code;
+    message.text = text;
+    client.outbox.push_back(protocol::encode(message));
+}
+
+void Session::Impl::noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text) {
+    for (auto& [id, client] : clients) {
+        if (client.greeted) notice(client, level, code, text);
+    }
+}
+
+void Session::Impl::greet(std::uint32_t id, SessionClient& client) {
+    client.greeted = true;
+    protocol::Welcome welcome;
+    welcome.client = id;
+    welcome.version = def.version;
+    for (const ScenarioEntry& entry : def.scenarios)
+        welcome.scenarios.push_back({entry.name, entry.title, entry.description, entry.characters});
+    client.outbox.push_back(protocol::encode(welcome));
+}
+
+void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages) {
+    messages.clear();
+    const auto found = impl_->clients.find(client);
+    if (found == impl_->clients.end()) return;
+    SessionClient& to = found->second;
+    if (to.greeted && impl_->world && !to.awaitsAck) {
+        impl_->sendOverlay(to);
+        if (to.sentState != impl_->state) impl_->sendFrame(to);
+    }
+    messages.swap(to.outbox);
+}
+
+// What a frame refers to goes before it.
+void Session::Impl::sendScene(SessionClient& client) {
+    if (client.sentScene != sceneRevision) {
+        client.outbox.push_back(sceneBytes);
+        client.sentScene = sceneRevision;
+    }
+    for (std::size_t g = 0; g < world->groupCount(); ++g) {
+        const GroupView group = world->group(g);
+        const auto sent = client.sentMeshes.find(group.id.value);
+        if (sent != client.sentMeshes.end() && sent->second == group.formationVersion) continue;
+        client.outbox.push_back(protocol::encode(buildGroupMesh(group)));
+        client.sentMeshes[group.id.value] = group.formationVersion;
+    }
+}
+
+void Session::Impl::sendFrame(SessionClient& client) {
+    sendScene(client);
+    if (frameState != state) {
+        frames.build(*world, frame);
+        frame.playing = playing;
+        frame.speed = static_cast<float>(speed);
+        frame.recordedSeconds = recordedFrom < 0.0 ? -1.0f : static_cast<float>(world->time() - recordedFrom);
+        frame.replaying = replay.has_value();
+        frame.sceneRevision = sceneRevision;
+        frameState = state;
+    }
+    frame.frame = ++client.frame;
+    frame.touchEcho = client.touchShown;
+    frame.events.swap(client.events);
+    // The ids are taken out for this one message where the client has them already.
+    std::vector<std::uint32_t> ids;
+    std::vector<std::uint8_t> groups;
+    const bool known = client.sentIds == frames.idsVersion();
+    if (known) ids.swap(frame.ids), groups.swap(frame.group);
+    client.outbox.push_back(protocol::encode(frame));
+    if (known) ids.swap(frame.ids), groups.swap(frame.group);
+    frame.events.swap(client.events);
+    client.events.clear();
+    client.sentIds = frames.idsVersion();
+    client.sentState = state;
+    client.awaitsAck = true;
+}
+
+void Session::Impl::sendOverlay(SessionClient& client) {
+    if (client.overlay == protocol::OverlayKind::None || realTime < client.overlayDue) return;
+    if (client.overlayState == state) return;
+    client.overlayDue = realTime + 1.0 / def.limits.overlaysPerSecond;
+    client.overlayState = state;
+    const auto overlay = buildOverlay(*world, client.overlay, client.overlayCharacter);
+    if (overlay) client.outbox.push_back(protocol::encode(*overlay));
+}
+
+}  // namespace muster

@@ -1,0 +1,275 @@
+// A session's inbox: each message becomes commands, or changes how the session runs.
+#include <algorithm>
+#include <cmath>
+
+#include "session/session_state.h"
+
+namespace muster {
+namespace {
+
+constexpr std::int32_t kMaxSingleSteps = 60;  // Waiting at once.
+
+CommandBody touchCommand(const protocol::TouchEvent& event, double time) {
+    const Vec2 position{event.x, event.y};
+    switch (event.phase) {
+        case protocol::TouchPhase::Down: return TouchDown{event.touch, position, time, GroupId{event.group}};
+        case protocol::TouchPhase::Move: return TouchMove{event.touch, position, time};
+        case protocol::TouchPhase::Up: return TouchUp{event.touch, time};
+        case protocol::TouchPhase::Cancel: break;
+    }
+    return TouchCancel{event.touch};
+}
+
+Status limitExceeded(const std::string& what, std::size_t found, std::size_t most) {
+    return {StatusCode::LimitExceeded,
+            "found " + std::to_string(found) + " " + what + ", expected at most " + std::to_string(most)};
+}
+
+// Does what one message asks for.
+class Handler {
+public:
+    Handler(Session::Impl& session, std::uint32_t id, SessionClient& client)
+        : session_(session), id_(id), client_(client) {}
+
+    Status operator()(const protocol::Hello&) {
+        if (client_.greeted) return invalidArgument("a second Hello");
+        session_.greet(id_, client_);
+        return {};
+    }
+
+    Status operator()(const protocol::Touches& message) {
+        const SessionLimits& limits = session_.def.limits;
+        if (message.events.size() > limits.touchesPerMessage)
+            return limitExceeded("touch events", message.events.size(), limits.touchesPerMessage);
+        for (const protocol::TouchEvent& event : message.events) {
+            if (!std::isfinite(event.time)) return invalidArgument("a touch with a time that is not finite");
+        }
+        if (!client_.touches.take(session_.realTime, static_cast<double>(message.events.size()))) {
+            return {StatusCode::LimitExceeded, "more than " +
+                                                   std::to_string(static_cast<int>(limits.touchesPerSecond)) +
+                                                   " touch events a second"};
+        }
+        TouchClock clock = client_.clock;  // Kept only where all goes well.
+        std::vector<CommandBody> bodies;
+        double newest = client_.touchWaiting;
+        for (const protocol::TouchEvent& event : message.events) {
+            bodies.push_back(touchCommand(event, stamp(clock, event.time)));
+            newest = std::max(newest, event.time);
+        }
+        const Status status = submit(std::move(bodies));
+        if (!status.ok()) return status;
+        client_.clock = clock;
+        client_.touchWaiting = newest;
+        return status;
+    }
+
+    Status operator()(const protocol::AddControl& message) {
+        const std::size_t count = message.touches.size();
+        const std::size_t most = session_.def.limits.pointsPerControl;
+        if (count > most) return limitExceeded("points", count, most);
+        if (message.xs.size() != count || message.ys.size() != count)
+            return invalidArgument("found lists of different lengths, expected one x and one y for each touch");
+        if (!std::isfinite(message.time)) return invalidArgument("a time that is not finite");
+        AddControl add;
+        add.group = GroupId{message.group};
+        add.kind = static_cast<ControlKind>(message.kind);
+        add.touches = message.touches;
+        for (std::size_t i = 0; i < count; ++i) add.positions.push_back({message.xs[i], message.ys[i]});
+        TouchClock clock = client_.clock;
+        add.time = stamp(clock, message.time);
+        const Status status = submit(CommandBody{std::move(add)});
+        if (!status.ok()) return status;
+        client_.clock = clock;
+        client_.touchWaiting = std::max(client_.touchWaiting, message.time);
+        return status;
+    }
+
+    Status operator()(const protocol::PinControl& message) {
+        return submit(CommandBody{PinControl{GroupId{message.group}, ControlId{message.control}, message.pinned}});
+    }
+
+    Status operator()(const protocol::RemoveControl& message) {
+        return submit(CommandBody{RemoveControl{GroupId{message.group}, ControlId{message.control}}});
+    }
+
+    Status operator()(const protocol::SetFormation& message) {
+        const auto kind = formationKind(message.formation);
+        if (!kind.ok()) return kind.status();
+        const GroupDef* group = groupDef(message.group);
+        if (group == nullptr) return noGroup(message.group);
+        SetFormation set{GroupId{message.group}, group->formation};
+        set.formation.kind = kind.value();
+        return submit(CommandBody{std::move(set)});
+    }
+
+    Status operator()(const protocol::SetCount& message) {
+        const std::int32_t most = session_.def.limits.charactersPerGroup;
+        if (message.count < 1 || message.count > static_cast<std::uint32_t>(most)) {
+            return invalidArgument("found " + std::to_string(message.count) + " characters, expected 1 to " +
+                                   std::to_string(most));
+        }
+        if (groupDef(message.group) == nullptr) return noGroup(message.group);
+        return submit(CommandBody{SetCount{GroupId{message.group}, static_cast<std::int32_t>(message.count)}});
+    }
+
+    Status operator()(const protocol::SetParameter& message) {
+        if (!session_.world) return noWorld();
+        Parameters copy = session_.world->parameters();
+        const Status status = setParameter(copy, message.name, message.value);
+        if (!status.ok()) return status;
+        return submit(CommandBody{SetParameter{message.name, message.value}});
+    }
+
+    Status operator()(const protocol::Transport& message) {
+        if (!session_.world) return noWorld();
+        switch (message.action) {
+            case protocol::TransportAction::Play:
+                if (session_.replay && session_.replay->atEnd(*session_.world)) return session_.restart();
+                session_.playing = true;
+                break;
+            case protocol::TransportAction::Pause: session_.playing = false; break;
+            case protocol::TransportAction::SingleStep:
+                session_.playing = false;
+                session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
+                break;
+            case protocol::TransportAction::Restart: return session_.restart();
+        }
+        session_.pacer.reset();
+        session_.touchState();
+        return {};
+    }
+
+    Status operator()(const protocol::SetSpeed& message) {
+        if (!(message.factor >= 0.1f && message.factor <= 8.0f)) {
+            return invalidArgument("found a speed of " + std::to_string(message.factor) + ", expected 0.1 to 8");
+        }
+        session_.speed = message.factor;
+        session_.touchState();
+        return {};
+    }
+
+    Status operator()(const protocol::LoadScenario& message) {
+        const auto& all = session_.def.scenarios;
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [&](const ScenarioEntry& entry) { return entry.name == message.name; });
+        if (found == all.end() || !session_.def.loadScenario)
+            return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
+        const auto def = session_.def.loadScenario(found->name);
+        if (!def.ok()) return def.status();
+        return session_.begin(found->name, def.value(), std::nullopt);
+    }
+
+    Status operator()(const protocol::Record& message) {
+        if (!session_.world) return noWorld();
+        if (session_.replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to record"};
+        session_.setRecording(message.on, id_);
+        return {};
+    }
+
+    Status operator()(const protocol::SetOverlay& message) {
+        if (message.kind == protocol::OverlayKind::Cost) {
+            if (!session_.world) return noWorld();
+            const auto& ids = session_.world->characters().id;
+            if (std::find(ids.begin(), ids.end(), message.character) == ids.end())
+                return {StatusCode::NotFound, "no character has the id " + std::to_string(message.character)};
+        }
+        client_.overlay = message.kind;
+        client_.overlayCharacter = message.character;
+        client_.overlayState = 0;  // Also while paused there is something new to show.
+        return {};
+    }
+
+    Status operator()(const protocol::FrameAck& message) {
+        if (message.frame > client_.frame) {
+            return invalidArgument("frame " + std::to_string(message.frame) + " was never sent");
+        }
+        if (message.frame == client_.frame) client_.awaitsAck = false;
+        return {};
+    }
+
+    Status operator()(const protocol::Ping& message) {
+        protocol::Pong pong;
+        pong.time = message.time;
+        client_.outbox.push_back(protocol::encode(pong));
+        return {};
+    }
+
+private:
+    static Status noWorld() { return {StatusCode::NotFound, "there is no world yet"}; }
+    static Status noGroup(std::uint32_t id) {
+        return {StatusCode::NotFound, "no group has the id " + std::to_string(id)};
+    }
+
+    const GroupDef* groupDef(std::uint32_t id) const {
+        if (!session_.world) return nullptr;
+        for (std::size_t g = 0; g < session_.world->groupCount(); ++g) {
+            const GroupView group = session_.world->group(g);
+            if (group.id.value == id) return group.def;
+        }
+        return nullptr;
+    }
+
+    double stamp(TouchClock& clock, double pageTime) const {
+        const double now = session_.world ? session_.world->time() : 0.0;
+        return clock.stamp(pageTime, session_.realTime, now, session_.playing ? session_.speed : 0.0);
+    }
+
+    Status submit(CommandBody body) {
+        std::vector<CommandBody> bodies;
+        bodies.push_back(std::move(body));
+        return session_.submit(id_, client_, bodies);
+    }
+    Status submit(std::vector<CommandBody> bodies) { return session_.submit(id_, client_, bodies); }
+
+    Session::Impl& session_;
+    std::uint32_t id_;
+    SessionClient& client_;
+};
+
+}  // namespace
+
+void Session::receive(std::uint32_t client, std::span<const std::uint8_t> bytes) {
+    const auto found = impl_->clients.find(client);
+    if (found == impl_->clients.end()) return;
+    const auto message = protocol::decodeClient(bytes);
+    if (!message.ok()) {
+        impl_->notice(found->second, protocol::NoticeLevel::Error, "malformed", message.status().message());
+        return;
+    }
+    const Status status = impl_->handle(client, found->second, message.value());
+    if (status.ok()) return;
+    impl_->notice(found->second, protocol::NoticeLevel::Error, protocol::messageName(message.value()),
+                  status.message());
+}
+
+Status Session::Impl::handle(std::uint32_t id, SessionClient& client, const protocol::ClientMessage& message) {
+    if (!client.greeted && !std::holds_alternative<protocol::Hello>(message))
+        return invalidArgument("found no Hello yet, expected it first");
+    return std::visit(Handler(*this, id, client), message);
+}
+
+Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies) {
+    if (!world) return {StatusCode::NotFound, "there is no world yet"};
+    if (replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
+    if (waitingCommands + bodies.size() > def.limits.waitingCommands) {
+        return {StatusCode::LimitExceeded, "more than " + std::to_string(def.limits.waitingCommands) +
+                                               " commands wait for the next step"};
+    }
+    std::vector<Command> commands;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        commands.push_back({world->stepCount(), id, client.sequence + static_cast<std::uint32_t>(i) + 1,
+                            std::move(bodies[i])});
+        if (const Status status = validateCommand(commands.back()); !status.ok()) return status;
+    }
+    for (const Command& command : commands) {
+        const Status status = world->submit(command);
+        if (!status.ok()) return status;
+        log.command(command);
+        client.sequence = command.sequence;
+        client.steers = true;
+        ++waitingCommands;
+    }
+    return {};
+}
+
+}  // namespace muster

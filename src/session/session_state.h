@@ -1,0 +1,110 @@
+// What a session keeps: shared by the files that implement it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "muster/session/protocol.h"
+#include "muster/session/session.h"
+#include "muster/session/token_bucket.h"
+#include "session/frame_builder.h"
+#include "session/pacer.h"
+#include "session/replayer.h"
+#include "session/take_log.h"
+#include "session/touch_clock.h"
+
+namespace muster {
+
+/// A client as the session knows it.
+struct SessionClient {
+    explicit SessionClient(const SessionLimits& limits)
+        : notices(limits.noticesPerSecond, limits.noticesPerSecond),
+          touches(limits.touchesPerSecond, limits.touchesPerSecond) {}
+
+    bool greeted = false;             ///< Its Hello came.
+    bool steers = false;              ///< It has given commands to this world.
+    std::uint32_t sequence = 0;       ///< Of its last command.
+    TouchClock clock;
+    TokenBucket notices;
+    TokenBucket touches;
+    std::vector<MessageBytes> outbox; ///< Beside frames; bounded by what the client asks for.
+
+    std::uint32_t frame = 0;          ///< Number of the last frame sent.
+    bool awaitsAck = false;           ///< That frame has not been acknowledged.
+    std::uint64_t sentState = 0;      ///< Session state that it showed; 0 for none.
+    std::uint32_t sentScene = 0;      ///< Revision; 0 for none.
+    std::uint32_t sentIds = 0;        ///< Version; 0 for none.
+    std::map<std::uint32_t, std::uint32_t> sentMeshes;  ///< Version by group.
+    std::vector<protocol::EventFrame> events;           ///< Since that frame.
+    double touchWaiting = 0.0;        ///< Newest page time among touches that wait for a step [s].
+    double touchShown = 0.0;          ///< Newest page time among touches that a step has applied [s].
+
+    protocol::OverlayKind overlay = protocol::OverlayKind::None;
+    std::uint32_t overlayCharacter = 0;
+    double overlayDue = 0.0;          ///< Real time of the next one [s].
+    std::uint64_t overlayState = 0;   ///< Session state that the last one showed; 0 for none.
+};
+
+/// All of a session.
+struct Session::Impl {
+    explicit Impl(SessionDef sessionDef) : def(std::move(sessionDef)) {}
+
+    // Worlds (session.cpp).
+    Status begin(const std::string& worldName, const WorldDef& worldDef, std::optional<Take> take);
+    Status restart();
+    void stepOnce();
+    void replayEnded();
+    void reportRejections();
+    void touchState() { ++state; }
+
+    // Recording (session.cpp).
+    void setRecording(bool on, std::uint32_t client);
+    void stopRecording();
+
+    // Clients (session_clients.cpp).
+    void greet(std::uint32_t id, SessionClient& client);
+    void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code, const std::string& text);
+    void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text);
+    void sendScene(SessionClient& client);
+    void sendFrame(SessionClient& client);
+    void sendOverlay(SessionClient& client);
+
+    // Messages (session_messages.cpp).
+    Status handle(std::uint32_t id, SessionClient& client, const protocol::ClientMessage& message);
+    Status submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies);
+
+    SessionDef def;
+    std::map<std::uint32_t, SessionClient> clients;  // By number.
+    std::uint32_t lastClient = 0;
+
+    std::string name;                  // Of the scenario.
+    WorldDef worldDef;
+    std::optional<World> world;
+    std::optional<Replayer> replay;
+    TakeLog log;
+    bool toldFull = false;
+    std::size_t waitingCommands = 0;   // Submitted since the last step.
+
+    double realTime = 0.0;             // Passed since the session began [s].
+    Pacer pacer;
+    bool playing = true;
+    std::int32_t singleSteps = 0;      // Asked for while paused.
+    double speed = 1.0;
+    double recordedFrom = -1.0;        // World time [s]; negative: not recording.
+
+    std::uint64_t state = 1;           // Grows with every step and every change that a frame shows.
+    std::uint32_t sceneRevision = 0;
+    std::uint64_t signature = 0;       // Of the scene with that revision.
+    MessageBytes sceneBytes;           // The Scene message with that revision.
+    FrameBuilder frames;
+    protocol::Frame frame;             // Shared by clients; built when first asked for.
+    std::uint64_t frameState = 0;      // State that it shows.
+    std::vector<protocol::EventFrame> stepEvents;  // Working memory.
+
+    void refreshScene();
+};
+
+}  // namespace muster
