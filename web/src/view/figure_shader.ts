@@ -78,13 +78,15 @@ varying vec3 vFigure;
 
 void colourFigure() {
   float stuff = limb.z;
-  int skin = int(aLook.x) / 5;
-  int hair = int(aLook.x) - skin * 5;
+  float chosen = step(99.5, aLook.x);
+  int look = int(aLook.x + 0.5 - chosen * 100.0);
+  int skin = look / 5;
+  int hair = look - skin * 5;
   vec3 colour = aShirt * (0.9 + 0.2 * fract(aLook.y * 7.31));
   if (stuff > 3.5) colour = vec3(0.8);
   else if (stuff > 2.5) colour = uHairs[hair];
   else if (stuff > 1.5) colour = uSkins[skin];
   else if (stuff > 0.5) colour = mix(aShirt * 0.16, vec3(0.012, 0.016, 0.026), 0.55);
-  vFigure = mix(colour, mix(uGreyTint, vec3(dot(colour, vec3(0.3, 0.6, 0.1))), 0.35), uGreyed);
+  vFigure = mix(colour, mix(uGreyTint, vec3(dot(colour, vec3(0.3, 0.6, 0.1))), 0.35), uGreyed * (1.0 - chosen));
 }
 `;

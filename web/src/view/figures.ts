@@ -12,6 +12,9 @@ import { accentOf, type Palette } from './palette';
 const kSkins = ['#F1C9A5', '#E0A97F', '#B97A50', '#8A5636', '#5B3A28'];
 const kHairs = ['#15120F', '#3A2618', '#6B4A2B', '#8F867C', '#241A16'];
 
+/** Added to the look of the one who keeps colours while the rest is grey. */
+const kChosen = 100;
+
 /** Beyond this many, or smaller than this [px/m], bodies are the coarse ones and only discs are their shadows. */
 const kFineCount = 1500;
 const kFinePixels = 11;
@@ -93,8 +96,8 @@ export class Figures {
     (this.discs.material.uniforms['uAlpha'] as { value: number }).value = dark ? 0.5 : 0.3;
   }
 
-  /** After the list of characters changed, or the theme. `colours`: accent index per group; `plain`: kept in colour. */
-  setMembers(state: CrowdState, colours: readonly number[], palette: Palette): void {
+  /** After the list of characters or the theme changed. `colours`: accent index per group; `chosen`: id never greyed. */
+  setMembers(state: CrowdState, colours: readonly number[], palette: Palette, chosen: number): void {
     const count = state.count;
     this.shirts_ = new Float32Array(3 * count);
     const looks = new Float32Array(2 * count);
@@ -104,7 +107,7 @@ export class Figures {
       const accent = accents[state.group[i] ?? 0] ?? fallback;
       this.shirts_.set([accent.r, accent.g, accent.b], 3 * i);
       const look = lookOf(state.ids[i] ?? 0);
-      looks.set([look.skin * 5 + look.hair, look.size], 2 * i);
+      looks.set([look.skin * 5 + look.hair + (state.ids[i] === chosen ? kChosen : 0), look.size], 2 * i);
     }
     const place = instanced(state.placement, 4, true);
     for (const geometry of [this.bodies.geometry, this.discs.geometry]) {

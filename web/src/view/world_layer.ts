@@ -2,6 +2,7 @@
 
 import { BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, type Material, Quaternion, ShaderMaterial, Vector3 } from 'three';
 import type { Point2, SceneFacts, SceneObstacle, ScenePatch } from '../protocol/scene';
+import { mix, mixAngle } from './blend';
 import { FatLines } from './fat_lines';
 import type { MovingView } from './frame_types';
 import { centroid, circlePoints, GeometryBuilder } from './geometry_builder';
@@ -58,14 +59,20 @@ export class WorldLayer {
     for (const lines of this.lines_) lines.setSize(width, height, ratio);
   }
 
-  /** Places what moves. */
-  move(moving: readonly MovingView[]): void {
-    for (const one of moving) {
+  /** Places what moves, between two frames. */
+  move(from: readonly MovingView[], to: readonly MovingView[], alpha: number): void {
+    to.forEach((one, i) => {
       const thing = this.moving_.get(`${one.kind}:${one.id}`);
-      if (!thing) continue;
-      thing.group.position.set(thing.centre[0] + one.x, thing.centre[1] + one.y, 0);
-      thing.group.rotation.z = one.angle;
-    }
+      if (!thing) return;
+      const earlier = from[i];
+      const before = earlier && earlier.id === one.id && earlier.kind === one.kind ? earlier : one;
+      // A path that starts again jumps back; nothing flies across the scene for it.
+      const jump = Math.hypot(one.x - before.x, one.y - before.y) > 2;
+      const t = jump ? 1 : alpha;
+      thing.group.position.set(
+        thing.centre[0] + mix(before.x, one.x, t), thing.centre[1] + mix(before.y, one.y, t), 0);
+      thing.group.rotation.z = mixAngle(before.angle, one.angle, t);
+    });
   }
 
   /** Hides items that are gone; `collected` holds 1 per item gone. */

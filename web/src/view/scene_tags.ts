@@ -1,0 +1,111 @@
+// The words over the scene at this moment.
+
+import type { Point2, SceneFacts } from '../protocol/scene';
+import type { CameraController } from './camera_controller';
+import type { ScreenPoint } from './camera_types';
+import type { ControlMarks } from './control_marks';
+import type { ContourLabel } from './field_picture';
+import type { MovingView, OverlayView } from './frame_types';
+import { centroid } from './geometry_builder';
+import { accentOf, type Palette } from './palette';
+import { heightOfLook, lookOfMotion } from './patch_geometry';
+import { kMotionIcons, type Tag } from './tag_layer';
+
+const kKindNames = ['Point', 'Line', 'Area'];
+/** How long a chip names a control's kind [ms]. */
+const kChipTime = 1200;
+const kChipFade = 180;
+
+export interface TagScene {
+  readonly camera: CameraController;
+  readonly palette: Palette;
+  readonly colours: readonly number[];
+  readonly now: number;
+  readonly moving: readonly MovingView[];
+  readonly overlay: OverlayView | null;
+  readonly contours: readonly ContourLabel[];
+  readonly chosenGroup: number;
+}
+
+/** `Net` and `crawl 0.21×`. */
+export function patchWords(name: string, clip: string, speed: number): { text: string; detail: string } {
+  const figure = speed >= 1 ? speed.toFixed(1) : speed.toFixed(2);
+  return { text: name || clip, detail: `${clip} ${figure}×` };
+}
+
+export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
+  const tags: Tag[] = [];
+  for (const patch of scene.patches) {
+    const clip = scene.clips[patch.motion]?.name ?? '';
+    const move = patch.moving ? view.moving.find((one) => one.kind === 1 && one.id === patch.id) : undefined;
+    const at = aboveOutline(patch.polygon, heightOfLook(lookOfMotion(clip)), move, view.camera);
+    if (!onScreen(at, view.camera)) continue;
+    const icon = kMotionIcons[clip];
+    tags.push({ key: `patch:${patch.id}`, kind: 'patch', at, ...patchWords(patch.name, clip, patch.speed), ...(icon ? { icon } : {}) });
+  }
+  scene.checkpoints.forEach((checkpoint, i) => {
+    const at = view.camera.worldToScreen(checkpoint.position[0], checkpoint.position[1]);
+    if (onScreen(at, view.camera)) tags.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
+  });
+  return tags;
+}
+
+/** The middle of the outline, just above its highest corner on the screen. */
+function aboveOutline(polygon: readonly Point2[], height: number, move: MovingView | undefined,
+                      camera: CameraController): ScreenPoint {
+  const centre = centroid(polygon);
+  const c = Math.cos(move?.angle ?? 0);
+  const s = Math.sin(move?.angle ?? 0);
+  let top = Infinity;
+  for (const point of polygon) {
+    const dx = point[0] - centre[0];
+    const dy = point[1] - centre[1];
+    const at = camera.worldToScreen(
+      centre[0] + (move?.x ?? 0) + c * dx - s * dy, centre[1] + (move?.y ?? 0) + s * dx + c * dy, height);
+    top = Math.min(top, at.y);
+  }
+  const middle = camera.worldToScreen(centre[0] + (move?.x ?? 0), centre[1] + (move?.y ?? 0), height);
+  return { x: middle.x, y: top - 20 };
+}
+
+/** Names the kinds of young controls. */
+export function chipTags(marks: ControlMarks, view: TagScene): Tag[] {
+  const tags: Tag[] = [];
+  for (const shown of marks.controls) {
+    const age = view.now - shown.kindSince;
+    if (shown.ended > 0 || age > kChipTime) continue;
+    const points = shown.control.points.map((point, i) => marks.rings.get(point.touch)?.at ?? shown.handles[i]);
+    const at = points.map((point) => view.camera.worldToScreen(point?.x ?? 0, point?.y ?? 0));
+    const top = Math.min(...at.map((point) => point.y));
+    const middle = at.reduce((sum, point) => sum + point.x, 0) / Math.max(1, at.length);
+    tags.push({
+      key: `chip:${shown.group}:${shown.control.id}`, kind: 'chip', text: kKindNames[shown.control.kind] ?? 'Point',
+      at: { x: middle, y: Math.max(16, top - 50) },
+      fill: accentOf(view.palette, view.colours[shown.group] ?? 0), ink: view.palette.onAccent,
+      opacity: Math.min(1, (kChipTime - age) / kChipFade),
+    });
+  }
+  return tags;
+}
+
+/** Names the chosen character and its place, and numbers the contours. */
+export function overlayTags(view: TagScene): Tag[] {
+  const { overlay, camera } = view;
+  if (!overlay) return [];
+  const tags: Tag[] = view.contours.map((label) => ({
+    key: `contour:${label.text}`, kind: 'contour', text: label.text, at: camera.worldToScreen(label.x, label.y),
+  }));
+  const path = overlay.path;
+  if (path.length < 4) return tags;
+  const fill = accentOf(view.palette, view.colours[view.chosenGroup] ?? 0);
+  const ink = view.palette.onAccent;
+  const from = camera.worldToScreen(path[0] ?? 0, path[1] ?? 0, 1.8);
+  const to = camera.worldToScreen(path[path.length - 2] ?? 0, path[path.length - 1] ?? 0);
+  tags.push({ key: 'chosen', kind: 'chip', text: `Character ${overlay.character}`, at: { x: from.x, y: from.y - 20 }, fill, ink });
+  tags.push({ key: 'place', kind: 'chip', text: 'Its place', at: { x: to.x, y: to.y + 32 }, fill, ink });
+  return tags;
+}
+
+function onScreen(at: ScreenPoint, camera: CameraController): boolean {
+  return at.x > -80 && at.y > -30 && at.x < camera.width + 80 && at.y < camera.height + 30;
+}

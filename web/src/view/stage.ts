@@ -1,0 +1,113 @@
+// The three.js side of the view: renderer, light, and the layers that fill the scene.
+
+import { Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import type { SceneBox, SceneFacts } from '../protocol/scene';
+import type { CameraController } from './camera_controller';
+import type { FieldPicture } from './field_picture';
+import { Figures } from './figures';
+import { Ground } from './ground';
+import { InstancedRings } from './instanced_rings';
+import { MeshLayer } from './mesh_layer';
+import type { Palette } from './palette';
+import type { ShadeUniforms } from './shade';
+import { Sun } from './sun';
+import type { ViewStats } from './studio_view';
+import { WorldLayer } from './world_layer';
+
+/** Device px per CSS px are never more than this. */
+const kMaxPixelRatio = 2;
+
+const kNoBox: SceneBox = { min: [-16, -16], max: [16, 16] };
+
+export class Stage {
+  readonly figures = new Figures();
+  readonly meshes = new MeshLayer();
+  readonly rings = new InstancedRings();
+  readonly world: WorldLayer;
+  private readonly ground_: Ground;
+  private readonly sun_ = new Sun();
+  private readonly renderer_: WebGLRenderer;
+  private readonly scene_ = new Scene();
+  private readonly eye_ = new PerspectiveCamera(24, 1, 1, 1000);
+  private readonly shade_: ShadeUniforms = {
+    uGrey: { value: 0 }, uShadowKeeps: { value: 0.7 }, uHatch: { value: new Color() },
+  };
+  private readonly floatLinear_: boolean;
+  private box_ = kNoBox;
+  private ratio_ = 1;
+  private maxRatio_ = kMaxPixelRatio;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.renderer_ = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.renderer_.shadowMap.enabled = true;
+    this.renderer_.shadowMap.type = PCFSoftShadowMap;
+    this.renderer_.info.autoReset = false;
+    this.floatLinear_ = this.renderer_.extensions.has('OES_texture_float_linear');
+    this.ground_ = new Ground(this.shade_);
+    this.world = new WorldLayer(this.shade_);
+    this.eye_.up.set(0, 0, 1);
+    this.scene_.add(this.ground_.mesh, this.sun_.group, this.world.group, this.figures.bodies, this.figures.discs,
+      this.meshes.group, this.rings.mesh);
+  }
+
+  /** Device px per CSS px now. */
+  get pixelRatio(): number {
+    return this.ratio_;
+  }
+
+  /** Caps device px per CSS px (slow machines). */
+  set maxPixelRatio(ratio: number) {
+    this.maxRatio_ = Math.min(kMaxPixelRatio, ratio);
+  }
+
+  resize(width: number, height: number): void {
+    this.ratio_ = Math.min(window.devicePixelRatio || 1, this.maxRatio_);
+    this.renderer_.setPixelRatio(this.ratio_);
+    this.renderer_.setSize(width, height, false);
+    const [w, h] = [width * this.ratio_, height * this.ratio_];
+    this.world.setSize(w, h, this.ratio_);
+    this.meshes.setSize(w, h, this.ratio_);
+    this.rings.setPixelRatio(this.ratio_);
+    this.ground_.setPixelRatio(this.ratio_);
+  }
+
+  setPalette(palette: Palette): void {
+    this.ground_.setPalette(palette);
+    this.sun_.setPalette(palette);
+    this.shade_.uShadowKeeps.value = palette.shadowKeeps;
+    this.shade_.uHatch.value.set(palette.roofHatch);
+    this.scene_.background = new Color(palette.groundOutside);
+  }
+
+  setScene(scene: SceneFacts, palette: Palette): void {
+    this.box_ = scene.box;
+    this.ground_.setBox(scene.box);
+    this.world.build(scene, palette);
+  }
+
+  setField(picture: FieldPicture | null): void {
+    this.ground_.setField(picture, this.floatLinear_);
+  }
+
+  /** Draws the scene as the camera sees it and counts what that took. */
+  render(camera: CameraController, stats: ViewStats): void {
+    const { eye, forward } = camera.basis();
+    this.eye_.fov = (camera.fieldOfView * 180) / Math.PI;
+    this.eye_.aspect = camera.width / camera.height;
+    this.eye_.near = Math.max(0.3, camera.pose.distance * 0.12);
+    this.eye_.far = camera.pose.distance * 14 + 400;
+    this.eye_.position.set(eye[0], eye[1], eye[2]);
+    this.eye_.lookAt(new Vector3(eye[0] + forward[0], eye[1] + forward[1], eye[2] + forward[2]));
+    this.eye_.updateProjectionMatrix();
+    this.sun_.follow(camera, this.box_);
+    this.renderer_.info.reset();
+    this.renderer_.render(this.scene_, this.eye_);
+    stats.drawCalls = this.renderer_.info.render.calls;
+    stats.triangles = this.renderer_.info.render.triangles;
+  }
+
+  dispose(): void {
+    for (const part of [this.figures, this.meshes, this.rings, this.world, this.ground_, this.sun_]) part.dispose();
+    this.renderer_.dispose();
+  }
+}
