@@ -1,6 +1,7 @@
 // Density and average velocity of the crowd (SPEC A4; Treuille, Cooper and Popovic 2006, section 4.1).
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,9 @@ public:
     /// An empty field over `box`.
     DensityField(const Box& box, const DensityDef& def);
 
-    /// Replaces the contents by these characters: each gives the four cells around it the shares
-    /// min(1-dx,1-dy)^l, min(dx,1-dy)^l, min(dx,dy)^l, min(1-dx,dy)^l.
+    /// Replaces the contents by these characters: each gives the four cells around it shares in the proportion
+    /// min(1-dx,1-dy)^l : min(dx,1-dy)^l : min(dx,dy)^l : min(1-dx,dy)^l that add up to one character. At the rim the
+    /// share of a missing cell goes to its neighbour; characters outside the box, or not finite, give none.
     void splat(std::span<const Vec2> positions, std::span<const Vec2> velocities);
 
     const Grid& grid() const { return grid_; }                          ///< The density cells.
@@ -37,6 +39,8 @@ public:
     Vec2 velocityAt(Vec2 p) const;
 
 private:
+    void add(Vec2 position, Vec2 velocity);
+
     DensityDef def_;
     Grid grid_;
     std::vector<float> density_;

@@ -21,25 +21,33 @@ struct EikonalDef {
 /// The cost to reach `source`, stored for the part of the grid that was marched.
 class CostField {
 public:
-    /// Cost from `p` by bilinear interpolation; infinite where not reached. Exact (straight line) next to the source.
+    /// Cost from `p` by bilinear interpolation of the reached ones among the four cells around; infinite where
+    /// there is none, or `p` is not finite. Exact (straight line) next to the source.
     double cost(Vec2 p) const;
-    /// The unit direction of steepest descent at `p`; zero where not reached.
+    /// The unit direction of steepest descent at `p`, without any part that leads into cells not reached. Where
+    /// none of the four cells around is reached, it leads to a reached one near by; zero where there is none.
     Vec2 direction(Vec2 p) const;
     /// Value of a cell; infinite where not reached.
     float value(Cell cell) const;
     /// Where the cost is zero [m].
     Vec2 source() const { return source_; }
+    /// The ground cells whose centres bear the values.
+    const Grid& grid() const { return grid_; }
     /// Cells marched.
     std::int32_t marched() const { return marched_; }
 
 private:
     friend class EikonalSolver;
+    Vec2 towardsReached(Vec2 p) const;
+
     Grid grid_;                  // Of the whole ground.
     Vec2 source_;
     Cell low_;                   // Lower left cell of the stored window.
     std::int32_t width_ = 0;     // Of the window.
     std::int32_t height_ = 0;
     std::int32_t marched_ = 0;
+    double nearRadius_ = 0.0;    // Straight-line costs hold within it [m].
+    CellCost nearCost_;          // Of the source's cell.
     std::vector<float> values_;
 };
 

@@ -46,7 +46,7 @@ struct UnitCost {
     Grid grid;                     ///< The ground cells.
     double radius = 0.25;          ///< Cells whose centre is nearer to an obstacle are walls [m].
     std::vector<CellCost> cells;   ///< Row-major.
-    float lowest = 1.0f;           ///< The smallest finite cost of all cells.
+    float lowest = 1.0f;           ///< No finite cost is smaller; the smallest one of the empty ground.
 
     /// True where nobody of this radius can be.
     bool wall(std::int32_t index) const {
@@ -72,11 +72,27 @@ public:
     const std::vector<float>& discomfort() const { return discomfort_; }
 
 private:
+    void updateGround(const UnitCostDef& def, const Environment& environment, double radius);
+    void updateDiscomfort(const UnitCostDef& def, const Environment& environment);
+    void priceCrowd(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+                    UnitCost& cost);
+    void markCrowded(const UnitCostDef& def, const DensityField& density);
+    void priceCell(const UnitCostDef& def, const DensityField& density, std::int32_t index, double travelSpeed,
+                   UnitCost& cost) const;
+
+    // The empty ground, with what it was made of.
+    Grid grid_;
+    std::vector<CellCost> ground_;
+    std::vector<float> clearance_;
+    std::vector<float> travelSpeed_;
+    float lowest_ = 1.0f;
+    double groundRadius_ = -1.0;
+    double price_ = -1.0;
+    // Cells that the last build priced apart from the empty ground.
     std::vector<float> discomfort_;
-    std::vector<CellCost> base_;
-    std::vector<std::int32_t> touched_;
-    std::uint64_t version_ = 0;
-    double baseRadius_ = -1.0;
+    std::vector<std::int32_t> uneasy_;          // Ground cells with discomfort.
+    std::vector<std::uint8_t> crowded_;         // Density cells that can slow somebody, 1 each.
+    std::vector<std::int32_t> crowdedCells_;    // The same, listed.
 };
 
 }  // namespace muster

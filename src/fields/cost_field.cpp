@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/start_disc.h"
+#include "muster/fields/eikonal.h"
+
+namespace muster {
+namespace {
+
+// Where a point lies between the four cell centres around it.
+struct Between {
+    Cell low;
+    double fx = 0.0;
+    double fy = 0.0;
+};
+
+Between between(const Grid& grid, Vec2 p) {
+    const double u = std::clamp((p.x - grid.origin.x) / grid.cell - 0.5, 0.0, static_cast<double>(grid.width - 1));
+    const double v = std::clamp((p.y - grid.origin.y) / grid.cell - 0.5, 0.0, static_cast<double>(grid.height - 1));
+    const Cell low{std::min(static_cast<std::int32_t>(u), std::max(0, grid.width - 2)),
+                   std::min(static_cast<std::int32_t>(v), std::max(0, grid.height - 2))};
+    return {low, u - low.x, v - low.y};
+}
+
+}  // namespace
+
+float CostField::value(Cell cell) const {
+    const std::int32_t x = cell.x - low_.x;
+    const std::int32_t y = cell.y - low_.y;
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return kInfiniteCost;
+    return values_[static_cast<std::size_t>(y) * width_ + x];
+}
+
+double CostField::cost(Vec2 p) const {
+    if (!isFinite(p) || values_.empty()) return kInfiniteCost;
+    if (lengthSquared(p - source_) <= nearRadius_ * nearRadius_) {
+        const double near = straightCost(nearCost_, source_ - p);
+        if (near < kInfiniteCost) return near;
+    }
+    const Between at = between(grid_, p);
+    double sum = 0.0;
+    double weights = 0.0;
+    for (int k = 0; k < 4; ++k) {
+        const double weight = ((k & 1) != 0 ? at.fx : 1.0 - at.fx) * ((k & 2) != 0 ? at.fy : 1.0 - at.fy);
+        const float corner = value({at.low.x + (k & 1), at.low.y + (k >> 1)});
+        if (!(corner < kInfiniteCost)) continue;
+        // A corner on whose side the point lies with no weight still counts where it is the only one.
+        const double share = std::max(weight, 1e-12);
+        sum += share * corner;
+        weights += share;
+    }
+    return weights > 0.0 ? sum / weights : kInfiniteCost;
+}
+
+Vec2 CostField::direction(Vec2 p) const {
+    if (!isFinite(p) || values_.empty()) return {};
+    if (lengthSquared(p - source_) <= nearRadius_ * nearRadius_) return normalized(source_ - p);
+    const Between at = between(grid_, p);
+    float v[4];
+    for (int k = 0; k < 4; ++k) v[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)});
+    // A slope along one edge of the square of centres, where both its ends are reached.
+    Vec2 slope;
+    double weightX = 0.0;
+    double weightY = 0.0;
+    const auto add = [&](int a, int b, double weight, double& sum, double& weights) {
+        if (!(v[a] < kInfiniteCost) || !(v[b] < kInfiniteCost)) return;
+        weight = std::max(weight, 1e-9);
+        sum += weight * (static_cast<double>(v[b]) - v[a]);
+        weights += weight;
+    };
+    add(0, 1, 1.0 - at.fy, slope.x, weightX);
+    add(2, 3, at.fy, slope.x, weightX);
+    add(0, 2, 1.0 - at.fx, slope.y, weightY);
+    add(1, 3, at.fx, slope.y, weightY);
+    if (weightX > 0.0) slope.x /= weightX;
+    if (weightY > 0.0) slope.y /= weightY;
+    const Vec2 down = normalized(-slope);
+    return down == Vec2{} ? towardsReached(p) : down;
+}
+
+// The direction to the cheapest way on over the centres of reached cells near by.
+Vec2 CostField::towardsReached(Vec2 p) const {
+    const Cell middle = grid_.nearestCell(p);
+    constexpr std::int32_t kReach = 3;
+    double best = std::numeric_limits<double>::infinity();
+    Vec2 to = p;
+    for (std::int32_t y = middle.y - kReach; y <= middle.y + kReach; ++y) {
+        for (std::int32_t x = middle.x - kReach; x <= middle.x + kReach; ++x) {
+            const float here = value({x, y});
+            if (!(here < kInfiniteCost)) continue;
+            const double away = distance(grid_.centre({x, y}), p);
+            // Nearness first; among the near the cheaper one.
+            const double price = 4.0 * away + here;
+            if (away > 1e-9 && price < best) {
+                best = price;
+                to = grid_.centre({x, y});
+            }
+        }
+    }
+    return normalized(to - p);
+}
+
+}  // namespace muster

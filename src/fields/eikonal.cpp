@@ -1,0 +1,116 @@
+#include "muster/fields/eikonal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/front.h"
+#include "fields/start_disc.h"
+#include "muster/base/assert.h"
+
+namespace muster {
+
+struct EikonalSolver::Impl {
+    EikonalDef def;
+    Front front;
+    StartDisc disc;
+    std::vector<FrontCell> watched;  // Cells around the targets that can be reached.
+
+    void watch(const UnitCost& cost, std::span<const Vec2> targets);
+    void march(double cell, bool bounded);
+    Cell readRows(const Grid& grid, Cell& high) const;
+};
+
+namespace {
+
+bool reachable(const UnitCost& cost, std::int32_t index) { return !cost.wall(index); }
+
+}  // namespace
+
+void EikonalSolver::Impl::watch(const UnitCost& cost, std::span<const Vec2> targets) {
+    watched.clear();
+    for (const Vec2 target : targets) {
+        if (!isFinite(target)) continue;
+        const BilinearStencil stencil = cost.grid.bilinear(target);
+        for (const std::int32_t index : stencil.cell) {
+            if (reachable(cost, index)) watched.push_back(front.at(cost.grid.at(index)));
+        }
+    }
+}
+
+// Marches until all watched cells are final and the front is def.margin beyond them, or nothing is left.
+void EikonalSolver::Impl::march(double cell, bool bounded) {
+    std::size_t reached = 0;
+    float stop = kInfiniteCost;
+    while (front.level() <= stop && front.step()) {
+        if (!bounded || stop < kInfiniteCost) continue;
+        while (reached < watched.size() && front.value(watched[reached].node) < kInfiniteCost) ++reached;
+        if (reached == watched.size()) stop = front.level() + static_cast<float>(def.margin / cell);
+    }
+}
+
+// The smallest window that holds all reached cells; high lies below low where there are none.
+Cell EikonalSolver::Impl::readRows(const Grid& grid, Cell& high) const {
+    Cell low{grid.width, grid.height};
+    high = {-1, -1};
+    for (std::int32_t y = 0; y < grid.height; ++y) {
+        const float* row = front.row(y);
+        std::int32_t left = 0;
+        while (left < low.x && !(row[left] < kInfiniteCost)) ++left;
+        std::int32_t right = grid.width - 1;
+        while (right > high.x && !(row[right] < kInfiniteCost)) --right;
+        const bool inside = left < low.x || right > high.x;
+        low.x = std::min(low.x, left);
+        high.x = std::max(high.x, right);
+        bool any = inside;
+        for (std::int32_t x = low.x; !any && x <= high.x; ++x) any = row[x] < kInfiniteCost;
+        if (!any) continue;
+        low.y = std::min(low.y, y);
+        high.y = y;
+    }
+    return low;
+}
+
+EikonalSolver::EikonalSolver(const EikonalDef& def) : impl_(std::make_unique<Impl>()) {
+    MUSTER_ASSERT(def.startRadius >= 0.0 && def.margin >= 0.0);
+    impl_->def = def;
+}
+EikonalSolver::~EikonalSolver() = default;
+EikonalSolver::EikonalSolver(EikonalSolver&&) noexcept = default;
+EikonalSolver& EikonalSolver::operator=(EikonalSolver&&) noexcept = default;
+
+void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets, CostField& field) {
+    MUSTER_ASSERT(cost.cells.size() == static_cast<std::size_t>(cost.grid.count()));
+    Impl& work = *impl_;
+    const Grid& grid = cost.grid;
+    field.grid_ = grid;
+    field.source_ = grid.box().clamp(isFinite(source) ? source : grid.origin);
+    work.front.fit(grid);
+    work.front.begin(cost, work.def.secondOrder);
+    work.watch(cost, targets);
+    work.disc.start(cost, field.source_, work.def.startRadius, work.front);
+    field.nearRadius_ = work.disc.radius();
+    field.nearCost_ = cost.cells[grid.index(grid.nearestCell(field.source_))];
+    work.march(grid.cell, !targets.empty());
+
+    Cell high;
+    const Cell low = work.readRows(grid, high);
+    field.low_ = low;
+    field.width_ = std::max(0, high.x - low.x + 1);
+    field.height_ = std::max(0, high.y - low.y + 1);
+    field.values_.resize(static_cast<std::size_t>(field.width_) * field.height_);
+    field.marched_ = 0;
+    const auto edge = static_cast<float>(grid.cell);
+    for (std::int32_t y = 0; y < field.height_; ++y) {
+        const float* row = work.front.row(low.y + y) + low.x;
+        float* out = field.values_.data() + static_cast<std::size_t>(y) * field.width_;
+        std::int32_t reached = 0;
+        for (std::int32_t x = 0; x < field.width_; ++x) {
+            out[x] = row[x] * edge;
+            reached += row[x] < kInfiniteCost ? 1 : 0;
+        }
+        field.marched_ += reached;
+    }
+    if (field.width_ > 0) work.front.forget(low, high);
+}
+
+}  // namespace muster

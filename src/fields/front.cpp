@@ -1,0 +1,147 @@
+#include "fields/front.h"
+
+#include <algorithm>
+
+namespace muster {
+namespace {
+
+// A bucket's width in units of the lowest cost of one cell. Within a bucket cells come in order of arrival; what
+// that spoils is mended by visiting a cell again, so a finer width saves visits and a coarser one empty buckets.
+constexpr float kBucketShare = 0.125f;
+// Second-order differences need evenly spaced values: they are used where the costs of two steps differ by less.
+constexpr float kEven = 0.2f;
+
+}  // namespace
+
+void Front::fit(const Grid& grid) {
+    if (grid.width == grid_.width && grid.height == grid_.height && !accepted_.empty()) {
+        grid_ = grid;
+        return;
+    }
+    grid_ = grid;
+    stride_ = grid.width + 1;
+    const std::size_t size = static_cast<std::size_t>(grid.height + 4) * stride_ + 2;
+    accepted_.assign(size, kInfiniteCost);
+    tentative_.assign(size, kInfiniteCost);
+    // Nothing is ever below minus infinity: the padding is never marched.
+    const float never = -kInfiniteCost;
+    std::fill_n(tentative_.begin(), 2 * stride_ + 1, never);
+    std::fill(tentative_.begin() + node(0, grid.height) - 1, tentative_.end(), never);
+    for (std::int32_t y = 0; y < grid.height; ++y) tentative_[node(grid.width, y)] = never;
+}
+
+void Front::begin(const UnitCost& cost, bool secondOrder) {
+    cells_ = cost.cells.data();
+    secondOrder_ = secondOrder;
+    width_ = kBucketShare * std::max(cost.lowest, 1e-6f);
+    tolerance_ = 1e-3f * width_;
+    queue_.restart(1.0f / width_);
+}
+
+void Front::seed(FrontCell cell, float value) {
+    if (!(value < tentative_[cell.node])) return;
+    tentative_[cell.node] = value;
+    queue_.push(queue_.number(value), cell);
+}
+
+template <Front::Side kSide>
+inline float Front::towards(const CellCost& c) {
+    if constexpr (kSide == Side::East) return c.east;
+    if constexpr (kSide == Side::North) return c.north;
+    if constexpr (kSide == Side::West) return c.west;
+    return c.south;
+}
+
+// Offers the new value of `from` to the neighbour from which `from` lies on side kSide. Only solutions that come
+// through `from` are looked at: those through the opposite neighbour were offered when that one got its value.
+template <Front::Side kSide>
+inline void Front::relax(FrontCell from, float value, const CellCost& fromCost) {
+    constexpr bool kAlong = kSide == Side::East || kSide == Side::West;
+    const std::int32_t rowStep = kSide == Side::South ? 1 : kSide == Side::North ? -1 : 0;
+    const std::int32_t columnStep = kSide == Side::West ? 1 : kSide == Side::East ? -1 : 0;
+    const std::int32_t step = rowStep * stride_ + columnStep;
+    const std::int32_t to = from.node + step;
+    const float old = tentative_[to];
+    if (!(old > value)) return;
+    const std::int32_t cell = from.cell + rowStep * grid_.width + columnStep;
+    const CellCost& cost = cells_[cell];
+
+    float a = value;
+    float ca = towards<kSide>(cost);
+    const float behind = accepted_[from.node - step];
+    const float before = towards<kSide>(fromCost);
+    if (secondOrder_ && behind <= value && std::fabs(before - ca) <= kEven * ca) {
+        a = (4.0f * value - behind) * (1.0f / 3.0f);
+        ca *= 2.0f / 3.0f;
+    }
+
+    // The cheaper of the two neighbours across.
+    const std::int32_t across = kAlong ? stride_ : 1;
+    const std::int32_t acrossCell = kAlong ? grid_.width : 1;
+    const float up = kAlong ? cost.north : cost.east;
+    const float down = kAlong ? cost.south : cost.west;
+    const float upValue = accepted_[to + across];
+    const float downValue = accepted_[to - across];
+    const bool above = upValue + up <= downValue + down;
+    float b = above ? upValue : downValue;
+    float cb = above ? up : down;
+    const float acrossBehind = accepted_[above ? to + 2 * across : to - 2 * across];
+    float best = a + ca;
+    if (b + cb < kInfiniteCost) {
+        if (secondOrder_ && acrossBehind <= b) {
+            const CellCost& next = cells_[above ? cell + acrossCell : cell - acrossCell];
+            const float beforeAcross = kAlong ? (above ? next.north : next.south) : (above ? next.east : next.west);
+            if (std::fabs(beforeAcross - cb) <= kEven * cb) {
+                b = (4.0f * b - acrossBehind) * (1.0f / 3.0f);
+                cb *= 2.0f / 3.0f;
+            }
+        }
+        // Upwind only: the solution must not lie below a or b.
+        if (b < a + ca && a < b + cb && ca < kInfiniteCost) {
+            const float difference = a - b;
+            const float sa = ca * ca;
+            const float sb = cb * cb;
+            const float sum = sa + sb;
+            best = (sb * a + sa * b + ca * cb * std::sqrt(std::max(0.0f, sum - difference * difference))) / sum;
+        }
+    }
+    if (!(best < old - tolerance_)) return;
+    tentative_[to] = best;
+    const std::int32_t bucket = queue_.number(best);
+    // A cell that waits in the same bucket need not be put there twice.
+    if (accepted_[to] != old && queue_.number(old) == bucket) return;
+    queue_.push(bucket, {cell, to});
+}
+
+inline void Front::spread(FrontCell from, float value) {
+    const CellCost& cost = cells_[from.cell];
+    relax<Side::West>(from, value, cost);
+    relax<Side::East>(from, value, cost);
+    relax<Side::South>(from, value, cost);
+    relax<Side::North>(from, value, cost);
+}
+
+void Front::offer(FrontCell cell) { spread(cell, accepted_[cell.node]); }
+
+bool Front::step() {
+    if (!queue_.advance()) return false;
+    for (std::size_t k = 0; k < queue_.bucket().size(); ++k) {
+        const FrontCell from = queue_.bucket()[k];
+        const float value = tentative_[from.node];
+        if (!(value < accepted_[from.node])) continue;
+        accepted_[from.node] = value;
+        spread(from, value);
+    }
+    return true;
+}
+
+void Front::forget(Cell low, Cell high) {
+    const std::int32_t left = std::max(0, low.x - 1);
+    const std::int32_t right = std::min(grid_.width - 1, high.x + 1);
+    for (std::int32_t y = std::max(0, low.y - 1); y <= std::min(grid_.height - 1, high.y + 1); ++y) {
+        std::fill(accepted_.begin() + node(left, y), accepted_.begin() + node(right, y) + 1, kInfiniteCost);
+        std::fill(tentative_.begin() + node(left, y), tentative_.begin() + node(right, y) + 1, kInfiniteCost);
+    }
+}
+
+}  // namespace muster
