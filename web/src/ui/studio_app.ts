@@ -204,7 +204,7 @@ export class StudioApp {
     this.keys.observe(frame);
     this.controls.observe(frame);
     this.view.pushFrame(frame, receivedAt);
-    this.latency.echoed(frame.touchEcho);
+    this.latency.echoed(frame.touchEcho, frame.frame);
     this.store.set(this.reader.change(frame, this.store.state));
     for (const news of this.watch.observe(frame)) this.announce(news);
   }
@@ -214,17 +214,6 @@ export class StudioApp {
     const group = this.store.state.groups[news.index];
     const kind = KIND_NAMES[news.kind];
     this.shell.live.say(`${kind} on ${group?.name ?? 'the formation'}`);
-    const place = (): ScreenPoint | null => this.chipPlace(news);
-    this.shell.chip.show(kind, group?.colour ?? 0, place, performance.now());
-  }
-
-  /** Above the middle of the control's points. */
-  private chipPlace(news: ControlNews): ScreenPoint | null {
-    const control = this.frame?.groups[news.index]?.controls.find((one) => one.id === news.control);
-    if (!control || control.points.length === 0) return null;
-    const places = control.points.map((point) => this.view.worldToScreen(point));
-    const x = places.reduce((sum, place) => sum + place.x, 0) / places.length;
-    return { x, y: Math.min(...places.map((place) => place.y)) - 44 };
   }
 
   private showOverlay(overlay: Overlay): void {
@@ -250,8 +239,7 @@ export class StudioApp {
     requestAnimationFrame(this.drawn);
     this.touches.flush();
     this.shell.scale.update(this.view.pixelsPerMetre());
-    this.shell.chip.update(performance.now());
-    const shown = this.latency.takeDrawn();
+    const shown = this.latency.takeDrawn(this.view.stats.shownFrame);
     if (shown.length === 0) return;
     // The task after this frame's callbacks: the scene has been drawn by then.
     const after = new MessageChannel();

@@ -2,7 +2,6 @@
 
 import type { Shortcut } from '../tools/shortcuts';
 import { LostBanner, NoticeBanner } from './banner';
-import { ControlChip } from './control_chip';
 import { element } from './dom';
 import { EmptyPanel } from './empty_panel';
 import { FormationPanel } from './formation_panel';
@@ -24,7 +23,6 @@ import type { Padding } from '../view/camera_types';
 
 export class StudioShell {
   readonly scale = new ScaleBar();
-  readonly chip = new ControlChip();
   readonly live = new LiveRegion();
   private readonly top: HTMLElement[];
   private readonly bottom: HTMLElement;
@@ -51,7 +49,7 @@ export class StudioShell {
     const header = element('header', { class: 'contents' }, scenario, groups, layers, phone);
     const main = element('div', { class: 'contents', role: 'region', 'aria-label': 'Tools' },
       new LostBanner(store, actions).root, new NoticeBanner(store, actions).root, new EmptyPanel(store, actions).root,
-      hint, sheet, legend, this.readout.root, this.scale.root, this.chip.root);
+      hint, sheet, legend, this.readout.root, this.scale.root);
     this.page.append(header, main, this.live.root, new HelpDialog(store, actions, shortcuts).root, new Tooltip(document).root);
     this.top = [scenario, groups, layers, phone];
     this.bottom = sheet;

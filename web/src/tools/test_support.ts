@@ -1,0 +1,54 @@
+// What several tests of the tools need: a client that remembers, and contacts.
+
+import type { ClientMessage, ControlFrame, Frame, TouchEvent } from '../protocol/messages';
+import type { GroundPoint } from '../view/camera_types';
+import type { Contact } from './contact';
+
+export class FakeClient {
+  readonly sent: ClientMessage[] = [];
+
+  send(message: ClientMessage): void {
+    this.sent.push(message);
+  }
+
+  /** All touch events that were sent, in order. */
+  touches(): TouchEvent[] {
+    return this.sent.flatMap((message) => (message.type === 'Touches' ? message.events : []));
+  }
+
+  types(): string[] {
+    return this.sent.map((message) => message.type);
+  }
+}
+
+/** A metre on the ground is 100 px on this screen. */
+export function contactAt(x: number, y: number, more: Partial<Contact> = {}): Contact {
+  const screen = { x: x * 100, y: y * 100 };
+  return { pointer: 1, kind: 'touch', screen, ground: { x, y }, time: 0, button: 0, shift: false, alt: false, ...more };
+}
+
+export function controlFrame(id: number, kind: 0 | 1 | 2, at: readonly GroundPoint[], more: Partial<ControlFrame> = {}): ControlFrame {
+  const points = at.map(({ x, y }, i) => ({ touch: i + 1, down: false, x, y, path: new Float32Array() }));
+  return { id, kind, client: 1, pinned: false, open: false, points, supplementary: new Float32Array(), ...more };
+}
+
+/** A frame with one group, 5, that has these controls. */
+export function frameWith(step: number, controls: readonly ControlFrame[]): Frame {
+  const group = { id: 5, meshVersion: 1, lag: 0, vertices: new Float32Array(), places: new Float32Array(), fit: new Uint8Array(), controls };
+  return { type: 'Frame', step, groups: [group] } as unknown as Frame;
+}
+
+export class FakeScene {
+  readonly marks: [number, GroundPoint | null, number][] = [];
+  preview: readonly GroundPoint[] | null = null;
+
+  touchMark(id: number, world: GroundPoint | null, groupIndex: number): void {
+    this.marks.push([id, world, groupIndex]);
+  }
+  previewControl(_group: number, points: readonly GroundPoint[] | null): void {
+    this.preview = points && [...points];
+  }
+  pixelsPerMetre(): number {
+    return 100;
+  }
+}

@@ -1,0 +1,66 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { GroupMesh } from '../protocol/messages';
+import type { CameraControls } from '../view/camera_types';
+import { CameraGesture, OrbitGesture } from './camera_gesture';
+import { ControlDrag, Lasso, RubberBand } from './drawn_controls';
+import { FormationHitTest } from './formation_hit_test';
+import { HeldControls } from './held_controls';
+import { FakeClient, FakeScene, contactAt, controlFrame, frameWith } from './test_support';
+import { ToolChooser } from './tool_chooser';
+import { TouchEditor } from './touch_editor';
+import { TouchSender } from './touch_sender';
+
+const noCamera = {} as CameraControls;
+const camera = new CameraGesture(noCamera);
+const orbit = new OrbitGesture(noCamera);
+let client: FakeClient;
+let chooser: ToolChooser;
+
+beforeEach(() => {
+  client = new FakeClient();
+  const scene = new FakeScene();
+  const touches = new TouchSender(client);
+  const controls = new HeldControls(client, touches, () => 1);
+  const hitTest = new FormationHitTest();
+  const mesh = { type: 'GroupMesh', group: 5, version: 1, formation: 'square', triangles: new Uint32Array([0, 1, 2, 0, 2, 3]), boundary: new Uint32Array([4, 0, 1, 2, 3]) };
+  hitTest.setMesh(mesh as GroupMesh);
+  const frame = frameWith(1, [controlFrame(3, 0, [{ x: 1, y: 1 }], { pinned: true })]);
+  frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);
+  hitTest.setGroups(frame.groups);
+  chooser = new ToolChooser({ scene, hitTest, editor: new TouchEditor(touches, scene), camera, orbit, controls });
+  chooser.observe(frame);
+});
+
+describe('ToolChooser', () => {
+  it('lets fingers and pens edit on the formation and move the camera beside it', () => {
+    for (const kind of ['touch', 'pen'] as const) {
+      const owner = chooser.choose(contactAt(2, 3, { kind }));
+      owner.begin(contactAt(2, 3, { kind }));
+      expect(client.types()).toContain('Touches');
+      expect(chooser.choose(contactAt(8, 8, { kind }))).toBe(camera);
+    }
+  });
+  it('counts a rim within a fingertip as the formation', () => {
+    expect(chooser.choose(contactAt(4.25, 2))).not.toBe(camera);
+    expect(chooser.choose(contactAt(4.5, 2))).toBe(camera);
+  });
+  it('takes a pinned control up again', () => {
+    expect(chooser.choose(contactAt(1.1, 1))).toBeInstanceOf(ControlDrag);
+  });
+  it('draws with Shift and Alt, but not with fingers', () => {
+    expect(chooser.choose(contactAt(2, 3, { kind: 'mouse', shift: true }))).toBeInstanceOf(RubberBand);
+    expect(chooser.choose(contactAt(6, 3, { kind: 'mouse', shift: true }))).toBeInstanceOf(RubberBand);
+    expect(chooser.choose(contactAt(9, 3, { kind: 'mouse', shift: true }))).toBe(camera);
+    expect(chooser.choose(contactAt(9, 9, { kind: 'mouse', alt: true }))).toBeInstanceOf(Lasso);
+    expect(chooser.choose(contactAt(2, 3, { alt: true }))).not.toBeInstanceOf(Lasso);
+  });
+  it('gives buttons and Space to the camera, wherever they press', () => {
+    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 1 }))).toBe(camera);
+    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 2 }))).toBe(orbit);
+    chooser.panning = true;
+    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse' }))).toBe(camera);
+  });
+  it('moves the camera from above the horizon', () => {
+    expect(chooser.choose(contactAt(2, 2, { ground: null }))).toBe(camera);
+  });
+});
