@@ -1,0 +1,49 @@
+// A plan that is made again and again allocates nothing once warm.
+#include <doctest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "transport/plan_scene.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    std::abort();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+TEST_CASE("a warm plan allocates nothing") {
+    muster::Random random(12);
+    auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    muster_test::addWall(ground, {{-1, -6}, {1, 6}});
+    muster_test::addWall(ground, {{5, 5}, {8, 5.3}});
+    muster_test::addWall(ground, {{5, 5}, {5.3, 8}});
+    auto input = muster_test::randomInput(random, ground, 20, {{-7, -7}, {-2, 7}}, {{2, -7}, {7, 7}});
+    const auto plan = muster::makeExactPlan();
+    muster::ThreadPool pool(1);
+    muster::PlanResult result;
+    for (int k = 0; k < 8; ++k) {
+        for (auto& p : input.characters) p.x = -7.0 + 5.0 * ((k % 3) * 0.3 + 0.1);
+        const long before = allocations;
+        REQUIRE(plan->start({}, input.view()).ok());
+        plan->advance(0, 3, pool);
+        REQUIRE(plan->finish(pool, result).ok());
+        // Two generations, and three different positions of the crowd, until all has been seen.
+        if (k >= 6) CHECK(allocations == before);
+        CHECK(allocations > 0);
+    }
+}
