@@ -12,6 +12,7 @@ struct StudioOptions {
     std::string scenario;            ///< Loaded first; a name in the folder or a path; empty for the first one.
     std::string scenarioFolder;      ///< Where the picker's scenarios lie.
     std::string pageFolder;          ///< The built page.
+    std::string takesFolder = "takes";  ///< Where recordings are kept while they run; made when needed.
     int threads = 1;                 ///< Of the simulation; 0 takes what the machine has.
     bool openBrowser = false;        ///< Opens the page in the desktop's browser.
 };

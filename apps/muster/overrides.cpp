@@ -1,0 +1,36 @@
+#include "overrides.h"
+
+#include <cstdlib>
+
+namespace muster {
+
+void Overrides::addTo(CLI::App& command) {
+    command.add_option("--plan", plan, "Which plan: exact.")->check(CLI::IsMember({"exact"}));
+    command.add_option("--preset", preset, "Objective and period: muster or paper.")
+        ->check(CLI::IsMember({"muster", "paper"}));
+    command.add_option("--set", settings, "Sets a parameter, as name=value; may be repeated.")
+        ->allow_extra_args(false);
+}
+
+Status Overrides::apply(Parameters& parameters) const {
+    if (!preset.empty()) {
+        const Parameters ours = *parameterPreset("muster"), papers = *parameterPreset("paper");
+        const Parameters wanted = *parameterPreset(preset);
+        for (const ParameterInfo& info : parameterTable()) {
+            if (ours.*info.member != papers.*info.member) parameters.*info.member = wanted.*info.member;
+        }
+    }
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        const char* text = equals == std::string::npos ? "" : setting.c_str() + equals + 1;
+        char* end = nullptr;
+        const double value = std::strtod(text, &end);
+        if (end == text || *end != '\0') {
+            return invalidArgument("--set: found \"" + setting + "\", expected name=number");
+        }
+        if (Status s = setParameter(parameters, setting.substr(0, equals), value); !s.ok()) return s.within("--set");
+    }
+    return {};
+}
+
+}  // namespace muster

@@ -1,0 +1,24 @@
+// Changes of parameters from the command line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "muster/world/parameters.h"
+
+namespace muster {
+
+/// --plan, --preset and --set.
+struct Overrides {
+    std::string plan = "exact";
+    std::string preset;
+    std::vector<std::string> settings;  ///< "name=value".
+
+    /// Adds the options to a command.
+    void addTo(CLI::App& command);
+    /// Applies preset, then settings. Only what the presets differ in is set by one. Fails naming the culprit.
+    Status apply(Parameters& parameters) const;
+};
+
+}  // namespace muster

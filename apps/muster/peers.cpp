@@ -1,0 +1,175 @@
+// muster peers
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "muster/scenario/scenario.h"
+#include "overrides.h"
+#include "report.h"
+#include "runner.h"
+
+namespace muster {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::int32_t kLargestByDefault = 1000;
+
+struct PeersOptions {
+    std::string file;
+    std::string scene;
+    std::string trajectory;
+    Overrides overrides;
+    int threads = 1;
+    bool json = false;
+};
+
+/// A scene with the time it may take.
+struct Scene {
+    std::string name;
+    WorldDef def;
+    double limit = 120.0;  ///< [s]
+};
+
+bool readPoints(const Json& list, std::vector<Vec2>& points) {
+    if (!list.is_array()) return false;
+    for (const Json& p : list) {
+        if (!p.is_array() || p.size() < 2 || !p[0].is_number() || !p[1].is_number()) return false;
+        points.push_back({p[0].get<double>(), p[1].get<double>()});
+    }
+    return true;
+}
+
+bool readObstacles(const Json& scene, WorldDef& def) {
+    for (const Json& corners : scene.value("polygons_ccw", Json::array())) {
+        if (!readPoints(corners, def.obstacles.emplace_back().polygon)) return false;
+    }
+    for (const Json& circle : scene.value("circles", Json::array())) {
+        if (!circle.is_array() || circle.size() != 3 || !circle[0].is_number() || !circle[1].is_number() ||
+            !circle[2].is_number()) {
+            return false;
+        }
+        ObstacleDef& disc = def.obstacles.emplace_back();
+        disc.centre = {circle[0].get<double>(), circle[1].get<double>()};
+        disc.radius = circle[2].get<double>();
+    }
+    return true;
+}
+
+/// Explicit starts, slots as a formation that stands still: nothing may displace the slots.
+Result<Scene> readScene(const std::string& name, const Json& json, const PeersOptions& options) {
+    const auto bad = [&](const char* key, const char* expected) {
+        return Status(StatusCode::ParseError, options.file + ": $.scenes." + name + "." + key +
+                                                  ": found something else, expected " + expected);
+    };
+    Scene scene;
+    scene.name = name;
+    GroupDef group;
+    group.formation.kind = FormationKind::Points;
+    if (!json.is_object()) return bad("", "an object");
+    const Json box = json.value("world", Json());
+    if (!box.is_array() || box.size() != 4 || !std::all_of(box.begin(), box.end(), [](const Json& v) { return v.is_number(); })) {
+        return bad("world", "[x0, y0, x1, y1]");
+    }
+    scene.def.box = {{box[0].get<double>(), box[1].get<double>()}, {box[2].get<double>(), box[3].get<double>()}};
+    if (!readPoints(json.value("start", Json()), group.starts)) return bad("start", "points [x, y]");
+    if (!readPoints(json.value("slots", Json()), group.formation.points)) return bad("slots", "points [x, y]");
+    if (!readObstacles(json, scene.def)) return bad("polygons_ccw or circles", "corners [x, y] or [x, y, radius]");
+    if (!json.contains("T") || !json["T"].is_number()) return bad("T", "a number of seconds");
+    scene.limit = json["T"].get<double>();
+    group.count = static_cast<std::int32_t>(group.starts.size());
+    scene.def.name = name;
+    scene.def.groups.push_back(std::move(group));
+    scene.def.parameters.stepTime = 1.0 / 60.0;
+    scene.def.parameters.radius = 0.25;
+    scene.def.parameters.maxSpeed = 2.0;
+    scene.def.parameters.environmentField = 0.0;
+    if (Status s = options.overrides.apply(scene.def.parameters); !s.ok()) return s;
+    return scene;
+}
+
+Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
+    const auto text = readTextFile(options.file);
+    if (!text.ok()) return text.status();
+    const Json json = Json::parse(*text, nullptr, false);
+    if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_object()) {
+        return Status(StatusCode::ParseError, options.file + ": $.scenes: found none, expected an object of scenes");
+    }
+    std::vector<Scene> scenes;
+    for (const auto& [name, body] : json["scenes"].items()) {
+        if (!options.scene.empty() && name != options.scene) continue;
+        auto scene = readScene(name, body, options);
+        if (!scene.ok()) return scene.status();
+        if (options.scene.empty() && scene->def.groups[0].count > kLargestByDefault) {
+            std::fprintf(stderr, "muster: %s is left out: %d characters are too many for the exact plan; --scene %s runs it\n",
+                         name.c_str(), scene->def.groups[0].count, name.c_str());
+            continue;
+        }
+        scenes.push_back(std::move(scene).value());
+    }
+    if (!scenes.empty()) return scenes;
+    return Status(StatusCode::NotFound, options.file + ": $.scenes: found no scene \"" + options.scene + "\"");
+}
+
+void printRow(const Scene& scene, const RunFigures& f) {
+    const std::string missing = f.arrived100 < 0.0 && f.stuck > 0 ? " (" + std::to_string(f.stuck) + ")" : "";
+    const std::string times = timeText(f.arrived95) + "/" + timeText(f.arrived100) + missing;
+    std::printf("| %-9s | %6d | %-15s | %5d | %8d | %11.2f | %10.4f | %10s | %.2f / %.2f / %.2f |\n", scene.name.c_str(),
+                f.characters, times.c_str(), f.stuck, f.overlapPairsMax, 100.0 * f.worstPenetration,
+                f.swapsPerCharacterPerSecond, timeText(f.pathRatio).c_str(), f.stepP50, f.stepP95, f.stepMax);
+    std::fflush(stdout);
+}
+
+int peers(const PeersOptions& options) {
+    const auto scenes = readScenes(options);
+    if (!scenes.ok()) return reportFailure(scenes.status());
+    Json results = Json::array();
+    if (!options.json) {
+        std::printf("| scene     |      n | 95 %%/100 %% [s]  | stuck | overlaps | deepest [%%] | swaps/n/s  | path ratio | step ms p50/p95/max |\n"
+                    "|---|---|---|---|---|---|---|---|---|\n");
+    }
+    for (const Scene& scene : *scenes) {
+        RunDef run;
+        run.longest = scene.limit;
+        run.threads = options.threads;
+        run.trajectoryPath = options.trajectory;
+        run.appendScene = &scene != &scenes->front();
+        run.label = scene.name;
+        const auto figures = runWorld(scene.def, {}, run);
+        if (!figures.ok()) return reportFailure(figures.status().within(scene.name));
+        if (!options.json) printRow(scene, *figures);
+        Json entry = {{"scene", scene.name}};
+        const Json values = figuresJson(*figures);
+        for (auto item = values.begin(); item != values.end(); ++item) entry[item.key()] = *item;
+        results.push_back(std::move(entry));
+    }
+    if (options.json) printJsonValue(results);
+    return kExitOk;
+}
+
+}  // namespace
+
+void addPeersCommand(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("peers", "Runs scenes with explicit starts and slots, as other crowd engines do.");
+    auto options = std::make_shared<PeersOptions>();
+    command->add_option("SCENES", options->file, "JSON file: scenes by name, each with world, T, start, slots, "
+                                                 "polygons_ccw and circles.")
+        ->required();
+    command->add_option("--scene", options->scene, "Only this scene. Without it, scenes above 1,000 characters are left out.");
+    options->overrides.addTo(*command);
+    command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")->check(CLI::Range(0, 256));
+    command->add_option("--trajectory", options->trajectory,
+                        "Writes scene,t,id,x,y,place_x,place_y for every step into this CSV file.");
+    command->add_flag("--json", options->json, "One JSON array on standard output, an object per scene.");
+    command->footer(
+        "Radius 0.25 m, top speed 2 m/s, 60 steps a second; the potential field is off, since slots are fixed.\n"
+        "Times are until 95 % and 100 % stand within 0.5 m of their slots; (k) of them are stuck.\n"
+        "Examples:\n"
+        "  muster peers scenes.json\n"
+        "  muster peers scenes.json --scene S2-100 --json --trajectory s2.csv");
+    command->callback([options, &exitCode] { exitCode = peers(*options); });
+}
+
+}  // namespace muster

@@ -1,0 +1,111 @@
+// muster picture
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "muster/debug/picture.h"
+#include "muster/scenario/gestures.h"
+#include "muster/scenario/scenario.h"
+#include "muster/take/take.h"
+#include "overrides.h"
+#include "report.h"
+
+namespace muster {
+namespace {
+
+constexpr double kTrailPeriod = 0.2;  // [s]
+
+struct PictureOptions {
+    std::string source;
+    std::string gestures;
+    double at = 0.0;
+    std::string layers;
+    std::string output;
+    Overrides overrides;
+    PictureDef def;
+    bool json = false;
+};
+
+/// Scenario and commands of what is to be pictured.
+Status loadSource(const PictureOptions& options, WorldDef& def, std::vector<Command>& commands) {
+    const auto text = readTextFile(options.source, std::size_t{1} << 30);
+    if (!text.ok()) return text.status();
+    if (text->rfind("MUSTAKE", 0) == 0) {
+        auto take = readTake(options.source);
+        if (!take.ok()) return take.status();
+        def = std::move(take->def);
+        commands = std::move(take->commands);
+    } else {
+        auto loaded = loadScenario(options.source);
+        if (!loaded.ok()) return loaded.status();
+        def = std::move(loaded).value();
+    }
+    if (Status s = options.overrides.apply(def.parameters); !s.ok()) return s;
+    if (options.gestures.empty()) return {};
+    auto gestures = loadGestures(options.gestures, def.parameters.stepTime);
+    if (!gestures.ok()) return gestures.status();
+    commands = std::move(gestures).value();
+    return {};
+}
+
+void addTrail(const World& world, std::vector<std::vector<Vec2>>& trails) {
+    trails.resize(world.characters().size());
+    for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(world.characters().position[i]);
+}
+
+int picture(const PictureOptions& options) {
+    PictureDef picture = options.def;
+    const auto layers = parseLayers(options.layers);
+    if (!layers.ok()) return reportFailure(layers.status().within("--layers"));
+    picture.layers = *layers;
+    WorldDef def;
+    std::vector<Command> commands;
+    if (Status s = loadSource(options, def, commands); !s.ok()) return reportFailure(s);
+    auto world = World::create(def);
+    if (!world.ok()) return reportFailure(world.status().within(options.source));
+    for (const Command& command : commands) {
+        if (Status s = world->submit(command); !s.ok()) return reportFailure(s.within(options.source));
+    }
+    const auto steps = static_cast<std::uint32_t>(std::floor(options.at / def.parameters.stepTime + 0.5));
+    const auto every = static_cast<std::uint32_t>(std::max(1.0, std::floor(kTrailPeriod / def.parameters.stepTime)));
+    Progress progress("simulating");
+    addTrail(*world, picture.trails);
+    while (world->stepCount() < steps) {
+        world->step();
+        if (world->stepCount() % every == 0 || world->stepCount() == steps) addTrail(*world, picture.trails);
+        progress.show(static_cast<double>(world->stepCount()) / steps);
+    }
+    if (Status s = writePicture(*world, picture, options.output); !s.ok()) return reportFailure(s);
+    if (options.json) printJsonValue({{"picture", options.output}, {"t", world->time()}, {"width", picture.width}});
+    return kExitOk;
+}
+
+}  // namespace
+
+void addPictureCommand(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("picture", "Draws a moment of a scenario or take.");
+    auto options = std::make_shared<PictureOptions>();
+    command->add_option("SOURCE", options->source, "Scenario or take file.")->required();
+    command->add_option("-o,--output", options->output, "Picture to write: .png or .svg.")->required();
+    command->add_option("--at", options->at, "Moment [s].")->check(CLI::Range(0.0, 1e6));
+    command->add_option("--layers", options->layers,
+                        "Some of patches, field, cost, density, obstacles, mesh, places, paths, characters, separated by "
+                        "commas; without it all but field, cost and density.");
+    command->add_option("--gestures", options->gestures, "Touches to give to a scenario.");
+    options->overrides.addTo(*command);
+    command->add_option("--width", options->def.width, "Pixels across.")->check(CLI::Range(64, 8192));
+    command->add_option("--group", options->def.group, "Group (from 0) whose place the layer cost shows.");
+    command->add_option("--place", options->def.place, "Place (from 0) that the layer cost shows; without it that of the "
+                                                       "character with the longest way.");
+    command->add_flag("--dark", options->def.dark, "Colours for dark surroundings.");
+    command->add_flag("--json", options->json, "One JSON value on standard output.");
+    command->footer(
+        "Examples:\n"
+        "  muster picture scenarios/woodland.json --gestures scenarios/gestures/woodland.json --at 12 -o woodland.png\n"
+        "  muster picture scenarios/block.json --layers cost,obstacles,characters -o block.svg");
+    command->callback([options, &exitCode] { exitCode = picture(*options); });
+}
+
+}  // namespace muster

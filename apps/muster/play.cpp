@@ -1,0 +1,69 @@
+// muster play
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "muster/scenario/gestures.h"
+#include "muster/scenario/scenario.h"
+#include "overrides.h"
+#include "report.h"
+#include "runner.h"
+
+namespace muster {
+namespace {
+
+struct PlayOptions {
+    std::string scenario;
+    std::string gestures;
+    Overrides overrides;
+    RunDef run;
+    bool json = false;
+};
+
+int play(const PlayOptions& options) {
+    auto def = loadScenario(options.scenario);
+    if (!def.ok()) return reportFailure(def.status());
+    if (Status s = options.overrides.apply(def->parameters); !s.ok()) return reportFailure(s);
+    std::vector<Command> commands;
+    if (!options.gestures.empty()) {
+        auto loaded = loadGestures(options.gestures, def->parameters.stepTime);
+        if (!loaded.ok()) return reportFailure(loaded.status());
+        commands = std::move(loaded).value();
+    }
+    const auto figures = runWorld(*def, commands, options.run);
+    if (!figures.ok()) return reportFailure(figures.status());
+    if (options.json) {
+        printJsonValue(figuresJson(*figures));
+    } else {
+        printFigures(*figures);
+    }
+    return kExitOk;
+}
+
+}  // namespace
+
+void addPlayCommand(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("play", "Simulates a scenario without a window and reports figures.");
+    auto options = std::make_shared<PlayOptions>();
+    command->add_option("SCENARIO", options->scenario, "Scenario file.")->required();
+    command->add_option("--gestures", options->gestures, "Touches to give, as JSON; without it nobody touches.");
+    command->add_option("--seconds", options->run.seconds,
+                        "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
+                        "command.")
+        ->check(CLI::Range(0.0, 1e6));
+    options->overrides.addTo(*command);
+    command->add_option("--threads", options->run.threads, "Threads; 0 takes what the machine has. Results are the same.")
+        ->check(CLI::Range(0, 256));
+    command->add_option("--take", options->run.takePath, "Records a take into this file.");
+    command->add_option("--trajectory", options->run.trajectoryPath,
+                        "Writes t,id,x,y,place_x,place_y for every step into this CSV file.");
+    command->add_flag("--json", options->json, "One JSON value on standard output.");
+    command->footer(
+        "Examples:\n"
+        "  muster play scenarios/block.json --gestures scenarios/gestures/block.json\n"
+        "  muster play scenarios/open.json --seconds 10 --set character.maxSpeed=1.5 --json\n"
+        "  muster play scenarios/cars.json --gestures scenarios/gestures/cars.json --take cars.take");
+    command->callback([options, &exitCode] { exitCode = play(*options); });
+}
+
+}  // namespace muster

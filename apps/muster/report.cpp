@@ -1,0 +1,91 @@
+#include "report.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "commands.h"
+#include "muster/base/hash.h"
+
+namespace muster {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json orNull(double value) {
+    return value < 0.0 ? Json(nullptr) : Json(value);
+}
+
+}  // namespace
+
+Json figuresJson(const RunFigures& f) {
+    Json stages = Json::object();
+    for (std::size_t s = 0; s < f.stageMean.size(); ++s) stages[stageName(static_cast<Stage>(s))] = f.stageMean[s];
+    return {{"characters", f.characters},
+            {"steps", f.steps},
+            {"hash", toHex(f.hash)},
+            {"arrived95_s", orNull(f.arrived95)},
+            {"arrived100_s", orNull(f.arrived100)},
+            {"stuck", f.stuck},
+            {"path_ratio", orNull(f.pathRatio)},
+            {"overlap_pairs_max", f.overlapPairsMax},
+            {"worst_penetration_pct", 100.0 * f.worstPenetration},
+            {"swaps_per_character_per_s", f.swapsPerCharacterPerSecond},
+            {"lag_p95_m", f.lagP95},
+            {"unmatched", f.unmatched},
+            {"collected", f.collected},
+            {"step_ms", {{"p50", f.stepP50}, {"p95", f.stepP95}, {"max", f.stepMax}, {"stages", stages}}}};
+}
+
+std::string timeText(double seconds) {
+    if (seconds < 0.0) return "-";
+    char buffer[32];
+    std::snprintf(buffer, sizeof(buffer), "%.2f", seconds);
+    return buffer;
+}
+
+void printFigures(const RunFigures& f) {
+    std::printf("characters                 %d\n", f.characters);
+    std::printf("steps                      %u\n", f.steps);
+    std::printf("hash                       %s\n", toHex(f.hash).c_str());
+    std::printf("arrived95_s                %s\n", timeText(f.arrived95).c_str());
+    std::printf("arrived100_s               %s\n", timeText(f.arrived100).c_str());
+    std::printf("stuck                      %d\n", f.stuck);
+    std::printf("path_ratio                 %s\n", timeText(f.pathRatio).c_str());
+    std::printf("overlap_pairs_max          %d\n", f.overlapPairsMax);
+    std::printf("worst_penetration_pct      %.2f\n", 100.0 * f.worstPenetration);
+    std::printf("swaps_per_character_per_s  %.4f\n", f.swapsPerCharacterPerSecond);
+    std::printf("lag_p95_m                  %.3f\n", f.lagP95);
+    std::printf("unmatched                  %d\n", f.unmatched);
+    std::printf("collected                  %d\n", f.collected);
+    std::printf("step_ms                    p50 %.2f  p95 %.2f  max %.2f\n", f.stepP50, f.stepP95, f.stepMax);
+    for (std::size_t s = 0; s < f.stageMean.size(); ++s) {
+        std::printf("  %-24s mean %.3f\n", stageName(static_cast<Stage>(s)), f.stageMean[s]);
+    }
+}
+
+void printJsonValue(const Json& value) {
+    std::printf("%s\n", value.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+int reportFailure(const Status& status) {
+    std::fprintf(stderr, "muster: %s\n", status.message().c_str());
+    return kExitFailure;
+}
+
+Progress::Progress(std::string what) : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+    if (shown_) std::fprintf(stderr, "\r\033[K");
+}
+
+void Progress::show(double share) {
+    const double now = watch_.milliseconds();
+    if (!terminal_ || now < 1000.0 || now - last_ < 250.0) return;
+    last_ = now;
+    shown_ = true;
+    std::fprintf(stderr, "\r\033[K%s %3.0f %%", what_.c_str(), 100.0 * share);
+}
+
+}  // namespace muster

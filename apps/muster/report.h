@@ -1,0 +1,43 @@
+// Figures and messages of the commands, for people and as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "muster/base/status.h"
+#include "muster/base/stopwatch.h"
+#include "muster/world/metrics.h"
+
+namespace muster {
+
+/// The figures by the names that docs/scenario-format.md and `muster play --help` list; unreached times are null.
+nlohmann::ordered_json figuresJson(const RunFigures& figures);
+/// The same as lines of text on standard output.
+void printFigures(const RunFigures& figures);
+/// "12.3", or "-" below zero.
+std::string timeText(double seconds);
+/// One JSON value on standard output.
+void printJsonValue(const nlohmann::ordered_json& value);
+/// One sentence on standard error; returns kExitFailure.
+int reportFailure(const Status& status);
+
+/// A line on standard error that is rewritten as long work goes on; silent where standard error is no terminal.
+class Progress {
+public:
+    /// `what` stands before the percentage.
+    explicit Progress(std::string what);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    /// Shows the share that is done, at most a few times a second and not within the first second.
+    void show(double share);
+
+private:
+    std::string what_;
+    double last_ = 0.0;
+    bool shown_ = false;
+    bool terminal_ = false;
+    Stopwatch watch_;
+};
+
+}  // namespace muster

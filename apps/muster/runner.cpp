@@ -1,0 +1,100 @@
+#include "runner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "muster/take/take.h"
+#include "report.h"
+#include "trajectory.h"
+
+namespace muster {
+namespace {
+
+/// True where nothing is left to do: no control still moves, places stand, and all have arrived.
+bool settled(const World& world, const RunMetrics& metrics) {
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        const GroupView group = world.group(g);
+        for (const Control& control : group.controls->controls()) {
+            for (const ControlPoint& point : control.points) {
+                if (!point.path.empty() || (!point.down && !control.pinned)) return false;
+            }
+        }
+        for (Vec2 v : group.places->velocities()) {
+            if (length(v) > 0.01) return false;
+        }
+    }
+    return metrics.figures(world, false).arrived100 >= 0.0;
+}
+
+/// What is written while a world runs.
+struct Recorders {
+    std::optional<TakeWriter> take;
+    std::optional<TrajectoryWriter> trajectory;
+
+    Status open(const WorldDef& def, const RunDef& run) {
+        if (!run.takePath.empty()) {
+            auto writer = TakeWriter::create(run.takePath, def);
+            if (!writer.ok()) return writer.status();
+            take.emplace(std::move(writer).value());
+        }
+        if (!run.trajectoryPath.empty()) {
+            auto writer = TrajectoryWriter::create(run.trajectoryPath, run.label,
+                                                   run.appendScene);
+            if (!writer.ok()) return writer.status();
+            trajectory.emplace(std::move(writer).value());
+        }
+        return {};
+    }
+    Status observe(const World& world) {
+        if (trajectory) trajectory->add(world);
+        return take && world.stepCount() > 0 ? take->observe(world) : Status();
+    }
+    Status finish(const World& world) {
+        if (take) {
+            if (Status s = take->finish(world); !s.ok()) return s;
+        }
+        return trajectory ? trajectory->close() : Status();
+    }
+};
+
+}  // namespace
+
+Result<RunFigures> runWorld(const WorldDef& def, const std::vector<Command>& commands, const RunDef& run) {
+    auto world = World::create(def, run.threads);
+    if (!world.ok()) return world.status();
+    Recorders recorders;
+    if (Status s = recorders.open(def, run); !s.ok()) return s;
+    std::uint32_t lastCommand = 0;
+    for (const Command& command : commands) {
+        if (Status s = world->submit(command); !s.ok()) return s;
+        if (recorders.take) {
+            if (Status s = recorders.take->command(command); !s.ok()) return s;
+        }
+        lastCommand = std::max(lastCommand, command.step);
+    }
+    const double stepTime = def.parameters.stepTime;
+    const bool open = run.seconds < 0.0;
+    const double wanted = open ? lastCommand * stepTime + run.longest : run.seconds;
+    const auto steps = static_cast<std::uint32_t>(std::floor(wanted / stepTime + 0.5));
+    const auto second = static_cast<std::uint32_t>(std::ceil(1.0 / stepTime));
+    RunMetrics metrics(*world);
+    Progress progress(run.label.empty() ? "simulating" : run.label);
+    if (Status s = recorders.observe(*world); !s.ok()) return s;
+    while (world->stepCount() < steps) {
+        world->step();
+        metrics.observe(*world);
+        if (Status s = recorders.observe(*world); !s.ok()) return s;
+        for (const Rejection& rejection : world->rejections()) {
+            std::fprintf(stderr, "muster: step %u: %s was refused: %s\n", rejection.command.step,
+                         commandName(rejection.command), rejection.status.message().c_str());
+        }
+        progress.show(static_cast<double>(world->stepCount()) / steps);
+        const bool due = open && world->stepCount() > lastCommand + 2 * second && world->stepCount() % (second / 2) == 0;
+        if (due && settled(*world, metrics)) break;
+    }
+    if (Status s = recorders.finish(*world); !s.ok()) return s;
+    return metrics.figures(*world);
+}
+
+}  // namespace muster

@@ -1,0 +1,26 @@
+// Runs a world to its end, with what is to be watched and recorded.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "muster/base/status.h"
+#include "muster/world/metrics.h"
+
+namespace muster {
+
+/// How a run goes.
+struct RunDef {
+    double seconds = -1.0;       ///< Simulated [s]; negative: until all have arrived and stand, at most `longest`.
+    double longest = 120.0;      ///< After the last command [s].
+    std::int32_t threads = 1;    ///< As for World.
+    std::string takePath;        ///< Where the take goes; empty for none.
+    std::string trajectoryPath;  ///< Where the CSV goes; empty for none.
+    bool appendScene = false;    ///< The CSV goes on, with a first column `scene`.
+    std::string label;           ///< Shown with the progress; the `scene` of the CSV.
+};
+
+/// Simulates and reports. Commands are submitted before the first step.
+Result<RunFigures> runWorld(const WorldDef& def, const std::vector<Command>& commands, const RunDef& run);
+
+}  // namespace muster

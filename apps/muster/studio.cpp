@@ -1,0 +1,52 @@
+// muster studio
+#include "studio.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+
+namespace muster {
+namespace {
+
+/// The first of these folders that exists, looked for from here and from the program's place; else the first.
+std::string findFolder(const std::vector<std::string>& names) {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    for (const std::string& name : names) {
+        for (const std::filesystem::path& base : {std::filesystem::path("."), program, program / "../.."}) {
+            if (std::filesystem::is_directory(base / name, error)) return (base / name).lexically_normal().string();
+        }
+    }
+    return names.front();
+}
+
+}  // namespace
+
+void addStudioCommand(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("studio", "Serves the studio: steer a crowd in your browser.");
+    auto options = std::make_shared<StudioOptions>();
+    command->add_option("SCENARIO", options->scenario, "Loaded first: a name of the folder or a file.");
+    command->add_option("--port", options->port, "Port; the next free one where it is in use.")->check(CLI::Range(1, 65535));
+    command->add_option("--scenarios", options->scenarioFolder, "Folder of the picker's scenarios.")
+        ->check(CLI::ExistingDirectory);
+    command->add_option("--page", options->pageFolder, "Folder of the built page.")->check(CLI::ExistingDirectory);
+    command->add_option("--threads", options->threads, "Threads of the simulation; 0 takes what the machine has.")
+        ->check(CLI::Range(0, 256));
+    command->add_flag("--open", options->openBrowser, "Opens the page in the desktop's browser.");
+    command->footer(
+        "Only this machine can connect. Ctrl+C ends it.\n"
+        "Examples:\n"
+        "  muster studio\n"
+        "  muster studio woodland --port 9000 --open");
+    command->callback([options, &exitCode] {
+        if (options->scenarioFolder.empty()) {
+            options->scenarioFolder = findFolder({"scenarios", "../share/muster/scenarios"});
+        }
+        if (options->pageFolder.empty()) options->pageFolder = findFolder({"web/dist", "../share/muster/web"});
+        exitCode = runStudio(*options);
+    });
+}
+
+}  // namespace muster

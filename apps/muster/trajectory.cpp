@@ -1,0 +1,34 @@
+#include "trajectory.h"
+
+namespace muster {
+
+Result<TrajectoryWriter> TrajectoryWriter::create(const std::string& path, const std::string& scene, bool append) {
+    std::FILE* file = std::fopen(path.c_str(), append ? "ab" : "wb");
+    if (file == nullptr) return Status(StatusCode::IoError, path + ": cannot be written");
+    TrajectoryWriter writer(file, path, scene.empty() ? "" : scene + ",");
+    if (!append) std::fprintf(file, "%st,id,x,y,place_x,place_y\n", scene.empty() ? "" : "scene,");
+    return writer;
+}
+
+void TrajectoryWriter::add(const World& world) {
+    const Characters& characters = world.characters();
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const Vec2 p = characters.position[i];
+        const auto& places = world.group(characters.group[i]).places->positions();
+        const auto place = static_cast<std::size_t>(characters.place[i]);
+        std::fprintf(file_.get(), "%s%.9g,%u,%.9g,%.9g,", prefix_.c_str(), world.time(), characters.id[i], p.x, p.y);
+        if (characters.place[i] >= 0 && place < places.size()) {
+            std::fprintf(file_.get(), "%.9g,%.9g\n", places[place].x, places[place].y);
+        } else {
+            std::fprintf(file_.get(), ",\n");
+        }
+    }
+}
+
+Status TrajectoryWriter::close() {
+    const bool good = std::ferror(file_.get()) == 0;
+    const bool closed = std::fclose(file_.release()) == 0;
+    return good && closed ? Status() : Status(StatusCode::IoError, path_ + ": cannot be written in full");
+}
+
+}  // namespace muster
