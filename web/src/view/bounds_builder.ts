@@ -1,24 +1,28 @@
-// The box round scattered points, with some room about them.
+// Scattered points thinned to those that bound a view, with some room about them.
 
 import type { GroundPoint } from './camera_types';
 import type { Numbers } from './frame_types';
 
-/** Room about the points: a part of their extent, and at least so much [m]. */
-const kRoomPart = 0.12;
-const kRoomLeast = 2.5;
+/** Room about every point [m]. */
+const kRoom = 1;
+/** A view of a small crowd still spans this much [m]. */
+const kSpanLeast = 14;
+/** Directions in which the farthest point is kept. */
+const kDirections = 24;
 
 export class BoundsBuilder {
-  private minX_ = Infinity;
-  private minY_ = Infinity;
-  private maxX_ = -Infinity;
-  private maxY_ = -Infinity;
+  private readonly far_: GroundPoint[] = [];
+  private readonly reach_ = new Float64Array(kDirections).fill(-Infinity);
 
   add(x: number, y: number): void {
     if (!Number.isFinite(x) || !Number.isFinite(y)) return;
-    this.minX_ = Math.min(this.minX_, x);
-    this.minY_ = Math.min(this.minY_, y);
-    this.maxX_ = Math.max(this.maxX_, x);
-    this.maxY_ = Math.max(this.maxY_, y);
+    for (let i = 0; i < kDirections; ++i) {
+      const angle = (2 * Math.PI * i) / kDirections;
+      const reach = x * Math.cos(angle) + y * Math.sin(angle);
+      if (reach <= (this.reach_[i] ?? 0)) continue;
+      this.reach_[i] = reach;
+      this.far_[i] = { x: x + kRoom * Math.cos(angle), y: y + kRoom * Math.sin(angle) };
+    }
   }
 
   /** x, y pairs. */
@@ -26,13 +30,17 @@ export class BoundsBuilder {
     for (let i = 0; i + 1 < points.length; i += 2) this.add(points[i] ?? 0, points[i + 1] ?? 0);
   }
 
-  /** Four corners; none where nothing was added. */
-  corners(): GroundPoint[] {
-    if (this.minX_ > this.maxX_) return [];
-    const roomX = Math.max(kRoomLeast, kRoomPart * (this.maxX_ - this.minX_));
-    const roomY = Math.max(kRoomLeast, kRoomPart * (this.maxY_ - this.minY_));
-    const [left, right] = [this.minX_ - roomX, this.maxX_ + roomX];
-    const [low, high] = [this.minY_ - roomY, this.maxY_ + roomY];
-    return [{ x: left, y: low }, { x: right, y: low }, { x: right, y: high }, { x: left, y: high }];
+  /** Points whose outline holds all that was added; none where nothing was. */
+  outline(): GroundPoint[] {
+    if (this.far_.length === 0) return [];
+    const points = [...this.far_];
+    const xs = points.map((point) => point.x);
+    const ys = points.map((point) => point.y);
+    const middle = { x: (Math.min(...xs) + Math.max(...xs)) / 2, y: (Math.min(...ys) + Math.max(...ys)) / 2 };
+    const half = kSpanLeast / 2;
+    for (const [u, v] of [[-1, 0], [1, 0], [0, -1], [0, 1]] as const) {
+      points.push({ x: middle.x + u * half, y: middle.y + v * half });
+    }
+    return points;
   }
 }

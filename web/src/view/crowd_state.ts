@@ -20,7 +20,7 @@ const kUpright: Pose = { prone: 0, crouch: 0, lift: 0, reach: 0 };
 const kPoses: Readonly<Record<string, Pose>> = {
   duck: { prone: 0.38, crouch: 0.75, lift: 0, reach: 0 },
   crawl: { prone: 0.95, crouch: 1, lift: 0, reach: 0.25 },
-  swim: { prone: 1, crouch: 0, lift: -0.62, reach: 1 },
+  swim: { prone: 1, crouch: 0, lift: -0.8, reach: 1 },
   jump: { prone: 0.05, crouch: 0.45, lift: 0.55, reach: 0.35 },
   climb: { prone: 0.1, crouch: 0.3, lift: 0.9, reach: 0.8 },
 };

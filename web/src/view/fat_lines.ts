@@ -86,7 +86,7 @@ export class FatLines {
       depthFunc: def.behind ? GreaterDepth : LessEqualDepth,
       uniforms: {
         uSize: { value: new Vector2(1, 1) }, uWidth: { value: def.width }, uDash: { value: def.dash ?? 0 },
-        uFade: { value: 1 }, uLift: { value: def.behind ? 0 : 2e-5 },
+        uFade: { value: 1 }, uLift: { value: def.behind ? 0 : 8e-5 },
       },
     });
     const geometry = new InstancedBufferGeometry();

@@ -87,7 +87,7 @@ function coarse(tube: Tube): Tube {
   const last = tube.rings.length - 1;
   for (let i = 0; i <= last; ++i) {
     const change = i > 0 && i < last && stuffAt(i) !== stuffAt(i - 1);
-    if (i === 1 || i === last - 1 || change || (i === 3 && last > 7)) keep.push(i);
+    if (i === 0 || i >= last - 1 || change || (i === 2 && last < 7) || (i === 3 && last > 7)) keep.push(i);
   }
   return { ...tube, rings: keep.map((i) => tube.rings[i] as Ring), stuffs: keep.map(stuffAt) };
 }
@@ -116,7 +116,10 @@ class FigureBuilder {
 
   private ring(tube: Tube, index: number, sides: number, stuff: number): number {
     const first = this.positions.length / 3;
-    const [z, x, halfX, halfY] = tube.rings[index] as Ring;
+    const [z, x, wideX, wideY] = tube.rings[index] as Ring;
+    // Ends are drawn to a point: no tube stands open.
+    const end = index === 0 || index === tube.rings.length - 1 ? 0.001 : 1;
+    const [halfX, halfY] = [wideX * end, wideY * end];
     const before = tube.rings[Math.max(0, index - 1)] as Ring;
     const after = tube.rings[Math.min(tube.rings.length - 1, index + 1)] as Ring;
     const rise = after[0] - before[0];

@@ -87,6 +87,6 @@ void colourFigure() {
   else if (stuff > 2.5) colour = uHairs[hair];
   else if (stuff > 1.5) colour = uSkins[skin];
   else if (stuff > 0.5) colour = mix(aShirt * 0.16, vec3(0.012, 0.016, 0.026), 0.55);
-  vFigure = mix(colour, mix(uGreyTint, vec3(dot(colour, vec3(0.3, 0.6, 0.1))), 0.35), uGreyed * (1.0 - chosen));
+  vFigure = mix(colour, mix(uGreyTint * 1.35, vec3(dot(colour, vec3(0.3, 0.6, 0.1))), 0.12), uGreyed * (1.0 - chosen));
 }
 `;

@@ -43,22 +43,22 @@ export interface Palette {
 }
 
 const kLight: Palette = {
-  ground: '#E6E1D9', groundOutside: '#DAD5CC', lineFine: '#DAD4CA', lineCoarse: '#C9C2B7', edge: '#A39C90',
+  ground: '#E6E1D9', groundOutside: '#DAD5CC', lineFine: '#DDD7CE', lineCoarse: '#CCC6BC', edge: '#A39C90',
   shadowKeeps: 0.7, panel: '#FFFFFF', ink: '#171B20', ink2: '#545C66', casing: '#FFFFFF', onAccent: '#FFFFFF',
   water: '#A8CFDA', waterLine: '#2F7896', coping: '#D9D1C2', netFloor: '#E2D2AB', net: '#6A5A36',
-  brick: '#B79A7E', brickLine: '#7A604A', plainFloor: '#D8D2C6', obstacleEdge: '#777166',
-  roof: '#EDE8DF', roofHatch: '#D3CDC1', wall: '#D8D1C4', crown: '#9DBB8B', trunk: '#8A6D52', stone: '#E4DED2',
-  item: '#E9B93A', carBodies: ['#5B6B7D', '#B5523F', '#D9D5CC', '#3F6B62'], glass: '#2B3640', grey: '#A9A6A2',
+  brick: '#D3B899', brickLine: '#7A604A', plainFloor: '#D8D2C6', obstacleEdge: '#777166',
+  roof: '#EDE8DF', roofHatch: '#DAD4C9', wall: '#DDD6CA', crown: '#9DBB8B', trunk: '#8A6D52', stone: '#E4DED2',
+  item: '#E9B93A', carBodies: ['#C4BEB3', '#B5523F', '#7F93A8', '#5F8A7F'], glass: '#2B3640', grey: '#B4B0AC',
   accents: ['#1D5FD1', '#CB4A0E', '#016553', '#87598B', '#624A02', '#313C4B'],
-  ramp: ['#F5F3C9', '#A1D1A3', '#4BA9A0', '#3A758F', '#3B4564'], sun: 2.15, sky: 1.35,
+  ramp: ['#F5F3C9', '#A1D1A3', '#4BA9A0', '#3A758F', '#3B4564'], sun: 1.95, sky: 1.6,
 };
 
 const kDark: Palette = {
   ground: '#21262C', groundOutside: '#1B2025', lineFine: '#292F35', lineCoarse: '#353C43', edge: '#56606A',
   shadowKeeps: 0.6, panel: '#1F2429', ink: '#EEF1F4', ink2: '#B1B9C2', casing: '#0E1114', onAccent: '#0E1114',
   water: '#1D4A5C', waterLine: '#6FB6D2', coping: '#3A4148', netFloor: '#3E3829', net: '#C9B67F',
-  brick: '#7C6650', brickLine: '#B99C82', plainFloor: '#2B3138', obstacleEdge: '#6C7884',
-  roof: '#3F4750', roofHatch: '#4C555F', wall: '#343B43', crown: '#4C6644', trunk: '#5E4A39', stone: '#4A525B',
+  brick: '#957A5F', brickLine: '#B99C82', plainFloor: '#2B3138', obstacleEdge: '#6C7884',
+  roof: '#3F4750', roofHatch: '#475059', wall: '#343B43', crown: '#4C6644', trunk: '#5E4A39', stone: '#4A525B',
   item: '#F0C654', carBodies: ['#5D7389', '#A9553F', '#7D858E', '#3F7468'], glass: '#10151A', grey: '#6C737B',
   accents: ['#74A9FF', '#FF8A4C', '#90FBC9', '#AC6BAA', '#FBE24F', '#B7BCC2'],
   ramp: ['#D6D4AA', '#82B185', '#238881', '#17566E', '#1E2744'], sun: 1.9, sky: 1.5,

@@ -170,7 +170,7 @@ function addWall(parts: PatchParts, outline: readonly Point2[], palette: Palette
   };
   const course = 0.25;
   for (const side of [-1, 1]) {
-    const v = side * (thick + 0.004);
+    const v = side * (thick + 0.012);
     for (let row = 1; row <= high / course; ++row) {
       stroke(at(-reach, v), row * course, at(reach, v), row * course, row * course >= high - 1e-6 ? 0.9 : 0.6);
       const shift = row % 2 === 0 ? 0 : 0.25;

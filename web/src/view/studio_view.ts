@@ -33,6 +33,8 @@ export interface ViewStats {
   frameMs: number;
   /** Frames rendered. */
   frames: number;
+  /** Number of the newest server frame that the last picture shows, wholly or in part; 0 before the first. */
+  shownFrame: number;
 }
 
 /** The contract; tools and panels hold no more than this. */
@@ -89,7 +91,7 @@ const kNoFrame: readonly MovingView[] = [];
 /** Draws the world between its last two frames, once per display frame. */
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
-  readonly stats: ViewStats = { drawCalls: 0, triangles: 0, frameMs: 0, frames: 0 };
+  readonly stats: ViewStats = { drawCalls: 0, triangles: 0, frameMs: 0, frames: 0, shownFrame: 0 };
   private readonly stage_: Stage;
   private readonly marks_ = new ControlMarks();
   private readonly markLayer_: MarkLayer;
@@ -177,6 +179,7 @@ export class StudioView implements StudioScene {
     this.contours_ = shown && picture && shown.kind === 2
       ? contourLabels(shown, picture.scale, this.camera.pose.turn + 2.75) : [];
     this.stage_.setField(picture);
+    this.stage_.world.floorsVisible = picture === null;
     this.membersStale_ ||= changed;
     this.wake();
   }
@@ -298,6 +301,7 @@ export class StudioView implements StudioScene {
     this.show(now);
     this.stats.frameMs = performance.now() - start;
     this.stats.frames += 1;
+    if (blend) this.stats.shownFrame = blend.to.frame;
   }
 
   /** False where the next picture would be the last one again. */
@@ -355,7 +359,7 @@ export class StudioView implements StudioScene {
     this.camera.fit(points, this.padding_);
   }
 
-  /** Corners round crowd, places and paths, with room about them. */
+  /** Points round crowd, places and paths. */
   private crowdPoints(): GroundPoint[] {
     const box = new BoundsBuilder();
     for (let i = 0; i < this.crowd_.count; ++i) {
@@ -365,7 +369,7 @@ export class StudioView implements StudioScene {
       box.addAll(group.places);
       for (const control of group.controls) for (const point of control.points) box.addAll(point.path);
     }
-    return box.corners();
+    return box.outline();
   }
 }
 

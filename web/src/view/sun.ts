@@ -13,7 +13,7 @@ const kMapSize = 2048;
 export class Sun {
   readonly group = new Group();
   private readonly sun_ = new DirectionalLight('#FFF9EE', 2.2);
-  private readonly sky_ = new HemisphereLight('#FFFFFF', '#C8BFB2', 1.3);
+  private readonly sky_ = new HemisphereLight('#FFFFFF', '#D2CABF', 1.3);
   private readonly toSun_ = new Vector3(
     Math.cos(kElevation) * Math.cos(kAzimuth), Math.cos(kElevation) * Math.sin(kAzimuth), Math.sin(kElevation));
 

@@ -17,6 +17,9 @@ export interface Tag {
   readonly opacity?: number;
 }
 
+/** Half the height of a tag [CSS px]; view.css agrees. */
+const kHalfHeight = 13;
+
 const kSvg = 'http://www.w3.org/2000/svg';
 
 export class TagLayer {
@@ -40,8 +43,11 @@ export class TagLayer {
         element = this.make(tag);
         this.elements_.set(tag.key, element);
         this.root_.append(element);
+        element.dataset['half'] = String(element.offsetWidth / 2);
       }
-      element.style.transform = `translate(${tag.at.x.toFixed(1)}px, ${tag.at.y.toFixed(1)}px) translate(-50%, -50%)`;
+      // Whole px keep the letters sharp.
+      const left = Math.round(tag.at.x - Number(element.dataset['half']));
+      element.style.transform = `translate(${left}px, ${Math.round(tag.at.y - kHalfHeight)}px)`;
       element.style.opacity = String(tag.opacity ?? 1);
       if (tag.fill) element.style.background = tag.fill;
       if (tag.ink) element.style.color = tag.ink;

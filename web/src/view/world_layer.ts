@@ -59,6 +59,11 @@ export class WorldLayer {
     for (const lines of this.lines_) lines.setSize(width, height, ratio);
   }
 
+  /** Floors of patches give way to a field painted on the ground. */
+  set floorsVisible(visible: boolean) {
+    this.floor_.visible = visible;
+  }
+
   /** Places what moves, between two frames. */
   move(from: readonly MovingView[], to: readonly MovingView[], alpha: number): void {
     to.forEach((one, i) => {

@@ -24,8 +24,9 @@ if (query.get('overlay') === 'cost') view.setOverlay(madeUpCost());
 let frame = 0;
 const timer = setInterval(() => {
   ++frame;
-  const time = Math.min(stopAt, frame / 30);
+  const time = query.has('run') ? stopAt + 0.5 * Math.sin(frame / 20) : Math.min(stopAt, frame / 30);
   const made = madeUpFrame(frame, time, count);
+  if (query.has('near') && frame === 20) view.camera.zoomAt({ x: Number(query.get('x') ?? innerWidth / 2), y: Number(query.get('y') ?? innerHeight / 2) }, Number(query.get('near')));
   view.pushFrame(made, performance.now());
   for (const group of made.groups) {
     for (const control of group.controls) {
@@ -36,6 +37,7 @@ const timer = setInterval(() => {
       }
     }
   }
+  if (query.has('run')) return;
   if (query.has('still') && time >= stopAt) clearInterval(timer);
 }, 1000 / 30);
 
