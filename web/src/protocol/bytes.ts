@@ -88,16 +88,20 @@ export class ByteWriter {
   private size = 0;
 
   u8(value: number): void {
-    this.view.setUint8(this.reserve(1), value);
+    const at = this.reserve(1);
+    this.view.setUint8(at, value);
   }
   u32(value: number): void {
-    this.view.setUint32(this.reserve(4), value, true);
+    const at = this.reserve(4);
+    this.view.setUint32(at, value, true);
   }
   f32(value: number): void {
-    this.view.setFloat32(this.reserve(4), value, true);
+    const at = this.reserve(4);
+    this.view.setFloat32(at, value, true);
   }
   f64(value: number): void {
-    this.view.setFloat64(this.reserve(8), value, true);
+    const at = this.reserve(8);
+    this.view.setFloat64(at, value, true);
   }
   bool(value: boolean): void {
     this.u8(value ? 1 : 0);
@@ -132,6 +136,7 @@ export class ByteWriter {
     const from = this.reserve(values.byteLength);
     new Uint8Array(this.buffer, from).set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength));
   }
+  /** May exchange the view: call it before reading `this.view`. */
   private reserve(size: number): number {
     const from = this.size;
     this.size += size;
