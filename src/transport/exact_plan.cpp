@@ -35,7 +35,7 @@ Status ExactPlan::finish(ThreadPool& pool, PlanResult& result) {
     if (!pending()) return invalidArgument("no plan is under way");
     pending_.solve(pending_.places(), pool, workers_);
     if (pending_.def().reassign) {
-        if (Status status = assign(result); !status.ok()) return status;
+        if (Status status = assign(pool, result); !status.ok()) return status;
     } else {
         keepIncumbents(result);
     }
@@ -44,18 +44,14 @@ Status ExactPlan::finish(ThreadPool& pool, PlanResult& result) {
     return {};
 }
 
-void ExactPlan::fillCosts() {
-    const std::int32_t characters = pending_.characters();
-    const std::int32_t places = pending_.places();
+void ExactPlan::fillCosts(std::int32_t place) {
     const double exponent = pending_.def().exponent;
-    cost_.resize(static_cast<std::size_t>(characters) * static_cast<std::size_t>(places));
-    powered_.resize(cost_.size());
-    for (std::int32_t i = 0; i < characters; ++i)
-        for (std::int32_t j = 0; j < places; ++j) {
-            const double c = pending_.pairCost(i, j);
-            cost_[pairIndex(i, j, places)] = c;
-            powered_[pairIndex(i, j, places)] = c < kInfinite ? power(c, exponent) : kInfinite;
-        }
+    for (std::int32_t i = 0; i < pending_.characters(); ++i) {
+        const std::size_t k = pairIndex(i, place, pending_.places());
+        const double c = pending_.pairCost(i, place);
+        cost_[k] = c;
+        powered_[k] = c < kInfinite ? power(c, exponent) : kInfinite;
+    }
 }
 
 // What the incumbents still hold: a place that nobody may take or that cannot be reached any more is lost, and
@@ -73,12 +69,30 @@ void ExactPlan::collectIncumbents() {
     }
 }
 
-Status ExactPlan::assign(PlanResult& result) {
-    fillCosts();
+// Fronts stop where a place is unlikely to find a better character; pairs beyond have a lower bound for a cost. An optimum
+// that uses no such pair is the optimum of the true costs. Else the fronts concerned go on, and it is sought again.
+Status ExactPlan::solveProven(ThreadPool& pool) {
+    cost_.resize(static_cast<std::size_t>(pending_.characters()) * static_cast<std::size_t>(pending_.places()));
+    powered_.resize(cost_.size());
+    for (std::int32_t j = 0; j < pending_.places(); ++j) fillCosts(j);
+    const TransportProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(), demand_};
+    for (;;) {
+        if (Status status = solver_.solve(problem, solution_); !status.ok()) return status.within("plan");
+        unproven_.clear();
+        for (const Flow& flow : solution_.flows)
+            if (!pending_.met(flow.character, flow.place)) unproven_.push_back(flow.place);
+        if (unproven_.empty()) return {};
+        std::sort(unproven_.begin(), unproven_.end());
+        unproven_.erase(std::unique(unproven_.begin(), unproven_.end()), unproven_.end());
+        pending_.widen(unproven_, pool, workers_);
+        for (const std::int32_t j : unproven_) fillCosts(j);
+    }
+}
+
+Status ExactPlan::assign(ThreadPool& pool, PlanResult& result) {
     demand_.clear();
     for (std::int32_t j = 0; j < pending_.places(); ++j) demand_.push_back(pending_.demandOf(j));
-    const TransportProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(), demand_};
-    if (Status status = solver_.solve(problem, solution_); !status.ok()) return status.within("plan");
+    if (Status status = solveProven(pool); !status.ok()) return status;
     collectIncumbents();
     rule_.choose(pending_.def(), pending_.characters(), pending_.places(), powered_, incumbents_, solution_.flows,
                  result.flows);

@@ -33,9 +33,10 @@ private:
         double cost;
     };
 
-    Status assign(PlanResult& result);
+    Status assign(ThreadPool& pool, PlanResult& result);
+    Status solveProven(ThreadPool& pool);
     void keepIncumbents(PlanResult& result);
-    void fillCosts();
+    void fillCosts(std::int32_t place);
     void collectIncumbents();
     void report(PlanResult& result);
     Heading head(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment, double direct) const;
@@ -54,6 +55,7 @@ private:
     std::vector<double> demand_;
     std::vector<double> left_;      // Demand not taken by incumbents.
     std::vector<Flow> incumbents_;
+    std::vector<std::int32_t> unproven_;  // Places that were given to characters their fronts have not met.
 };
 
 }  // namespace muster

@@ -41,17 +41,24 @@ void GroundRegions::flood(std::int32_t start, std::int32_t label) {
 
 std::int32_t GroundRegions::at(Vec2 p) const {
     if (count_ == 0) return -1;
-    const Cell c = grid_.nearestCell(p);
-    const std::int32_t label = labels_[grid_.index(c)];
-    return label >= 0 ? label : nearestFree(p, c);
+    const std::int32_t label = labels_[grid_.index(grid_.nearestCell(p))];
+    return label >= 0 ? label : labels_[nearestFree(p)];
 }
 
-// Searches square rings until the next ring cannot be nearer.
-std::int32_t GroundRegions::nearestFree(Vec2 p, Cell from) const {
+Vec2 GroundRegions::standing(Vec2 p) const {
+    if (count_ == 0) return p;
+    for (const std::int32_t k : grid_.bilinear(p).cell)
+        if (labels_[k] >= 0) return p;
+    return grid_.centre(grid_.at(nearestFree(p)));
+}
+
+// Index of the free cell whose centre is nearest. Searches square rings until the next ring cannot be nearer.
+std::int32_t GroundRegions::nearestFree(Vec2 p) const {
+    const Cell from = grid_.nearestCell(p);
     double best = std::numeric_limits<double>::infinity();
-    std::int32_t label = -1;
+    std::int32_t found = 0;
     const std::int32_t most = std::max(grid_.width, grid_.height);
-    for (std::int32_t r = 1; r <= most; ++r) {
+    for (std::int32_t r = 0; r <= most && best > (r - 0.5) * grid_.cell; ++r) {
         for (std::int32_t y = from.y - r; y <= from.y + r; ++y) {
             const bool edge = y == from.y - r || y == from.y + r;
             for (std::int32_t x = from.x - r; x <= from.x + r; x += edge ? 1 : 2 * r) {
@@ -59,12 +66,11 @@ std::int32_t GroundRegions::nearestFree(Vec2 p, Cell from) const {
                 const double d = distance(p, grid_.centre({x, y}));
                 if (d >= best) continue;
                 best = d;
-                label = labels_[grid_.index({x, y})];
+                found = grid_.index({x, y});
             }
         }
-        if (best <= (r + 0.5) * grid_.cell) break;
     }
-    return label;
+    return found;
 }
 
 }  // namespace muster

@@ -16,10 +16,12 @@ public:
     void label(const UnitCost& cost);
     /// Label of the cell under `p`, or of the free cell nearest to `p`; -1 where all is wall.
     std::int32_t at(Vec2 p) const;
+    /// `p` where one of the four cells around it is free, else the centre of the nearest free cell (`p` where all is wall).
+    Vec2 standing(Vec2 p) const;
 
 private:
     void flood(std::int32_t start, std::int32_t label);
-    std::int32_t nearestFree(Vec2 p, Cell from) const;
+    std::int32_t nearestFree(Vec2 p) const;
 
     Grid grid_;
     std::int32_t count_ = 0;

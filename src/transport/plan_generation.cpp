@@ -11,9 +11,13 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// How far off reached ground a character still counts as standing at it [cells]: contacts may press it
-// into cells that count as wall.
+// How far off reached ground a character still finds back to it [cells].
 constexpr std::int32_t kReach = 4;
+// A front first goes to characters within this many times the way of the place's incumbent, and a little more [m].
+constexpr double kReachFactor = 1.5;
+constexpr double kReachMore = 2.0;
+// Fields are a discretisation; a lower bound of their values must allow for their error.
+constexpr double kBoundShare = 0.95;
 
 template <class T>
 void copy(std::span<const T> from, std::vector<T>& to) {
@@ -32,6 +36,7 @@ void PlanGeneration::freeze(const PlanDef& def, const PlanInput& input) {
     copy(input.incumbent, incumbent_);
     cost_ = *input.cost;
     solved_ = 0;
+    wide_.assign(places_.size(), 0);
     valid_ = true;
     prepare();
 }
@@ -40,11 +45,33 @@ void PlanGeneration::prepare() {
     regions_.label(cost_);
     characterRegion_.clear();
     placeRegion_.clear();
-    for (const Vec2 p : characters_) characterRegion_.push_back(regions_.at(p));
+    standing_.clear();
+    for (const Vec2 p : characters_) {
+        standing_.push_back(regions_.standing(p));
+        characterRegion_.push_back(regions_.at(standing_.back()));
+    }
     for (const Vec2 p : places_) placeRegion_.push_back(regions_.at(p));
     // Fields beyond the number of places keep their memory for later.
     if (fields_.size() < places_.size()) fields_.resize(places_.size());
     known_.assign(places_.size(), 0);
+    setReach();
+}
+
+// Places that nobody holds may be anybody's.
+void PlanGeneration::setReach() {
+    reach_.assign(places_.size(), -1.0);
+    for (std::int32_t i = 0; i < characters(); ++i) {
+        const std::int32_t j = incumbent_[i];
+        if (j >= 0) reach_[j] = std::max(reach_[j], kReachFactor * distance(characters_[i], places_[j]) + kReachMore);
+    }
+    for (double& reach : reach_)
+        if (reach < 0.0) reach = kInfinite;
+}
+
+bool PlanGeneration::met(std::int32_t character, std::int32_t place) const {
+    if (characterRegion_[character] != placeRegion_[place] || supplyOf(character) <= 0.0) return false;
+    if (incumbent_[character] == place) return true;
+    return def_.reassign && (wide_[place] || distance(characters_[character], places_[place]) <= reach_[place]);
 }
 
 void PlanGeneration::solve(std::int32_t end, ThreadPool& pool, std::vector<FieldWorker>& workers) {
@@ -55,15 +82,19 @@ void PlanGeneration::solve(std::int32_t end, ThreadPool& pool, std::vector<Field
     solved_ = end;
 }
 
+void PlanGeneration::widen(std::span<const std::int32_t> places, ThreadPool& pool, std::vector<FieldWorker>& workers) {
+    if (static_cast<std::int32_t>(workers.size()) < pool.threads()) workers.resize(pool.threads());
+    for (const std::int32_t j : places) wide_[j] = 1;
+    const auto work = [&](std::int32_t item, std::int32_t worker) { solveOne(places[item], workers[worker]); };
+    pool.run(static_cast<std::int32_t>(places.size()), std::ref(work));
+}
+
 // The front stops when it has met all who might take the place; without them there is no front.
 void PlanGeneration::solveOne(std::int32_t place, FieldWorker& worker) {
     worker.targets.clear();
     if (placeRegion_[place] < 0 || (def_.reassign && demandOf(place) <= 0.0)) return;
-    for (std::int32_t i = 0; i < characters(); ++i) {
-        if (characterRegion_[i] != placeRegion_[place] || supplyOf(i) <= 0.0) continue;
-        if (!def_.reassign && incumbent_[i] != place) continue;
-        worker.targets.push_back(characters_[i]);
-    }
+    for (std::int32_t i = 0; i < characters(); ++i)
+        if (met(i, place)) worker.targets.push_back(standing_[i]);
     if (worker.targets.empty()) return;
     worker.solver.solve(cost_, places_[place], worker.targets, fields_[place]);
     known_[place] = 1;
@@ -77,14 +108,17 @@ const CostField* PlanGeneration::field(std::int32_t place) const {
 double PlanGeneration::pairCost(std::int32_t character, std::int32_t place) const {
     const CostField* of = field(place);
     if (of == nullptr || characterRegion_[character] != placeRegion_[place]) return kInfinite;
-    if (!def_.geodesic) return distance(characters_[character], places_[place]);
-    return costNear(*of, cost_.grid, characters_[character]);
+    const double straight = distance(characters_[character], places_[place]);
+    if (!def_.geodesic) return straight;
+    if (!met(character, place)) return kBoundShare * static_cast<double>(cost_.lowest) * straight;
+    const Vec2 from = standing_[character];
+    return std::max(0.0, of->cost(from)) + distance(characters_[character], from);
 }
 
 template <class Self, class Archive>
 void PlanGeneration::visitInputs(Self& self, Archive& archive) {
     archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_, self.incumbent_,
-            self.solved_);
+            self.solved_, self.wide_);
 }
 
 void PlanGeneration::save(Writer& archive) const {
@@ -105,6 +139,7 @@ bool PlanGeneration::load(Reader& archive, std::int32_t& progress) {
     progress = solved_;
     solved_ = 0;
     if (!loadUnitCost(archive, cost_) || progress < 0 || progress > places()) return false;
+    if (wide_.size() != places_.size()) return false;
     const PlanInput input{characters_, supply_, places_, demand_, usable_, incumbent_, &cost_};
     if (!checkPlan(def_, input).ok()) return false;
     valid_ = true;
@@ -130,14 +165,6 @@ bool nearestReached(const CostField& field, const Grid& grid, Vec2 p, Cell& foun
             found = {x, y};
         }
     return best < kInfinite;
-}
-
-double costNear(const CostField& field, const Grid& grid, Vec2 p) {
-    const double cost = field.cost(p);
-    if (std::isfinite(cost)) return std::max(0.0, cost);
-    Cell cell;
-    if (!nearestReached(field, grid, p, cell)) return kInfinite;
-    return static_cast<double>(field.value(cell)) + distance(p, grid.centre(cell));
 }
 
 }  // namespace muster

@@ -48,8 +48,12 @@ public:
     std::int32_t incumbent(std::int32_t character) const { return incumbent_[character]; }   ///< -1 for none.
     /// The field of a place, or null where none was needed or it is not solved yet.
     const CostField* field(std::int32_t place) const;
-    /// Cost from a character to a place, infinite where there is no way.
+    /// True where the place's front goes on until it meets the character, so that the pair's cost is known.
+    bool met(std::int32_t character, std::int32_t place) const;
+    /// Cost from a character to a place, infinite where there is no way; a lower bound where the front did not go so far.
     double pairCost(std::int32_t character, std::int32_t place) const;
+    /// Solves the fields of these places anew, until all characters are met.
+    void widen(std::span<const std::int32_t> places, ThreadPool& pool, std::vector<FieldWorker>& workers);
 
     /// Writes frozen inputs and progress.
     void save(Writer& archive) const;
@@ -60,6 +64,7 @@ public:
 
 private:
     void prepare();
+    void setReach();
     void solveOne(std::int32_t place, FieldWorker& worker);
     template <class Self, class Archive>
     static void visitInputs(Self& self, Archive& archive);
@@ -74,16 +79,17 @@ private:
     std::vector<std::int32_t> incumbent_;
     UnitCost cost_;
     std::int32_t solved_ = 0;
+    std::vector<std::uint8_t> wide_;  // Per place: its front goes to all characters.
     // Caches.
+    std::vector<double> reach_;       // Per place: its front goes to characters this near [m].
     GroundRegions regions_;
+    std::vector<Vec2> standing_;      // Characters, off the walls that contacts may press them into.
     std::vector<std::int32_t> characterRegion_;
     std::vector<std::int32_t> placeRegion_;
     std::vector<CostField> fields_;
     std::vector<std::uint8_t> known_;
 };
 
-/// Cost at `p`; where its surroundings were not reached, by the nearest reached cell within a few cells, else infinite.
-double costNear(const CostField& field, const Grid& grid, Vec2 p);
 /// Finds the reached cell nearest to `p` within a few cells; false where there is none.
 bool nearestReached(const CostField& field, const Grid& grid, Vec2 p, Cell& found);
 

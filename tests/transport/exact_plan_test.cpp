@@ -177,6 +177,32 @@ TEST_CASE("supplies other than one are split over places") {
     CHECK(placesOf(result, 2) == Places{0, 1});
 }
 
+TEST_CASE("fronts that stop early give the same optimum as fronts over all the ground") {
+    muster::Random random(77);
+    auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    muster_test::addWall(ground, {{-0.5, -5}, {0.5, 6}});
+    int changes = 0;
+    for (int k = 0; k < 40; ++k) {
+        OwnedInput input = muster_test::randomInput(random, ground, 14, {{-7, -7}, {7, 7}}, {{-7, -7}, {7, 7}});
+        PlanResult wide, narrow;
+        const PlanDef def = definition(k % 2 ? 2.0 : 1.0, 0.0);
+        // Without incumbents every front goes to everybody.
+        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
+        // Incumbents: the optimum of a moment ago, after everybody has moved a little, or anything.
+        input.incumbent = placesOf(wide, 14);
+        if (k % 4 == 0) std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
+        for (Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
+        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, narrow).ok());
+        changes += narrow.changed;
+        input.noIncumbents();
+        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
+        CHECK(narrow.flows.size() == wide.flows.size());
+        CHECK(narrow.objective == doctest::Approx(wide.objective).epsilon(1e-9));
+        CHECK(narrow.gapBound <= 1e-9 * wide.objective);
+    }
+    CHECK(changes > 50);
+}
+
 TEST_CASE("slices and threads change nothing") {
     muster::Random random(8);
     auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);

@@ -2,6 +2,9 @@
 
 #include <doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "transport/plan_scene.h"
 
 using muster::GroundRegions;
@@ -48,6 +51,13 @@ TEST_CASE("nearest free cell by every cell") {
         const muster::Vec2 p{random.uniform(2.1, 7.9), random.uniform(0, 10)};
         if (std::abs(p.x - 5.0) < 0.01) continue;
         CHECK(regions.at(p) == (p.x < 5.0 ? 0 : 1));
+        const muster::Vec2 standing = regions.standing(p);
+        double nearest = muster_test::kNoWay;
+        for (std::int32_t c = 0; c < cost.grid.count(); ++c)
+            if (!cost.wall(c)) nearest = std::min(nearest, distance(p, cost.grid.centre(cost.grid.at(c))));
+        // At the edge of the wall a free cell is among the four around the point.
+        if (p.x > 2.3 && p.x < 7.7) CHECK(distance(p, standing) == nearest);
+        else CHECK((standing == p || distance(p, standing) == nearest));
     }
 }
 
