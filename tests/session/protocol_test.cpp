@@ -1,0 +1,156 @@
+#include <doctest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "muster/session/protocol.h"
+#include "muster/session/token_bucket.h"
+#include "session/pacer.h"
+#include "session/touch_clock.h"
+
+using namespace muster;
+
+namespace {
+
+std::string hex(const std::vector<std::uint8_t>& bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        char pair[3];
+        std::snprintf(pair, sizeof pair, "%02x", byte);
+        text += pair;
+    }
+    return text;
+}
+
+protocol::Frame sampleFrame() {
+    protocol::Frame frame;
+    frame.frame = 7;
+    frame.step = 42;
+    frame.time = 0.7;
+    frame.playing = true;
+    frame.speed = 1.0f;
+    frame.recordedSeconds = -1.0f;
+    frame.sceneRevision = 3;
+    frame.ids = {1, 2};
+    frame.group = {0, 1};
+    frame.x = {0.5f, -1.25f};
+    frame.y = {1.0f, 2.0f};
+    frame.heading = {0.0f, 3.0f};
+    frame.motion = {0, 3};
+    frame.phase = {0, 1};
+    protocol::GroupFrame& group = frame.groups.emplace_back();
+    group.id = 1;
+    group.vertices = {0, 0, 1, 0, 0, 1};
+    group.fit = {1, 0, 1};
+    protocol::ControlFrame& control = group.controls.emplace_back();
+    control.kind = protocol::ControlKind::Area;
+    control.points.push_back({9, true, 1.0f, 2.0f, {3.0f, 4.0f}});
+    frame.moving.push_back({protocol::MovingKind::Patch, 2, 0.1f, 0.2f, 0.3f});
+    frame.events.push_back({5, 1, 2, 0.0f, 0.0f});
+    return frame;
+}
+
+}  // namespace
+
+TEST_CASE("Bytes on the wire are those the protocol promises") {
+    // Written by hand from docs/protocol.md: number, then fields, little-endian.
+    CHECK(hex(protocol::encode(protocol::Hello{"ab"})) == "00020000006162");
+    protocol::Touches touches;
+    touches.events.push_back({protocol::TouchPhase::Up, 258, 1.0, -2.0, 0.5, 3});
+    CHECK(hex(protocol::encode(touches)) ==
+          "01"
+          "01000000"
+          "02"
+          "02010000"
+          "000000000000f03f"
+          "00000000000000c0"
+          "000000000000e03f"
+          "03000000");
+    CHECK(hex(protocol::encode(protocol::PinControl{1, 2, true})) == "03010000000200000001");
+    CHECK(hex(protocol::encode(protocol::SetSpeed{0.5f})) == "090000003f");
+    CHECK(hex(protocol::encode(protocol::Pong{1.0})) == "06000000000000f03f");
+}
+
+TEST_CASE("A frame comes back as it went") {
+    const protocol::Frame sent = sampleFrame();
+    const auto bytes = protocol::encode(sent);
+    const auto message = protocol::decodeServer(bytes);
+    REQUIRE(message.ok());
+    const auto& frame = std::get<protocol::Frame>(message.value());
+    CHECK(frame.ids == sent.ids);
+    CHECK(frame.x == sent.x);
+    CHECK(frame.groups[0].controls[0].points[0].path == sent.groups[0].controls[0].points[0].path);
+    CHECK(frame.groups[0].controls[0].kind == protocol::ControlKind::Area);
+    CHECK(frame.moving[0].id == 2);
+    CHECK(protocol::encode(frame) == bytes);
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        CHECK_FALSE(protocol::decodeServer(std::span(bytes).first(length)).ok());
+}
+
+// The page's tests decode this file, so both sides agree on every kind of field. Run with
+// MUSTER_UPDATE_GOLDEN=1 to write it anew.
+TEST_CASE("The frame that the page's tests read is what we write") {
+    const std::string path = std::string(MUSTER_SOURCE_DIR) + "/tests/golden/frame.bin";
+    const auto bytes = protocol::encode(sampleFrame());
+    if (std::getenv("MUSTER_UPDATE_GOLDEN") != nullptr) {
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<std::uint8_t> golden{std::istreambuf_iterator<char>(file), {}};
+    CHECK(golden == bytes);
+}
+
+TEST_CASE("The generated files are those that messages.json makes") {
+    if (std::system("node --version >/dev/null 2>&1") != 0) {
+        MESSAGE("skipped: node is missing");
+        return;
+    }
+    const std::string command = "node '" + std::string(MUSTER_SOURCE_DIR) + "/protocol/generate.mjs' --check";
+    CHECK(std::system(command.c_str()) == 0);
+}
+
+TEST_CASE("Token bucket: burst, refill, edge") {
+    TokenBucket bucket(10.0, 3.0);
+    CHECK(bucket.take(0.0, 3.0));
+    CHECK_FALSE(bucket.take(0.0));
+    CHECK_FALSE(bucket.take(0.09));
+    CHECK(bucket.take(0.1000001));
+    CHECK_FALSE(bucket.take(100.0, 4.0));  // Never more than the burst.
+    CHECK(bucket.take(100.0, 3.0));
+}
+
+TEST_CASE("Pacer: real time at every speed, no spiral") {
+    const double step = 1.0 / 60.0;
+    for (const double speed : {0.1, 0.5, 1.0, 3.0, 8.0}) {
+        Pacer pacer;
+        int steps = 0;
+        for (int look = 0; look < 1200; ++look) {  // Ten seconds at 120 looks a second.
+            pacer.elapse(1.0 / 120.0, speed, step);
+            for (; pacer.due(step); ++steps) pacer.pay(step);
+        }
+        CHECK(std::abs(steps - 600.0 * speed) <= 1.0);
+    }
+    Pacer late;
+    late.elapse(10.0, 1.0, step);
+    int steps = 0;
+    for (; late.due(step); ++steps) late.pay(step);
+    CHECK(steps == 2);
+    CHECK(late.until(1.0, step) == doctest::Approx(step));
+    CHECK(late.until(2.0, step) == doctest::Approx(step / 2));
+}
+
+TEST_CASE("Touch clock: offset, order, bounds, pause") {
+    TouchClock clock;
+    const double epoch = 1.7e9;
+    CHECK(clock.stamp(epoch, 5.0, 3.0, 1.0) == 3.0);                             // The first sets the offset.
+    CHECK(clock.stamp(epoch + 0.1, 5.11, 3.11, 1.0) == doctest::Approx(3.1));    // 10 ms later than usual.
+    CHECK(clock.stamp(epoch + 0.05, 5.12, 3.12, 1.0) == doctest::Approx(3.1));   // Never back.
+    CHECK(clock.stamp(epoch + 0.2, 5.15, 3.15, 1.0) == doctest::Approx(3.15));   // Faster than the first: no future.
+    CHECK(clock.stamp(epoch + 0.25, 5.2, 3.2, 1.0) == doctest::Approx(3.2));     // ... and the offset is better now.
+    CHECK(clock.stamp(epoch + 0.3, 15.0, 13.0, 1.0) == 12.5);                    // At most half a second old.
+    CHECK(clock.stamp(epoch + 20.0, 25.2, 13.0, 0.0) == 13.0);                   // Paused: now.
+    clock.restart();
+    CHECK(clock.stamp(epoch + 30.0, 34.96, 0.25, 1.0) == doctest::Approx(0.24));
+}
