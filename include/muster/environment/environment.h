@@ -25,7 +25,7 @@ struct EnvironmentDef {
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(box, cell, defaultRange, defaultStrength, clips);
+        archive(box.min, box.max, cell, defaultRange, defaultStrength, clips);
     }
 };
 
@@ -96,8 +96,8 @@ public:
 
     /// All convex parts as they stand now, ordered by obstacle id.
     std::span<const ObstaclePiece> pieces() const;
-    /// Distance from a cell's centre to the nearest obstacle surface [m], one value per cell:
-    /// exact up to kClearanceLimit and capped there; 0 or less inside.
+    /// Distance from a cell's centre to the nearest obstacle surface or edge of the box [m], one value
+    /// per cell: exact up to kClearanceLimit and capped there; 0 or less inside.
     std::span<const float> clearance() const;
     /// Travel speed per cell > 0 (every cell a patch touches takes its speed; the slowest wins).
     std::span<const float> travelSpeed() const;
@@ -110,6 +110,8 @@ public:
     double distanceToObstacle(Vec2 p, double limit = kClearanceLimit) const;
     /// Calls `visit(piece)` in ascending order for every piece whose surface may be within `radius` of `p`.
     void forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const;
+    /// Writes to `found` the numbers of these pieces in pieces(), ascending; reuses its memory.
+    void piecesNear(Vec2 p, double radius, std::vector<std::int32_t>& found) const;
     /// True where a disc of `radius` can move straight from `a` to `b` without touching an obstacle
     /// and without leaving the box.
     bool clearLine(Vec2 a, Vec2 b, double radius) const;
@@ -124,11 +126,12 @@ public:
     /// Obstacles that move do not count. Labels are numbered in row-major order of first cells.
     std::int32_t region(Vec2 p, double radius) const;
     /// The centre of the free cell nearest to `p` with that region label (any region where -1), or `p`
-    /// itself where it already lies in one.
+    /// itself where it already lies in one or there is none.
     Vec2 nearestInRegion(Vec2 p, double radius, std::int32_t label) const;
     /// A way for a disc of `radius` from `a` to `b` as corner points, both ends included (A* on the
     /// ground cells, then pulled straight); empty where there is none or more than `maxCells` cells
-    /// would be looked at. Moving obstacles count where they stand now.
+    /// would be looked at. Moving obstacles count where they stand now. An end that is not free is left
+    /// by the nearest free cell; the way to a goal that is not free ends in that cell.
     std::vector<Vec2> findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells = 200000) const;
 
     /// Pairs of obstacles (parts of one obstacle never count) nearer to each other than `width` [m]

@@ -32,6 +32,8 @@ struct TimedPath {
     Waypoint at(double time) const;
     /// Velocity at `time` [m/s].
     Vec2 velocity(double time) const;
+    /// Rate of turn at `time` [rad/s].
+    double spin(double time) const;
     /// InvalidArgument, naming the waypoint, where times do not rise or a number is not finite.
     Status validate() const;
 

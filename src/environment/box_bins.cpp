@@ -1,0 +1,49 @@
+#include "environment/box_bins.h"
+
+#include <algorithm>
+
+namespace muster {
+namespace {
+
+constexpr double kBinEdge = 2.0;          // [m]
+constexpr double kMostBinsAcross = 512.0; // Larger worlds get larger bins.
+
+}  // namespace
+
+void BoxBins::reset(const Box& world) {
+    const double across = std::max(world.width(), world.height());
+    grid_ = Grid::covering(world, std::max(kBinEdge, across / kMostBinsAcross));
+    first_.assign(static_cast<std::size_t>(grid_.count()), 0);
+    count_.assign(static_cast<std::size_t>(grid_.count()), 0);
+    items_.clear();
+    entries_.clear();
+}
+
+void BoxBins::fill(std::span<const Box> boxes, std::span<const std::int32_t> items) {
+    for (const Entry& entry : entries_) count_[entry.bin] = 0;
+    entries_.clear();
+    const Box world = grid_.box();
+    for (std::int32_t item : items) {
+        const Box& box = boxes[item];
+        if (box.max.x < world.min.x || box.max.y < world.min.y || box.min.x > world.max.x || box.min.y > world.max.y) {
+            continue;
+        }
+        const Cell low = grid_.nearestCell(box.min), high = grid_.nearestCell(box.max);
+        for (std::int32_t y = low.y; y <= high.y; ++y) {
+            for (std::int32_t x = low.x; x <= high.x; ++x) entries_.push_back({grid_.index({x, y}), item});
+        }
+    }
+    for (const Entry& entry : entries_) ++count_[entry.bin];
+    items_.resize(entries_.size());
+    std::int32_t next = 0;
+    for (const Entry& entry : entries_) {
+        if (count_[entry.bin] == 0) continue;
+        // Met for the first time: reserve the room, then count anew while filling.
+        first_[entry.bin] = next;
+        next += count_[entry.bin];
+        count_[entry.bin] = 0;
+    }
+    for (const Entry& entry : entries_) items_[first_[entry.bin] + count_[entry.bin]++] = entry.item;
+}
+
+}  // namespace muster

@@ -1,0 +1,193 @@
+// What Environment answers about points and lines.
+#include <cmath>
+#include <limits>
+
+#include "environment/environment_state.h"
+#include "environment/nearest_cell.h"
+#include "environment/path_search.h"
+
+namespace muster {
+namespace {
+
+// What float rounding may take off a clearance [m].
+constexpr double kFloatSlack = 1e-6;
+
+bool insideConvex(const Polygon& corners, Vec2 p) {
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+        if (cross(corners[i] - corners[j], p - corners[j]) < 0.0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Box Environment::Impl::roomFor(double radius) const {
+    Box room = def.box.grown(-radius);
+    if (room.min.x > room.max.x) room.min.x = room.max.x = 0.5 * (def.box.min.x + def.box.max.x);
+    if (room.min.y > room.max.y) room.min.y = room.max.y = 0.5 * (def.box.min.y + def.box.max.y);
+    return room;
+}
+
+double Environment::Impl::roughDistance(Vec2 p) const {
+    const Cell c = grid.cellOf(p);
+    if (!grid.contains(c)) return -std::numeric_limits<double>::infinity();
+    // Distances change by no more than the way moved.
+    return clearance.live()[grid.index(c)] - distance(p, grid.centre(c)) - kFloatSlack;
+}
+
+double Environment::Impl::distanceTo(Vec2 p, double limit) const {
+    if (roughDistance(p) >= limit) return limit;
+    double nearest = limit;
+    double radius = std::max(limit, 0.0);
+    forNear(p, radius, [&](std::int32_t number) {
+        nearest = std::min(nearest, pieces[number].signedDistance(p));
+        radius = std::max(std::min(nearest, limit), 0.0);
+    });
+    return nearest;
+}
+
+bool Environment::Impl::blockedLine(Vec2 a, Vec2 b, double radius) const {
+    const double least = std::max(radius - kTouch, 1e-3 * kTouch);
+    const auto meets = [&](std::int32_t number) {
+        const ObstaclePiece& piece = pieces[number];
+        const double far = least + piece.radius;
+        if (lengthSquared(closestOnSegment(a, b, piece.centre) - piece.centre) > far * far) return false;
+        return piece.segmentDistance(a, b) < least;
+    };
+    if (radius > 0.5 * kReach || !inBox(a) || !inBox(b)) {
+        for (std::size_t number = 0; number < pieces.size(); ++number) {
+            if (meets(static_cast<std::int32_t>(number))) return true;
+        }
+        return false;
+    }
+    // Walks along the line: by leaps where the raster shows room, else by steps within which every
+    // piece in the way is listed in the bin at hand.
+    const double whole = distance(a, b);
+    for (double at = 0.0;;) {
+        const Vec2 p = at > 0.0 ? lerp(a, b, at / whole) : a;
+        const double leap = roughDistance(p) - radius;
+        if (leap > 0.5 * grid.cell) {
+            at += leap;
+        } else {
+            bool hit = false;
+            index.forPiecesAt(p, [&](std::int32_t number) { hit = hit || meets(number); });
+            if (hit) return true;
+            at += kReach - radius;
+        }
+        if (at >= whole) return false;
+    }
+}
+
+GroundSample Environment::ground(Vec2 p) const {
+    impl_->ensure();
+    const Impl& s = *impl_;
+    std::int32_t ruler = -1;
+    const auto look = [&](std::int32_t number) {
+        const PatchPiece& piece = s.patchPieces[number];
+        if (ruler >= 0 && s.patches[piece.patch].speed >= s.patches[ruler].speed) return;
+        if (insideConvex(piece.corners, p)) ruler = piece.patch;
+    };
+    if (s.inBox(p)) {
+        s.patchIndex.forPiecesAt(p, look);
+    } else {
+        for (std::size_t i = 0; i < s.patchPieces.size(); ++i) look(static_cast<std::int32_t>(i));
+    }
+    if (ruler < 0) return {};
+    return {s.patchIds[ruler], s.patches[ruler].def.motion, s.patches[ruler].speed};
+}
+
+double Environment::distanceToObstacle(Vec2 p, double limit) const {
+    impl_->ensure();
+    return impl_->distanceTo(p, limit);
+}
+
+void Environment::forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const {
+    impl_->ensure();
+    impl_->forNear(p, radius, [&](std::int32_t number) { visit(impl_->pieces[number]); });
+}
+
+void Environment::piecesNear(Vec2 p, double radius, std::vector<std::int32_t>& found) const {
+    impl_->ensure();
+    found.clear();
+    impl_->forNear(p, radius, [&](std::int32_t number) { found.push_back(number); });
+}
+
+bool Environment::clearLine(Vec2 a, Vec2 b, double radius) const {
+    impl_->ensure();
+    if (!isFinite(a) || !isFinite(b)) return false;
+    const Box room = impl_->def.box.grown(Impl::kTouch - radius);
+    if (!room.contains(a) || !room.contains(b)) return false;
+    return !impl_->blockedLine(a, b, radius);
+}
+
+Vec2 Environment::potentialField(Vec2 p) const {
+    impl_->ensure();
+    const Impl& s = *impl_;
+    Vec2 sum;
+    const auto add = [&](std::int32_t number) {
+        const ObstaclePiece& piece = s.pieces[number];
+        if (squaredDistance(s.index.bounds[number], p) >= piece.range * piece.range) return;
+        const double d = std::max(piece.signedDistance(p), 0.0);
+        if (d >= piece.range) return;
+        sum += normalized(p - piece.centre, {1.0, 0.0}) * (piece.strength * (1.0 - d / piece.range));
+    };
+    if (s.inBox(p)) {
+        s.index.forPiecesAt(p, add);
+    } else {
+        for (std::size_t i = 0; i < s.pieces.size(); ++i) add(static_cast<std::int32_t>(i));
+    }
+    return sum;
+}
+
+std::int32_t Environment::region(Vec2 p, double radius) const {
+    impl_->ensure();
+    Impl& s = *impl_;
+    const Cell c = s.grid.cellOf(p);
+    if (!s.grid.contains(c)) return -1;
+    return s.regions.labels(s.grid, s.clearance.still(), radius)[s.grid.index(c)];
+}
+
+Vec2 Environment::nearestInRegion(Vec2 p, double radius, std::int32_t label) const {
+    impl_->ensure();
+    Impl& s = *impl_;
+    const std::span<const std::int32_t> labels = s.regions.labels(s.grid, s.clearance.still(), radius);
+    const auto fits = [&](std::int32_t i) { return label < 0 ? labels[i] >= 0 : labels[i] == label; };
+    const Cell c = s.grid.cellOf(p);
+    if (s.grid.contains(c) && fits(s.grid.index(c))) return p;
+    const std::optional<Cell> found = nearestCellWhere(s.grid, p, fits);
+    return found ? s.grid.centre(*found) : p;
+}
+
+std::optional<Cell> Environment::Impl::nearestFreeCell(Vec2 p, double radius) const {
+    const std::span<const float> live = clearance.live();
+    return nearestCellWhere(grid, p, [&](std::int32_t i) { return live[i] >= radius; });
+}
+
+std::vector<Vec2> Environment::findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells) const {
+    impl_->ensure();
+    const Impl& s = *impl_;
+    if (!isFinite(a) || !isFinite(b)) return {};
+    if (clearLine(a, b, radius)) return {a, b};
+    const std::optional<Cell> start = s.nearestFreeCell(a, radius);
+    const std::optional<Cell> goal = s.nearestFreeCell(b, radius);
+    if (!start || !goal) return {};
+    // One per thread: queries may come from several threads at once.
+    static thread_local PathSearch search;
+    const std::span<const std::int32_t> cells =
+        search.run(s.grid, s.clearance.live(), radius, s.grid.index(*start), s.grid.index(*goal), maxCells);
+    if (cells.empty()) return {};
+    std::vector<Vec2> way{a};
+    for (std::int32_t cell : cells) way.push_back(s.grid.centre(s.grid.at(cell)));
+    if (s.roomFor(radius).contains(b) && s.distanceTo(b, radius) >= radius - Impl::kTouch) way.push_back(b);
+    // Pulled straight: from each corner on to the last point in a row that it sees.
+    std::vector<Vec2> corners{a};
+    for (std::size_t at = 0; at + 1 < way.size();) {
+        std::size_t next = at + 1;
+        while (next + 1 < way.size() && clearLine(way[at], way[next + 1], radius)) ++next;
+        corners.push_back(way[next]);
+        at = next;
+    }
+    return corners;
+}
+
+}  // namespace muster

@@ -1,0 +1,40 @@
+// Connected free regions of the ground, per radius.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "muster/base/grid.h"
+
+namespace muster {
+
+/// Floods the cells with enough clearance and keeps the labels of the radii asked for last.
+/// Steps of the flood go to the four neighbours, so regions joined only at a corner stay apart.
+class RegionLabels {
+public:
+    /// Forgets all labels.
+    void clear();
+    /// One label per cell: -1 where clearance is under `radius` [m], else numbered from 0 in
+    /// row-major order of first cells. Valid until clear() or kKept other radii were asked for.
+    std::span<const std::int32_t> labels(const Grid& grid, std::span<const float> clearance, double radius);
+    /// How many radii are remembered.
+    static constexpr std::size_t kKept = 16;
+
+private:
+    struct Entry {
+        double radius = -1.0;
+        bool valid = false;
+        std::vector<std::int32_t> label;
+    };
+    void flood(const Grid& grid, std::span<const float> clearance, Entry& entry);
+
+    std::mutex mutex_;
+    std::array<Entry, kKept> entries_;
+    std::size_t next_ = 0;
+    std::vector<std::int32_t> queue_;
+};
+
+}  // namespace muster

@@ -1,0 +1,77 @@
+#include "muster/environment/timed_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace muster {
+namespace {
+
+// Where on the path a time falls: between waypoint `from` and the next, at `share` of the way.
+struct PathPlace {
+    std::size_t from = 0;
+    double share = 0.0;
+    bool moving = false;  // False before the first and after the last waypoint.
+};
+
+PathPlace placeAt(const TimedPath& path, double time) {
+    const std::vector<Waypoint>& points = path.waypoints;
+    const double first = points.front().time;
+    const double last = points.back().time;
+    if (path.loop && last > first && time >= first) {
+        const double period = last - first;
+        const double turns = std::floor((time - first) / period);
+        time = std::clamp(time - turns * period, first, std::nextafter(last, first));
+    }
+    if (points.size() < 2 || time < first) return {};
+    if (time >= last) return {points.size() - 1, 0.0, false};
+    const auto after = std::upper_bound(points.begin(), points.end(), time,
+                                        [](double t, const Waypoint& w) { return t < w.time; });
+    const auto from = static_cast<std::size_t>(after - points.begin()) - 1;
+    return {from, (time - points[from].time) / (points[from + 1].time - points[from].time), true};
+}
+
+}  // namespace
+
+Waypoint TimedPath::at(double time) const {
+    if (still()) return {time, {}, 0.0};
+    const PathPlace place = placeAt(*this, time);
+    const Waypoint& a = waypoints[place.from];
+    if (!place.moving) return {time, a.position, a.angle};
+    const Waypoint& b = waypoints[place.from + 1];
+    return {time, lerp(a.position, b.position, place.share), a.angle + (b.angle - a.angle) * place.share};
+}
+
+Vec2 TimedPath::velocity(double time) const {
+    if (still()) return {};
+    const PathPlace place = placeAt(*this, time);
+    if (!place.moving) return {};
+    const Waypoint& a = waypoints[place.from];
+    const Waypoint& b = waypoints[place.from + 1];
+    return (b.position - a.position) / (b.time - a.time);
+}
+
+double TimedPath::spin(double time) const {
+    if (still()) return 0.0;
+    const PathPlace place = placeAt(*this, time);
+    if (!place.moving) return 0.0;
+    const Waypoint& a = waypoints[place.from];
+    const Waypoint& b = waypoints[place.from + 1];
+    return (b.angle - a.angle) / (b.time - a.time);
+}
+
+Status TimedPath::validate() const {
+    for (std::size_t i = 0; i < waypoints.size(); ++i) {
+        const Waypoint& w = waypoints[i];
+        const std::string name = "waypoint " + std::to_string(i);
+        const bool sane = isFinite(w.position) && std::fabs(w.time) <= 1e7 && std::fabs(w.angle) <= 1e5 &&
+                          std::fabs(w.position.x) <= 1e7 && std::fabs(w.position.y) <= 1e7;
+        if (!sane) return invalidArgument(name + " holds a number that is not finite or too large");
+        if (i > 0 && w.time - waypoints[i - 1].time < 1e-6) {
+            return invalidArgument(name + " is not later than the one before");
+        }
+    }
+    return {};
+}
+
+}  // namespace muster
