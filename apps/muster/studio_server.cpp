@@ -32,6 +32,7 @@ using Request = http::request<http::vector_body<std::uint8_t>>;
 using Response = http::response<http::string_body>;
 
 constexpr int kPortsTried = 100;
+constexpr int kLingerSeconds = 2;
 constexpr const char* kSocketPath = "/ws";
 constexpr const char* kTakePath = "/take";
 constexpr const char* kHealthPath = "/health";
@@ -49,6 +50,7 @@ class SocketConnection;
 struct StudioServer::Impl {
     explicit Impl(ServerDef serverDef)
         : def(std::move(serverDef)), context(1), acceptor(context), signals(context, SIGINT, SIGTERM) {}
+    Impl(const Impl&) = delete;
 
     Status open();
     void accept();
@@ -58,14 +60,15 @@ struct StudioServer::Impl {
     void secure(Response& response) const;
 
     ServerDef def;
-    asio::io_context context;
-    tcp::acceptor acceptor;
-    asio::signal_set signals;
     int port = 0;
     std::size_t connections = 0;
     ConnectionId lastSocket = 0;
     std::size_t sockets = 0;  // Also those still shaking hands.
     std::map<ConnectionId, std::weak_ptr<SocketConnection>> open_;
+    // Last, so that connections, which the context owns, go before what they report to.
+    asio::io_context context;
+    tcp::acceptor acceptor;
+    asio::signal_set signals;
 };
 
 // ---- WebSockets ----
@@ -206,8 +209,8 @@ private:
             return refuse(431, "The request's header is too large.");
         if (error == http::error::body_limit) return refuse(413, "No body is expected here.");
         if (error == http::error::end_of_stream) return close();
-        if (error == beast::error::timeout || error.category() != http::make_error_code(http::error::bad_field).category())
-            return;
+        const auto& ofHttp = http::make_error_code(http::error::bad_field).category();
+        if (error && error.category() != ofHttp) return;  // Gone, or too slow.
         if (error) return refuse(400, "The request cannot be read.");
         const Request& request = parser_->get();
         if (request.count(http::field::host) != 1 || !server_.knownHost(text(request[http::field::host])))
@@ -307,9 +310,20 @@ private:
         });
     }
 
+    // Says that nothing more comes, then swallows what is still on its way: closing at once would reset the
+    // connection, and the client might lose our answer.
     void close() {
         Error ignored;
         stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+        stream_.expires_after(std::chrono::seconds(kLingerSeconds));
+        swallow();
+    }
+
+    void swallow() {
+        stream_.async_read_some(asio::buffer(swallowed_), [self = shared_from_this()](Error error, std::size_t size) {
+            self->swallowedBytes_ += size;
+            if (!error && self->swallowedBytes_ < self->server_.def.limits.takeBytes) self->swallow();
+        });
     }
 
     StudioServer::Impl& server_;
@@ -318,6 +332,8 @@ private:
     std::unique_ptr<http::request_parser<http::vector_body<std::uint8_t>>> parser_;
     Response response_;
     bool keep_ = true;
+    std::array<char, 4096> swallowed_{};
+    std::size_t swallowedBytes_ = 0;
 };
 
 // ---- The server ----

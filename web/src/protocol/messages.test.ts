@@ -1,0 +1,153 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { describe, expect, it } from 'vitest';
+import { ByteReader, ByteWriter, ProtocolError } from './bytes';
+import {
+  ControlKind,
+  MovingKind,
+  SUBPROTOCOL,
+  TouchPhase,
+  TransportAction,
+  VERSION,
+  decodeClient,
+  decodeServer,
+  encodeClient,
+  encodeServer,
+  type ClientMessage,
+  type Frame,
+} from './messages';
+
+function hex(buffer: ArrayBuffer): string {
+  return [...new Uint8Array(buffer)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+function goldenFrame(): ArrayBuffer {
+  const bytes = readFileSync(fileURLToPath(new URL('../../../tests/golden/frame.bin', import.meta.url)));
+  return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
+}
+
+const everyMessage: ClientMessage[] = [
+  { type: 'Hello', name: 'Zoë' },
+  { type: 'Touches', events: [{ phase: TouchPhase.Move, touch: 1, x: 1, y: 2, time: 3, group: 0 }] },
+  {
+    type: 'AddControl',
+    group: 1,
+    kind: ControlKind.Line,
+    touches: Uint32Array.of(1, 2),
+    xs: Float64Array.of(0.5, 1),
+    ys: Float64Array.of(-0.5, 1),
+    time: 9,
+  },
+  { type: 'PinControl', group: 1, control: 2, pinned: true },
+  { type: 'RemoveControl', group: 1, control: 2 },
+  { type: 'SetFormation', group: 1, formation: 'wedge' },
+  { type: 'SetCount', group: 1, count: 36 },
+  { type: 'SetParameter', name: 'plan.exponent', value: 1.5 },
+  { type: 'Transport', action: TransportAction.Restart },
+  { type: 'SetSpeed', factor: 0.5 },
+  { type: 'LoadScenario', name: 'open' },
+  { type: 'Record', on: false },
+  { type: 'SetOverlay', kind: 2, character: 7 },
+  { type: 'FrameAck', frame: 4294967295 },
+  { type: 'Ping', time: 1.25 },
+];
+
+describe('the bytes', () => {
+  it('are those that the protocol promises', () => {
+    // The same lines stand in tests/session/protocol_test.cpp.
+    expect(hex(encodeClient({ type: 'Hello', name: 'ab' }))).toBe('00020000006162');
+    expect(
+      hex(
+        encodeClient({
+          type: 'Touches',
+          events: [{ phase: TouchPhase.Up, touch: 258, x: 1, y: -2, time: 0.5, group: 3 }],
+        }),
+      ),
+    ).toBe('01' + '01000000' + '02' + '02010000' + '000000000000f03f' + '00000000000000c0' + '000000000000e03f' + '03000000');
+    expect(hex(encodeClient({ type: 'PinControl', group: 1, control: 2, pinned: true }))).toBe('03010000000200000001');
+    expect(hex(encodeClient({ type: 'SetSpeed', factor: 0.5 }))).toBe('090000003f');
+    expect(hex(encodeServer({ type: 'Pong', time: 1 }))).toBe('06000000000000f03f');
+    expect(SUBPROTOCOL).toBe(`muster.v${VERSION}`);
+  });
+
+  it('come back as they went, for every kind', () => {
+    for (const message of everyMessage) expect(decodeClient(encodeClient(message))).toEqual(message);
+  });
+
+  it('are refused when cut short or prolonged', () => {
+    for (const message of everyMessage) {
+      const bytes = encodeClient(message);
+      for (let length = 0; length < bytes.byteLength; ++length) {
+        expect(() => decodeClient(bytes.slice(0, length))).toThrow(ProtocolError);
+      }
+      const longer = new Uint8Array(bytes.byteLength + 1);
+      longer.set(new Uint8Array(bytes));
+      expect(() => decodeClient(longer.buffer)).toThrow('1 bytes too many');
+    }
+  });
+
+  it('are refused with unknown numbers, flags, enumerations and impossible lengths', () => {
+    for (const bytes of [[99], [8, 4], [11, 2], [1, 255, 255, 255, 255], [0, 255, 255, 255, 255]]) {
+      expect(() => decodeClient(Uint8Array.from(bytes).buffer)).toThrow(ProtocolError);
+    }
+  });
+});
+
+describe('a frame of the server', () => {
+  it('is read as it was written', () => {
+    const frame = decodeServer(goldenFrame()) as Frame;
+    expect(frame.type).toBe('Frame');
+    expect([frame.frame, frame.step, frame.time]).toEqual([7, 42, 0.7]);
+    expect([frame.playing, frame.recordedSeconds, frame.sceneRevision]).toEqual([true, -1, 3]);
+    expect(frame.ids).toEqual(Uint32Array.of(1, 2));
+    expect(frame.group).toEqual(Uint8Array.of(0, 1));
+    expect(frame.x).toEqual(Float32Array.of(0.5, -1.25));
+    expect(frame.motion).toEqual(Uint8Array.of(0, 3));
+    expect(frame.groups[0]!.vertices).toEqual(Float32Array.of(0, 0, 1, 0, 0, 1));
+    expect(frame.groups[0]!.fit).toEqual(Uint8Array.of(1, 0, 1));
+    const control = frame.groups[0]!.controls[0]!;
+    expect(control.kind).toBe(ControlKind.Area);
+    expect(control.points[0]).toEqual({ touch: 9, down: true, x: 1, y: 2, path: Float32Array.of(3, 4) });
+    expect(frame.moving[0]!.kind).toBe(MovingKind.Patch);
+    expect(frame.moving[0]!.angle).toBeCloseTo(0.3);
+    expect(frame.events[0]).toEqual({ kind: 5, subject: 1, value: 2, x: 0, y: 0 });
+    expect(hex(encodeServer(frame))).toBe(hex(goldenFrame()));
+  });
+
+  it('is refused when cut short anywhere', () => {
+    const bytes = goldenFrame();
+    for (let length = 0; length < bytes.byteLength; ++length) {
+      expect(() => decodeServer(bytes.slice(0, length))).toThrow(ProtocolError);
+    }
+  });
+
+  it('has arrays of its own, aligned, that can be transferred', () => {
+    const bytes = goldenFrame();
+    const frame = decodeServer(bytes) as Frame;
+    expect(frame.x.byteOffset).toBe(0);
+    expect(frame.x.buffer).not.toBe(bytes);
+    expect(frame.x.buffer.byteLength).toBe(8);
+  });
+});
+
+describe('ByteWriter and ByteReader', () => {
+  it('grow and keep every kind of value', () => {
+    const w = new ByteWriter();
+    const many = Float64Array.from({ length: 5000 }, (_, i) => i / 3);
+    w.f64s(many);
+    w.string('ü'.repeat(300));
+    w.u32(4294967295);
+    w.f32(0.1);
+    w.bool(true);
+    // A view that begins inside its buffer.
+    w.f32s(Float32Array.of(1, 2, 3).subarray(1));
+    const r = new ByteReader(w.bytes());
+    expect(r.f64s()).toEqual(many);
+    expect(r.string()).toBe('ü'.repeat(300));
+    expect(r.u32()).toBe(4294967295);
+    expect(r.f32()).toBeCloseTo(0.1);
+    expect(r.bool()).toBe(true);
+    expect(r.f32s()).toEqual(Float32Array.of(2, 3));
+    r.end();
+  });
+});
