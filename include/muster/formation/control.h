@@ -74,17 +74,20 @@ struct ControlDef {
 /// All controls on one mesh.
 class ControlSet {
 public:
-    /// A finger comes down at `position` on the mesh with these vertices: starts a point control on the
-    /// nearest vertex, or joins the same client's open control and upgrades it to line or area.
-    /// A finger already known, or one whose nearest vertex is held already, is refused (false).
+    /// A finger comes down at `position` on the mesh with these vertices (Vf, as people see it): starts a
+    /// point control on the nearest vertex, or joins the same client's open control and upgrades it to line or
+    /// area. `held` are the vertices that controls move (Vu); empty where they are the same. Refused (false): a
+    /// finger that is down already, one whose nearest vertex is held by a finger or a pin (a lifted control
+    /// still on its way gives way), numbers that are not finite, more than 32 fingers of a client or 64 controls.
     bool touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position, double time,
-                   const TriangleMesh& rest, std::span<const Vec2> vertices);
+                   const TriangleMesh& rest, std::span<const Vec2> vertices, std::span<const Vec2> held = {});
     /// Starts a whole control of a given kind at once (mouse: rubber band, lasso; API): one position
     /// and touch number per point. False where the number does not suit the kind (1, 2, 3 and more), or as above.
     bool addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
                     std::span<const std::uint32_t> touches, std::span<const Vec2> positions, double time,
-                    const TriangleMesh& rest, std::span<const Vec2> vertices);
-    /// The finger moves: its path grows. False for an unknown finger.
+                    const TriangleMesh& rest, std::span<const Vec2> vertices, std::span<const Vec2> held = {});
+    /// The finger moves: its path grows (at most 4096 checkpoints; then every second goes). False for an
+    /// unknown finger or a number that is not finite.
     bool touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position, double time);
     /// The finger lifts: the path stays to be followed. False for an unknown finger.
     bool touchUp(const ControlDef& def, std::uint32_t client, std::uint32_t touch, double time);

@@ -3,11 +3,18 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "muster/environment/environment.h"
 
 namespace muster {
+
+/// Working memory of a search for pairs of points that lie too near to each other.
+struct SpacingMemory {
+    std::vector<std::pair<std::uint64_t, std::int32_t>> order;  ///< Cell and point, sorted.
+    std::vector<Vec2> push;                                     ///< Of each point [m].
+};
 
 /// How places travel.
 struct PlaceDef {
@@ -37,7 +44,7 @@ public:
     /// Lets an archive read or write the state.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(position_, velocity_, fit_, detours_);
+        archive(position_, velocity_, fit_, detours_, turn_);
     }
 
 private:
@@ -53,11 +60,20 @@ private:
         }
     };
 
+    class Mover;  // One step's travel.
+
+    void findGoals(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
+                   std::int32_t region);
+    void findWays(const PlaceDef& def, const Environment& environment, const Mover& mover);
+
     std::vector<Vec2> position_;
     std::vector<Vec2> velocity_;
     std::vector<std::uint8_t> fit_;
     std::vector<Detour> detours_;  ///< Ordered by place.
-    std::vector<Vec2> goal_;       // Working memory.
+    std::uint32_t turn_ = 0;       ///< Place whose turn it is to look for a way first.
+    std::vector<Vec2> goal_;       // Working memory: reachable targets.
+    std::vector<std::uint8_t> moved_;
+    SpacingMemory spacing_;
 };
 
 }  // namespace muster
