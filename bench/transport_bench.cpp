@@ -52,9 +52,8 @@ void assignmentUnits(benchmark::State& state) { assignment(state, 0.0, false); }
 void assignmentHalfForbidden(benchmark::State& state) { assignment(state, 0.5, false); }
 void assignmentAmounts(benchmark::State& state) { assignment(state, 0.0, true); }
 
-// A block of characters 12 m from its places on 128 x 128 cells of 0.25 m, a wall of 8 m between; one thread.
-void exactPlan(benchmark::State& state) {
-    const auto n = static_cast<std::int32_t>(state.range(0));
+// 128 x 128 cells of 0.25 m with a wall of 8 m.
+muster::UnitCost ground() {
     muster::UnitCost cost;
     cost.grid = muster::Grid::covering({{0, 0}, {32, 32}}, 0.25);
     cost.cells.assign(static_cast<std::size_t>(cost.grid.count()), {});
@@ -66,9 +65,18 @@ void exactPlan(benchmark::State& state) {
         cost.cells[static_cast<std::size_t>(cost.grid.index({62, y}))].east = kInfinite;
         cost.cells[static_cast<std::size_t>(cost.grid.index({66, y}))].west = kInfinite;
     }
+    return cost;
+}
+
+// A block of characters moves to the same block `away` metres farther; one thread. With `incumbents` they hold their
+// places already, else nobody holds one.
+void exactPlan(benchmark::State& state, double away, bool incumbents) {
+    const auto n = static_cast<std::int32_t>(state.range(0));
+    const muster::UnitCost cost = ground();
     const std::vector<Vec2> characters = block(n, {6, 12}, 0.8);
-    const std::vector<Vec2> places = block(n, {18, 12}, 0.8);
+    const std::vector<Vec2> places = block(n, {6 + away, 12}, 0.8);
     std::vector<std::int32_t> incumbent(characters.size(), -1);
+    for (std::int32_t k = 0; incumbents && k < n; ++k) incumbent[k] = k;
     const auto plan = muster::makeExactPlan();
     muster::ThreadPool pool(1);
     muster::PlanResult result;
@@ -79,9 +87,15 @@ void exactPlan(benchmark::State& state) {
     state.counters["objective"] = result.objective;
 }
 
+void exactPlanFirst(benchmark::State& state) { exactPlan(state, 12.0, false); }
+void exactPlanFar(benchmark::State& state) { exactPlan(state, 12.0, true); }
+void exactPlanFollowing(benchmark::State& state) { exactPlan(state, 1.0, true); }
+
 }  // namespace
 
 BENCHMARK(assignmentUnits)->Arg(36)->Arg(100)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(assignmentHalfForbidden)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(assignmentAmounts)->Arg(100)->Arg(400)->Unit(benchmark::kMillisecond);
-BENCHMARK(exactPlan)->Arg(36)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(exactPlanFirst)->Arg(36)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(exactPlanFar)->Arg(36)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(exactPlanFollowing)->Arg(36)->Arg(100)->Unit(benchmark::kMillisecond);

@@ -16,6 +16,8 @@ constexpr std::int32_t kReach = 4;
 // A front first goes to characters within this many times the way of the place's incumbent, and a little more [m].
 constexpr double kReachFactor = 1.5;
 constexpr double kReachMore = 2.0;
+// ... but to all where that is not much farther.
+constexpr double kWorthwhile = 0.6;
 // Fields are a discretisation; a lower bound of their values must allow for their error.
 constexpr double kBoundShare = 0.95;
 
@@ -64,8 +66,12 @@ void PlanGeneration::setReach() {
         const std::int32_t j = incumbent_[i];
         if (j >= 0) reach_[j] = std::max(reach_[j], kReachFactor * distance(characters_[i], places_[j]) + kReachMore);
     }
-    for (double& reach : reach_)
-        if (reach < 0.0) reach = kInfinite;
+    for (std::int32_t j = 0; j < places(); ++j) {
+        double farthest = 0.0;
+        for (const Vec2 p : characters_) farthest = std::max(farthest, distance(p, places_[j]));
+        // Where stopping early would save little, it is not worth a second front.
+        if (reach_[j] < 0.0 || reach_[j] > kWorthwhile * farthest) reach_[j] = kInfinite;
+    }
 }
 
 bool PlanGeneration::met(std::int32_t character, std::int32_t place) const {

@@ -49,7 +49,7 @@ TEST_CASE("steering: straight when near and clear, else down the field") {
     const muster::Environment environment = blocked();
     OwnedInput input;
     input.cost = groundOf(environment);
-    input.characters = {{-3, 0}, {5, 5}};
+    input.characters = {{-3, 0.5}, {5, 5}};
     input.places = {{3, 0}, {5, 6}};
     input.incumbent = {0, 1};
     const auto plan = muster::makeExactPlan();
@@ -62,14 +62,15 @@ TEST_CASE("steering: straight when near and clear, else down the field") {
     const Steered near = steer(*plan, environment, {5, 5}, 1, input.places);
     CHECK(near.direction == Vec2{0, 1});
     CHECK(near.cost == 1.0);
-    // Round the block: the way is symmetric, so it leads up or down but clearly aside.
-    const Steered far = steer(*plan, environment, {-3, 0}, 0, input.places);
+    // Round the block by its upper corner, which is the nearer, a radius away from it.
+    const Steered far = steer(*plan, environment, {-3, 0.5}, 0, input.places);
     CHECK(length(far.direction) == doctest::Approx(1.0).epsilon(1e-9));
-    CHECK(std::abs(far.direction.y) > 0.7);
+    const Vec2 corner{-1.25, 4.25};
+    CHECK(dot(far.direction, normalized(corner - Vec2{-3, 0.5})) > 0.98);
     CHECK(far.cost == doctest::Approx(result.cost[0]).epsilon(1e-6));
     // Near in a straight line but across the block: by the field still.
     const Steered across = steer(*plan, environment, {-1.4, 1}, 0, {{1.4, 1}, {5, 6}}, 5.0);
-    CHECK(std::abs(across.direction.y) > 0.7);
+    CHECK(across.direction.y > 0.7);
     // The place has moved within reach: straight to where it is today.
     const Steered moved = steer(*plan, environment, {5, 5}, 1, {{3, 0}, {6, 5}});
     CHECK(moved.direction == Vec2{1, 0});
@@ -106,7 +107,7 @@ TEST_CASE("following the steering reaches the place round the block") {
             REQUIRE(environment.distanceToObstacle(p) > 0.0);
         }
         CHECK(distance(p, input.places[place[i]]) <= 0.05);
-        // The field promised this way, within 3 % and the last step.
-        CHECK(walked <= 1.03 * result.cost[i] + 0.1);
+        // The field promised this way, within 5 % and the last steps.
+        CHECK(walked <= 1.05 * result.cost[i] + 0.1);
     }
 }
