@@ -19,10 +19,13 @@ const CLOSE = 8;
 /** A message as one unmasked WebSocket frame. */
 function framed(bytes: ArrayBuffer): Buffer {
   const payload = Buffer.from(bytes);
-  const head = Buffer.alloc(10);
+  const { length } = payload;
+  // Browsers insist on the shortest form of the length.
+  const head = Buffer.alloc(length < 126 ? 2 : length < 65536 ? 4 : 10);
   head[0] = 0x80 | BINARY;
-  head[1] = 127;
-  head.writeBigUInt64BE(BigInt(payload.length), 2);
+  head[1] = length < 126 ? length : length < 65536 ? 126 : 127;
+  if (head.length === 4) head.writeUInt16BE(length, 2);
+  if (head.length === 10) head.writeBigUInt64BE(BigInt(length), 2);
   return Buffer.concat([head, payload]);
 }
 

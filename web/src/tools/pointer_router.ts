@@ -55,7 +55,9 @@ export class PointerRouter {
   private down(event: PointerEvent): void {
     const contact = this.contactOf(event);
     if (this.owned.has(event.pointerId) || this.owned.size >= MOST_TOUCHES) return;
-    this.surface.focus({ preventScroll: true });
+    // The scene answers to keys from now on; a ring is for those who came by keyboard.
+    const quietly: FocusOptions & { focusVisible: boolean } = { preventScroll: true, focusVisible: false };
+    this.surface.focus(quietly);
     try {
       this.surface.setPointerCapture(event.pointerId);
     } catch {

@@ -12,6 +12,8 @@ export interface Shortcut {
   readonly run?: (event: KeyboardEvent) => void;
   /** Only while the scene, not a button, has the focus. */
   readonly sceneOnly?: boolean;
+  /** Another line of the help tells of it. */
+  readonly unlisted?: boolean;
 }
 
 /** Where typing or choosing goes on, shortcuts keep out. */

@@ -54,7 +54,7 @@ export class HelpDialog {
       if (event.target === this.root) actions.showHelp(false);
     });
     const keys = GROUPS.map((group) => {
-      const list = shortcuts.filter((shortcut) => shortcut.group === group);
+      const list = shortcuts.filter((shortcut) => shortcut.group === group && !shortcut.unlisted);
       return rows(group, list.map((shortcut) => ({ with: keysOf(shortcut), does: shortcut.does })));
     });
     this.root.append(

@@ -18,5 +18,5 @@ it('keeps the newest 48 values and scales to the largest of them', () => {
   for (let i = 0; i < 48; ++i) spark.push(8.4);
   const points = spark.root.querySelector('polyline')!.getAttribute('points')!.split(' ');
   expect(points).toHaveLength(48);
-  expect(points[47]).toBe('92.0,7.0');
+  expect(points[47]).toBe('92.0,6.6');
 });

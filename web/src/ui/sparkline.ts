@@ -39,7 +39,8 @@ export class Sparkline {
   push(value: number): void {
     this.values.push(Number.isFinite(value) ? value : 0);
     if (this.values.length > SAMPLES) this.values.shift();
-    const top = Math.max(this.leastTop, this.limit * 1.05, ...this.values);
+    // Some air above the highest value.
+    const top = Math.max(this.leastTop, this.limit, 1.2 * Math.max(...this.values));
     const points = sparklinePoints(this.values, WIDTH, HEIGHT, top);
     this.line.setAttribute('points', points);
     const last = points.slice(points.lastIndexOf(' ') + 1).split(',');

@@ -21,6 +21,9 @@ import { Tooltip } from './tooltip';
 import { TransportBar } from './transport_bar';
 import type { Padding } from '../view/camera_types';
 
+/** Between top panels and the ground that must be seen: figures stand up into it [px]. */
+const HEADROOM = 44;
+
 export class StudioShell {
   readonly scale = new ScaleBar();
   readonly live = new LiveRegion();
@@ -58,13 +61,12 @@ export class StudioShell {
   /** What the panels cover; fits keep clear of it. */
   padding(): Padding {
     const { layout } = this.store.state;
-    const top = Math.max(...this.top.map((panel) => panel.getBoundingClientRect().bottom)) + 12;
+    const top = Math.max(...this.top.map((panel) => panel.getBoundingClientRect().bottom)) + HEADROOM;
     const height = window.innerHeight;
     if (layout === 'desktop' || layout === 'landscape') {
       const left = this.formations.root.getBoundingClientRect().right + 12;
       const right = layout === 'desktop' ? 24 : window.innerWidth - this.transport.root.getBoundingClientRect().left + 12;
-      const lowest = layout === 'desktop' ? this.transport.root : this.readout.root;
-      return { top, right, bottom: height - lowest.getBoundingClientRect().top + 12, left };
+      return { top, right, bottom: height - this.readout.root.getBoundingClientRect().top + 12, left };
     }
     return { top, right: 24, bottom: height - this.bottom.getBoundingClientRect().top + 24, left: 24 };
   }

@@ -32,12 +32,13 @@ function crowdKeys(tools: KeyTools): Shortcut[] {
 }
 
 function formationKeys(actions: StudioActions): Shortcut[] {
-  const names = FORMATIONS.slice(0, 8);
-  const keys = names.map(({ name }, i): Shortcut => {
+  const choices = FORMATIONS.slice(0, 8);
+  const all: Shortcut = { keys: '1 – 8', does: choices.map(({ label }) => label.toLowerCase()).join(', '), group: 'Formations', match: [] };
+  const keys = choices.map(({ name, label }, i): Shortcut => {
     const key = String(i + 1);
-    return { keys: key, does: names[i]!.label.toLowerCase(), group: 'Formations', match: [key], run: () => actions.setFormation(name) };
+    return { keys: key, does: label, group: 'Formations', match: [key], unlisted: true, run: () => actions.setFormation(name) };
   });
-  return keys;
+  return [all, ...keys];
 }
 
 function timeKeys(actions: StudioActions): Shortcut[] {

@@ -1,0 +1,35 @@
+import { expect, it } from 'vitest';
+import { findShortcut } from '../tools/shortcuts';
+import type { StudioActions } from './studio_actions';
+import { studioShortcuts, type KeyTools } from './studio_shortcuts';
+
+const calls: string[] = [];
+const recorder = new Proxy({}, { get: (_, name) => (...values: unknown[]) => calls.push([name, ...values].map(String).join(' ')) });
+const shortcuts = studioShortcuts(recorder as StudioActions, recorder as KeyTools);
+
+function press(key: string, shiftKey = false): string | undefined {
+  calls.length = 0;
+  const event = { key, shiftKey, ctrlKey: false, metaKey: false, target: null };
+  findShortcut(shortcuts, event)?.run!(event as unknown as KeyboardEvent);
+  return calls[0];
+}
+
+it('every key does what the help says', () => {
+  expect(press('3')).toBe('setFormation column');
+  expect(press('8')).toBe('setFormation pacman');
+  expect(press('.')).toBe('singleStep');
+  expect(press('R')).toBe('toggleRecord');
+  expect(press('+')).toBe('zoom 1.2');
+  expect(press('<')).toBe('nextSpeed true');
+  expect(press('ArrowLeft', true)).toBe('arrow ArrowLeft true');
+  expect(press('f')).toBe('fit');
+  expect(press('c')).toBe('toggleOverlay 2');
+  expect(press('?')).toBe('showHelp true');
+  expect(press('p')).toBe('togglePin');
+  expect(press('x')).toBeUndefined();
+});
+
+it('no key means two things', () => {
+  const keys = shortcuts.flatMap((shortcut) => (shortcut.run ? shortcut.match : []));
+  expect(new Set(keys).size).toBe(keys.length);
+});
