@@ -66,7 +66,8 @@ export class Figures {
   private usesFine_ = true;
   private shirts_ = new Float32Array(0);
 
-  constructor() {
+  /** `casts`: near figures throw shadows, not only discs. */
+  constructor(private readonly casts_: boolean) {
     const material = new MeshLambertMaterial();
     material.onBeforeCompile = (shader): void => {
       Object.assign(shader.uniforms, this.uniforms_);
@@ -76,7 +77,7 @@ export class Figures {
     depth.onBeforeCompile = (shader): void => inject(shader, false);
     this.bodies = new Mesh(new InstancedBufferGeometry(), material);
     this.bodies.customDepthMaterial = depth;
-    this.bodies.castShadow = true;
+    this.bodies.castShadow = casts_;
     this.bodies.receiveShadow = false;
     this.bodies.frustumCulled = false;
     this.discs = new Mesh(makeDisc(), discMaterial());
@@ -148,7 +149,7 @@ export class Figures {
   private useDetail(fine: boolean): void {
     if (fine === this.usesFine_ && this.bodies.geometry.attributes['position']) return;
     this.usesFine_ = fine;
-    this.bodies.castShadow = fine;
+    this.bodies.castShadow = fine && this.casts_;
     const source: BufferGeometry = fine ? this.fine_ : this.coarse_;
     for (const name of ['position', 'normal', 'limb']) {
       this.bodies.geometry.setAttribute(name, source.attributes[name] as BufferAttribute);

@@ -1,6 +1,6 @@
 // The three.js side of the view: renderer, light, and the layers that fill the scene.
 
-import { Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { BasicShadowMap, Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import type { SceneBox, SceneFacts } from '../protocol/scene';
 import type { CameraController } from './camera_controller';
 import type { FieldPicture } from './field_picture';
@@ -9,6 +9,7 @@ import { Ground } from './ground';
 import { InstancedRings } from './instanced_rings';
 import { MeshLayer } from './mesh_layer';
 import type { Palette } from './palette';
+import type { Quality } from './quality';
 import type { ShadeUniforms } from './shade';
 import { Sun } from './sun';
 import type { ViewStats } from './studio_view';
@@ -20,12 +21,12 @@ const kMaxPixelRatio = 2;
 const kNoBox: SceneBox = { min: [-16, -16], max: [16, 16] };
 
 export class Stage {
-  readonly figures = new Figures();
+  readonly figures: Figures;
   readonly meshes = new MeshLayer();
   readonly rings = new InstancedRings();
   readonly world: WorldLayer;
   private readonly ground_: Ground;
-  private readonly sun_ = new Sun();
+  private readonly sun_: Sun;
   private readonly renderer_: WebGLRenderer;
   private readonly scene_ = new Scene();
   private readonly eye_ = new PerspectiveCamera(24, 1, 1, 1000);
@@ -35,12 +36,19 @@ export class Stage {
   private readonly floatLinear_: boolean;
   private box_ = kNoBox;
   private ratio_ = 1;
+  private shadowsStale_ = true;
   private maxRatio_ = kMaxPixelRatio;
 
-  constructor(canvas: HTMLCanvasElement) {
-    this.renderer_ = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+  constructor(canvas: HTMLCanvasElement, quality: Quality) {
+    const full = quality === 'full';
+    this.figures = new Figures(full);
+    this.sun_ = new Sun(quality);
+    this.renderer_ = new WebGLRenderer({ canvas, antialias: full, powerPreference: 'high-performance' });
     this.renderer_.shadowMap.enabled = true;
-    this.renderer_.shadowMap.type = PCFSoftShadowMap;
+    this.renderer_.shadowMap.type = full ? PCFSoftShadowMap : BasicShadowMap;
+    // A slow machine draws its shadows anew only where something else than people moved.
+    this.renderer_.shadowMap.autoUpdate = full;
+    if (!full) this.maxRatio_ = 1;
     this.renderer_.info.autoReset = false;
     this.floatLinear_ = this.renderer_.extensions.has('OES_texture_float_linear');
     this.ground_ = new Ground(this.shade_);
@@ -53,11 +61,6 @@ export class Stage {
   /** Device px per CSS px now. */
   get pixelRatio(): number {
     return this.ratio_;
-  }
-
-  /** Caps device px per CSS px (slow machines). */
-  set maxPixelRatio(ratio: number) {
-    this.maxRatio_ = Math.min(kMaxPixelRatio, ratio);
   }
 
   resize(width: number, height: number): void {
@@ -83,6 +86,7 @@ export class Stage {
     this.box_ = scene.box;
     this.ground_.setBox(scene.box);
     this.world.build(scene, palette);
+    this.shadowsStale_ = true;
   }
 
   setField(picture: FieldPicture | null): void {
@@ -99,7 +103,9 @@ export class Stage {
     this.eye_.position.set(eye[0], eye[1], eye[2]);
     this.eye_.lookAt(new Vector3(eye[0] + forward[0], eye[1] + forward[1], eye[2] + forward[2]));
     this.eye_.updateProjectionMatrix();
-    this.sun_.follow(camera, this.box_);
+    const sunMoved = this.sun_.follow(camera, this.box_);
+    if (sunMoved || this.world.moves || this.shadowsStale_) this.renderer_.shadowMap.needsUpdate = true;
+    this.shadowsStale_ = false;
     this.renderer_.info.reset();
     this.renderer_.render(this.scene_, this.eye_);
     stats.drawCalls = this.renderer_.info.render.calls;

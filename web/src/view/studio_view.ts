@@ -14,6 +14,7 @@ import { GroupPicture } from './group_picture';
 import { type DraftControl, MarkLayer } from './mark_layer';
 import { accentOf, type Palette, paletteOf } from './palette';
 import { pickCharacter, pickHandle, pickMesh } from './picker';
+import { chooseQuality, rendererName } from './quality';
 import { chipTags, overlayTags, patchTags, type TagScene } from './scene_tags';
 import { Stage } from './stage';
 import { TagLayer } from './tag_layer';
@@ -121,7 +122,7 @@ export class StudioView implements StudioScene {
   private request_ = 0;
 
   constructor(private readonly canvas_: HTMLCanvasElement, private readonly overlayRoot_: HTMLElement) {
-    this.stage_ = new Stage(canvas_);
+    this.stage_ = new Stage(canvas_, chooseQuality(location.search, rendererName));
     this.markLayer_ = new MarkLayer(overlayRoot_);
     this.tagLayer_ = new TagLayer(overlayRoot_);
     this.observer_ = new ResizeObserver(() => this.resize());
@@ -194,7 +195,7 @@ export class StudioView implements StudioScene {
     this.palette_ = paletteOf(theme);
     this.overlayRoot_.dataset['theme'] = theme;
     this.stage_.setPalette(this.palette_);
-    if (this.scene_) this.stage_.world.build(this.scene_, this.palette_);
+    if (this.scene_) this.stage_.setScene(this.scene_, this.palette_);
     this.membersStale_ = true;
     this.wake();
   }

@@ -3,6 +3,7 @@
 import { DirectionalLight, Group, HemisphereLight, Vector3 } from 'three';
 import type { CameraController } from './camera_controller';
 import type { Palette } from './palette';
+import type { Quality } from './quality';
 import type { SceneBox } from '../protocol/scene';
 
 const kElevation = (52 * Math.PI) / 180;
@@ -17,9 +18,12 @@ export class Sun {
   private readonly toSun_ = new Vector3(
     Math.cos(kElevation) * Math.cos(kAzimuth), Math.cos(kElevation) * Math.sin(kAzimuth), Math.sin(kElevation));
 
-  constructor() {
+  private key_ = '';
+
+  constructor(quality: Quality) {
+    const size = quality === 'full' ? kMapSize : kMapSize / 2;
     this.sun_.castShadow = true;
-    this.sun_.shadow.mapSize.set(kMapSize, kMapSize);
+    this.sun_.shadow.mapSize.set(size, size);
     this.sun_.shadow.bias = -0.0004;
     this.sun_.shadow.normalBias = 0.02;
     this.sun_.shadow.radius = 2.5;
@@ -32,12 +36,9 @@ export class Sun {
     this.sky_.intensity = palette.sky;
   }
 
-  get castShadow(): boolean {
-    return this.sun_.castShadow;
-  }
-
-  /** Lays the shadow map over the ground in view, in steps, so that shadows do not shimmer while the camera moves. */
-  follow(camera: CameraController, box: SceneBox): void {
+  /** Lays the shadow map over the ground in view, in steps, so that shadows do not shimmer while the camera moves.
+   * True where it moved. */
+  follow(camera: CameraController, box: SceneBox): boolean {
     const corners = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
     let minX = Infinity, minY = Infinity, maxX = -Infinity, maxY = -Infinity;
     for (const [u, v] of corners) {
@@ -50,13 +51,17 @@ export class Sun {
       minY = Math.min(minY, y);
       maxY = Math.max(maxY, y);
     }
-    if (!(maxX > minX) || !(maxY > minY)) return;
+    if (!(maxX > minX) || !(maxY > minY)) return false;
     const reach = Math.max(8, Math.hypot(maxX - minX, maxY - minY) / 2 + 3);
     const radius = 1.18 ** Math.ceil(Math.log(reach) / Math.log(1.18));
-    const texel = (8 * 2 * radius) / kMapSize;
+    const texel = radius / 128;
     const x = Math.round((minX + maxX) / 2 / texel) * texel;
     const y = Math.round((minY + maxY) / 2 / texel) * texel;
+    const key = `${x}:${y}:${radius}`;
+    if (key === this.key_) return false;
+    this.key_ = key;
     this.place(x, y, radius);
+    return true;
   }
 
   private place(x: number, y: number, radius: number): void {

@@ -64,6 +64,11 @@ export class WorldLayer {
     this.floor_.visible = visible;
   }
 
+  /** True where something that stands on the ground can move. */
+  get moves(): boolean {
+    return this.moving_.size > 0;
+  }
+
   /** Places what moves, between two frames. */
   move(from: readonly MovingView[], to: readonly MovingView[], alpha: number): void {
     to.forEach((one, i) => {

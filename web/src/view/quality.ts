@@ -1,0 +1,26 @@
+// How much the page may ask of the machine: a software renderer gets no multisampling and plain shadow edges.
+
+export type Quality = 'full' | 'light';
+
+const kSoftware = /llvmpipe|softpipe|swiftshader|software|basic render/i;
+
+/** The quality that suits a renderer by its name. */
+export function qualityOf(renderer: string): Quality {
+  return kSoftware.test(renderer) ? 'light' : 'full';
+}
+
+/** `?quality=full` or `light` in the page's address decides; else the renderer's name. */
+export function chooseQuality(search: string, renderer: () => string): Quality {
+  const asked = new URLSearchParams(search).get('quality');
+  return asked === 'full' || asked === 'light' ? asked : qualityOf(renderer());
+}
+
+/** The name of the renderer behind WebGL; empty where the browser hides it. */
+export function rendererName(): string {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) return '';
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name: unknown = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return typeof name === 'string' ? name : '';
+}
