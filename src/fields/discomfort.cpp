@@ -9,12 +9,15 @@ namespace {
 // Pieces slower than this are not predicted [m/s].
 constexpr double kStill = 1e-3;
 // Golden-section steps; each leaves 0.618 of the interval.
-constexpr int kSearchSteps = 8;
+constexpr int kSearchSteps = 10;
 constexpr double kGolden = 0.61803398874989484820;
 
+// The piece's effect at one time, relative to the gain. Negative beyond its range, rising with nearness, so that a
+// search finds its way from there.
 double valueAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double time) {
     const double away = std::max(0.0, piece.signedDistance(p - piece.velocity * time));
-    return (1.0 - time / def.discomfortTime) * std::max(0.0, 1.0 - away / def.discomfortRange);
+    const double nearness = 1.0 - away / def.discomfortRange;
+    return nearness > 0.0 ? nearness * (1.0 - time / def.discomfortTime) : nearness;
 }
 
 }  // namespace
@@ -32,16 +35,14 @@ double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p) 
     double low = std::max(0.0, (along - half) / speed);
     double high = std::min(def.discomfortTime, (along + half) / speed);
     if (low >= high) return 0.0;
-    // Both factors are concave in time where they are positive, so their product has one peak. Where both probes
-    // find nothing, the piece is met nearer to the moment of its centre's closest approach.
+    // Both factors are concave in time where they are positive, so their product has one peak.
     double left = high - kGolden * (high - low);
     double right = low + kGolden * (high - low);
     double leftValue = valueAt(def, piece, p, left);
     double rightValue = valueAt(def, piece, p, right);
     double best = std::max({valueAt(def, piece, p, low), leftValue, rightValue});
     for (int k = 0; k < kSearchSteps; ++k) {
-        const bool nothing = leftValue == 0.0 && rightValue == 0.0;
-        if (nothing ? along < speed * 0.5 * (left + right) : leftValue > rightValue) {
+        if (leftValue > rightValue) {
             high = right;
             right = left;
             rightValue = leftValue;
@@ -57,7 +58,7 @@ double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p) 
             best = std::max(best, rightValue);
         }
     }
-    return def.discomfortGain * best;
+    return def.discomfortGain * std::max(0.0, best);
 }
 
 void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Grid& grid,

@@ -62,7 +62,7 @@ void UnitCostBuilder::updateGround(const UnitCostDef& def, const Environment& en
     price_ = price;
     clearance_.assign(clearance.begin(), clearance.end());
     travelSpeed_.assign(travelSpeed.begin(), travelSpeed.end());
-    lowest_ = priceGround(environment, radius, price, ground_);
+    lowest_ = priceGround({grid_, clearance_, travelSpeed_}, radius, price, ground_);
 }
 
 void UnitCostBuilder::updateDiscomfort(const UnitCostDef& def, const Environment& environment) {

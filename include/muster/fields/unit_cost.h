@@ -46,7 +46,7 @@ struct UnitCost {
     Grid grid;                     ///< The ground cells.
     double radius = 0.25;          ///< Cells whose centre is nearer to an obstacle are walls [m].
     std::vector<CellCost> cells;   ///< Row-major.
-    float lowest = 1.0f;           ///< No finite cost is smaller; the smallest one of the empty ground.
+    float lowest = 1.0f;           ///< Of a metre anywhere; edges of cells drawn to walls may bear less, being shorter.
 
     /// True where nobody of this radius can be.
     bool wall(std::int32_t index) const {
