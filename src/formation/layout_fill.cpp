@@ -111,29 +111,83 @@ std::vector<Vec2> latticeInside(const PolygonWithHoles& shape, double scale) {
     return points;
 }
 
-// Number of lattice neighbours of each point; points come row by row.
-std::vector<std::int32_t> neighbourCounts(const std::vector<Vec2>& points) {
-    std::vector<std::int32_t> counts(points.size(), 0);
-    for (std::size_t a = 0; a < points.size(); ++a) {
-        for (std::size_t b = a + 1; b < points.size() && points[b].y - points[a].y < 1.5 * kRow; ++b) {
-            if (distance(points[a], points[b]) > 1.01) continue;
-            ++counts[a];
-            ++counts[b];
+// Lattice points with their neighbours, from which some are taken away.
+class Patchwork {
+public:
+    // Points come row by row.
+    explicit Patchwork(const std::vector<Vec2>& points) : points_(points), kept_(points.size(), 1), count_(points.size()) {
+        neighbours_.resize(points.size());
+        for (std::size_t a = 0; a < points.size(); ++a) {
+            for (std::size_t b = a + 1; b < points.size() && points[b].y - points[a].y < 1.5 * kRow; ++b) {
+                if (distance(points[a], points[b]) > 1.01) continue;
+                neighbours_[a].push_back(b);
+                neighbours_[b].push_back(a);
+            }
         }
+        for (const auto& list : neighbours_) degree_.push_back(static_cast<std::int32_t>(list.size()));
     }
-    return counts;
-}
 
-// Drops points until `count` are left: those with the fewest neighbours, then the farthest out.
-void trim(std::vector<Vec2>& points, std::int32_t count) {
-    const std::vector<std::int32_t> neighbours = neighbourCounts(points);
-    std::vector<Candidate> order;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        order.push_back({static_cast<double>(6 - neighbours[k]) * 1e12 + std::floor(lengthSquared(points[k]) * 1024.0 + 0.5),
-                         points[k]});
-    std::sort(order.begin(), order.end());
-    points.clear();
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) points.push_back(order[k].position);
+    std::size_t count() const { return count_; }
+    bool alone(std::size_t k) const { return degree_[k] == 0; }
+
+    void remove(std::size_t k) {
+        kept_[k] = 0;
+        --count_;
+        for (const std::size_t n : neighbours_[k]) --degree_[n];
+    }
+    void removeAlone() {
+        for (std::size_t k = 0; k < points_.size(); ++k)
+            if (kept_[k] != 0 && alone(k)) remove(k);
+    }
+    // The point with the fewest neighbours, among these the farthest out, that leaves none alone;
+    // the number of points where there is none.
+    std::size_t mostExposed() const {
+        std::size_t best = points_.size();
+        const auto rank = [&](std::size_t k) { return -std::floor(lengthSquared(points_[k]) * 1024.0 + 0.5); };
+        for (std::size_t k = 0; k < points_.size(); ++k) {
+            if (kept_[k] == 0) continue;
+            const bool better = best == points_.size() || degree_[k] < degree_[best] ||
+                                (degree_[k] == degree_[best] && rank(k) < rank(best));
+            if (better && !isolates(k)) best = k;
+        }
+        return best;
+    }
+    std::vector<Vec2> take() const {
+        std::vector<Vec2> points;
+        for (std::size_t k = 0; k < points_.size(); ++k)
+            if (kept_[k] != 0) points.push_back(points_[k]);
+        return points;
+    }
+
+private:
+    bool isolates(std::size_t k) const {
+        return std::any_of(neighbours_[k].begin(), neighbours_[k].end(),
+                           [&](std::size_t n) { return kept_[n] != 0 && degree_[n] == 1; });
+    }
+
+    const std::vector<Vec2>& points_;
+    std::vector<std::uint8_t> kept_;
+    std::size_t count_;
+    std::vector<std::vector<std::size_t>> neighbours_;
+    std::vector<std::int32_t> degree_;
+};
+
+// Exactly `count` of the lattice points inside the scaled shape, each with a neighbour; empty where
+// these do not exist at this scale.
+std::vector<Vec2> fillShape(const PolygonWithHoles& shape, double scale, std::size_t count) {
+    std::vector<Vec2> points = latticeInside(shape, scale);
+    if (count == 1 || points.size() < count) {
+        points.resize(std::min(points.size(), count));
+        return points.size() == count ? points : std::vector<Vec2>{};
+    }
+    Patchwork patchwork(points);
+    patchwork.removeAlone();
+    while (patchwork.count() > count) {
+        const std::size_t k = patchwork.mostExposed();
+        if (k == points.size()) return {};
+        patchwork.remove(k);
+    }
+    return patchwork.count() == count ? patchwork.take() : std::vector<Vec2>{};
 }
 
 }  // namespace
@@ -211,8 +265,9 @@ Result<Layout> outlineLayout(std::int32_t count, double spacing, const PolygonWi
         (latticeInside(unit, scale).size() >= wanted ? high : low) = scale;
     }
     Layout layout;
-    layout.places = latticeInside(unit, high);
-    trim(layout.places, count);
+    // The few scales at which no even choice exists are stepped over.
+    while ((layout.places = fillShape(unit, high, wanted)).empty() && high < 60.0) high *= 1.01;
+    if (layout.places.empty()) return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
     for (Vec2& p : layout.places) p = p * spacing;
     for (Vec2& p : unit.outline) p = p * (high * spacing);
     for (Polygon& hole : unit.holes)
