@@ -1,0 +1,272 @@
+#include "muster/scenario/scenario.h"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "muster/base/archive.h"
+#include "muster/base/random.h"
+
+using namespace muster;
+
+namespace {
+
+const std::string kFolder = std::string(MUSTER_SOURCE_DIR) + "/scenarios";
+
+/// All members of a definition as bytes, for comparisons bit for bit.
+std::vector<std::uint8_t> bytesOf(WorldDef def) {
+    Writer w;
+    w(def.name, def.description, def.credit, def.box.min, def.box.max, def.cell, def.seed, def.clips, def.obstacles,
+      def.patches, def.map, def.groups, def.checkpoints, def.items);
+    for (const ParameterInfo& info : parameterTable()) w(def.parameters.*info.member);
+    return w.take();
+}
+
+/// A definition with something in every member, of numbers that are hard to print.
+WorldDef richDef() {
+    WorldDef def;
+    def.name = "Rich \"quoted\" \\ \n \xc3\xa9";
+    def.description = "All of it.";
+    def.credit = "Nobody";
+    def.box = {{-1.0 / 3.0, -0.1}, {31.7, 20.000000000000004}};
+    def.cell = 0.1 + 0.2;
+    def.seed = 9007199254740991ull;
+    def.clips[3].file = "crawl.bvh";
+    def.clips[3].length = 1e-3 / 7.0;
+    ObstacleDef box;
+    box.name = "Box";
+    box.polygon = {{1.1, 2.2}, {3.3, 2.2}, {3.3, 4.400000000000001}};
+    box.path.waypoints = {{0.0, {0, 0}, 0.0}, {1.0 / 3.0, {0.7, -0.0}, 0.123456789012345678}};
+    box.path.loop = true;
+    box.strength = 0.0;
+    ObstacleDef disc;
+    disc.centre = {5, 6};
+    disc.radius = 0.30000000000000004;
+    disc.range = 2.5;
+    def.obstacles = {box, disc};
+    PatchDef patch;
+    patch.name = "Net";
+    patch.polygon = {{6, 6}, {8, 6}, {8, 8}};
+    patch.motion = 3;
+    patch.speed = 1.0 / 7.0;
+    def.patches = {patch};
+    GroupDef group;
+    group.name = "A";
+    group.count = 3;
+    group.formation.kind = FormationKind::Points;
+    group.formation.points = {{0, 0}, {1, 0.1}, {0.2, 1}};
+    group.starts = {{2, 9}, {3, 9}, {4, 9}};
+    group.position = {10, 10};
+    group.angle = 1e-9;
+    group.jitter = 0.05;
+    GroupDef other;
+    other.formation.kind = FormationKind::Outline;
+    other.formation.outline.outline = {{0, 0}, {5, 0}, {5, 5}, {0, 5}};
+    other.formation.outline.holes = {{{1, 1}, {1, 2}, {2, 2}}, {{3, 3}, {3, 4}, {4, 4}}};
+    def.groups = {group, other};
+    FormationCheckpointDef checkpoint;
+    checkpoint.position = {12, 3};
+    checkpoint.formation.kind = FormationKind::Pacman;
+    checkpoint.formation.opening = 0.7;
+    checkpoint.group = 1;
+    checkpoint.once = false;
+    def.checkpoints = {checkpoint};
+    def.items = {{{3, 3}, 0.4}};
+    def.parameters.exponent = 1.7;
+    def.parameters.planMode = 2.0;
+    return def;
+}
+
+std::string minimal(const std::string& more) {
+    return R"({"format":"muster-scenario","version":1)" + (more.empty() ? "" : "," + more) + "}";
+}
+
+std::string failureOf(const std::string& text) {
+    const auto def = parseScenario(text, "F.json", "");
+    return def.ok() ? "" : def.status().message();
+}
+
+}  // namespace
+
+TEST_CASE("a definition survives its text bit for bit") {
+    const WorldDef def = richDef();
+    const std::string text = writeScenario(def);
+    const auto back = parseScenario(text, "rich", "");
+    REQUIRE_MESSAGE(back.ok(), back.status().message());
+    CHECK(bytesOf(*back) == bytesOf(def));
+    CHECK(writeScenario(*back) == text);
+}
+
+TEST_CASE("random doubles survive bit for bit") {
+    Random random(11);
+    for (int round = 0; round < 300; ++round) {
+        WorldDef def;
+        def.groups.resize(1);
+        def.groups[0].position = {random.uniform(-9e5, 9e5), random.uniform(-1e-5, 1e-5)};
+        def.groups[0].angle = random.uniform(-7, 7) / 3.0;
+        for (const ParameterInfo& info : parameterTable()) {
+            const double value = info.minimum + (info.maximum - info.minimum) * random.uniform() * random.uniform();
+            (void)setParameter(def.parameters, info.name, value).ok();
+        }
+        def.parameters.densityMax = def.parameters.densityMin + 1.0 / 3.0;
+        if (def.parameters.densityMax > 100.0) continue;
+        const auto back = parseScenario(writeScenario(def), "random", "");
+        REQUIRE_MESSAGE(back.ok(), back.status().message());
+        CHECK(bytesOf(*back) == bytesOf(def));
+    }
+}
+
+TEST_CASE("defaults stand where a file says nothing, and an embedded map gives the box") {
+    const auto def = parseScenario(minimal(""), "F", "");
+    REQUIRE(def.ok());
+    CHECK(bytesOf(*def) == bytesOf(WorldDef{}));
+    const auto map = parseScenario(
+        minimal(R"("map":{"rows":["..@","..."],"metresPerCell":2,"origin":[1,1]},"groups":[{"formation":"wedge"}])"), "F", "");
+    REQUIRE_MESSAGE(map.ok(), map.status().message());
+    CHECK(map->map->grid.width == 3);
+    CHECK(map->map->grid.cells == "..@...");
+    CHECK(map->box.max == Vec2{7, 5});
+    CHECK(map->groups[0].formation.kind == FormationKind::Wedge);
+    const auto back = parseScenario(writeScenario(*map), "F", "");
+    REQUIRE(back.ok());
+    CHECK(bytesOf(*back) == bytesOf(*map));
+}
+
+TEST_CASE("a preset is where parameters start from") {
+    const auto def = parseScenario(minimal(R"("preset":"paper","parameters":{"plan.period":3})"), "F", "");
+    REQUIRE(def.ok());
+    CHECK(def->parameters.exponent == 1.0);
+    CHECK(def->parameters.planPeriod == 3.0);
+}
+
+TEST_CASE("every failure names file, path, what was found and what was expected") {
+    const auto says = [](const std::string& more, const std::string& path) {
+        const std::string message = failureOf(minimal(more));
+        CAPTURE(message);
+        CHECK(message.rfind("F.json: " + path, 0) == 0);
+        CHECK(message.find("found") != std::string::npos);
+        CHECK(message.find("expected") != std::string::npos);
+        CHECK(message.find('\n') == std::string::npos);
+    };
+    says(R"("cell":"x")", "$.cell:");
+    says(R"("cell":0)", "$.cell:");
+    says(R"("colour":1)", "$:");
+    says(R"("obstacles":{})", "$.obstacles:");
+    says(R"("obstacles":[{"centre":[0,0],"radius":1},{"polygon":[[0,0],[1]]}])", "$.obstacles[1].polygon");
+    says(R"("obstacles":[{"centre":[0,0],"radius":-1}])", "$.obstacles[0].radius:");
+    says(R"("obstacles":[3])", "$.obstacles[0]:");
+    says(R"("obstacles":[{"centre":[0,0],"radius":1,"path":{"waypoints":[{"x":1}]}}])", "$.obstacles[0].path.waypoints[0]:");
+    says(R"("patches":[{"polygon":[[0,0],[1,0],[1,1]],"motion":"fly"}])", "$.patches[0].motion:");
+    says(R"("patches":[{"motion":"run"}])", "$.patches[0]:");
+    says(R"("groups":[{"count":0}])", "$.groups[0].count:");
+    says(R"("groups":[{"count":2.5}])", "$.groups[0].count:");
+    says(R"("groups":[{"count":100001}])", "$.groups[0].count:");
+    says(R"("groups":[{"formation":"blob"}])", "$.groups[0].formation.kind:");
+    says(R"("groups":[{"formation":{"kind":"line","spacing":0}}])", "$.groups[0].formation.spacing:");
+    says(R"("parameters":{"plan.exponent":0.2})", "$.parameters[\"plan.exponent\"]:");
+    says(R"("parameters":{"plan.exp":2})", "$.parameters:");
+    says(R"("preset":"rubens")", "$.preset:");
+    says(R"("map":{})", "$.map:");
+    says(R"("map":{"rows":["..","."]})", "$.map.rows[1]:");
+    says(R"("map":{"file":"nowhere.map"})", "$.map.file:");
+    says(R"("seed":-1)", "$.seed:");
+    CHECK(failureOf("[]").find("F.json: $: found an array") == 0);
+    CHECK(failureOf("{}").find("no \"format\"") != std::string::npos);
+    CHECK(failureOf(R"({"format":"muster-scenario","version":2})").find("$.version") != std::string::npos);
+}
+
+TEST_CASE("what single fields cannot show is checked too") {
+    CHECK(failureOf(minimal(R"("obstacles":[{"polygon":[[0,0],[1,1],[1,0],[0,1]]}])")).find("$.obstacles[0]") != std::string::npos);
+    CHECK(failureOf(minimal(R"("obstacles":[{}])")).find("$.obstacles[0]") != std::string::npos);
+    CHECK(failureOf(minimal(R"("groups":[{"count":3,"starts":[[0,0]]}])")).find("$.groups[0]") != std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[1000,1000]],"cell":0.01)")).find("16 million") != std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[0,5]])")).find("empty") != std::string::npos);
+    CHECK(failureOf(minimal(R"("clips":[{"name":"run"},{"name":"run"}])")).find("$.clips[1].name") != std::string::npos);
+    CHECK(failureOf(minimal(R"("groups":[{"count":60000},{"count":60000}])")).find("100000") != std::string::npos);
+    CHECK(failureOf(minimal(R"("parameters":{"density.min":4})")).find("density.max") != std::string::npos);
+}
+
+TEST_CASE("syntax errors name line and column") {
+    CHECK(failureOf("{\n  \"format\": \"muster-scenario\",\n  \"version\": 1,,\n}").find("F.json:3:") == 0);
+    CHECK(failureOf("").find("F.json:1:1") == 0);
+    CHECK(failureOf("{\"a\":1,\"a\":2}").find("twice") != std::string::npos);
+    CHECK(failureOf(std::string(100000, '[')).find("64 levels") != std::string::npos);
+    CHECK(failureOf("{\"a\":1e999}").find("F.json:1:") == 0);
+    CHECK(failureOf("{\"a\":\"\xff\"}").find("F.json:1:") == 0);
+}
+
+TEST_CASE("too many items are refused") {
+    std::string list;
+    for (int i = 0; i < 20001; ++i) list += std::string(i > 0 ? "," : "") + R"({"position":[0,0]})";
+    CHECK(failureOf(minimal("\"items\":[" + list + "]")).find("at most 20000") != std::string::npos);
+}
+
+TEST_CASE("damaged text never crashes") {
+    const std::string text = writeScenario(richDef());
+    Random random(5);
+    for (int round = 0; round < 3000; ++round) {
+        std::string bad = text;
+        const auto at = random.below(static_cast<std::uint32_t>(bad.size()));
+        if (round % 3 == 0) bad.erase(at, 1 + random.below(20));
+        else bad[at] = static_cast<char>(random.below(256));
+        const auto def = parseScenario(bad, "F.json", "");
+        if (!def.ok()) CHECK(def.status().message().rfind("F.json", 0) == 0);
+    }
+}
+
+TEST_CASE("map files lie beside the scenario") {
+    const auto folder = std::filesystem::temp_directory_path() / "muster_scenario_test";
+    std::filesystem::create_directories(folder);
+    const auto write = [&](const char* name, const std::string& text) {
+        std::FILE* file = std::fopen((folder / name).c_str(), "wb");
+        REQUIRE(file != nullptr);
+        std::fwrite(text.data(), 1, text.size(), file);
+        std::fclose(file);
+    };
+    write("small.map", "type octile\nheight 2\nwidth 4\nmap\n....\n.@T.\n");
+    write("s.json", minimal(R"("map":{"file":"small.map"})"));
+    const auto def = loadScenario((folder / "s.json").string());
+    REQUIRE_MESSAGE(def.ok(), def.status().message());
+    CHECK(def->map->grid.cells == ".....@T.");
+    CHECK(def->box.max == Vec2{4, 2});
+    CHECK(loadScenario((folder / "no.json").string()).status().code() == StatusCode::IoError);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("warnings tell of narrow gaps and bad starts") {
+    WorldDef def;
+    for (double x : {0.0, 1.3}) {
+        ObstacleDef disc;
+        disc.centre = {x, 0.0};
+        disc.radius = 0.5;
+        def.obstacles.push_back(disc);
+    }
+    GroupDef group;
+    group.count = 2;
+    group.starts = {{0.0, 0.1}, {5.0, 5.0}};
+    def.groups = {group};
+    const auto warnings = scenarioWarnings(def);
+    REQUIRE(warnings.size() == 2);
+    CHECK(warnings[0].find("0.30 m") != std::string::npos);
+    CHECK(warnings[1].find("1 characters") != std::string::npos);
+    def.obstacles[1].centre.x = 1.6;
+    def.groups[0].starts[0] = {-3.0, 0.0};
+    CHECK(scenarioWarnings(def).empty());
+}
+
+TEST_CASE("every shipped scenario is good and has no warnings") {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+        if (entry.path().extension() != ".json" || entry.path().stem() == "scenario.schema") continue;
+        CAPTURE(entry.path().string());
+        const auto def = loadScenario(entry.path().string());
+        REQUIRE_MESSAGE(def.ok(), def.status().message());
+        ++count;
+        CHECK(!def->description.empty());
+        CHECK(def->groups.size() >= 1);
+        for (const std::string& warning : scenarioWarnings(*def)) CHECK_MESSAGE(false, warning);
+    }
+    CHECK(count >= 6);
+}

@@ -1,0 +1,159 @@
+#include "muster/world/command.h"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "muster/base/random.h"
+
+using namespace muster;
+
+namespace {
+
+/// One good command of every kind.
+std::vector<Command> everyCommand() {
+    FormationDef outline;
+    outline.kind = FormationKind::Outline;
+    outline.outline.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    outline.outline.holes = {{{1, 1}, {1, 2}, {2, 2}}};
+    ObstacleDef box;
+    box.name = "Box";
+    box.polygon = {{0, 0}, {1, 0}, {1, 1}};
+    box.path.waypoints = {{0.0, {0, 0}, 0.0}, {2.5, {3, 1}, 0.5}};
+    box.path.loop = true;
+    ObstacleDef disc;
+    disc.centre = {1, 2};
+    disc.radius = 0.5;
+    PatchDef patch;
+    patch.polygon = box.polygon;
+    patch.motion = 3;
+    GroupDef group;
+    group.count = 2;
+    group.starts = {{0, 0}, {1, 1}};
+    const std::vector<CommandBody> bodies = {
+        TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}}, TouchMove{7, {1, 2}, 0.25}, TouchUp{7, 0.5}, TouchCancel{7},
+        AddControl{GroupId{1}, ControlKind::Line, {1, 2}, {{0, 0}, {1, 0}}, 0.75}, PinControl{GroupId{1}, ControlId{3}, false},
+        RemoveControl{GroupId{1}, ControlId{3}}, ReleaseClient{}, SetFormation{GroupId{1}, outline},
+        SetCount{GroupId{1}, 50}, SetPose{GroupId{1}, {1, 2}, 0.3}, AddGroup{group}, RemoveGroup{GroupId{1}},
+        AddObstacle{box}, ChangeObstacle{ObstacleId{4}, disc}, RemoveObstacle{ObstacleId{4}}, AddPatch{patch},
+        ChangePatch{PatchId{1}, patch}, RemovePatch{PatchId{1}}, SetParameter{"plan.exponent", 1.5}};
+    std::vector<Command> commands;
+    for (const CommandBody& body : bodies) {
+        const auto n = static_cast<std::uint32_t>(commands.size());
+        commands.push_back({60 + n, 1 + n % 3, n, body});
+    }
+    return commands;
+}
+
+std::vector<std::uint8_t> bytesOf(const Command& command) {
+    Writer writer;
+    encodeCommand(writer, command);
+    return writer.take();
+}
+
+}  // namespace
+
+TEST_CASE("every kind of command is valid and survives its bytes") {
+    const auto commands = everyCommand();
+    REQUIRE(commands.size() == std::variant_size_v<CommandBody>);
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        CAPTURE(commandName(commands[i]));
+        CHECK(commands[i].body.index() == i);
+        CHECK(validateCommand(commands[i]).ok());
+        const auto bytes = bytesOf(commands[i]);
+        Reader reader(bytes);
+        const auto back = decodeCommand(reader);
+        REQUIRE(back.ok());
+        CHECK(reader.remaining() == 0);
+        CHECK(back->step == commands[i].step);
+        CHECK(back->client == commands[i].client);
+        CHECK(back->sequence == commands[i].sequence);
+        CHECK(back->body.index() == i);
+        CHECK(bytesOf(*back) == bytes);
+    }
+}
+
+TEST_CASE("decoded values are those encoded") {
+    const auto bytes = bytesOf({5, 2, 9, TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}}});
+    Reader reader(bytes);
+    const auto back = decodeCommand(reader);
+    REQUIRE(back.ok());
+    const auto& down = std::get<TouchDown>(back->body);
+    CHECK(down.touch == 7);
+    CHECK(down.position == Vec2{1.5, -2.25});
+    CHECK(down.time == 0.125);
+    CHECK(down.group == GroupId{2});
+}
+
+TEST_CASE("cut bytes and unknown kinds are refused") {
+    for (const Command& command : everyCommand()) {
+        const auto bytes = bytesOf(command);
+        for (std::size_t size = 0; size < bytes.size(); ++size) {
+            Reader reader(std::span<const std::uint8_t>(bytes).first(size));
+            CHECK(decodeCommand(reader).status().code() == StatusCode::ParseError);
+        }
+    }
+    auto bytes = bytesOf({0, 0, 0, TouchCancel{1}});
+    bytes[12] = 200;
+    Reader reader(bytes);
+    CHECK(decodeCommand(reader).status().message().find("200") != std::string::npos);
+}
+
+TEST_CASE("flipped bytes never crash, and what is accepted is valid") {
+    Random random(3);
+    int accepted = 0;
+    for (int round = 0; round < 200; ++round) {
+        for (const Command& command : everyCommand()) {
+            auto bytes = bytesOf(command);
+            bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<std::uint8_t>(1 + random.below(255));
+            Reader reader(bytes);
+            const auto back = decodeCommand(reader);
+            if (!back.ok()) continue;
+            ++accepted;
+            CHECK(validateCommand(*back).ok());
+        }
+    }
+    CHECK(accepted > 100);
+}
+
+TEST_CASE("values out of range are refused") {
+    const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+    const auto refused = [](CommandBody body) {
+        const Status status = validateCommand({0, 1, 0, std::move(body)});
+        return status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::NotFound ||
+               status.code() == StatusCode::LimitExceeded;
+    };
+    CHECK(refused(TouchDown{1, {nan, 0}, 0, {}}));
+    CHECK(refused(TouchDown{1, {0, infinity}, 0, {}}));
+    CHECK(refused(TouchDown{1, {0, 0}, -1.0, {}}));
+    CHECK(refused(TouchMove{1, {2e6, 0}, 0}));
+    CHECK(refused(TouchUp{1, nan}));
+    CHECK(refused(SetCount{GroupId{1}, 0}));
+    CHECK(refused(SetCount{GroupId{1}, 100001}));
+    CHECK(refused(SetPose{GroupId{1}, {0, 0}, infinity}));
+    CHECK(refused(SetParameter{"plan.exponent", 0.5}));
+    CHECK(refused(SetParameter{"no.such", 0.5}));
+    CHECK(refused(SetParameter{"time.step", 1.0 / 30.0}));
+    CHECK(refused(AddControl{GroupId{1}, ControlKind::Line, {1}, {{0, 0}}, 0}));
+    CHECK(refused(AddControl{GroupId{1}, ControlKind::Area, {1, 2, 3}, {{0, 0}, {1, 0}}, 0}));
+    CHECK(refused(AddControl{GroupId{1}, ControlKind::Point, {}, {}, 0}));
+    ObstacleDef crossed;
+    crossed.polygon = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+    CHECK(refused(AddObstacle{crossed}));
+    CHECK(refused(AddObstacle{ObstacleDef{}}));
+    PatchDef patch;
+    patch.polygon = {{0, 0}, {1, 0}, {1, 1}};
+    patch.motion = -1;
+    CHECK(refused(AddPatch{patch}));
+    FormationDef formation;
+    formation.spacing = 0.0;
+    CHECK(refused(SetFormation{GroupId{1}, formation}));
+    formation = {};
+    formation.kind = FormationKind::Points;
+    CHECK(refused(SetFormation{GroupId{1}, formation}));
+    GroupDef group;
+    group.starts = {{0, 0}};
+    CHECK(refused(AddGroup{group}));
+}
