@@ -1,4 +1,4 @@
-// The colours of the scene in both themes (docs/studio-look.md has the contrasts).
+// The colours of the scene in both themes (the tests hold the contrasts).
 
 import type { Theme } from './studio_view';
 
