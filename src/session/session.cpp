@@ -103,11 +103,7 @@ bool Session::replaying() const { return impl_->replay.has_value(); }
 // ---- Recording ----
 
 void Session::Impl::setRecording(bool on, std::uint32_t client) {
-    if (!on) {
-        stopRecording();
-        touchState();
-        return;
-    }
+    if (!on) return stopRecording();
     if (recordedFrom >= 0.0) return;
     recordedFrom = world->time();
     touchState();
@@ -123,6 +119,7 @@ void Session::Impl::setRecording(bool on, std::uint32_t client) {
 
 void Session::Impl::stopRecording() {
     recordedFrom = -1.0;
+    touchState();
     if (!world || !log.attached()) return;
     const Status status = log.detach(*world);
     if (!status.ok()) noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
