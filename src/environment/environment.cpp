@@ -152,6 +152,15 @@ Status Environment::removeObstacle(ObstacleId id) {
     return {};
 }
 
+void Environment::setFieldDefaults(double range, double strength) {
+    Impl& s = *impl_;
+    if (!(range >= 0.0 && range <= kFarthest) || !(strength >= 0.0 && std::isfinite(strength))) return;
+    if (range == s.def.defaultRange && strength == s.def.defaultStrength) return;
+    s.def.defaultRange = range;
+    s.def.defaultStrength = strength;
+    s.stale = true;  // The pieces carry both.
+}
+
 Result<PatchId> Environment::addPatch(const PatchDef& def) {
     Impl& s = *impl_;
     Result<PatchEntry> entry = makePatch(def, s.def.clips, s.time);

@@ -260,6 +260,7 @@ void World::Impl::meetCheckpoints() {
     }
 }
 
+// How far behind the mesh the crowd is. Places wait for slow ground themselves, so it counts from where they are bound.
 void World::Impl::measureLag() {
     for (Group& group : groups) {
         double sum = 0.0;
@@ -267,7 +268,7 @@ void World::Impl::measureLag() {
         for (const std::int32_t member : group.members) {
             const auto i = static_cast<std::size_t>(member);
             if (characters.place[i] < 0) continue;
-            sum += distance(characters.position[i], group.places.positions()[static_cast<std::size_t>(characters.place[i])]);
+            sum += distance(characters.position[i], group.places.goals()[static_cast<std::size_t>(characters.place[i])]);
             ++matched;
         }
         group.meanLag = matched > 0 ? sum / matched : 0.0;

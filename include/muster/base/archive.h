@@ -80,9 +80,10 @@ private:
     void raw(void* data, std::size_t size) {
         if (!ok_ || size > remaining()) {
             ok_ = false;
-            std::memset(data, 0, size);
+            if (size > 0) std::memset(data, 0, size);
             return;
         }
+        if (size == 0) return;  // An empty vector has no address.
         std::memcpy(data, bytes_.data() + position_, size);
         position_ += size;
     }

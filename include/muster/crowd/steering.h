@@ -15,8 +15,8 @@ struct SteeringDef {
     double radius = 0.25;           ///< Of a character [m] > 0.
     double maxSpeed = 2.0;          ///< In the open [m/s] > 0; times the ground's travel speed elsewhere.
     double acceleration = 10.0;     ///< Bound on the change of velocity [m/s^2] > 0.
-    double velocityGain = 8.0;      ///< Derivative gain of the PD controller [1/s] > 0.
-    double positionGain = 4.0;      ///< Proportional gain near the place [1/s] > 0.
+    double velocityGain = 12.0;      ///< Derivative gain of the PD controller [1/s] > 0.
+    double positionGain = 3.0;      ///< Proportional gain near the place [1/s] > 0.
     double directReach = 1.5;       ///< Within it of the place the PD controller aims at the place itself [m].
     double separationGain = 1.0;    ///< Sidestep before contact [1/s] >= 0.
     double separationReach = 0.15;  ///< Gap between two bodies below which they sidestep [m] >= 0.

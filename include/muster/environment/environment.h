@@ -84,7 +84,8 @@ public:
     /// A patch's polygon where it stands now; empty for an unknown id.
     Polygon patchPolygon(PatchId id) const;
 
-    /// Changes range and strength of the field of obstacles that give none.
+    /// Changes range [m] and strength of the field of obstacles that give none; ignores numbers that are negative
+    /// or not finite.
     void setFieldDefaults(double range, double strength);
 
     /// Puts moving things where they are at `time` [s] and brings the rasters up to date.

@@ -41,6 +41,9 @@ public:
     /// 1 where a character can stand, 0 where the place is unfit and stays unmatched.
     const std::vector<std::uint8_t>& fit() const { return fit_; }
 
+    /// Where each place is bound for: its reachable target of the last reset() or advance() [m].
+    const std::vector<Vec2>& goals() const { return goal_; }
+
     /// Lets an archive read or write the state.
     template <class Archive>
     void visit(Archive& archive) {

@@ -56,8 +56,8 @@ struct Parameters {
     double radius = 0.25;
     double maxSpeed = 2.0;
     double acceleration = 10.0;
-    double velocityGain = 8.0;
-    double positionGain = 4.0;
+    double velocityGain = 12.0;
+    double positionGain = 3.0;
     double directReach = 1.5;
     double separationGain = 1.0;
     double separationReach = 0.15;

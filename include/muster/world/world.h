@@ -52,7 +52,7 @@ struct GroupView {
     const Plan* plan = nullptr;
     double objective = 0.0;                 ///< Of the last plan [cost^p].
     double gapBound = 0.0;                  ///< Of the last plan [cost^p].
-    double meanLag = 0.0;                   ///< Mean distance of characters to their places [m].
+    double meanLag = 0.0;                   ///< Mean distance of characters to where their places are bound [m] (SPEC U6).
     std::uint32_t formationVersion = 0;     ///< Grows when the mesh is exchanged.
 };
 
