@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Frame, GroupMesh } from '../protocol/messages';
 import { parseScene } from '../protocol/scene';
-import { FrameReader, countGroups } from './frame_reader';
+import { FrameReader, countGroups, sceneKey } from './frame_reader';
 import { initialState } from './studio_state';
 
 const scene = parseScene(JSON.stringify({
@@ -46,4 +46,11 @@ describe('FrameReader', () => {
 
 it('countGroups ignores indices of groups that are not there', () => {
   expect(countGroups(Uint8Array.from([0, 1, 1, 7]), 2)).toEqual([1, 2]);
+});
+
+it('sceneKey sees other groups and ground, but no other counts and formations', () => {
+  const more = { ...scene, groups: scene.groups.map((group) => ({ ...group, count: 99, formation: 'ring' })) };
+  expect(sceneKey(more)).toBe(sceneKey(scene));
+  expect(sceneKey({ ...scene, groups: scene.groups.slice(1) })).not.toBe(sceneKey(scene));
+  expect(sceneKey({ ...scene, cell: 1 })).not.toBe(sceneKey(scene));
 });

@@ -11,6 +11,13 @@ export function countGroups(group: Uint8Array, groups: number): number[] {
   return counts;
 }
 
+/** Equal for scenes that look the same: counts, formations and parameters do not matter. */
+export function sceneKey(scene: SceneFacts): string {
+  const { name, box, cell, obstacles, patches, clips, items, checkpoints } = scene;
+  const groups = scene.groups.map((group) => [group.id, group.name, group.colour]);
+  return JSON.stringify([name, box, cell, obstacles, patches, clips, items, checkpoints, groups]);
+}
+
 export class FrameReader {
   private scene: SceneFacts | null = null;
   private readonly formations = new Map<number, string>();

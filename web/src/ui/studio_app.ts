@@ -2,7 +2,7 @@
 
 import { LatencyMeter, pageClock } from '../engine/latency_meter';
 import type { StudioClient } from '../engine/studio_client';
-import { NoticeLevel, OverlayKind, ControlKind, type Frame, type Overlay, type Scene } from '../protocol/messages';
+import { NoticeLevel, OverlayKind, ControlKind, type Frame, type GroupMesh, type Overlay, type Scene } from '../protocol/messages';
 import { parseScene } from '../protocol/scene';
 import { CameraGesture, OrbitGesture } from '../tools/camera_gesture';
 import type { Contact } from '../tools/contact';
@@ -20,7 +20,7 @@ import { fieldScale } from '../view/field_picture';
 import type { StudioScene } from '../view/studio_view';
 import { ControlWatch, KIND_NAMES, type ControlNews } from './control_watch';
 import { formatClock } from './formatters';
-import { FrameReader } from './frame_reader';
+import { FrameReader, sceneKey } from './frame_reader';
 import { LayoutWatcher } from './layout';
 import { HINT_KEY, StudioController } from './studio_controller';
 import { StudioShell } from './studio_shell';
@@ -33,6 +33,8 @@ export class StudioApp {
   readonly store = new StudioStore();
   /** Newest decoded frame. */
   frame: Frame | null = null;
+  private sceneKey = '';
+  private readonly meshes = new Map<number, GroupMesh>();
   private readonly reader = new FrameReader();
   private readonly watch = new ControlWatch();
   private readonly hitTest = new FormationHitTest();
@@ -168,6 +170,7 @@ export class StudioApp {
     client.on('welcome', (welcome) => store.set({ scenarios: welcome.scenarios }));
     client.on('scene', (scene) => this.showScene(scene));
     client.on('groupMesh', (mesh) => {
+      this.meshes.set(mesh.group, mesh);
       this.hitTest.setMesh(mesh);
       this.reader.setMesh(mesh);
       view.setGroupMesh(mesh);
@@ -185,12 +188,17 @@ export class StudioApp {
   private showScene(message: Scene): void {
     try {
       const scene = parseScene(message.json);
-      this.hitTest.clear();
-      this.forgetTouches();
       this.reader.setScene(scene);
-      this.store.set({ title: scene.title, scenario: scene.name, credit: scene.credit, active: 0, notice: null, loaded: true });
+      this.store.set({ title: scene.title, scenario: scene.name, credit: scene.credit, loaded: true });
+      // A scene comes again when only a parameter or a count changed: that must not move the camera.
+      const key = sceneKey(scene);
+      if (key === this.sceneKey) return;
+      this.sceneKey = key;
+      this.forgetTouches();
+      this.store.set({ active: 0, notice: null });
       this.view.setScene(scene);
       this.view.setPadding(this.shell.padding());
+      for (const mesh of this.meshes.values()) this.view.setGroupMesh(mesh);
     } catch (error) {
       const text = `The scene could not be shown: ${String(error)}`;
       this.store.set({ notice: { type: 'Notice', level: NoticeLevel.Error, code: 'scene', text } });

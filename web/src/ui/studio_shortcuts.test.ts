@@ -1,3 +1,4 @@
+// @vitest-environment jsdom
 import { expect, it } from 'vitest';
 import { findShortcut } from '../tools/shortcuts';
 import type { StudioActions } from './studio_actions';

@@ -1,0 +1,69 @@
+// Access and layout.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { expect } from '../support/expect.mjs';
+
+const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+async function serious(studio, state) {
+  await studio.page.evaluate(axeSource);
+  const { violations } = await studio.page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+  const bad = violations.filter((one) => one.impact === 'serious' || one.impact === 'critical');
+  const told = bad.map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(' ')).slice(0, 3).join(', ')}`);
+  expect(bad.length === 0, `axe finds in the ${state}: ${told.join('; ')}`);
+}
+
+export async function accessible(studio) {
+  await serious(studio, 'page');
+  await studio.shot('page');
+  await studio.page.keyboard.press('n');
+  await studio.wait(300);
+  await serious(studio, 'dark page');
+  await studio.shot('dark');
+  await studio.page.keyboard.press('n');
+  await studio.page.keyboard.press('h');
+  await studio.page.locator('dialog.help[open]').waitFor();
+  await serious(studio, 'help');
+  await studio.shot('help');
+  await studio.page.keyboard.press('Escape');
+  await studio.page.locator('.scenario-button').click();
+  await serious(studio, 'list of scenarios');
+  await studio.shot('scenarios');
+  await studio.page.keyboard.press('Escape');
+}
+
+/** Targets of 44 px, nothing beyond the window, panels beside each other. */
+export async function layout(studio) {
+  const found = await studio.page.evaluate(() => {
+    const visible = (node) => node.getClientRects().length > 0 && getComputedStyle(node).visibility === 'visible';
+    const boxes = [...document.querySelectorAll('#ui button')].filter(visible).map((node) => ({ name: node.ariaLabel ?? node.textContent, box: node.getBoundingClientRect() }));
+    const small = boxes.filter(({ box }) => box.width < 43.9 || box.height < 43.9).map(({ name }) => name);
+    const panels = [...document.querySelectorAll('#ui .panel, #ui .sheet')].filter(visible)
+      .filter((node) => getComputedStyle(node).position === 'absolute' && node.parentElement.closest('.panel') === null)
+      .map((node) => ({ name: node.className, box: node.getBoundingClientRect() }));
+    const outside = panels.filter(({ box }) => box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5).map(({ name }) => name);
+    const overlaps = [];
+    panels.forEach((a, i) => panels.slice(i + 1).forEach((b) => {
+      const apart = a.box.right <= b.box.left || b.box.right <= a.box.left || a.box.bottom <= b.box.top || b.box.bottom <= a.box.top;
+      if (!apart) overlaps.push(`${a.name} / ${b.name}`);
+    }));
+    return { small, outside, overlaps, scroll: document.documentElement.scrollWidth - innerWidth };
+  });
+  expect(found.small.length === 0, `targets under 44 px: ${found.small.join(', ')}`);
+  expect(found.outside.length === 0, `panels beyond the window: ${found.outside.join(', ')}`);
+  expect(found.overlaps.length === 0, `panels over each other: ${found.overlaps.join(', ')}`);
+  expect(found.scroll <= 0, `the page scrolls sideways by ${found.scroll} px`);
+}
+
+export async function firstVisit(studio) {
+  const hint = studio.page.locator('.hint');
+  expect(await hint.isVisible(), 'the first visit shows how to steer');
+  await studio.shot('hint');
+  const { width, height } = studio.page.viewportSize();
+  await studio.fingers.down({ 1: { x: width / 2, y: height * 0.3 } });
+  await studio.fingers.up();
+  expect((await hint.textContent()).includes('One finger'), 'its words follow a touch');
+  await layout(studio);
+  await hint.locator('button').click();
+  expect(!(await hint.isVisible()), 'Got it hides it');
+}

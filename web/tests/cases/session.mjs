@@ -1,0 +1,82 @@
+// Connection, latency, takes.
+import { expect } from '../support/expect.mjs';
+import { extreme, percentile, points, shifted } from '../support/geometry.mjs';
+import { startStudio } from '../support/server.mjs';
+
+const TOUCHES = 60;
+const LIMIT_MS = 50;
+
+/** From a finger's event to the first picture that shows its effect. */
+export async function latency(studio) {
+  await studio.wait(1500);
+  const corner = extreme(points((await studio.frame()).groups[0].vertices), 1, 0.5);
+  for (let i = 0; i < TOUCHES; ++i) {
+    const [from, to] = await studio.screen([corner, shifted(corner, 0.4, 0.2)]);
+    await studio.fingers.down({ 1: from });
+    await studio.fingers.move({ 1: to }, { steps: 2, ms: 60 });
+    await studio.fingers.up();
+    await studio.wait(60 + (i % 7) * 5);
+  }
+  await studio.wait(500);
+  const times = await studio.page.evaluate(() => globalThis.__muster.latency.map(({ down, shown }) => 1000 * (shown - down)));
+  expect(times.length >= TOUCHES, `every touch was shown: ${times.length} of ${TOUCHES}`);
+  const [p50, p95] = [percentile(times, 0.5), percentile(times, 0.95)];
+  console.log(`measured: touch to first changed frame, ${times.length} events: p50 ${p50.toFixed(1)} ms, p95 ${p95.toFixed(1)} ms`);
+  await studio.shot('latency');
+  expect(p95 <= LIMIT_MS, `p95 is ${p95.toFixed(1)} ms, at most ${LIMIT_MS} wanted`);
+}
+
+/** A page that hangs must not slow the simulation, and sees the newest frame when it wakes. */
+export async function stalledPage(studio) {
+  const result = await studio.page.evaluate(async () => {
+    const muster = globalThis.__muster;
+    const before = { time: performance.now(), step: muster.frame.step };
+    while (performance.now() - before.time < 2000);
+    await new Promise((resolve) => setTimeout(resolve, 250));
+    return { steps: muster.frame.step - before.step, seconds: (performance.now() - before.time) / 1000 };
+  });
+  const expected = 60 * result.seconds;
+  expect(result.steps > 0.85 * expected, `${result.steps} steps in ${result.seconds} s: the simulation went on and the page is up to date`);
+}
+
+/** The server goes and comes back. */
+export async function lostAndFound(studio, server) {
+  await server.stop();
+  await studio.until('the banner', () => document.documentElement.hasAttribute('data-lost'));
+  expect(await studio.page.locator('.banner', { hasText: 'Connection lost' }).isVisible(), 'the banner tells of it');
+  await studio.wait(300);
+  await studio.shot('lost');
+  const again = await startStudio({ port: server.port });
+  expect(again.port === server.port, 'the same port again');
+  await studio.page.locator('.banner', { hasText: 'Try now' }).locator('button', { hasText: 'Try now' }).click({ timeout: 1500 }).catch(() => undefined);
+  await studio.until('the connection', () => globalThis.__muster.connected && !document.documentElement.hasAttribute('data-lost'), null, 20000);
+  const { step } = await studio.frame();
+  await studio.send({ type: 'Transport', action: 0 });
+  await studio.until('new frames', (n) => globalThis.__muster.frame.step !== n, step);
+  return again;
+}
+
+/** A take is recorded, downloaded, and opened again. */
+export async function recordAndReplay(studio) {
+  await studio.page.locator('.record').click();
+  await studio.until('the record clock', () => /^0:0\d\.\d$/.test(document.querySelector('.record-label').textContent));
+  const corner = extreme(points((await studio.frame()).groups[0].vertices), 1, 0);
+  const [from, to] = await studio.screen([corner, shifted(corner, 3, 0)]);
+  await studio.fingers.down({ 1: from });
+  await studio.fingers.move({ 1: to }, { ms: 400 });
+  await studio.fingers.up();
+  await studio.wait(800);
+  await studio.shot('record');
+  await studio.page.locator('.record').click();
+  await studio.until('the end of the record', () => globalThis.__muster.frame.recordedSeconds < 0);
+  const opened = await studio.page.evaluate(async () => {
+    const take = await (await fetch('take')).blob();
+    const answer = await fetch('take', { method: 'POST', body: take });
+    return { size: take.size, status: answer.status, text: await answer.text() };
+  });
+  expect(opened.size > 100, `the take has ${opened.size} bytes`);
+  expect(opened.status === 200, `it opens again: ${opened.status} ${opened.text}`);
+  await studio.until('the replay', () => globalThis.__muster.frame.replaying);
+  const broken = await studio.page.evaluate(async () => (await fetch('take', { method: 'POST', body: 'no take' })).status);
+  expect(broken === 400, `what is no take is refused: ${broken}`);
+}

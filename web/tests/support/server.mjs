@@ -1,0 +1,39 @@
+// Starts and stops `muster studio`.
+import { spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+
+export function programPath() {
+  return process.env.MUSTER ?? `${root}build/release/muster`;
+}
+
+/** Starts the program on a free port from `port` on; resolves when it prints its address. */
+export async function startStudio({ scenario = `${root}web/tests/scenarios/hundred.json`, port = 18080 } = {}) {
+  const program = programPath();
+  if (!existsSync(program)) throw new Error(`There is no ${program}: build it first, or name another by MUSTER=...`);
+  const child = spawn(program, ['studio', scenario, '--port', String(port)], { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  let output = '';
+  const url = await new Promise((resolve, reject) => {
+    const timer = setTimeout(() => reject(new Error(`The studio said no address in 20 s:\n${output}`)), 20000);
+    const hear = (data) => {
+      output += data;
+      const found = /http:\/\/[^\s/]+\//.exec(output);
+      if (!found) return;
+      clearTimeout(timer);
+      resolve(found[0]);
+    };
+    child.stdout.on('data', hear);
+    child.stderr.on('data', hear);
+    child.once('exit', (code) => reject(new Error(`The studio ended with code ${code}:\n${output}`)));
+  });
+  const stop = () =>
+    new Promise((resolve) => {
+      if (child.exitCode !== null || child.signalCode !== null) return resolve();
+      child.once('exit', resolve);
+      child.kill('SIGINT');
+      setTimeout(() => child.kill('SIGKILL'), 3000).unref();
+    });
+  return { url, port: Number(new URL(url).port), stop, output: () => output };
+}
