@@ -1,0 +1,270 @@
+#include <doctest.h>
+
+#include <cmath>
+#include <set>
+
+#include "environment/scene.h"
+
+using namespace muster;
+using namespace muster::test;
+
+namespace {
+
+Environment randomWorld(Random& random, int obstacles, double time = 1.1) {
+    Environment environment = emptyWorld(20.0, 0.25);
+    for (int i = 0; i < obstacles; ++i) REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, i % 3 == 0)).ok());
+    environment.setTime(time);
+    return environment;
+}
+
+Vec2 randomPlace(Random& random, double reach = 10.0) { return {random.uniform(-reach, reach), random.uniform(-reach, reach)}; }
+
+// Over all pieces, without bins or rasters.
+double bruteDistance(const Environment& environment, Vec2 p, double limit) {
+    double d = limit;
+    for (const ObstaclePiece& piece : environment.pieces()) d = std::min(d, piece.signedDistance(p));
+    return d;
+}
+
+}  // namespace
+
+TEST_CASE("distances, near pieces and fields equal sums over all pieces") {
+    Random random(4);
+    for (int round = 0; round < 10; ++round) {
+        const Environment environment = randomWorld(random, 12);
+        std::vector<std::int32_t> found;
+        for (int i = 0; i < 300; ++i) {
+            const Vec2 p = randomPlace(random, 12.0);
+            const double limit = random.uniform(0.1, 6.0);
+            CHECK(environment.distanceToObstacle(p, limit) == bruteDistance(environment, p, limit));
+            environment.piecesNear(p, limit, found);
+            CHECK(std::is_sorted(found.begin(), found.end()));
+            const std::set<std::int32_t> near(found.begin(), found.end());
+            CHECK(near.size() == found.size());
+            Vec2 field;
+            for (std::size_t k = 0; k < environment.pieces().size(); ++k) {
+                const ObstaclePiece& piece = environment.pieces()[k];
+                const double d = piece.signedDistance(p);
+                if (d <= limit) CHECK(near.count(static_cast<std::int32_t>(k)) == 1);
+                if (d < 1.5) field += normalized(p - piece.centre) * (1.0 - std::max(d, 0.0) / 1.5);
+            }
+            CHECK(distance(environment.potentialField(p), field) < 1e-12);
+            std::vector<Vec2> visited;
+            environment.forPiecesNear(p, limit, [&](const ObstaclePiece& piece) { visited.push_back(piece.centre); });
+            REQUIRE(visited.size() == found.size());
+            for (std::size_t k = 0; k < found.size(); ++k) CHECK(visited[k] == environment.pieces()[found[k]].centre);
+        }
+    }
+}
+
+TEST_CASE("the potential field follows the paper's equation 1") {
+    Environment environment = emptyWorld(20.0, 0.5);
+    ObstacleDef def = rectangle({-2, -1}, {2, 1});
+    def.range = 5.0;
+    def.strength = 2.0;
+    REQUIRE(environment.addObstacle(def).ok());
+    // 3 m above the wall: 1 - 2/5, away from the centre, not from the wall.
+    const Vec2 field = environment.potentialField({1.5, 3.0});
+    const Vec2 away = normalized({1.5, 3.0});
+    CHECK(field.x == doctest::Approx(away.x * 2.0 * 0.6));
+    CHECK(field.y == doctest::Approx(away.y * 2.0 * 0.6));
+    CHECK(length(environment.potentialField({0.5, 0.5})) == doctest::Approx(2.0));
+    CHECK(length(environment.potentialField({0.0, 0.0})) == doctest::Approx(2.0));
+    CHECK(environment.potentialField({0, 6.0}) == Vec2{0, 0});
+    CHECK(environment.potentialField({0, 60.0}) == Vec2{0, 0});
+}
+
+TEST_CASE("clear lines keep the disc off every obstacle and in the box") {
+    Random random(6);
+    int clear = 0;
+    for (int round = 0; round < 10; ++round) {
+        const Environment environment = randomWorld(random, 6);
+        for (int i = 0; i < 300; ++i) {
+            const Vec2 a = randomPlace(random), b = randomPlace(random);
+            const double radius = random.uniform(0.0, 0.6);
+            double nearest = 1e9;
+            for (const ObstaclePiece& piece : environment.pieces()) nearest = std::min(nearest, piece.segmentDistance(a, b));
+            const Box room = environment.def().box.grown(-radius);
+            const bool expected = nearest > radius && room.contains(a) && room.contains(b);
+            CHECK(environment.clearLine(a, b, radius) == expected);
+            clear += expected ? 1 : 0;
+        }
+    }
+    CHECK(clear > 300);
+    const Environment open = emptyWorld(20.0, 0.5);
+    CHECK(open.clearLine({-9.5, 0}, {9.5, 0}, 0.5));
+    CHECK(!open.clearLine({-9.6, 0}, {9.5, 0}, 0.5));
+    CHECK(!open.clearLine({NAN, 0}, {9.5, 0}, 0.5));
+}
+
+TEST_CASE("pushOut frees discs, by the least way where one surface is near") {
+    Environment environment = emptyWorld(20.0, 0.25);
+    REQUIRE(environment.addObstacle(rectangle({-2, -2}, {2, 2})).ok());
+    CHECK(distance(environment.pushOut({2.1, 0.3}, 0.5), {2.5, 0.3}) < 1e-6);
+    CHECK(distance(environment.pushOut({1.5, 0.3}, 0.5), {2.5, 0.3}) < 1e-6);
+    CHECK(distance(environment.pushOut({2.3, 2.4}, 0.6), Vec2{2, 2} + Vec2{0.3, 0.4} * 1.2) < 1e-6);
+    CHECK(environment.pushOut({5, 5}, 0.5) == Vec2{5, 5});
+    CHECK(distance(environment.pushOut({50, -70}, 0.5), {9.5, -9.5}) < 1e-9);
+    CHECK(isFinite(environment.pushOut({NAN, 0}, 0.5)));
+    // Into the corner between two walls, and between wall and border.
+    REQUIRE(environment.addObstacle(rectangle({2, -6}, {6, -2})).ok());
+    CHECK(distance(environment.pushOut({2.1, -1.9}, 0.5), {2.5, -1.5}) < 1e-6);
+    REQUIRE(environment.addObstacle(rectangle({4, 8}, {10, 10})).ok());
+    CHECK(distance(environment.pushOut({9.9, 7.9}, 0.5), {9.5, 7.5}) < 1e-6);
+}
+
+TEST_CASE("pushOut always ends free where there is room") {
+    Random random(8);
+    for (int round = 0; round < 15; ++round) {
+        const Environment environment = randomWorld(random, 14);
+        for (int i = 0; i < 300; ++i) {
+            const Vec2 p = randomPlace(random, 11.0);
+            const double radius = random.uniform(0.05, 0.7);
+            const Vec2 free = environment.pushOut(p, radius);
+            CHECK(bruteDistance(environment, free, 3.0) > radius - 1e-6);
+            CHECK(environment.def().box.grown(1e-9 - radius).contains(free));
+            // Already free: it stays.
+            CHECK(distance(environment.pushOut(free, radius), free) < 1e-7);
+            CHECK(environment.clearLine(free, free, radius));
+        }
+    }
+    // A world with no room at all still answers.
+    Environment full = emptyWorld(4.0, 0.5);
+    REQUIRE(full.addObstacle(rectangle({-5, -5}, {5, 5})).ok());
+    CHECK(isFinite(full.pushOut({0, 0}, 0.3)));
+}
+
+TEST_CASE("ground takes the slowest patch, exactly; the raster takes every cell touched") {
+    Random random(10);
+    for (int round = 0; round < 8; ++round) {
+        Environment environment = emptyWorld(20.0, 0.5);
+        for (int i = 0; i < 6; ++i) REQUIRE(environment.addPatch(randomPatch(random, 8.0, i % 2 == 0)).ok());
+        environment.setTime(2.3);
+        std::vector<Polygon> polygons;
+        std::vector<double> speeds;
+        for (PatchId id : environment.patchIds()) {
+            const PatchDef& def = *environment.patch(id);
+            polygons.push_back(environment.patchPolygon(id));
+            speeds.push_back(def.speed < 0 ? environment.def().clips[def.motion].speed : def.speed);
+        }
+        const Grid& grid = environment.grid();
+        std::vector<float> least(static_cast<std::size_t>(grid.count()), 1e9f);
+        for (int i = 0; i < 60000; ++i) {
+            const Vec2 p = randomPlace(random);
+            double slowest = 1e9;
+            for (std::size_t k = 0; k < polygons.size(); ++k) {
+                if (containsPoint(polygons[k], p)) slowest = std::min(slowest, speeds[k]);
+            }
+            const GroundSample sample = environment.ground(p);
+            CHECK(static_cast<bool>(sample.patch) == (slowest < 1e9));
+            CHECK(sample.travelSpeed == (slowest < 1e9 ? slowest : 1.0));
+            if (sample.patch) CHECK(sample.motion == environment.patch(sample.patch)->motion);
+            const std::int32_t cell = grid.index(grid.cellOf(p));
+            least[cell] = std::min(least[cell], static_cast<float>(slowest));
+        }
+        // Sampled points give what a cell must have at most; cells away from patches stay open.
+        for (std::int32_t i = 0; i < grid.count(); ++i) {
+            const float found = environment.travelSpeed()[i];
+            if (least[i] < 1e8f) CHECK(found <= least[i]);
+            const Vec2 c = grid.centre(grid.at(i));
+            bool near = false;
+            for (const Polygon& polygon : polygons) near = near || signedDistance(polygon, c) < 0.5 * 1.4143 * grid.cell;
+            if (!near) CHECK(found == 1.0f);
+        }
+    }
+}
+
+TEST_CASE("patches touch cells that share area, not those that share an edge") {
+    Environment environment = emptyWorld(8.0, 1.0);
+    PatchDef patch;
+    patch.motion = 3;
+    patch.polygon = {{0, 0}, {2, 0}, {2, 1.1}, {0, 1.1}};
+    REQUIRE(environment.addPatch(patch).ok());
+    int slow = 0;
+    for (float speed : environment.travelSpeed()) slow += speed < 1.0f ? 1 : 0;
+    CHECK(slow == 4);
+    patch.speed = 2.0;
+    REQUIRE(environment.changePatch(environment.patchIds()[0], patch).ok());
+    CHECK(environment.ground({1, 1}).travelSpeed == 2.0);
+    CHECK(environment.travelSpeed()[environment.grid().index({4, 4})] == 2.0f);
+}
+
+TEST_CASE("region labels equal a flood in row-major order; nearest cells equal a full search") {
+    Random random(12);
+    for (int round = 0; round < 8; ++round) {
+        const Environment environment = randomWorld(random, 25, 0.0);
+        // Without the moving ones, as the labels are.
+        Environment still = emptyWorld(20.0, 0.25);
+        for (ObstacleId id : environment.obstacleIds()) {
+            if (environment.obstacle(id)->path.still()) REQUIRE(still.addObstacle(*environment.obstacle(id)).ok());
+        }
+        const Grid& grid = environment.grid();
+        for (const double radius : {0.2, 0.45}) {
+            std::vector<std::int32_t> label(static_cast<std::size_t>(grid.count()), -1);
+            std::int32_t next = 0;
+            for (std::int32_t first = 0; first < grid.count(); ++first) {
+                if (label[first] >= 0 || still.clearance()[first] < radius) continue;
+                std::vector<Cell> queue{grid.at(first)};
+                label[first] = next;
+                for (std::size_t k = 0; k < queue.size(); ++k) {
+                    const Cell c = queue[k];
+                    for (const Cell n : {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
+                        if (!grid.contains(n) || label[grid.index(n)] >= 0 || still.clearance()[grid.index(n)] < radius) continue;
+                        label[grid.index(n)] = next;
+                        queue.push_back(n);
+                    }
+                }
+                ++next;
+            }
+            int wrong = 0;
+            for (std::int32_t i = 0; i < grid.count(); ++i) {
+                if (environment.region(grid.centre(grid.at(i)), radius) != label[i]) ++wrong;
+            }
+            CHECK(wrong == 0);
+            for (int i = 0; i < 60; ++i) {
+                const Vec2 p = randomPlace(random, 12.0);
+                const std::int32_t wanted = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(next + 1))) - 1;
+                const Vec2 found = environment.nearestInRegion(p, radius, wanted);
+                double best = 1e9;
+                for (std::int32_t k = 0; k < grid.count(); ++k) {
+                    if (wanted < 0 ? label[k] >= 0 : label[k] == wanted) best = std::min(best, distance(grid.centre(grid.at(k)), p));
+                }
+                const std::int32_t here = environment.region(p, radius);
+                if (here >= 0 && (wanted < 0 || here == wanted)) {
+                    CHECK(found == p);
+                } else {
+                    CHECK(distance(found, p) == doctest::Approx(best).epsilon(1e-12));
+                }
+            }
+        }
+    }
+    const Environment open = emptyWorld(8.0, 1.0);
+    CHECK(open.nearestInRegion({1, 1}, 0.3, 77) == Vec2{1, 1});
+    CHECK(open.region({9, 9}, 0.3) == -1);
+}
+
+TEST_CASE("narrow gaps are found by width, and only between different obstacles") {
+    Environment environment = emptyWorld(20.0, 0.5);
+    REQUIRE(environment.addObstacle(rectangle({0, 0}, {2, 2})).ok());
+    REQUIRE(environment.addObstacle(rectangle({2.3, 0}, {4, 2})).ok());
+    REQUIRE(environment.addObstacle(disc({1, 3.4}, 1.0)).ok());
+    REQUIRE(environment.addObstacle(rectangle({4, 0}, {6, 2})).ok());   // touches the second
+    REQUIRE(environment.addObstacle(disc({-5, -5}, 1.0)).ok());
+    REQUIRE(environment.addObstacle(disc({-5, -2.6}, 1.0)).ok());
+    const auto gaps = environment.narrowGaps(0.5);
+    REQUIRE(gaps.size() == 3);
+    CHECK(gaps[0].a == ObstacleId{1});
+    CHECK(gaps[0].b == ObstacleId{2});
+    CHECK(gaps[0].width == doctest::Approx(0.3));
+    CHECK(gaps[0].where.x == doctest::Approx(2.15));
+    CHECK(gaps[1].b == ObstacleId{3});
+    CHECK(gaps[1].width == doctest::Approx(0.4));
+    CHECK(distance(gaps[1].where, {1.0, 2.2}) < 1e-9);
+    CHECK(gaps[2].a == ObstacleId{5});
+    CHECK(gaps[2].where.y == doctest::Approx(-3.8));
+    CHECK(environment.narrowGaps(0.35).size() == 1);
+    CHECK(environment.narrowGaps(0.5, 2).size() == 2);
+    // A third obstacle that fills the gap.
+    REQUIRE(environment.addObstacle(rectangle({1.5, -1}, {2.5, 3})).ok());
+    for (const NarrowGap& gap : environment.narrowGaps(0.35)) CHECK(!(gap.a == ObstacleId{1} && gap.b == ObstacleId{2}));
+}

@@ -1,0 +1,132 @@
+// Prints what steps and queries cost, and checks that none of them allocates after warm-up.
+#include <doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <new>
+#include <sstream>
+
+#include "environment/scene.h"
+#include "muster/base/stopwatch.h"
+#include "muster/environment/map_import.h"
+
+namespace {
+long allocations = 0;
+}  // namespace
+
+// The whole test program counts its allocations here.
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    std::abort();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    ++allocations;
+    return std::malloc(size == 0 ? 1 : size);
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace muster;
+using namespace muster::test;
+
+namespace {
+
+// Berlin where it is at hand, else a town of blocks.
+Environment town() {
+    EnvironmentDef def;
+    def.box = {{0, 0}, {256, 256}};
+    def.cell = 0.5;
+    auto made = Environment::create(def);
+    REQUIRE(made.ok());
+    std::ifstream file(std::string(MUSTER_SOURCE_DIR) + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    const auto map = parseMap(text.str());
+    if (map.ok()) {
+        for (const ObstacleDef& obstacle : mapObstacles(*map, {})) REQUIRE(made->addObstacle(obstacle).ok());
+    } else {
+        MESSAGE("Berlin_0_256.map is not here; a chequered town stands in");
+        for (int i = 0; i < 900; ++i) {
+            const Vec2 low{8.0 * (i % 30) + 4.0, 8.0 * (i / 30) + 4.0};
+            REQUIRE(made->addObstacle(rectangle(low, low + Vec2{5, 5})).ok());
+        }
+    }
+    return std::move(*made);
+}
+
+// Calls `work(i)` `count` times twice: warming up, then measured. Returns microseconds per call.
+template <class Work>
+double microsecondsEach(int count, const Work& work) {
+    for (int i = 0; i < count; ++i) work(i);
+    const long before = allocations;
+    Stopwatch watch;
+    for (int i = 0; i < count; ++i) work(i);
+    const double result = 1000.0 * watch.milliseconds() / count;
+    CHECK(allocations == before);
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("steps with moving discs allocate nothing") {
+    Environment environment = emptyWorld(64.0, 0.25);
+    Random random(1);
+    for (int i = 0; i < 10; ++i) {
+        ObstacleDef def = disc({random.uniform(-20, 20), random.uniform(-20, 20)}, 1.0);
+        def.path.waypoints = {{0.0, {0, 0}, 0.0}, {5.0, {10, 0}, 0.0}, {10.0, {0, 0}, 0.0}};
+        def.path.loop = true;
+        REQUIRE(environment.addObstacle(def).ok());
+    }
+    const double each = microsecondsEach(600, [&](int i) { environment.setTime(i / 60.0); });
+    MESSAGE("setTime, 10 moving discs of 1 m on 256 x 256 cells: ", each, " us");
+}
+
+TEST_CASE("queries in a town allocate nothing") {
+    Stopwatch building;
+    Environment environment = town();
+    const double adding = building.milliseconds();
+    building.restart();
+    environment.setTime(0.0);
+    MESSAGE(environment.pieces().size(), " pieces: adding ", adding, " ms, caches ", building.milliseconds(), " ms");
+    Random random(2);
+    std::vector<Vec2> places;
+    for (int i = 0; i < 10000; ++i) {
+        const Vec2 p{random.uniform(1, 255), random.uniform(1, 255)};
+        places.push_back(environment.nearestInRegion(p, 0.25, -1) + Vec2{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)});
+    }
+    const int count = static_cast<int>(places.size());
+    double sum = 0.0;
+    std::vector<std::int32_t> found;
+    const double distances = microsecondsEach(count, [&](int i) { sum += environment.distanceToObstacle(places[i]); });
+    const double near = microsecondsEach(count, [&](int i) {
+        environment.piecesNear(places[i], 1.0, found);
+        sum += static_cast<double>(found.size());
+    });
+    const double visits = microsecondsEach(count, [&](int i) {
+        environment.forPiecesNear(places[i], 1.0, [&](const ObstaclePiece& piece) { sum += piece.radius; });
+    });
+    const double pushes = microsecondsEach(count, [&](int i) { sum += environment.pushOut(places[i], 0.25).x; });
+    const double fields = microsecondsEach(count, [&](int i) { sum += environment.potentialField(places[i]).x; });
+    const double grounds = microsecondsEach(count, [&](int i) { sum += environment.ground(places[i]).travelSpeed; });
+    const double lines = microsecondsEach(count, [&](int i) {
+        sum += environment.clearLine(places[i], places[i] + Vec2{6.0, 3.0}, 0.25) ? 1.0 : 0.0;
+    });
+    const double labels = microsecondsEach(count, [&](int i) { sum += environment.region(places[i], 0.25); });
+    MESSAGE("us per call: distanceToObstacle ", distances, ", piecesNear 1 m ", near, ", forPiecesNear 1 m ", visits,
+            ", pushOut ", pushes, ", potentialField ", fields, ", ground ", grounds, ", clearLine 6.7 m ", lines, ", region ", labels);
+    CHECK(std::isfinite(sum));
+    Stopwatch watch;
+    int ways = 0;
+    for (int i = 0; i < 100; ++i) ways += environment.findPath(places[i], places[i + 100], 0.25, 1000000).empty() ? 0 : 1;
+    MESSAGE("findPath across the town: ", watch.milliseconds() / 100, " ms, ", ways, " of 100 found");
+    watch.restart();
+    const std::size_t gaps = environment.narrowGaps(0.5).size();
+    MESSAGE("narrowGaps: ", watch.milliseconds(), " ms, ", gaps, " found");
+    // One edit while it runs.
+    watch.restart();
+    REQUIRE(environment.addObstacle(disc({128, 128}, 1.0)).ok());
+    environment.setTime(0.0);
+    MESSAGE("one more disc: ", watch.milliseconds(), " ms");
+}
