@@ -204,6 +204,9 @@ bool ControlSet::remove(ControlId id) {
 void ControlSet::clear() { controls_.clear(); }
 
 bool ControlSet::advance(const ControlDef& def, double dt, double now, double pace) {
+    // A control that reached its end in the last step has been shown there; now it goes.
+    const std::size_t before = controls_.size();
+    std::erase_if(controls_, ended);
     const double reach = std::isfinite(pace) ? def.maxSpeed * std::clamp(pace, 0.0, 1.0) * dt : 0.0;
     for (Control& control : controls_) {
         if (now - control.began > def.window) control.open = false;
@@ -214,8 +217,6 @@ bool ControlSet::advance(const ControlDef& def, double dt, double now, double pa
         for (ControlPoint& point : control.points) followPath(point, control.clock, reached, reach);
         control.clock = reached;
     }
-    const std::size_t before = controls_.size();
-    std::erase_if(controls_, ended);
     return controls_.size() != before;
 }
 

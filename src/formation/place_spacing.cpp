@@ -8,37 +8,74 @@
 namespace muster {
 namespace {
 
-// Cell key: rows first, so that the three cells of a row next to each other form one run.
-std::uint64_t cellKey(double column, double row) {
-    const auto clamp = [](double v) { return static_cast<std::uint64_t>(std::clamp(v, -1e9, 1e9) + 2e9); };
-    return clamp(row) << 32 | clamp(column);
+// Chooses cells that cover the points: as small as `least`, yet not many more than there are points.
+void chooseCells(const std::vector<Vec2>& points, double least, SpacingMemory& memory) {
+    Box box{points.front(), points.front()};
+    for (const Vec2 p : points) {
+        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+    }
+    const double most = 8.0 * static_cast<double>(points.size()) + 64.0;
+    memory.cell = least;
+    while ((box.width() / memory.cell + 1.0) * (box.height() / memory.cell + 1.0) > most) memory.cell *= 1.5;
+    memory.origin = box.min;
+    memory.columns = static_cast<std::int32_t>(box.width() / memory.cell) + 1;
+    memory.rows = static_cast<std::int32_t>(box.height() / memory.cell) + 1;
 }
 
+std::int32_t column(const SpacingMemory& memory, double x) {
+    return static_cast<std::int32_t>(std::clamp((x - memory.origin.x) / memory.cell, -1.0, memory.columns + 0.5) + 1.0) - 1;
+}
+std::int32_t row(const SpacingMemory& memory, double y) {
+    return static_cast<std::int32_t>(std::clamp((y - memory.origin.y) / memory.cell, -1.0, memory.rows + 0.5) + 1.0) - 1;
+}
+
+// Counting sort; points of one cell stay in ascending order.
 void sortIntoCells(const std::vector<Vec2>& points, double cell, SpacingMemory& memory) {
-    memory.order.resize(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k)
-        memory.order[k] = {cellKey(std::floor(points[k].x / cell), std::floor(points[k].y / cell)),
-                           static_cast<std::int32_t>(k)};
-    std::sort(memory.order.begin(), memory.order.end());
+    if (points.empty()) {
+        memory.columns = memory.rows = 0;
+        return;
+    }
+    chooseCells(points, cell, memory);
+    memory.start.assign(static_cast<std::size_t>(memory.columns) * static_cast<std::size_t>(memory.rows) + 1, 0);
+    memory.cellOf.resize(points.size());
+    memory.item.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::int32_t x = std::min(column(memory, points[k].x), memory.columns - 1);
+        const std::int32_t y = std::min(row(memory, points[k].y), memory.rows - 1);
+        memory.cellOf[k] = y * memory.columns + x;
+        ++memory.start[static_cast<std::size_t>(memory.cellOf[k])];
+    }
+    std::int32_t sum = 0;
+    for (std::int32_t& s : memory.start) sum += s, s = sum;
+    for (std::size_t k = points.size(); k-- > 0;)
+        memory.item[static_cast<std::size_t>(--memory.start[static_cast<std::size_t>(memory.cellOf[k])])] =
+            static_cast<std::int32_t>(k);
 }
 
-// Calls visit(i, j) for every pair nearer than `apart`: i in the order of cells, each pair once.
+// Calls visit(point) for the points in the cells of row `y` from column `left` to `right`.
+template <class Visit>
+void forRow(const SpacingMemory& memory, std::int32_t left, std::int32_t right, std::int32_t y, Visit visit) {
+    left = std::max(left, 0);
+    right = std::min(right, memory.columns - 1);
+    if (y < 0 || y >= memory.rows || left > right) return;
+    const auto first = static_cast<std::size_t>(memory.start[static_cast<std::size_t>(y * memory.columns + left)]);
+    const auto end = static_cast<std::size_t>(memory.start[static_cast<std::size_t>(y * memory.columns + right) + 1]);
+    for (std::size_t n = first; n < end; ++n) visit(static_cast<std::size_t>(memory.item[n]));
+}
+
+// Calls visit(low, high) for every pair nearer than `apart`, each once, in ascending order of the higher.
 template <class Visit>
 void forClosePairs(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, Visit visit) {
     sortIntoCells(points, apart, memory);
-    const auto& order = memory.order;
-    std::size_t above = 0;  // First entry at or beyond the next row's left neighbour.
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const auto i = static_cast<std::size_t>(order[k].second);
-        const auto test = [&](std::size_t other) {
-            const auto j = static_cast<std::size_t>(order[other].second);
-            if (lengthSquared(points[i] - points[j]) < apart * apart) visit(i, j);
-        };
-        const std::uint64_t key = order[k].first;
-        for (std::size_t n = k + 1; n < order.size() && order[n].first <= key + 1; ++n) test(n);
-        const std::uint64_t left = key + (std::uint64_t{1} << 32) - 1;
-        while (above < order.size() && order[above].first < left) ++above;
-        for (std::size_t n = above; n < order.size() && order[n].first <= left + 2; ++n) test(n);
+    for (std::size_t high = 0; high < points.size(); ++high) {
+        const std::int32_t x = memory.cellOf[high] % memory.columns;
+        const std::int32_t y = memory.cellOf[high] / memory.columns;
+        for (std::int32_t r = y - 1; r <= y + 1; ++r) {
+            forRow(memory, x - 1, x + 1, r, [&](std::size_t low) {
+                if (low < high && lengthSquared(points[high] - points[low]) < apart * apart) visit(low, high);
+            });
+        }
     }
 }
 
@@ -49,9 +86,7 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
     bool any = false;
     // A little more than asked, or the last gap would close only in the limit.
     const double wanted = apart * 1.02;
-    forClosePairs(points, apart, memory, [&](std::size_t i, std::size_t j) {
-        const std::size_t low = std::min(i, j);
-        const std::size_t high = std::max(i, j);
+    forClosePairs(points, apart, memory, [&](std::size_t low, std::size_t high) {
         const Vec2 way = points[high] - points[low];
         const double gap = length(way);
         const double angle = 2.399963229728653 * static_cast<double>(high);
@@ -72,15 +107,30 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
 }
 
 void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& fit) {
-    // Pairs are rare here; those of one point must be looked at after those of lower ones.
-    memory.push.clear();
-    forClosePairs(points, apart, memory, [&](std::size_t i, std::size_t j) {
-        memory.push.push_back({static_cast<double>(std::max(i, j)), static_cast<double>(std::min(i, j))});
+    forClosePairs(points, apart, memory, [&](std::size_t low, std::size_t high) {
+        if (fit[low] != 0) fit[high] = 0;
     });
-    std::sort(memory.push.begin(), memory.push.end(),
-              [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-    for (const Vec2 pair : memory.push)
-        if (fit[static_cast<std::size_t>(pair.y)] != 0) fit[static_cast<std::size_t>(pair.x)] = 0;
+}
+
+NearSearch::NearSearch(const std::vector<Vec2>& points, double apart, SpacingMemory& memory)
+    : apart_(apart), memory_(memory) {
+    sortIntoCells(points, apart, memory);
+    memory_.push.clear();
+}
+
+bool NearSearch::occupied(Vec2 spot, const std::vector<std::uint8_t>& fit, const std::vector<Vec2>& points) const {
+    const double limit = apart_ * apart_;
+    for (const Vec2 p : memory_.push)
+        if (lengthSquared(p - spot) < limit) return true;
+    const std::int32_t x = column(memory_, spot.x);
+    const std::int32_t y = row(memory_, spot.y);
+    bool found = false;
+    for (std::int32_t r = y - 1; r <= y + 1 && !found; ++r) {
+        forRow(memory_, x - 1, x + 1, r, [&](std::size_t k) {
+            found = found || (fit[k] == 1 && lengthSquared(points[k] - spot) < limit);
+        });
+    }
+    return found;
 }
 
 }  // namespace muster

@@ -15,4 +15,20 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
 /// Marks with 0 every point that lies nearer than `apart` [m] to one of lower index marked with 1.
 void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& fit);
 
+/// Looks up whether a spot is taken, among points as they were sorted when this was made and spots
+/// taken since. Uses the memory of its maker; one search at a time.
+class NearSearch {
+public:
+    NearSearch(const std::vector<Vec2>& points, double apart, SpacingMemory& memory);
+
+    /// True where a point whose `fit` is 1, or a spot taken, lies nearer than `apart`.
+    bool occupied(Vec2 spot, const std::vector<std::uint8_t>& fit, const std::vector<Vec2>& points) const;
+    /// Takes a spot.
+    void take(Vec2 spot) { memory_.push.push_back(spot); }
+
+private:
+    double apart_;
+    SpacingMemory& memory_;
+};
+
 }  // namespace muster

@@ -3,17 +3,22 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "muster/environment/environment.h"
 
 namespace muster {
 
-/// Working memory of a search for pairs of points that lie too near to each other.
+/// Working memory of a search for pairs of points that lie too near to each other: points by cells.
 struct SpacingMemory {
-    std::vector<std::pair<std::uint64_t, std::int32_t>> order;  ///< Cell and point, sorted.
-    std::vector<Vec2> push;                                     ///< Of each point [m].
+    Vec2 origin;                       ///< Lower left corner of the cells [m].
+    double cell = 1.0;                 ///< Edge of a cell [m], at least the distance looked for.
+    std::int32_t columns = 1;          ///< Cells side by side.
+    std::int32_t rows = 1;             ///< Cells one above the other.
+    std::vector<std::int32_t> start;   ///< Of each cell in `item`, and the end.
+    std::vector<std::int32_t> item;    ///< Points, cell by cell in ascending order.
+    std::vector<std::int32_t> cellOf;  ///< Of each point.
+    std::vector<Vec2> push;            ///< Of each point [m].
 };
 
 /// How places travel.
@@ -67,7 +72,7 @@ private:
 
     void findGoals(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                    std::int32_t region);
-    void findWays(const PlaceDef& def, const Environment& environment, const Mover& mover);
+    void findWays(const PlaceDef& def, const Environment& environment);
 
     std::vector<Vec2> position_;
     std::vector<Vec2> velocity_;
@@ -75,7 +80,7 @@ private:
     std::vector<Detour> detours_;  ///< Ordered by place.
     std::uint32_t turn_ = 0;       ///< Place whose turn it is to look for a way first.
     std::vector<Vec2> goal_;       // Working memory: reachable targets.
-    std::vector<std::uint8_t> moved_;
+    std::vector<std::uint8_t> mark_;
     SpacingMemory spacing_;
 };
 

@@ -1,0 +1,82 @@
+#include "formation/place_goals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formation/place_spacing.h"
+#include "muster/base/maths.h"
+
+namespace muster {
+namespace {
+
+constexpr std::int32_t kSeeksPerStep = 64;  // Goals for which room is sought, so that a step stays cheap.
+constexpr std::int32_t kRings = 8;          // Round a goal, one diameter wide each.
+
+}  // namespace
+
+bool PlaceGround::roomy(Vec2 p, double distance) const {
+    if (!inner_.contains(p)) return false;
+    const Grid& grid = environment_.grid();
+    const Cell cell = grid.cellOf(p);
+    if (grid.contains(cell)) {
+        const double known = environment_.clearance()[static_cast<std::size_t>(grid.index(cell))];
+        // Values are floats: a little is left for their rounding.
+        if (known - cellReach_ - 1e-5 >= distance) return true;
+    }
+    return environment_.distanceToObstacle(p, distance + 1.0) >= distance;
+}
+
+bool PlaceGround::inRegion(Vec2 p) const {
+    if (region_ < 0) return true;
+    const std::int32_t label = environment_.region(p, def_.radius);
+    if (label >= 0) return label == region_;
+    const Grid& grid = environment_.grid();
+    const Cell cell = grid.nearestCell(p);
+    for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+        for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {
+            if (!grid.contains({x, y})) continue;
+            const Vec2 centre = grid.centre({x, y});
+            if (environment_.region(centre, def_.radius) == region_ && environment_.clearLine(p, centre, lineRadius(def_)))
+                return true;
+        }
+    }
+    return false;
+}
+
+Vec2 PlaceGround::reachable(Vec2 p) const {
+    if (standable(p)) return p;
+    const Vec2 pushed = environment_.pushOut(p, clearRadius());
+    if (inRegion(pushed)) return pushed;
+    const Vec2 inside = environment_.nearestInRegion(p, def_.radius, region_);
+    // The cell's centre may lack the clearance; it is kept where gaining that would leave the region.
+    const Vec2 clear = environment_.pushOut(inside, clearRadius());
+    return inRegion(clear) ? clear : inside;
+}
+
+void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals, std::vector<std::uint8_t>& fit,
+               SpacingMemory& memory) {
+    NearSearch search(goals, apart, memory);
+    std::int32_t left = kSeeksPerStep;
+    for (std::size_t k = 0; k < goals.size() && left > 0; ++k) {
+        if (fit[k] != 0) continue;
+        --left;
+        const Vec2 middle = goals[k];
+        bool seated = false;
+        for (std::int32_t ring = 1; ring <= kRings && !seated; ++ring) {
+            const std::int32_t spots = 6 * ring;
+            for (std::int32_t s = 0; s < spots && !seated; ++s) {
+                const double angle = 2.0 * kPi * (s + 0.5 * (ring % 2)) / spots;
+                const Vec2 spot = middle + Vec2{cosine(angle), sine(angle)} * (1.01 * apart * ring);
+                if (!ground.standable(spot) || search.occupied(spot, fit, goals)) continue;
+                search.take(spot);
+                goals[k] = spot;
+                seated = true;
+            }
+        }
+        // Marked only now: goals in hand are found by their old cells.
+        if (seated) fit[k] = 2;
+    }
+    for (std::uint8_t& f : fit) f = f != 0 ? 1 : 0;
+}
+
+}  // namespace muster
