@@ -54,4 +54,15 @@ describe('ControlMarks', () => {
     marks.update(null, 300);
     expect(marks.rings.size).toBe(0);
   });
+
+  it('finds the finger at the end of a path, not one of another group or one that lifted', () => {
+    const marks = new ControlMarks();
+    marks.touch(7, { x: 1, y: 0 }, 0, 10);
+    marks.touch(8, { x: 2, y: 0 }, 0, 10);
+    marks.touch(9, { x: 0.1, y: 0 }, 1, 10);
+    expect(marks.fingerNear(0, { x: 0, y: 0 })).toEqual({ x: 1, y: 0 });
+    expect(marks.fingerNear(0, { x: 30, y: 0 })).toBeNull();
+    marks.touch(7, null, 0, 20);
+    expect(marks.fingerNear(0, { x: 0, y: 0 })).toEqual({ x: 2, y: 0 });
+  });
 });

@@ -28,6 +28,8 @@ export interface TouchRing {
 
 const kFade = 160;
 const kFadeReduced = 80;
+/** A finger runs ahead of its path by no more than this [m]. */
+const kFingerReach = 3;
 
 export class ControlMarks {
   readonly rings = new Map<number, TouchRing>();
@@ -64,6 +66,19 @@ export class ControlMarks {
     } else {
       this.rings.set(id, { at, group, since: now, lifted: 0 });
     }
+  }
+
+  /** Where the finger is that draws a path of this group ending at `end`: fingers and paths have numbers of their own. */
+  fingerNear(group: number, end: GroundPoint): GroundPoint | null {
+    let found: GroundPoint | null = null;
+    let least = kFingerReach;
+    for (const ring of this.rings.values()) {
+      const away = Math.hypot(ring.at.x - end.x, ring.at.y - end.y);
+      if (ring.lifted > 0 || ring.group !== group || away >= least) continue;
+      least = away;
+      found = ring.at;
+    }
+    return found;
   }
 
   /** Takes the controls of a moment between two frames. */

@@ -109,11 +109,9 @@ export class MarkLayer {
     const from = shown.handles[index];
     if (!point || !from) return [];
     const points = pathPoints(from, point.path);
-    const ring = marks.rings.get(point.touch);
     const last = points[points.length - 1] as GroundPoint;
-    if (point.down && ring && ring.lifted === 0 && points.length > 1 && Math.hypot(ring.at.x - last.x, ring.at.y - last.y) < 6) {
-      points.push(ring.at);
-    }
+    const finger = point.down && points.length > 1 ? marks.fingerNear(shown.group, last) : null;
+    if (finger && Math.hypot(finger.x - last.x, finger.y - last.y) > 0.02) points.push(finger);
     return points;
   }
 

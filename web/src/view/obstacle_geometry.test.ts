@@ -3,7 +3,7 @@ import type { SceneObstacle } from '../protocol/scene';
 import { GeometryBuilder } from './geometry_builder';
 import { addCar, addObstacle, boxOf, kCutHeight, lookOfObstacle, makeTreeGeometry } from './obstacle_geometry';
 import { paletteOf } from './palette';
-import { withoutShared } from './world_layer';
+import { outerEdges } from './outer_edges';
 
 const kHouse: SceneObstacle = { id: 1, name: 'House', polygon: [[0, 0], [4, 0], [4, 3], [0, 3]], height: 9, moving: false };
 
@@ -19,6 +19,8 @@ describe('obstacles', () => {
     expect(lookOfObstacle(disc(''))).toBe('pillar');
     expect(lookOfObstacle({ ...kHouse, name: 'red car' })).toBe('car');
     expect(lookOfObstacle({ ...kHouse, name: 'Carlton house' })).toBe('building');
+    expect(lookOfObstacle({ ...kHouse, name: 'Upper hedge' })).toBe('hedge');
+    expect(lookOfObstacle({ ...kHouse, name: '', moving: true })).toBe('car');
   });
 
   it('are cut at 3.2 m, with an edge line per side', () => {
@@ -34,7 +36,8 @@ describe('obstacles', () => {
     const builder = new GeometryBuilder();
     const left = addObstacle(builder, kHouse, paletteOf('light'));
     const right = addObstacle(builder, { ...kHouse, polygon: [[4, 0], [8, 0], [8, 3], [4, 3]] }, paletteOf('light'));
-    expect(withoutShared([...left, ...right])).toHaveLength(6);
+    const length = outerEdges([...left, ...right]).reduce((sum, [a, b]) => sum + Math.hypot(b[0] - a[0], b[1] - a[1]), 0);
+    expect(length).toBeCloseTo(8 + 3 + 8 + 3);
   });
 
   it('a car fills its box, whichever way it is turned', () => {

@@ -8,14 +8,16 @@ import type { Palette } from './palette';
 /** Nothing is drawn higher than this, so that streets stay visible [m]. */
 export const kCutHeight = 3.2;
 
-export type ObstacleLook = 'building' | 'pillar' | 'fountain' | 'tree' | 'car';
+export type ObstacleLook = 'building' | 'hedge' | 'pillar' | 'fountain' | 'tree' | 'car';
 
 /** How an obstacle is shown. */
 export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
   const name = obstacle.name.toLowerCase();
-  if (/\b(car|van|bus|taxi)\b/.test(name)) return 'car';
   const disc = (obstacle.radius ?? 0) > 0;
-  if (disc && /tree|oak|pine|birch/.test(name)) return 'tree';
+  const box = obstacle.polygon?.length === 4;
+  if (box && (obstacle.moving || /\b(car|coupe|van|bus|taxi|truck)\b/.test(name))) return 'car';
+  if (disc && /tree|oak|pine|birch|linden|elm|maple|beech/.test(name)) return 'tree';
+  if (!disc && name.includes('hedge')) return 'hedge';
   if (disc && name.includes('fountain')) return 'fountain';
   return disc ? 'pillar' : 'building';
 }
@@ -30,8 +32,9 @@ export function addObstacle(builder: GeometryBuilder, obstacle: SceneObstacle, p
   if (look === 'fountain') return addFountain(builder, obstacle, palette);
   const outline = outlineOf(obstacle);
   if (outline.length < 3) return [];
-  const stone = look === 'pillar';
-  builder.prism(outline, 0, height, stone ? palette.stone : palette.wall, stone ? palette.stone : palette.roof);
+  const walls = { pillar: palette.stone, hedge: palette.crown }[look as string] ?? palette.wall;
+  const lids = { pillar: palette.stone, hedge: palette.crown }[look as string] ?? palette.roof;
+  builder.prism(outline, 0, height, walls, lids);
   return rimOf(outline, height);
 }
 

@@ -47,7 +47,7 @@ export function addPatch(parts: PatchParts, patch: ScenePatch, clip: string, pal
     case 'net': return addNet(parts, outline, palette);
     case 'pool': return addPool(parts, outline, palette);
     case 'wall': return addWall(parts, outline, palette);
-    case 'bar': return addBar(parts, outline, palette);
+    case 'bar': return /mouse/i.test(patch.name) ? addMouse(parts, outline, palette) : addBar(parts, outline, palette);
     case 'shade': return addPlain(parts, outline, palette.shadowKeeps < 0.65 ? '#1A2A1D' : '#B9C3A6', palette.crown);
     case 'plain': return addPlain(parts, outline, palette.plainFloor, palette.obstacleEdge);
   }
@@ -191,4 +191,22 @@ function addBar(parts: PatchParts, outline: readonly Point2[], palette: Palette)
     const [x, y] = end(sign, 0);
     parts.solid.frustum(x, y, 0, 0.44, 0.07, 0.06, 6, palette.trunk, palette.trunk);
   }
+}
+
+/** A small grey beast to jump over. */
+function addMouse(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+  addRim(parts, outline, palette.brickLine);
+  const box = boxOf(outline);
+  const size = 0.75 * Math.min(box.length, box.width);
+  const lump = (x: number, z: number, radius: number): void => {
+    parts.solid.frustum(x, box.y, z, z + 0.6 * radius, 0.75 * radius, radius, 10, palette.grey, palette.grey);
+    parts.solid.frustum(x, box.y, z + 0.6 * radius, z + 1.3 * radius, radius, 0.35 * radius, 10, palette.grey, palette.grey);
+  };
+  lump(box.x - 0.25 * size, 0, 0.75 * size);
+  lump(box.x + 0.62 * size, 0.06, 0.42 * size);
+  for (const side of [-1, 1]) {
+    parts.solid.frustum(box.x + 0.5 * size, box.y + side * 0.26 * size, 0.36 * size, 0.7 * size, 0.16 * size, 0.14 * size, 8,
+      palette.grey, palette.grey);
+  }
+  parts.solid.beam([box.x - 0.95 * size, box.y, 0.05], [box.x - 1.7 * size, box.y + 0.2 * size, 0.05], 0.06, 0.05, palette.grey);
 }

@@ -74,8 +74,11 @@ export function chipTags(marks: ControlMarks, view: TagScene): Tag[] {
   for (const shown of marks.controls) {
     const age = view.now - shown.kindSince;
     if (shown.ended > 0 || age > kChipTime) continue;
-    const points = shown.control.points.map((point, i) => marks.rings.get(point.touch)?.at ?? shown.handles[i]);
-    const at = points.map((point) => view.camera.worldToScreen(point?.x ?? 0, point?.y ?? 0));
+    const at = shown.control.points.map((point, i) => {
+      const n = point.path.length;
+      const handle = shown.handles[i] ?? point;
+      return view.camera.worldToScreen(point.path[n - 2] ?? handle.x, point.path[n - 1] ?? handle.y);
+    });
     const top = Math.min(...at.map((point) => point.y));
     const middle = at.reduce((sum, point) => sum + point.x, 0) / Math.max(1, at.length);
     tags.push({

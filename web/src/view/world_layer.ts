@@ -7,6 +7,7 @@ import { FatLines } from './fat_lines';
 import type { MovingView } from './frame_types';
 import { centroid, circlePoints, GeometryBuilder } from './geometry_builder';
 import { addCar, addObstacle, type EdgeLine, lookOfObstacle, makeTreeGeometry, outlineOf } from './obstacle_geometry';
+import { outerEdges } from './outer_edges';
 import { addPatch, type PatchParts, type TintedLine } from './patch_geometry';
 import type { Palette } from './palette';
 import { bodyMaterial, floorMaterial, type ShadeUniforms } from './shade';
@@ -153,7 +154,7 @@ export class WorldLayer {
       else edges.push(...addObstacle(builder, obstacle, palette));
     }
     this.addMesh(this.group, builder, this.hatched_, 0, true);
-    const lines = withoutShared(edges).map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 }));
+    const lines = outerEdges(edges).map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 }));
     this.addLines(this.group, lines, 1, 0);
   }
 
@@ -247,17 +248,4 @@ export class WorldLayer {
 
 function emptyParts(): PatchParts {
   return { floor: new GeometryBuilder(), solid: new GeometryBuilder(), rim: [], lines: [] };
-}
-
-/** Leaves out edges that two pieces share: they lie inside one building. */
-export function withoutShared(edges: readonly EdgeLine[]): EdgeLine[] {
-  const name = (p: readonly number[]): string => p.map((v) => Math.round(v * 1000)).join();
-  const count = new Map<string, number>();
-  const keyOf = ([a, b]: EdgeLine): string => {
-    const u = name(a);
-    const v = name(b);
-    return u < v ? `${u}|${v}` : `${v}|${u}`;
-  };
-  for (const edge of edges) count.set(keyOf(edge), (count.get(keyOf(edge)) ?? 0) + 1);
-  return edges.filter((edge) => count.get(keyOf(edge)) === 1);
 }
