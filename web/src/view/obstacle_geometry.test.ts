@@ -49,7 +49,7 @@ describe('obstacles', () => {
     expect(box.width).toBeCloseTo(1);
     expect(box.x).toBeCloseTo(5);
     const builder = new GeometryBuilder();
-    addCar(builder, outline, '#FF0000', paletteOf('light'));
+    for (const height of [1.4, 3]) addCar(builder, outline, height, '#FF0000', paletteOf('light'));
     const p = builder.build().attributes['position']?.array ?? [];
     for (let i = 0; i < p.length; i += 3) {
       const dx = (p[i] ?? 0) - 5;

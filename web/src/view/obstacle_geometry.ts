@@ -14,8 +14,7 @@ export type ObstacleLook = 'building' | 'hedge' | 'pillar' | 'fountain' | 'tree'
 export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
   const name = obstacle.name.toLowerCase();
   const disc = (obstacle.radius ?? 0) > 0;
-  const box = obstacle.polygon?.length === 4;
-  if (box && (obstacle.moving || /\b(car|coupe|van|bus|taxi|truck)\b/.test(name))) return 'car';
+  if (!disc && (obstacle.moving || /\b(car|coupe|van|bus|taxi|truck)\b/.test(name))) return 'car';
   if (disc && /tree|oak|pine|birch|linden|elm|maple|beech/.test(name)) return 'tree';
   if (!disc && name.includes('hedge')) return 'hedge';
   if (disc && name.includes('fountain')) return 'fountain';
@@ -125,24 +124,42 @@ export function boxOf(outline: readonly Point2[]): { x: number; y: number; lengt
   return { x: c * u - s * v, y: s * u + c * v, length: half(along), width: half(across), angle };
 }
 
-/** Adds a car that fills the outline: body, cabin, wheels. */
-export function addCar(builder: GeometryBuilder, outline: readonly Point2[], body: string, palette: Palette): void {
+/** Adds a car that fills the outline, or a van where it is high [m]: body, cabin, wheels. */
+export function addCar(builder: GeometryBuilder, outline: readonly Point2[], height: number, body: string, palette: Palette): void {
   const box = boxOf(outline);
   const c = Math.cos(box.angle);
   const s = Math.sin(box.angle);
   const at = (u: number, v: number): Point2 => [
     box.x + c * u * box.length - s * v * box.width, box.y + s * u * box.length + c * v * box.width];
-  const slab = (u0: number, u1: number, v: number, low: number, high: number, wall: string, lid: string): void =>
-    builder.prism([at(u0, -v), at(u1, -v), at(u1, v), at(u0, v)], low, high, wall, lid);
-  for (const u of [-0.62, 0.62]) {
-    slab(u - 0.15, u + 0.15, 1, 0, 0.6, '#1B1E22', '#1B1E22');
-  }
-  slab(-1, 1, 0.94, 0.22, 0.78, body, body);
-  const low = [at(-0.72, -0.86), at(0.45, -0.86), at(0.45, 0.86), at(-0.72, 0.86)] as const;
-  const top = [at(-0.55, -0.74), at(0.2, -0.74), at(0.2, 0.74), at(-0.55, 0.74)] as const;
-  for (let i = 0; i < 4; ++i) {
-    const [a, b, e, d] = [low[i], low[(i + 1) % 4], top[(i + 1) % 4], top[i]] as [Point2, Point2, Point2, Point2];
-    builder.quad([a[0], a[1], 0.78], [b[0], b[1], 0.78], [e[0], e[1], 1.4], [d[0], d[1], 1.4], palette.glass);
-  }
-  builder.floor(top, 1.4, body);
+  const slab = (u0: number, u1: number, v: number, low: number, high: number, colour: string): void =>
+    builder.prism([at(u0, -v), at(u1, -v), at(u1, v), at(u0, v)], low, high, colour, colour);
+  for (const u of [-0.62, 0.62]) slab(u - 0.15, u + 0.15, 1, 0, 0.6, '#1B1E22');
+  const high = Math.min(kCutHeight, Math.max(1.3, height));
+  const van = high > 1.9;
+  const sill = van ? 0.5 * high : 0.56 * high;
+  slab(-1, 1, 0.94, 0.22, sill, body);
+  const [back, front] = van ? [-1, 0.94] : [-0.72, 0.45];
+  const [backTop, frontTop] = van ? [-0.99, 0.8] : [-0.55, 0.2];
+  const low = [at(back, -0.9), at(front, -0.9), at(front, 0.9), at(back, 0.9)] as const;
+  const top = [at(backTop, -0.78), at(frontTop, -0.78), at(frontTop, 0.78), at(backTop, 0.78)] as const;
+  const pane = van ? sill + 0.55 * (high - sill) : high;
+  const between = low.map((p, i) => {
+    const q = top[i] as Point2;
+    const t = (pane - sill) / (high - sill);
+    return [p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t] as const;
+  });
+  addSkirt(builder, low, between, sill, pane, palette.glass);
+  addSkirt(builder, between, top, pane, high, body);
+  builder.floor(top, high, body);
+}
+
+/** Sloping walls between two outlines of as many corners. */
+function addSkirt(builder: GeometryBuilder, low: readonly Point2[], top: readonly Point2[], from: number, to: number,
+                  colour: string): void {
+  if (to - from < 1e-6) return;
+  low.forEach((a, i) => {
+    const j = (i + 1) % low.length;
+    const [b, e, d] = [low[j], top[j], top[i]] as [Point2, Point2, Point2];
+    builder.quad([a[0], a[1], from], [b[0], b[1], from], [e[0], e[1], to], [d[0], d[1], to], colour);
+  });
 }

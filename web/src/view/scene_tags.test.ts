@@ -3,7 +3,7 @@ import { parseScene } from '../protocol/scene';
 import { CameraController } from './camera_controller';
 import { ControlMarks } from './control_marks';
 import { paletteOf } from './palette';
-import { chipTags, overlayTags, patchTags, patchWords, type TagScene } from './scene_tags';
+import { chipTags, overlayTags, patchTags, patchWords, type TagScene, uncrowded } from './scene_tags';
 import { madeControl, madeFrame, madeGroup } from './test_frames';
 
 function view(now: number, more: Partial<TagScene> = {}): TagScene {
@@ -26,7 +26,7 @@ const kScene = parseScene(JSON.stringify({
 describe('tags', () => {
   it('name patches in view, above their object', () => {
     const tags = patchTags(kScene, view(0));
-    expect(tags.map((tag) => tag.key)).toEqual(['patch:1', 'patch:3']);
+    expect(tags.map((tag) => tag.key)).toEqual(['patch:1']);
     expect(tags[0]).toMatchObject({ text: 'Net', detail: 'crawl 0.21×' });
     const corner = view(0).camera.worldToScreen(1, 2, 1.1);
     expect(tags[0]?.at.y).toBeLessThan(corner.y);
@@ -34,9 +34,16 @@ describe('tags', () => {
   });
 
   it('follow patches that move', () => {
-    const still = patchTags(kScene, view(0))[1];
-    const moved = patchTags(kScene, view(0, { moving: [{ kind: 1, id: 3, x: 4, y: 0, angle: 0 }] }))[1];
+    const drift = { ...kScene, patches: kScene.patches.slice(2) };
+    const still = patchTags(drift, view(0))[0];
+    const moved = patchTags(drift, view(0, { moving: [{ kind: 1, id: 3, x: 4, y: 0, angle: 0 }] }))[0];
     expect((moved?.at.x ?? 0) - (still?.at.x ?? 0)).toBeGreaterThan(50);
+  });
+
+  it('do not cover each other, nor repeat themselves side by side', () => {
+    const tag = (key: string, text: string, x: number, y: number) => ({ key, kind: 'patch' as const, text, at: { x, y } });
+    const kept = uncrowded([tag('a', 'Net', 0, 100), tag('b', 'Pool', 40, 110), tag('c', 'Net', 200, 60), tag('d', 'Wall', 200, 60)]);
+    expect(kept.map((one) => one.key)).toEqual(['b', 'c']);
   });
 
   it('name a control for 1.2 s, anew where it grows', () => {

@@ -15,6 +15,11 @@ const kKindNames = ['Point', 'Line', 'Area'];
 /** How long a chip names a control's kind [ms]. */
 const kChipTime = 1200;
 const kChipFade = 180;
+/** Room a tag takes, and how far apart tags of the same words stand [CSS px]. */
+const kTagWidth = 150;
+const kTagHeight = 30;
+const kRepeatWidth = 280;
+const kRepeatHeight = 150;
 
 export interface TagScene {
   readonly camera: CameraController;
@@ -43,11 +48,27 @@ export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
     const icon = kMotionIcons[clip];
     tags.push({ key: `patch:${patch.id}`, kind: 'patch', at, ...patchWords(patch.name, clip, patch.speed), ...(icon ? { icon } : {}) });
   }
+  const words = uncrowded(tags);
   scene.checkpoints.forEach((checkpoint, i) => {
     const at = view.camera.worldToScreen(checkpoint.position[0], checkpoint.position[1]);
-    if (onScreen(at, view.camera)) tags.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
+    if (onScreen(at, view.camera)) words.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
   });
-  return tags;
+  return words;
+}
+
+/** Leaves out tags that would cover another, and those that repeat a neighbour's words. */
+export function uncrowded(tags: readonly Tag[]): Tag[] {
+  const kept: Tag[] = [];
+  const nearest = [...tags].sort((a, b) => b.at.y - a.at.y || a.key.localeCompare(b.key));
+  for (const tag of nearest) {
+    const crowded = kept.some((other) => {
+      const same = other.text === tag.text;
+      return Math.abs(other.at.x - tag.at.x) < (same ? kRepeatWidth : kTagWidth)
+        && Math.abs(other.at.y - tag.at.y) < (same ? kRepeatHeight : kTagHeight);
+    });
+    if (!crowded) kept.push(tag);
+  }
+  return tags.filter((tag) => kept.includes(tag));
 }
 
 /** The middle of the outline, just above its highest corner on the screen. */

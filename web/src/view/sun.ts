@@ -7,8 +7,8 @@ import type { Quality } from './quality';
 import type { SceneBox } from '../protocol/scene';
 
 const kElevation = (52 * Math.PI) / 180;
-/** Where the sun stands, from +x counter-clockwise [rad]: behind the left of the view as it opens. */
-const kAzimuth = 2.85;
+/** Where the sun stands, from +x counter-clockwise [rad]: left of the view as it opens, so that shadows fall right. */
+const kAzimuth = 3.4;
 const kMapSize = 2048;
 
 export class Sun {

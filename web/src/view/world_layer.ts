@@ -150,7 +150,7 @@ export class WorldLayer {
     const edges: EdgeLine[] = [];
     for (const obstacle of scene.obstacles) {
       if (obstacle.moving || lookOfObstacle(obstacle) === 'tree') continue;
-      if (lookOfObstacle(obstacle) === 'car') addCar(builder, outlineOf(obstacle), palette.carBodies[0] ?? '#888888', palette);
+      if (lookOfObstacle(obstacle) === 'car') this.addVehicle(builder, obstacle, outlineOf(obstacle), palette);
       else edges.push(...addObstacle(builder, obstacle, palette));
     }
     this.addMesh(this.group, builder, this.hatched_, 0, true);
@@ -192,14 +192,18 @@ export class WorldLayer {
     const builder = new GeometryBuilder();
     const local = shifted(outline, centre);
     if (lookOfObstacle(obstacle) === 'car') {
-      const bodies = palette.carBodies;
-      addCar(builder, local, bodies[obstacle.id % bodies.length] ?? '#888888', palette);
+      this.addVehicle(builder, obstacle, local, palette);
     } else {
       const still: SceneObstacle = { ...obstacle, polygon: local };
       const edges = addObstacle(builder, still, palette);
       this.addLines(group, edges.map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 })), 1, 0);
     }
-    this.addMesh(group, builder, this.hatched_, 0, true);
+    this.addMesh(group, builder, this.body_, 0, true);
+  }
+
+  private addVehicle(builder: GeometryBuilder, obstacle: SceneObstacle, outline: readonly Point2[], palette: Palette): void {
+    const bodies = palette.carBodies;
+    addCar(builder, outline, obstacle.height, bodies[obstacle.id % bodies.length] ?? '#888888', palette);
   }
 
   private buildStillPatches(scene: SceneFacts, palette: Palette): void {
