@@ -6,7 +6,7 @@ import type { Numbers } from './frame_types';
 /** Room about every point [m]. */
 const kRoom = 1;
 /** A view of a small crowd still spans this much [m]. */
-const kSpanLeast = 14;
+const kSpanLeast = 20;
 /** Directions in which the farthest point is kept. */
 const kDirections = 24;
 

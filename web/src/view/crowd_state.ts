@@ -35,6 +35,16 @@ const kStride = 1.5;
 /** Speed at which limbs swing fully [m/s]. */
 const kFullGait = 1.2;
 
+/** How far this display frame goes towards what is wanted. */
+interface Step {
+  /** [s] */
+  readonly dt: number;
+  readonly first: boolean;
+  readonly turn: number;
+  readonly gait: number;
+  readonly pose: number;
+}
+
 export class CrowdState {
   count = 0;
   ids = new Uint32Array(0);
@@ -44,8 +54,6 @@ export class CrowdState {
   /** Gait, prone, crouch, lift per character. */
   pose = new Float32Array(0);
   reach = new Float32Array(0);
-  /** True since the last change of who is there, until read. */
-  membersChanged = false;
   private poses_: readonly Pose[] = [];
   private started_ = false;
 
@@ -57,7 +65,6 @@ export class CrowdState {
   clear(): void {
     this.count = 0;
     this.started_ = false;
-    this.membersChanged = true;
   }
 
   /** Takes the list of who is there; call when a frame brings one. */
@@ -70,7 +77,6 @@ export class CrowdState {
     this.reach = new Float32Array(this.count);
     for (let i = 0; i < this.count; ++i) this.placement[4 * i + 3] = ((this.ids[i] ?? 0) * 2.399963) % (2 * Math.PI);
     this.started_ = false;
-    this.membersChanged = true;
   }
 
   /** Moves everyone to a moment between two frames, `dt` [s] of display time after the last call. */
@@ -79,31 +85,34 @@ export class CrowdState {
     const count = Math.min(this.count, to.x.length);
     const whole = from.x.length !== to.x.length ? 1 : alpha;
     const first = !this.started_;
-    const follow = first ? 1 : 1 - Math.exp(-10 * dt);
+    const step: Step = {
+      dt, first, turn: first ? 1 : 1 - Math.exp(-10 * dt), gait: 1 - Math.exp(-6 * dt), pose: first ? 1 : 1 - Math.exp(-7 * dt),
+    };
     for (let i = 0; i < count; ++i) {
       const bx = to.x[i] ?? 0;
       const by = to.y[i] ?? 0;
       const x = whole === 1 ? bx : mix(from.x[i] ?? bx, bx, whole);
       const y = whole === 1 ? by : mix(from.y[i] ?? by, by, whole);
-      this.place(i, x, y, to.heading[i] ?? 0, dt, first, follow);
-      this.hold(i, this.poses_[to.motion[i] ?? 0] ?? kUpright, first ? 1 : 1 - Math.exp(-7 * dt));
+      this.place(i, x, y, to.heading[i] ?? 0, step);
+      this.hold(i, this.poses_[to.motion[i] ?? 0] ?? kUpright, step.pose);
     }
     this.started_ = count > 0;
   }
 
-  private place(i: number, x: number, y: number, heading: number, dt: number, first: boolean, follow: number): void {
+  private place(i: number, x: number, y: number, heading: number, step: Step): void {
     const p = this.placement;
     const at = 4 * i;
-    const walked = first ? 0 : Math.hypot(x - (p[at] ?? x), y - (p[at + 1] ?? y));
+    const dx = x - (p[at] ?? x);
+    const dy = y - (p[at + 1] ?? y);
+    const walked = step.first ? 0 : Math.sqrt(dx * dx + dy * dy);
     p[at] = x;
     p[at + 1] = y;
-    p[at + 2] = first ? heading : mixAngle(p[at + 2] ?? 0, heading, follow);
+    p[at + 2] = step.first ? heading : mixAngle(p[at + 2] ?? 0, heading, step.turn);
     // A jump in place (restart) is no walk.
     if (walked < 1) p[at + 3] = ((p[at + 3] ?? 0) + (walked / kStride) * 2 * Math.PI) % (2 * Math.PI);
-    const speed = dt > 0 && walked < 1 ? walked / dt : 0;
-    const gait = Math.min(1, speed / kFullGait);
+    const speed = step.dt > 0 && walked < 1 ? walked / step.dt : 0;
     const before = this.pose[at] ?? 0;
-    this.pose[at] = before + (gait - before) * (1 - Math.exp(-6 * dt));
+    this.pose[at] = before + (Math.min(1, speed / kFullGait) - before) * step.gait;
   }
 
   private hold(i: number, pose: Pose, follow: number): void {
