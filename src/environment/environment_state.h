@@ -137,6 +137,7 @@ struct Environment::Impl {
     void placePatchPiece(std::int32_t number);
     void rebuildStillClearance(const CellRect& area);
     void rebuildStillSpeed(const CellRect& area);
+    float distanceBelow(std::int32_t number, Vec2 p, float now) const;
     void coverClearance();
     void coverSpeed();
     void copySpeed(const CellRect& rect);

@@ -44,10 +44,10 @@ public:
     void setStill(const CellRect& rect, const Value& value) {
         forCells(rect, [&](Cell c, std::size_t i) { still_[i] = value(c); });
     }
-    /// Lowers the still storey to `value(cell)`.
+    /// Lowers the still storey to `value(cell, value so far)`.
     template <class Value>
     void lowerStill(const CellRect& rect, const Value& value) {
-        forCells(rect, [&](Cell c, std::size_t i) { still_[i] = std::min(still_[i], value(c)); });
+        forCells(rect, [&](Cell c, std::size_t i) { still_[i] = std::min(still_[i], value(c, still_[i])); });
     }
     /// Makes the live storey equal to the still one in `rect`.
     void copyStill(const CellRect& rect) {
@@ -65,12 +65,12 @@ public:
     }
     /// Where moving things lie.
     std::span<const CellRect> covered() const { return covered_; }
-    /// Lowers the live storey to `value(cell)`, until the next uncover().
+    /// Lowers the live storey to `value(cell, value so far)`, until the next uncover().
     template <class Value>
     void lowerLive(const CellRect& rect, const Value& value) {
         if (rect.empty()) return;
         covered_.push_back(rect);
-        forCells(rect, [&](Cell c, std::size_t i) { live_[i] = std::min(live_[i], value(c)); });
+        forCells(rect, [&](Cell c, std::size_t i) { live_[i] = std::min(live_[i], value(c, live_[i])); });
     }
     std::span<const float> still() const { return still_; }  ///< Without moving things.
     std::span<const float> live() const { return live_; }    ///< With them.

@@ -198,8 +198,7 @@ void Environment::Impl::rebuildStillClearance(const CellRect& area) {
     });
     for (std::int32_t number : index.still) {
         const CellRect rect = CellRect::touching(grid, index.bounds[number].grown(kReach + kBinSlack)).common(area);
-        const ObstaclePiece& piece = pieces[number];
-        clearance.lowerStill(rect, [&](Cell c) { return static_cast<float>(piece.signedDistance(grid.centre(c))); });
+        clearance.lowerStill(rect, [&](Cell c, float now) { return distanceBelow(number, grid.centre(c), now); });
     }
     clearance.copyStill(area);
 }
@@ -211,7 +210,7 @@ void Environment::Impl::rebuildStillSpeed(const CellRect& area) {
         const CellRect rect = CellRect::touching(grid, patchIndex.reach[number]).common(area);
         const PatchPiece& piece = patchPieces[number];
         const auto speed = static_cast<float>(patches[piece.patch].speed);
-        slowest.lowerStill(rect, [&](Cell c) {
+        slowest.lowerStill(rect, [&](Cell c, float) {
             return touchesCell(piece.corners, grid.centre(c), 0.5 * grid.cell) ? speed : kNoPatch;
         });
     }
@@ -219,11 +218,18 @@ void Environment::Impl::rebuildStillSpeed(const CellRect& area) {
     copySpeed(area);
 }
 
+// A piece's distance, or `now` where the piece's box alone is clearly farther than that.
+float Environment::Impl::distanceBelow(std::int32_t number, Vec2 p, float now) const {
+    const double far = squaredDistance(index.bounds[number], p);
+    const double bound = now + 1e-5;
+    if (far > 0.0 && (bound < 0.0 || far > bound * bound)) return now;
+    return static_cast<float>(pieces[number].signedDistance(p));
+}
+
 void Environment::Impl::coverClearance() {
     for (std::int32_t number : index.moving) {
         const CellRect rect = CellRect::touching(grid, index.bounds[number].grown(kReach + kBinSlack));
-        const ObstaclePiece& piece = pieces[number];
-        clearance.lowerLive(rect, [&](Cell c) { return static_cast<float>(piece.signedDistance(grid.centre(c))); });
+        clearance.lowerLive(rect, [&](Cell c, float now) { return distanceBelow(number, grid.centre(c), now); });
     }
 }
 
@@ -232,7 +238,7 @@ void Environment::Impl::coverSpeed() {
         const CellRect rect = CellRect::touching(grid, patchIndex.reach[number]);
         const PatchPiece& piece = patchPieces[number];
         const auto speed = static_cast<float>(patches[piece.patch].speed);
-        slowest.lowerLive(rect, [&](Cell c) {
+        slowest.lowerLive(rect, [&](Cell c, float) {
             return touchesCell(piece.corners, grid.centre(c), 0.5 * grid.cell) ? speed : kNoPatch;
         });
     }
