@@ -18,7 +18,8 @@ const kChipFade = 180;
 /** Room a tag takes, and how far apart tags of the same words stand [CSS px]. */
 const kTagWidth = 150;
 const kTagHeight = 30;
-const kRepeatWidth = 280;
+const kIconWidth = 40;
+const kPhoneWidth = 520;
 const kRepeatHeight = 150;
 
 export interface TagScene {
@@ -48,7 +49,8 @@ export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
     const icon = kMotionIcons[clip];
     tags.push({ key: `patch:${patch.id}`, kind: 'patch', at, ...patchWords(patch.name, clip, patch.speed), ...(icon ? { icon } : {}) });
   }
-  const words = uncrowded(tags);
+  // Phones show icons alone.
+  const words = uncrowded(tags, view.camera.width > kPhoneWidth ? kTagWidth : kIconWidth);
   scene.checkpoints.forEach((checkpoint, i) => {
     const at = view.camera.worldToScreen(checkpoint.position[0], checkpoint.position[1]);
     if (onScreen(at, view.camera)) words.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
@@ -57,13 +59,13 @@ export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
 }
 
 /** Leaves out tags that would cover another, and those that repeat a neighbour's words. */
-export function uncrowded(tags: readonly Tag[]): Tag[] {
+export function uncrowded(tags: readonly Tag[], width = kTagWidth): Tag[] {
   const kept: Tag[] = [];
   const nearest = [...tags].sort((a, b) => b.at.y - a.at.y || a.key.localeCompare(b.key));
   for (const tag of nearest) {
     const crowded = kept.some((other) => {
       const same = other.text === tag.text;
-      return Math.abs(other.at.x - tag.at.x) < (same ? kRepeatWidth : kTagWidth)
+      return Math.abs(other.at.x - tag.at.x) < (same ? 2 * width : width)
         && Math.abs(other.at.y - tag.at.y) < (same ? kRepeatHeight : kTagHeight);
     });
     if (!crowded) kept.push(tag);

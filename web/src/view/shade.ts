@@ -1,11 +1,10 @@
-// Materials that all things of the scene share: lit bodies that can turn grey, and flat ground that takes shadows.
+// Materials that all things of the scene share: lit bodies, and flat ground that takes shadows.
 
 import { type Color, MeshLambertMaterial, ShaderMaterial, UniformsLib, UniformsUtils } from 'three';
 
 /** Values every material reads; one object, so that a change reaches all. */
 export interface ShadeUniforms {
-  /** 0 coloured to 1 grey. */
-  readonly uGrey: { value: number };
+  /** Part of its light that the ground keeps in shadow. */
   readonly uShadowKeeps: { value: number };
   readonly uHatch: { value: Color };
 }

@@ -31,7 +31,7 @@ export class Stage {
   private readonly scene_ = new Scene();
   private readonly eye_ = new PerspectiveCamera(24, 1, 1, 1000);
   private readonly shade_: ShadeUniforms = {
-    uGrey: { value: 0 }, uShadowKeeps: { value: 0.7 }, uHatch: { value: new Color() },
+    uShadowKeeps: { value: 0.7 }, uHatch: { value: new Color() },
   };
   private readonly floatLinear_: boolean;
   private box_ = kNoBox;
