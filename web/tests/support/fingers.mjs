@@ -13,12 +13,11 @@ export class Fingers {
     await this.cdp.send('Input.dispatchTouchEvent', { type, touchPoints });
   }
 
-  /** `points`: {id: {x, y}} in CSS px; all come down within a few milliseconds. */
+  /** `points`: {id: {x, y}} in CSS px; all come down at once. */
   async down(points) {
-    for (const [id, at] of Object.entries(points)) {
-      this.at.set(Number(id), at);
-      await this.send('touchStart', [Number(id)]);
-    }
+    const ids = Object.keys(points).map(Number);
+    for (const id of ids) this.at.set(id, points[id]);
+    await this.send('touchStart', ids);
   }
 
   /** Moves fingers to `targets` in `steps` over `ms`. */
