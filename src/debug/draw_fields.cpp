@@ -28,6 +28,26 @@ Samples sample(const Pen& pen, const std::function<double(Vec2)>& value) {
     return samples;
 }
 
+/// Gives unknown cells the mean of their known neighbours, so that no ground shines through at walls.
+void growKnown(const Grid& grid, std::vector<double>& values) {
+    const std::vector<double> old = values;
+    for (std::int32_t i = 0; i < grid.count(); ++i) {
+        if (std::isfinite(old[static_cast<std::size_t>(i)])) continue;
+        double sum = 0.0;
+        int known = 0;
+        const Cell cell = grid.at(i);
+        for (int k = 0; k < 9; ++k) {
+            const Cell near{cell.x + k % 3 - 1, cell.y + k / 3 - 1};
+            if (!grid.contains(near)) continue;
+            const double value = old[static_cast<std::size_t>(grid.index(near))];
+            if (!std::isfinite(value)) continue;
+            sum += value;
+            ++known;
+        }
+        if (known > 0) values[static_cast<std::size_t>(i)] = sum / known;
+    }
+}
+
 void drawSamples(const Pen& pen, const Samples& samples, double highest, double opacity, bool hideZero) {
     std::vector<Colour> colours(samples.values.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
@@ -154,7 +174,9 @@ void drawCostField(const Pen& pen) {
         if (std::isfinite(v)) highest = std::max(highest, v);
     }
     if (highest <= 0.0) return;
-    drawSamples(pen, samples, highest, 1.0, false);
+    Samples grown = samples;
+    for (int round = 0; round < 3; ++round) growKnown(grown.grid, grown.values);
+    drawSamples(pen, grown, highest, 1.0, false);
     drawContours(pen, samples, highest > 60.0 ? 5.0 : 1.0, highest);
     drawLegend(pen, "Cost to place " + std::to_string(place), highest, "m");
     const Characters& characters = pen.world.characters();

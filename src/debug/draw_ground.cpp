@@ -121,16 +121,24 @@ void drawPatches(const Pen& pen) {
         patchTexture(pen, corners, motion, colour);
         pen.draw.polygon(corners, {}, pen.stroke(faded(colour, 0.9), 1.6, 6.0));
     }
+}
+
+/// One tag per name, at the upper edge of the first patch that bears it.
+void drawPatchTags(const Pen& pen) {
+    const Environment& environment = pen.world.environment();
+    std::vector<std::string> named;
     for (PatchId id : environment.patchIds()) {
-        const PatchDef& def = *environment.patch(id);
+        const std::string& name = environment.patch(id)->name;
         const Box box = boundsOf(environment.patchPolygon(id));
-        if (box.width() < pen.metres(70.0) || def.name.empty()) continue;
-        const Vec2 middle = (box.min + box.max) * 0.5;
-        const double half = pen.metres(4.2 * static_cast<double>(def.name.size()) + 9.0), high = pen.metres(10.0);
-        const Polygon tag{{middle.x - half, middle.y - high}, {middle.x + half, middle.y - high},
-                          {middle.x + half, middle.y + high}, {middle.x - half, middle.y + high}};
-        pen.draw.polygon(tag, pen.theme.panel, {});
-        pen.draw.text(middle, def.name, 12.0 * pen.unit, pen.theme.ink, TextAnchor::Centre);
+        const bool again = std::find(named.begin(), named.end(), name) != named.end();
+        const double half = pen.metres(4.2 * static_cast<double>(name.size()) + 9.0), high = pen.metres(10.0);
+        if (again || name.empty() || box.width() < 2.0 * half) continue;
+        named.push_back(name);
+        const Vec2 at{(box.min.x + box.max.x) * 0.5, std::min(box.max.y, pen.draw.view().max.y - 2.0 * high) - high * 0.2};
+        const Polygon tag{{at.x - half, at.y - high}, {at.x + half, at.y - high}, {at.x + half, at.y + high},
+                          {at.x - half, at.y + high}};
+        pen.draw.polygon(tag, pen.theme.panel, pen.stroke(faded(pen.theme.ink, 0.12), 1.0));
+        pen.draw.text(at, name, 12.0 * pen.unit, pen.theme.ink, TextAnchor::Centre);
     }
 }
 

@@ -70,6 +70,7 @@ void drawWorld(DebugDraw& draw, const World& world, const PictureDef& def) {
     if (shows(Layer::Characters)) drawCharacters(pen);
     if (shows(Layer::Paths)) drawPaths(pen);
     if (shows(Layer::Paths) || shows(Layer::Mesh)) drawControls(pen);
+    if (shows(Layer::Patches)) drawPatchTags(pen);
 }
 
 Status writePicture(const World& world, const PictureDef& def, const std::string& path) {

@@ -49,6 +49,7 @@ inline Colour faded(Colour colour, double opacity) {
 void drawGroundLines(const Pen& pen);
 void drawObstacles(const Pen& pen);
 void drawPatches(const Pen& pen);
+void drawPatchTags(const Pen& pen);
 void drawMeshes(const Pen& pen);
 void drawPlaces(const Pen& pen);
 void drawTrails(const Pen& pen);
