@@ -196,9 +196,11 @@ public:
     void start() {
         parser_ = std::make_unique<http::request_parser<http::vector_body<std::uint8_t>>>();
         parser_->header_limit(server_.def.limits.headerBytes);
-        parser_->body_limit(0);
+        parser_->body_limit(server_.def.limits.takeBytes);
         stream_.expires_after(std::chrono::seconds(server_.def.limits.handshakeSeconds));
-        http::async_read_header(stream_, buffer_, *parser_, [self = shared_from_this()](Error error, std::size_t) {
+        http::async_read_header(stream_, buffer_, *parser_, [self = shared_from_this()](Error error, std::size_t size) {
+            // Beast counts the first line and the fields apart; the limit is for both.
+            if (!error && size > self->server_.def.limits.headerBytes) error = http::error::header_limit;
             self->headRead(error);
         });
     }
@@ -207,7 +209,7 @@ private:
     void headRead(Error error) {
         if (error == http::error::header_limit || error == http::error::buffer_overflow)
             return refuse(431, "The request's header is too large.");
-        if (error == http::error::body_limit) return refuse(413, "No body is expected here.");
+        if (error == http::error::body_limit) return refuse(413, "The body is too large.");
         if (error == http::error::end_of_stream) return close();
         const auto& ofHttp = http::make_error_code(http::error::bad_field).category();
         if (error && error.category() != ofHttp) return;  // Gone, or too slow.
@@ -247,7 +249,6 @@ private:
         const auto length = parser_->content_length();
         if (!length) return refuse(411, "The length of the take is expected.");
         if (*length > server_.def.limits.takeBytes) return refuse(413, "The take is too large.");
-        parser_->body_limit(server_.def.limits.takeBytes);
         stream_.expires_after(std::chrono::seconds(server_.def.limits.bodySeconds));
         http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](Error error, std::size_t) {
             if (error == http::error::body_limit) return self->refuse(413, "The take is too large.");
