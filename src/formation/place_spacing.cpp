@@ -37,6 +37,7 @@ void sortIntoCells(const std::vector<Vec2>& points, double cell, SpacingMemory& 
         return;
     }
     chooseCells(points, cell, memory);
+    memory.start.reserve(9 * points.size() + 256);  // Whatever cells are chosen: no growth later.
     memory.start.assign(static_cast<std::size_t>(memory.columns) * static_cast<std::size_t>(memory.rows) + 1, 0);
     memory.cellOf.resize(points.size());
     memory.item.resize(points.size());
@@ -64,16 +65,21 @@ void forRow(const SpacingMemory& memory, std::int32_t left, std::int32_t right, 
     for (std::size_t n = first; n < end; ++n) visit(static_cast<std::size_t>(memory.item[n]));
 }
 
-// Calls visit(low, high) for every pair nearer than `apart`, each once, in ascending order of the higher.
-template <class Visit>
-void forClosePairs(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, Visit visit) {
+// Calls visit(low, high) for every pair nearer than `apart` of which one point passes `looksAt`, each
+// once, in a fixed order.
+template <class LooksAt, class Visit>
+void forClosePairs(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, LooksAt looksAt, Visit visit) {
     sortIntoCells(points, apart, memory);
-    for (std::size_t high = 0; high < points.size(); ++high) {
-        const std::int32_t x = memory.cellOf[high] % memory.columns;
-        const std::int32_t y = memory.cellOf[high] / memory.columns;
+    for (std::size_t one = 0; one < points.size(); ++one) {
+        if (!looksAt(one)) continue;
+        const std::int32_t x = memory.cellOf[one] % memory.columns;
+        const std::int32_t y = memory.cellOf[one] / memory.columns;
         for (std::int32_t r = y - 1; r <= y + 1; ++r) {
-            forRow(memory, x - 1, x + 1, r, [&](std::size_t low) {
-                if (low < high && lengthSquared(points[high] - points[low]) < apart * apart) visit(low, high);
+            forRow(memory, x - 1, x + 1, r, [&](std::size_t other) {
+                // Of a pair that both look, the higher one visits.
+                if (other == one || (other > one && looksAt(other))) return;
+                if (lengthSquared(points[one] - points[other]) < apart * apart)
+                    visit(std::min(one, other), std::max(one, other));
             });
         }
     }
@@ -86,7 +92,8 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
     bool any = false;
     // A little more than asked, or the last gap would close only in the limit.
     const double wanted = apart * 1.02;
-    forClosePairs(points, apart, memory, [&](std::size_t low, std::size_t high) {
+    const auto looksAt = [&](std::size_t k) { return moved[k] != 0; };
+    forClosePairs(points, apart, memory, looksAt, [&](std::size_t low, std::size_t high) {
         const Vec2 way = points[high] - points[low];
         const double gap = length(way);
         const double angle = 2.399963229728653 * static_cast<double>(high);
@@ -96,6 +103,7 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
         memory.push[high] += half;
         any = true;
     });
+    std::fill(moved.begin(), moved.end(), std::uint8_t{0});
     if (!any) return false;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const Vec2 push = memory.push[k];
@@ -107,7 +115,8 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
 }
 
 void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& fit) {
-    forClosePairs(points, apart, memory, [&](std::size_t low, std::size_t high) {
+    const auto all = [](std::size_t) { return true; };
+    forClosePairs(points, apart, memory, all, [&](std::size_t low, std::size_t high) {
         if (fit[low] != 0) fit[high] = 0;
     });
 }

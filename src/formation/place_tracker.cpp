@@ -24,8 +24,8 @@ void PlaceTracker::findGoals(const PlaceDef& def, std::span<const Vec2> targets,
     for (std::size_t k = 0; k < n; ++k)
         goal_[k] = ground.reachable(isFinite(targets[k]) ? targets[k] : (box.min + box.max) / 2.0);
     const double apart = 2.0 * def.radius;
+    mark_.assign(n, 1);
     for (int round = 0; round < kSpacingRounds; ++round) {
-        mark_.assign(n, 0);
         if (!partClosePairs(goal_, apart, spacing_, mark_)) return;
         for (std::size_t k = 0; k < n; ++k)
             if (mark_[k] != 0) goal_[k] = ground.reachable(goal_[k]);

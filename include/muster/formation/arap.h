@@ -18,9 +18,11 @@ struct SoftConstraint {
 };
 
 /// Step 1 finds a similarity-free shape, then each triangle gets its best rigid copy and step 2
-/// joins these. Both systems are factorised once per set of constraints.
+/// joins these. Both systems are factorised once per set of constraints. Parts of the mesh in which fewer
+/// than two points are constrained are drawn weakly to the rest shape as the targets place it best.
 class ArapSolver {
 public:
+    /// A solver without a mesh; solving needs setMesh() and setConstraints() first.
     ArapSolver();
     ~ArapSolver();
     ArapSolver(ArapSolver&&) noexcept;

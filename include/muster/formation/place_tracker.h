@@ -60,8 +60,9 @@ private:
     struct Detour {
         std::int32_t place = 0;
         Vec2 goal;               ///< The target it was made for [m].
-        std::vector<Vec2> way;   ///< Corners still ahead [m].
+        std::vector<Vec2> way;   ///< Corners still ahead [m]; empty where none was found.
 
+        /// Lets an archive read or write the detour.
         template <class Archive>
         void visit(Archive& archive) {
             archive(place, goal, way);

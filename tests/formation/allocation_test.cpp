@@ -1,0 +1,59 @@
+// After warm-up a step of the formation layer allocates nothing, but for new ways round obstacles.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "formation/mesh_fixture.h"
+#include "muster/formation/place_tracker.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* p = std::malloc(size > 0 ? size : 1)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+using namespace muster;
+using namespace muster::test;
+
+TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
+    EnvironmentDef world;
+    Environment environment = *Environment::create(world);
+    ObstacleDef disc;
+    disc.radius = 0.8;
+    disc.centre = {-6.5, 0.2};  // Its field reaches the mesh, but no place needs a way round it.
+    REQUIRE(environment.addObstacle(disc).ok());
+    environment.setTime(0.0);
+    Stage s(square(100));
+    for (std::uint32_t t = 0; t < 3; ++t) REQUIRE(s.down(t, s.vertex(static_cast<std::int32_t>(t * 40))));
+    for (std::uint32_t t = 0; t < 3; ++t) s.move(t, s.vertex(static_cast<std::int32_t>(t * 40)) + Vec2{4.0, 1.0 * t});
+    PlaceTracker places;
+    std::vector<Vec2> targets;
+    long byPlaces = 0;
+    const auto step = [&] {
+        s.time += kStep;
+        s.controls.advance(s.controlDef, kStep, s.time, 1.0);
+        const bool ok = s.mesh.deform(s.meshDef, s.controlDef, s.controls, kStep).ok();
+        s.mesh.meet(s.meshDef, environment, kStep);
+        s.mesh.placePositions(targets);
+        const long beforePlaces = allocations;
+        places.advance({}, targets, environment, -1, kStep);
+        byPlaces += allocations - beforePlaces;
+        return ok;
+    };
+    for (int k = 0; k < 60; ++k) REQUIRE(step());
+    const long before = allocations;
+    byPlaces = 0;
+    bool ok = true;
+    for (int k = 0; k < 60; ++k) ok = step() && ok;
+    const long after = allocations;
+    CHECK(ok);
+    CHECK(after - before - byPlaces == 0);
+    CHECK(byPlaces == 0);
+    CHECK(before > 0);
+}
