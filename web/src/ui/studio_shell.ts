@@ -4,6 +4,7 @@ import type { Shortcut } from '../tools/shortcuts';
 import { LostBanner, NoticeBanner } from './banner';
 import { element } from './dom';
 import { EmptyPanel } from './empty_panel';
+import { pressWithExtraFingers } from './extra_finger_press';
 import { FormationPanel } from './formation_panel';
 import { GroupChips } from './group_chips';
 import { HelpDialog } from './help_dialog';
@@ -54,6 +55,7 @@ export class StudioShell {
       new LostBanner(store, actions).root, new NoticeBanner(store, actions).root, new EmptyPanel(store, actions).root,
       hint, sheet, legend, this.readout.root, this.scale.root);
     this.page.append(header, main, this.live.root, new HelpDialog(store, actions, shortcuts).root, new Tooltip(document).root);
+    pressWithExtraFingers(this.page);
     this.top = [scenario, groups, layers, phone];
     this.bottom = sheet;
   }

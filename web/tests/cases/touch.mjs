@@ -125,23 +125,27 @@ export async function drawAheadAndLift(studio) {
   const before = await studio.frame();
   const corner = extreme(vertices(before), 1, 0);
   const way = [shifted(corner, 4, 0), shifted(corner, 8, 3), shifted(corner, 11, 3)];
-  await studio.fingers.down(await fingersOn(studio, [corner]));
-  for (const at of way) await studio.fingers.move(await fingersOn(studio, [at]), { steps: 8, ms: 130 });
+  const stops = await studio.screen(way);
+  const start = await fingersOn(studio, [corner]);
+  // Slow motion, so that the finger is ahead of the crowd on slow machines too.
+  await studio.send({ type: 'SetSpeed', factor: 0.25 });
+  await studio.fingers.down(start);
+  for (const at of stops) await studio.fingers.move({ 1: at }, { steps: 6, ms: 60 });
   await studio.fingers.up();
   await studio.until('the lifted finger', () => globalThis.__muster.frame.groups[0].controls.some((one) => !one.points[0].down));
   const lifted = controls(await studio.frame())[0].points[0];
   expect(lifted.path.length >= 4, `the path is still ahead: ${lifted.path.length / 2} checkpoints`);
   expect(distance(lifted, way[2]) > 3, 'the crowd is far behind the finger');
-  await studio.wait(900);
   await studio.shot('draw-ahead');
+  await studio.send({ type: 'SetSpeed', factor: 2 });
   await studio.until('the end of the path', () => globalThis.__muster.frame.groups[0].controls.length === 0, null, 60000);
   const end = extreme(vertices(await studio.frame()), 1, 0);
   expect(distance(end, way[2]) < 2.5, `the mesh went to the end of the path: ${distance(end, way[2])} m off`);
-  const start = mean(crowd(before));
   await studio.until('the crowd', (x) => {
     const { frame } = globalThis.__muster;
     return frame.x.reduce((s, v) => s + v, 0) / frame.x.length > x + 7;
-  }, start.x, 40000);
+  }, mean(crowd(before)).x, 40000);
+  await studio.send({ type: 'SetSpeed', factor: 1 });
 }
 
 export async function formationOnTheWay(studio) {
