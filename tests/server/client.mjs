@@ -41,16 +41,18 @@ export async function request(port, method, path, headers = {}, body = null) {
   return { status: Number(head[0].split(' ')[1] ?? 0), headers: found, body: answer.text.slice(end + 4), ms: answer.ms };
 }
 
-/** A WebSocket that keeps what it gets. */
+/** A WebSocket that keeps what it gets and answers pings unless told not to. */
 export class RawSocket {
   messages = [];
   closeCode = null;
   closed = false;
   status = 0;
+  pings = 0;
+  answersPings = true;
   #buffer = Buffer.alloc(0);
   #waiting = [];
 
-  /** Shakes hands; `status` says how it went. `readable: false` leaves all data unread. */
+  /** Shakes hands; `status` says how it went. */
   static async open(port, headers = {}, path = '/ws') {
     const self = new RawSocket();
     self.socket = await dial(port);
@@ -113,7 +115,10 @@ export class RawSocket {
       this.#buffer = this.#buffer.subarray(from + length);
       if (opcode === 2) this.messages.push(payload);
       if (opcode === 8) this.closeCode = payload.length >= 2 ? payload.readUInt16BE(0) : 0;
-      if (opcode === 9) this.write(payload, 10);
+      if (opcode === 9) {
+        this.pings += 1;
+        if (this.answersPings) this.write(payload, 10);
+      }
       this.#wake();
     }
   }

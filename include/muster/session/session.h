@@ -64,6 +64,7 @@ using MessageBytes = std::vector<std::uint8_t>;
 /// A world, who watches and steers it, its log and its replay. Not thread-safe.
 class Session {
 public:
+    /// Without a world: load() comes next.
     explicit Session(SessionDef def);
     ~Session();
     Session(Session&&) noexcept;
