@@ -1,0 +1,60 @@
+// Runs the built program as a person would.
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace muster::testing {
+
+/// What a run of the program left behind.
+struct Outcome {
+    int code = -1;  ///< Exit code; -1 where it did not end by itself.
+    std::string out;
+    std::string error;
+
+    /// Lines on standard error.
+    long errorLines() const { return std::count(error.begin(), error.end(), '\n'); }
+};
+
+/// A folder of its own for the files of one test run.
+inline std::filesystem::path workFolder() {
+    static const std::filesystem::path folder = [] {
+        auto path = std::filesystem::temp_directory_path() / ("muster_cli_test_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(path);
+        return path;
+    }();
+    return folder;
+}
+
+inline std::string slurp(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// A file in the work folder.
+inline std::string put(const std::string& name, const std::string& text) {
+    const auto path = workFolder() / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+}
+
+/// Runs `muster ARGUMENTS` (a shell fragment) in the source folder.
+inline Outcome muster(const std::string& arguments) {
+    const auto out = workFolder() / "stdout", error = workFolder() / "stderr";
+    const std::string command = "cd '" MUSTER_SOURCE_DIR "' && '" MUSTER_PROGRAM "' " + arguments + " >'" + out.string() +
+                                "' 2>'" + error.string() + "' </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(error)};
+}
+
+}  // namespace muster::testing

@@ -1,0 +1,234 @@
+#include <doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/program.h"
+
+using muster::testing::muster;
+using muster::testing::Outcome;
+using muster::testing::put;
+using muster::testing::slurp;
+using muster::testing::workFolder;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::vector<std::string> kCommands = {"studio", "play", "replay", "check", "import", "picture", "peers"};
+
+std::string path(const char* name) {
+    return (workFolder() / name).string();
+}
+
+Json json(const Outcome& outcome) {
+    return Json::parse(outcome.out, nullptr, false);
+}
+
+const char* kSmall = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
+    "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]}],
+    "groups":[{"count":9,"position":[-3.5,0]}]})";
+const char* kDrag = R"({"format":"muster-gestures","version":1,"events":[
+    {"t":0.1,"kind":"down","touch":1,"x":-3.5,"y":0},{"t":1.1,"kind":"move","touch":1,"x":-1,"y":2},
+    {"t":2.1,"kind":"move","touch":1,"x":3,"y":2},{"t":2.3,"kind":"up","touch":1}]})";
+
+}  // namespace
+
+TEST_CASE("help for all, with examples") {
+    const Outcome all = muster("--help");
+    CHECK(all.code == 0);
+    CHECK(all.out.find("Exit codes") != std::string::npos);
+    for (const std::string& command : kCommands) {
+        CAPTURE(command);
+        CHECK(all.out.find(command) != std::string::npos);
+        const Outcome help = muster(command + " --help");
+        CHECK(help.code == 0);
+        CHECK(help.error.empty());
+        CHECK(help.out.find("Examples:") != std::string::npos);
+        CHECK(help.out.find("muster " + command) != std::string::npos);
+    }
+    CHECK(muster("--version").code == 0);
+}
+
+TEST_CASE("a wrong command line gives one sentence and 2") {
+    const std::string small = put("small.json", kSmall);
+    for (const std::string& line : std::vector<std::string>{
+             "", "dance", "play", "play a b", "play --seconds", "play x --seconds -3", "play x --seconds soon",
+             "play x --plan fast", "play x --preset rubens", "play x --threads -1", "play x --nonsense", "replay", "check",
+             "import x", "import x -o y --cell 0", "import x -o y --count 0", "picture x", "picture x -o y --width 3",
+             "peers", "studio --port 99999", "studio --page /nowhere"}) {
+        CAPTURE(line);
+        const Outcome outcome = muster(line);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.errorLines() == 1);
+        CHECK(outcome.error.rfind("muster", 0) == 0);
+    }
+}
+
+TEST_CASE("bad input gives one sentence and 1") {
+    const std::string small = put("small.json", kSmall);
+    const std::string bad = put("bad.json", R"({"format":"muster-scenario","version":1,"groups":[{"count":0}]})");
+    const std::string torn = put("torn.json", "{\"format\":");
+    const std::string map = put("bad.map", "type octile\nheight 2\nwidth 2\nmap\n..\n.x\n");
+    const std::string blocked = put("blocked.map", "type octile\nheight 2\nwidth 2\nmap\n@@\n@@\n");
+    const std::string take = put("bad.take", "MUSTAKE\n\x01");
+    const std::string scenes = put("bad.scenes.json", R"({"scenes":{"A":{"world":[0,0,1],"T":1,"start":[],"slots":[]}}})");
+    const std::string fine = "'" + small + "' ";
+    for (const std::string& line : std::vector<std::string>{
+             "play /nowhere.json", "play '" + bad + "'", "play '" + torn + "'", "play " + fine + "--gestures '" + bad + "'",
+             "play " + fine + "--set plan.exponent", "play " + fine + "--set plan.exponent=zero",
+             "play " + fine + "--set plan.exponent=0", "play " + fine + "--set no.such=1",
+             "play " + fine + "--seconds 0.1 --take /nowhere/x.take", "play " + fine + "--seconds 0.1 --trajectory /nowhere/x.csv",
+             "replay /nowhere.take", "replay '" + take + "'", "replay " + fine, "check '" + bad + "'", "check '" + take + "'",
+             "import /nowhere.map -o x.json", "import '" + map + "' -o '" + path("x.json") + "'",
+             "import '" + blocked + "' -o '" + path("x.json") + "'", "picture " + fine + "-o x.jpeg",
+             "picture " + fine + "-o /nowhere/x.png", "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
+             "peers '" + scenes + "'", "peers " + fine, "peers /work/nothing.json"}) {
+        CAPTURE(line);
+        const Outcome outcome = muster(line);
+        CHECK(outcome.code == 1);
+        CHECK(outcome.out.empty());
+        CAPTURE(outcome.error);
+        CHECK(outcome.errorLines() == 1);
+        CHECK(outcome.error.rfind("muster: ", 0) == 0);
+        const Outcome quiet = muster(line + " --json");
+        CHECK(quiet.code == 1);
+    }
+}
+
+TEST_CASE("play reports every named figure, records a take that replays, and writes the trajectory") {
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
+    const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 6";
+    const Outcome outcome = muster(common + " --json --take '" + path("a.take") + "' --trajectory '" + path("a.csv") + "'");
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
+    CHECK(outcome.error.empty());
+    const Json figures = json(outcome);
+    for (const char* key : {"characters", "steps", "hash", "arrived95_s", "arrived100_s", "stuck", "path_ratio",
+                            "overlap_pairs_max", "worst_penetration_pct", "swaps_per_character_per_s", "step_ms"}) {
+        CAPTURE(key);
+        CHECK(figures.contains(key));
+    }
+    CHECK(figures["characters"] == 9);
+    CHECK(figures["steps"] == 360);
+    CHECK(figures["path_ratio"].is_null());
+    CHECK(figures["step_ms"]["stages"].size() == 11);
+    // The same again, on two threads and as text: the same hash.
+    const Outcome text = muster(common + " --threads 2");
+    CHECK(text.out.find(figures["hash"].get<std::string>()) != std::string::npos);
+    CHECK(text.out.find("arrived95_s") != std::string::npos);
+
+    const Json replayed = json(muster("replay '" + path("a.take") + "' --json"));
+    CHECK(replayed["reproduced"] == true);
+    CHECK(replayed["hash"] == figures["hash"]);
+    CHECK(replayed["steps"] == 360);
+    CHECK(muster("replay '" + path("a.take") + "'").out.find("reproduced") == 0);
+
+    const std::string csv = slurp(path("a.csv"));
+    CHECK(csv.rfind("t,id,x,y,place_x,place_y\n0,1,", 0) == 0);
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 9 * 361);
+}
+
+TEST_CASE("without seconds a run ends when all stand") {
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
+    const Json figures = json(muster("play '" + small + "' --gestures '" + drag + "' --json"));
+    CHECK(figures["steps"].get<int>() > 150);
+    CHECK(figures["steps"].get<int>() < 20 * 60);
+    CHECK(figures["arrived100_s"].is_number());
+}
+
+TEST_CASE("parameters from the command line change the run") {
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
+    const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 3 --json ";
+    const Json plain = json(muster(common)), slow = json(muster(common + "--set character.maxSpeed=0.5 --set density.enabled=0"));
+    const Json paper = json(muster(common + "--preset paper"));
+    CHECK(plain["hash"] != slow["hash"]);
+    CHECK(plain["hash"] != paper["hash"]);
+    CHECK(slow["lag_p95_m"].get<double>() > plain["lag_p95_m"].get<double>());
+}
+
+TEST_CASE("a take that does not reproduce ends with 3 and names the step") {
+    // Record with one scenario, then exchange a coordinate of its text for another of the same length.
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
+    REQUIRE(muster("play '" + small + "' --gestures '" + drag + "' --seconds 2 --take '" + path("b.take") + "'").code == 0);
+    std::string bytes = slurp(path("b.take"));
+    const std::size_t at = bytes.rfind('\x03', bytes.size() - 30);  // Some byte before the end record.
+    REQUIRE(at != std::string::npos);
+    std::string damaged = bytes;
+    damaged[damaged.size() - 8] ^= 1;  // In the last hash: the checksum notices.
+    const Outcome corrupt = muster("replay '" + put("c.take", damaged) + "'");
+    CHECK(corrupt.code == 1);
+    CHECK(corrupt.error.find("offset") != std::string::npos);
+    const Outcome torn = muster("replay '" + put("d.take", bytes.substr(0, bytes.size() - 5)) + "'");
+    CHECK(torn.code == 0);
+    CHECK(torn.error.find("torn") != std::string::npos);
+}
+
+TEST_CASE("check tells good files from bad ones") {
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag), bad = put("bad2.json", "{}");
+    const Outcome both = muster("check '" + small + "' '" + bad + "' '" + drag + "' --json");
+    CHECK(both.code == 1);
+    const Json list = json(both);
+    REQUIRE(list.size() == 3);
+    CHECK(list[0]["good"] == true);
+    CHECK(list[0]["kind"] == "scenario");
+    CHECK(list[1]["good"] == false);
+    CHECK(list[1]["error"].get<std::string>().find("format") != std::string::npos);
+    CHECK(list[2]["kind"] == "gestures");
+    CHECK(muster("check scenarios/*.json scenarios/gestures/*.json").code == 0);
+    CHECK(Json::parse(muster("check --schema").out, nullptr, false).contains("properties"));
+}
+
+TEST_CASE("import puts the group where there is most room") {
+    // Two rooms: 3 x 3 and 7 x 6 cells; the crowd belongs into the middle of the larger.
+    const std::string map = put("rooms.map",
+                                "type octile\nheight 8\nwidth 13\nmap\n"
+                                "@@@@@@@@@@@@@\n@...@.......@\n@...@.......@\n@...@.......@\n"
+                                "@@@@@.......@\n@@@@@.......@\n@@@@@.......@\n@@@@@@@@@@@@@\n");
+    const std::string out = path("rooms.json");
+    const Outcome outcome = muster("import '" + map + "' -o '" + out + "' --cell 2 --count 16 --json");
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
+    const Json value = json(outcome);
+    CHECK(value["width_m"] == 26.0);
+    CHECK(std::abs(value["position"][0].get<double>() - 17.0) <= 1.5);
+    CHECK(std::abs(value["position"][1].get<double>() - 8.0) <= 1.0);
+    CHECK(muster("check '" + out + "'").code == 0);
+    const Json figures = json(muster("play '" + out + "' --seconds 1 --json"));
+    CHECK(figures["unmatched"] == 0);
+}
+
+TEST_CASE("pictures are made of scenarios and takes") {
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
+    REQUIRE(muster("picture '" + small + "' --gestures '" + drag + "' --at 2 -o '" + path("p.png") + "'").code == 0);
+    CHECK(slurp(path("p.png")).substr(1, 3) == "PNG");
+    REQUIRE(muster("play '" + small + "' --gestures '" + drag + "' --seconds 3 --take '" + path("p.take") + "'").code == 0);
+    const Outcome svg = muster("picture '" + path("p.take") + "' --at 2 --layers cost,mesh --dark --json -o '" + path("p.svg") + "'");
+    REQUIRE_MESSAGE(svg.code == 0, svg.error);
+    CHECK(json(svg)["t"].get<double>() == doctest::Approx(2.0));
+    CHECK(slurp(path("p.svg")).find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("peers runs scenes with explicit starts and slots") {
+    const std::string scenes = put("scenes.json",
+                                   R"({"scenes":{"A":{"n":3,"T":20,"world":[-3,-5,12,5],"polygons_ccw":[[[3,-1],[4,-1],[4,1],[3,1]]],
+        "circles":[[6,3,0.5]],"start":[[0,0],[0,1],[0,-1]],"slots":[[8,0],[8,1],[8,-1]]},
+        "B":{"n":1,"T":5,"world":[-3,-5,12,5],"start":[[0,0]],"slots":[[2,0]]}}})");
+    const Outcome outcome = muster("peers '" + scenes + "' --json --trajectory '" + path("peers.csv") + "'");
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
+    const Json list = json(outcome);
+    REQUIRE(list.size() == 2);
+    CHECK(list[0]["scene"] == "A");
+    CHECK(list[0]["stuck"] == 0);
+    CHECK(list[0]["arrived100_s"].get<double>() > 3.5);
+    CHECK(list[0]["arrived100_s"].get<double>() < 8.0);
+    CHECK(list[0]["path_ratio"].get<double>() < 1.1);
+    CHECK(list[1]["arrived100_s"].get<double>() < 2.0);
+    const std::string csv = slurp(path("peers.csv"));
+    CHECK(csv.rfind("scene,t,id,x,y,place_x,place_y\nA,0,1,0,0,", 0) == 0);
+    CHECK(csv.find("\nB,0,1,0,0,") != std::string::npos);
+    const Outcome one = muster("peers '" + scenes + "' --scene B");
+    CHECK(one.code == 0);
+    CHECK(one.out.find("| B ") != std::string::npos);
+    CHECK(muster("peers '" + scenes + "' --scene C").code == 1);
+}
