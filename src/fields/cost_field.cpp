@@ -43,7 +43,7 @@ double CostField::cost(Vec2 p) const {
     double weights = 0.0;
     for (int k = 0; k < 4; ++k) {
         const double weight = ((k & 1) != 0 ? at.fx : 1.0 - at.fx) * ((k & 2) != 0 ? at.fy : 1.0 - at.fy);
-        const float corner = value({at.low.x + (k & 1), at.low.y + (k >> 1)});
+        const double corner = cornerValue(at.low, k);
         if (!(corner < kInfiniteCost)) continue;
         // A corner on whose side the point lies with no weight still counts where it is the only one.
         const double share = std::max(weight, 1e-12);
@@ -53,29 +53,57 @@ double CostField::cost(Vec2 p) const {
     return weights > 0.0 ? sum / weights : kInfiniteCost;
 }
 
+// Value of corner k of the square above and right of `low`. Where it is not reached (a wall), what the slope of the row or
+// column through it says, so that costs rise evenly up to a wall.
+double CostField::cornerValue(Cell low, int k) const {
+    const Cell c{low.x + (k & 1), low.y + (k >> 1)};
+    const float own = value(c);
+    if (own < kInfiniteCost) return own;
+    const std::int32_t inX = (k & 1) != 0 ? -1 : 1;
+    const std::int32_t inY = (k & 2) != 0 ? -1 : 1;
+    const auto along = [&](std::int32_t dx, std::int32_t dy) {
+        const double near = value({c.x + dx, c.y + dy});
+        const double far = value({c.x + 2 * dx, c.y + 2 * dy});
+        return far < kInfiniteCost ? std::max(0.0, 2.0 * near - far) : static_cast<double>(kInfiniteCost);
+    };
+    const double x = along(inX, 0);
+    const double y = along(0, inY);
+    if (x < kInfiniteCost && y < kInfiniteCost) return 0.5 * (x + y);
+    return std::min(x, y);
+}
+
 Vec2 CostField::direction(Vec2 p) const {
     if (!isFinite(p) || values_.empty()) return {};
     if (lengthSquared(p - source_) <= nearRadius_ * nearRadius_) return normalized(source_ - p);
     const Between at = between(grid_, p);
-    float v[4];
-    for (int k = 0; k < 4; ++k) v[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)});
-    // A slope along one edge of the square of centres, where both its ends are reached.
-    Vec2 slope;
-    double weightX = 0.0;
-    double weightY = 0.0;
-    const auto add = [&](int a, int b, double weight, double& sum, double& weights) {
-        if (!(v[a] < kInfiniteCost) || !(v[b] < kInfiniteCost)) return;
-        weight = std::max(weight, 1e-9);
-        sum += weight * (static_cast<double>(v[b]) - v[a]);
-        weights += weight;
+    double v[4];
+    bool reached[4];
+    for (int k = 0; k < 4; ++k) {
+        v[k] = cornerValue(at.low, k);
+        reached[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kInfiniteCost;
+    }
+    // A slope along one edge of the square of centres, where both its ends have a value.
+    const auto slope = [&](int a, int b, int c, int d, double share) {
+        double sum = 0.0;
+        double weights = 0.0;
+        const auto add = [&](int from, int to, double weight) {
+            if (!(v[from] < kInfiniteCost) || !(v[to] < kInfiniteCost)) return;
+            sum += std::max(weight, 1e-9) * (v[to] - v[from]);
+            weights += std::max(weight, 1e-9);
+        };
+        add(a, b, 1.0 - share);
+        add(c, d, share);
+        return weights > 0.0 ? sum / weights : 0.0;
     };
-    add(0, 1, 1.0 - at.fy, slope.x, weightX);
-    add(2, 3, at.fy, slope.x, weightX);
-    add(0, 2, 1.0 - at.fx, slope.y, weightY);
-    add(1, 3, at.fx, slope.y, weightY);
-    if (weightX > 0.0) slope.x /= weightX;
-    if (weightY > 0.0) slope.y /= weightY;
-    const Vec2 down = normalized(-slope);
+    Vec2 down{-slope(0, 1, 2, 3, at.fy), -slope(0, 2, 1, 3, at.fx)};
+    // Not into a side where nothing is reached.
+    const bool left = reached[0] || reached[2];
+    const bool right = reached[1] || reached[3];
+    const bool below = reached[0] || reached[1];
+    const bool above = reached[2] || reached[3];
+    if ((down.x < 0.0 && !left) || (down.x > 0.0 && !right)) down.x = 0.0;
+    if ((down.y < 0.0 && !below) || (down.y > 0.0 && !above)) down.y = 0.0;
+    down = normalized(down);
     return down == Vec2{} ? towardsReached(p) : down;
 }
 

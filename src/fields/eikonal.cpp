@@ -110,7 +110,13 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
         }
         field.marched_ += reached;
     }
-    if (field.width_ > 0) work.front.forget(low, high);
+    for (const WallNode& beside : cost.nodes) {
+        const Cell c = grid.at(beside.cell);
+        const Cell in{c.x - low.x, c.y - low.y};
+        if (in.x < 0 || in.y < 0 || in.x >= field.width_ || in.y >= field.height_) continue;
+        field.values_[static_cast<std::size_t>(in.y) * field.width_ + in.x] = work.front.centreValue(beside) * edge;
+    }
+    work.front.end(low, high);
 }
 
 }  // namespace muster

@@ -23,6 +23,7 @@ void Front::fit(const Grid& grid) {
     const std::size_t size = static_cast<std::size_t>(grid.height + 4) * stride_ + 2;
     accepted_.assign(size, kInfiniteCost);
     tentative_.assign(size, kInfiniteCost);
+    root_.assign(size, 0);
     // Nothing is ever below minus infinity: the padding is never marched.
     const float never = -kInfiniteCost;
     std::fill_n(tentative_.begin(), 2 * stride_ + 1, never);
@@ -36,12 +37,29 @@ void Front::begin(const UnitCost& cost, bool secondOrder) {
     width_ = kBucketShare * std::max(cost.lowest, 1e-6f);
     tolerance_ = 1e-3f * width_;
     queue_.restart(1.0f / width_);
+    sight_.begin(cost);
+    roots_.assign(1, {});
+    wallRoot_.assign(cost.nodes.size() + 1, 0);
 }
 
-void Front::seed(FrontCell cell, float value) {
-    if (!(value < tentative_[cell.node])) return;
-    tentative_[cell.node] = value;
-    queue_.push(queue_.number(value), cell);
+std::int32_t Front::addSource(float x, float y, float unit) {
+    roots_.push_back({x, y, 0.0f, unit});
+    return static_cast<std::int32_t>(roots_.size()) - 1;
+}
+
+void Front::seed(FrontCell cell, float value, std::int32_t root) {
+    if (value < tentative_[cell.node]) put(cell, kInfiniteCost, value, root);
+}
+
+Ray Front::seen(Cell cell, std::int32_t root, float& value) const {
+    const Root& from = roots_[root];
+    const FrontCell at = this->at(cell);
+    if (!sight_.plain(at.cell, from.unit)) return Ray::OtherGround;
+    float x = 0.0f;
+    float y = 0.0f;
+    place(at, x, y);
+    value = from.costAt(x, y);
+    return sight_.look(x, y, from);
 }
 
 template <Front::Side kSide>
@@ -64,6 +82,8 @@ inline void Front::relax(FrontCell from, float value, const CellCost& fromCost) 
     const float old = tentative_[to];
     if (!(old > value)) return;
     const std::int32_t cell = from.cell + rowStep * grid_.width + columnStep;
+    if (root_[to] == kGiven && old < kInfiniteCost) return;
+    if (root_[from.node] > 0 && relaxStraight(from, {cell, to}, old)) return;
     const CellCost& cost = cells_[cell];
 
     float a = value;
@@ -105,12 +125,9 @@ inline void Front::relax(FrontCell from, float value, const CellCost& fromCost) 
             best = (sb * a + sa * b + ca * cb * std::sqrt(std::max(0.0f, sum - difference * difference))) / sum;
         }
     }
-    if (!(best < old - tolerance_)) return;
-    tentative_[to] = best;
-    const std::int32_t bucket = queue_.number(best);
-    // A cell that waits in the same bucket need not be put there twice.
-    if (accepted_[to] != old && queue_.number(old) == bucket) return;
-    queue_.push(bucket, {cell, to});
+    const bool cheaper = before < towards<kSide>(cost);
+    const float least = !cheaper && root_[to] > 0 && old < kInfiniteCost ? kDoubt * cost.east : tolerance_;
+    if (best < old - least) put({cell, to}, old, best, cheaper ? kCheaper : 0);
 }
 
 inline void Front::spread(FrontCell from, float value) {
@@ -119,9 +136,8 @@ inline void Front::spread(FrontCell from, float value) {
     relax<Side::East>(from, value, cost);
     relax<Side::South>(from, value, cost);
     relax<Side::North>(from, value, cost);
+    if (root_[from.node] > 0 && sight_.wall(from.cell) != 0) bendRound(from);
 }
-
-void Front::offer(FrontCell cell) { spread(cell, accepted_[cell.node]); }
 
 bool Front::step() {
     if (!queue_.advance()) return false;
@@ -135,13 +151,14 @@ bool Front::step() {
     return true;
 }
 
-void Front::forget(Cell low, Cell high) {
+void Front::end(Cell low, Cell high) {
     const std::int32_t left = std::max(0, low.x - 1);
     const std::int32_t right = std::min(grid_.width - 1, high.x + 1);
     for (std::int32_t y = std::max(0, low.y - 1); y <= std::min(grid_.height - 1, high.y + 1); ++y) {
         std::fill(accepted_.begin() + node(left, y), accepted_.begin() + node(right, y) + 1, kInfiniteCost);
         std::fill(tentative_.begin() + node(left, y), tentative_.begin() + node(right, y) + 1, kInfiniteCost);
     }
+    sight_.end();
 }
 
 }  // namespace muster

@@ -6,11 +6,19 @@
 #include <vector>
 
 #include "fields/bucket_queue.h"
+#include "fields/sight.h"
 #include "muster/fields/unit_cost.h"
 
 namespace muster {
 
 inline constexpr float kInfiniteCost = std::numeric_limits<float>::infinity();
+/// Straight-line values are better than differences: where both meet, a value from differences wins only where it is
+/// lower by more than this [cells], and gives way to a straight one that is higher by less.
+inline constexpr float kDoubt = 0.1f;
+/// In place of a root: the value is given and the march leaves it as it is.
+inline constexpr std::int32_t kGiven = -1;
+/// In place of a root: the value comes from cheaper ground, so that no straight way along this ground can be better.
+inline constexpr std::int32_t kCheaper = -2;
 
 /// Values of a march in units of cost per metre times the cell's edge. Rows are padded by one cell that ends one
 /// row and begins the next, and by two rows below and above, so that no index needs a check.
@@ -20,19 +28,18 @@ public:
     void fit(const Grid& grid);
     /// Starts a march over these costs.
     void begin(const UnitCost& cost, bool secondOrder);
-    /// Gives a cell a value that the march may still lower.
-    void seed(FrontCell cell, float value);
-    /// Gives a cell a final value, which the march will not lower.
-    void fix(FrontCell cell, float value) {
-        accepted_[cell.node] = value;
-        tentative_[cell.node] = -kInfiniteCost;
-    }
-    /// Offers the value of a fixed cell to its neighbours.
-    void offer(FrontCell cell);
+    /// Makes a root at the source, of cost 0; cells seeded with its number get straight-line costs.
+    std::int32_t addSource(float x, float y, float unit);
+    /// Gives a cell a value that the march may still lower; `root` 0 where it comes from no root, kGiven where it may not.
+    void seed(FrontCell cell, float value, std::int32_t root);
+    /// What lies between a cell and the source's root; `value` is the cost of the straight way where it is clear.
+    Ray seen(Cell cell, std::int32_t root, float& value) const;
     /// Empties one bucket of the queue; false where nothing is left. Its lowest value is then in level().
     bool step();
     /// All values below it are final.
     float level() const { return static_cast<float>(queue_.current() - 1) * width_; }
+    /// Value at the centre of a cell beside a wall, whose own value is that of its point at the wall.
+    float centreValue(const WallNode& beside) const;
     /// Value of a node, infinite where not reached.
     float value(std::int32_t node) const { return accepted_[node]; }
     /// Values of a row, from column 0 on.
@@ -41,8 +48,8 @@ public:
     std::int32_t node(std::int32_t x, std::int32_t y) const { return (y + 2) * stride_ + x + 1; }
     /// Both indices of a cell.
     FrontCell at(Cell c) const { return {grid_.index(c), node(c.x, c.y)}; }
-    /// Forgets the values of these rows and columns and one cell around them.
-    void forget(Cell low, Cell high);
+    /// Ends the march: forgets the values of these rows and columns and one cell around them.
+    void end(Cell low, Cell high);
 
 private:
     enum class Side { East, North, West, South };
@@ -52,6 +59,21 @@ private:
     template <Side kSide>
     void relax(FrontCell from, float value, const CellCost& fromCost);
     void spread(FrontCell from, float value);
+    bool relaxStraight(FrontCell from, FrontCell to, float old);
+    Ray sees(FrontCell to, float x, float y, std::int32_t number) const;
+    bool shows(std::int32_t node, std::int32_t root) const;
+    void bend(FrontCell from, FrontCell to, float old);
+    void bendRound(FrontCell from);
+    std::int32_t rootAt(FrontCell wallCell);
+    void place(FrontCell cell, float& x, float& y) const;
+    void put(FrontCell to, float old, float value, std::int32_t root) {
+        tentative_[to.node] = value;
+        root_[to.node] = root;
+        const std::int32_t bucket = queue_.number(value);
+        // A cell that waits in the same bucket need not be put there twice.
+        if (accepted_[to.node] != old && queue_.number(old) == bucket) return;
+        queue_.push(bucket, to);
+    }
 
     Grid grid_;
     std::int32_t stride_ = 0;
@@ -62,6 +84,11 @@ private:
     std::vector<float> accepted_;
     std::vector<float> tentative_;
     BucketQueue queue_;
+    // Straight ways: the root that each value comes from (0 for none), and the root that stands at each wall node.
+    Sight sight_;
+    std::vector<Root> roots_;
+    std::vector<std::int32_t> root_;
+    std::vector<std::int32_t> wallRoot_;
 };
 
 }  // namespace muster

@@ -18,6 +18,8 @@ struct Node {
     bool free = false;
     float x = 0.0f;
     float y = 0.0f;
+    float normalX = 0.0f;  // Away from the wall it was drawn to.
+    float normalY = 0.0f;
 };
 
 class NodeFinder {
@@ -30,18 +32,25 @@ public:
         const double here = at(cell.x, cell.y);
         const double depth = (radius_ - here) / edge;  // Of the centre in the forbidden zone, in cells.
         constexpr double kWidestBand = 0.70710678118654752;
-        if (depth <= -kWidestBand) return {true, 0.0f, 0.0f};
+        if (depth <= -kWidestBand) return {.free = true};
         if (depth > kWidestBand || !(here > 0.0)) return {};
-        const double x = slope(here, at(cell.x + 1, cell.y), at(cell.x - 1, cell.y));
-        const double y = slope(here, at(cell.x, cell.y + 1), at(cell.x, cell.y - 1));
+        double x = slope(here, at(cell.x + 1, cell.y), at(cell.x - 1, cell.y));
+        double y = slope(here, at(cell.x, cell.y + 1), at(cell.x, cell.y - 1));
+        const bool wallBeside = x * x + y * y >= kLeastSlope * kLeastSlope * edge * edge;
+        if (wallBeside) {
+            // Even differences tell the direction better, where both neighbours lie outside.
+            x = even(x, at(cell.x + 1, cell.y), at(cell.x - 1, cell.y));
+            y = even(y, at(cell.x, cell.y + 1), at(cell.x, cell.y - 1));
+        }
         const double steepness = std::sqrt(x * x + y * y);
-        const bool wallBeside = steepness >= kLeastSlope * edge;
         const double band = wallBeside ? 0.5 * (std::fabs(x) + std::fabs(y)) / steepness : 0.0;
         // A hair to one side, so that of two cells that lie evenly about the wall only one is drawn to it.
         constexpr double kHair = 1e-4;
         if (depth > band + kHair) return {};
-        if (depth < -band + kHair || !wallBeside) return {depth <= 0.0, 0.0f, 0.0f};
-        return {true, static_cast<float>(depth * x / steepness), static_cast<float>(depth * y / steepness)};
+        if (depth < -band + kHair || !wallBeside) return {.free = depth <= 0.0};
+        const Vec2 away = Vec2{x, y} / steepness;
+        return {true, static_cast<float>(depth * away.x), static_cast<float>(depth * away.y),
+                static_cast<float>(away.x), static_cast<float>(away.y)};
     }
 
 private:
@@ -57,6 +66,10 @@ private:
         return after >= before ? after - here : here - before;
     }
 
+    static double even(double uneven, double after, double before) {
+        return after > 0.0 && before > 0.0 ? 0.5 * (after - before) : uneven;
+    }
+
     const GroundRasters& ground_;
     double radius_;
 };
@@ -70,23 +83,28 @@ float edgeCost(const Node& from, const Node& to, float x, float y, float unit) {
 
 }  // namespace
 
-float priceGround(const GroundRasters& ground, double radius, double price, std::vector<CellCost>& cells) {
+float priceGround(const GroundRasters& ground, double radius, double price, std::vector<CellCost>& cells,
+                  std::vector<WallNode>& nodes) {
     const Grid& grid = ground.grid;
     cells.resize(static_cast<std::size_t>(grid.count()));
+    nodes.clear();
     const NodeFinder finder(ground, radius);
     float lowest = kInfinite;
     for (std::int32_t y = 0; y < grid.height; ++y) {
         for (std::int32_t x = 0; x < grid.width; ++x) {
-            CellCost& out = cells[grid.index({x, y})];
+            const std::int32_t index = grid.index({x, y});
+            CellCost& out = cells[index];
             out = {kInfinite, kInfinite, kInfinite, kInfinite};
             const Node here = finder.find({x, y});
             if (!here.free) continue;
-            const auto unit = static_cast<float>(price / ground.travelSpeed[grid.index({x, y})]);
+            const auto unit = static_cast<float>(price / ground.travelSpeed[index]);
+            lowest = std::min(lowest, unit);
             out.east = edgeCost(here, finder.find({x + 1, y}), 1.0f, 0.0f, unit);
             out.north = edgeCost(here, finder.find({x, y + 1}), 0.0f, 1.0f, unit);
             out.west = edgeCost(here, finder.find({x - 1, y}), -1.0f, 0.0f, unit);
             out.south = edgeCost(here, finder.find({x, y - 1}), 0.0f, -1.0f, unit);
-            lowest = std::min(lowest, unit);
+            const bool open = out.east == unit && out.north == unit && out.west == unit && out.south == unit;
+            if (!open) nodes.push_back({index, here.x, here.y, here.normalX, here.normalY, unit});
         }
     }
     return lowest < kInfinite ? lowest : static_cast<float>(price);

@@ -18,7 +18,9 @@ struct GroundRasters {
 
 /// Writes to `cells` the cost of ground without crowd and discomfort: `price` over the travel speed, infinite where
 /// a character of `radius` [m] cannot be and into such cells. Beside walls the cost of an
-/// edge holds its true length (see docs/method/unit-cost.md). Returns the lowest cost of a true metre.
-float priceGround(const GroundRasters& ground, double radius, double price, std::vector<CellCost>& cells);
+/// edge holds its true length (see docs/method/unit-cost.md). `nodes` lists the
+/// cells beside walls. Returns the lowest cost of a true metre.
+float priceGround(const GroundRasters& ground, double radius, double price, std::vector<CellCost>& cells,
+                  std::vector<WallNode>& nodes);
 
 }  // namespace muster

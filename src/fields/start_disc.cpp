@@ -8,6 +8,9 @@ namespace {
 
 // A source in ground that is not uniform has straight-line costs at least this near [cells].
 constexpr double kAlwaysNear = 0.5;
+// Straight-line costs stand within this many cells, and where no way round could be cheaper by a larger factor.
+constexpr double kSingular = 1.6;
+constexpr double kGoodEnough = 1.25;
 
 // True where all directions that are open cost the same as `wanted`, and one is open.
 bool uniform(const CellCost& c, float wanted) {
@@ -28,12 +31,28 @@ double rayCost(const UnitCost& cost, Vec2 from, Vec2 source) {
     return sum;
 }
 
+// Of the cells from low to high, in any direction.
+double lowestCost(const UnitCost& cost, Cell low, Cell high) {
+    float least = kInfiniteCost;
+    for (std::int32_t y = low.y; y <= high.y; ++y) {
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+            const CellCost& c = cost.cells[cost.grid.index({x, y})];
+            least = std::min({least, c.east, c.north, c.west, c.south});
+        }
+    }
+    return least;
+}
+
 }  // namespace
 
 double straightCost(const CellCost& cost, Vec2 by) {
-    const double x = by.x == 0.0 ? 0.0 : by.x * (by.x > 0.0 ? cost.east : cost.west);
-    const double y = by.y == 0.0 ? 0.0 : by.y * (by.y > 0.0 ? cost.north : cost.south);
-    return std::sqrt(x * x + y * y);
+    // A closed side costs as the other: only the far side of the cell is closed.
+    const auto side = [](float ahead, float behind) { return ahead < kInfiniteCost ? ahead : behind; };
+    const double x = by.x > 0.0 ? side(cost.east, cost.west) : side(cost.west, cost.east);
+    const double y = by.y > 0.0 ? side(cost.north, cost.south) : side(cost.south, cost.north);
+    const double alongX = by.x == 0.0 ? 0.0 : by.x * x;
+    const double alongY = by.y == 0.0 ? 0.0 : by.y * y;
+    return std::sqrt(alongX * alongX + alongY * alongY);
 }
 
 // The distance of the nearest cell whose costs are others than those at the source, at most `radius`.
@@ -56,31 +75,38 @@ double StartDisc::clearRadius(const UnitCost& cost, Vec2 source, double radius) 
 void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, Front& front) {
     const Grid& grid = cost.grid;
     radius_ = 0.0;
-    if (cost.wall(grid.index(grid.nearestCell(source)))) return startFromWall(cost, source, front);
+    const std::int32_t home = grid.index(grid.nearestCell(source));
+    if (cost.wall(home)) return startFromWall(cost, source, front);
     // The four cells around the source always get their start here.
     radius = std::max(radius, 1.5 * grid.cell);
     const double clear = clearRadius(cost, source, radius);
     radius_ = std::max(clear, kAlwaysNear * grid.cell);
+    const CellCost& own = cost.cells[home];
+    const auto node = std::lower_bound(cost.nodes.begin(), cost.nodes.end(), home,
+                                       [](const WallNode& n, std::int32_t cell) { return n.cell < cell; });
+    const bool beside = node != cost.nodes.end() && node->cell == home && node->unit > 0.0f;
+    const float unit = beside ? node->unit : std::min({own.east, own.north, own.west, own.south});
+    const Vec2 at = (source - grid.centre({0, 0})) / grid.cell;
+    const std::int32_t root = front.addSource(static_cast<float>(at.x), static_cast<float>(at.y), unit);
     const Cell low = grid.nearestCell(source - Vec2{radius, radius});
     const Cell high = grid.nearestCell(source + Vec2{radius, radius});
-    const CellCost& own = cost.cells[grid.index(grid.nearestCell(source))];
-    const float unit = std::min({own.east, own.north, own.west, own.south});
-    fixed_.clear();
+    const double least = lowestCost(cost, low, high);
     for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
             const Vec2 centre = grid.centre({x, y});
-            const double away = distance(centre, source);
-            if (away > radius || cost.wall(grid.index({x, y}))) continue;
-            const FrontCell cell = front.at({x, y});
-            if (away < clear) {
-                front.fix(cell, static_cast<float>(away * unit / grid.cell));
-                fixed_.push_back(cell);
-            } else {
-                front.seed(cell, static_cast<float>(rayCost(cost, centre, source) / grid.cell));
+            if (distance(centre, source) > radius || cost.wall(grid.index({x, y}))) continue;
+            float value = 0.0f;
+            const Ray ray = front.seen({x, y}, root, value);
+            if (ray == Ray::Clear) front.seed(front.at({x, y}), value, root);
+            if (ray == Ray::OtherGround) {
+                // Differences are poor next to a point source, so that straight costs stand where little can be gained.
+                const double price = rayCost(cost, centre, source);
+                const double away = distance(centre, source);
+                const bool good = away < kSingular * grid.cell || price <= kGoodEnough * away * least;
+                front.seed(front.at({x, y}), static_cast<float>(price / grid.cell), good ? kGiven : 0);
             }
         }
     }
-    for (const FrontCell cell : fixed_) front.offer(cell);
 }
 
 void StartDisc::startFromWall(const UnitCost& cost, Vec2 source, Front& front) {
@@ -98,7 +124,7 @@ void StartDisc::startFromWall(const UnitCost& cost, Vec2 source, Front& front) {
                 if (find || away > nearest + 0.5 * grid.cell) continue;
                 const CellCost& c = cost.cells[grid.index({x, y})];
                 const float unit = std::min({c.east, c.north, c.west, c.south});
-                front.seed(front.at({x, y}), static_cast<float>(away / grid.cell) * unit);
+                front.seed(front.at({x, y}), static_cast<float>(away / grid.cell) * unit, 0);
             }
         }
     };

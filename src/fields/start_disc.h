@@ -1,8 +1,6 @@
 // The beginning of a march: straight-line costs round the source.
 #pragma once
 
-#include <vector>
-
 #include "fields/front.h"
 
 namespace muster {
@@ -21,11 +19,10 @@ private:
     void startFromWall(const UnitCost& cost, Vec2 source, Front& front);
 
     double radius_ = 0.0;
-    std::vector<FrontCell> fixed_;
 };
 
 /// Cost of a straight step `by` [m] that is priced as in this cell: the length of the step under the metric whose
-/// unit circles are those of the upwind scheme. Infinite where a direction it needs is blocked.
+/// unit circles are those of the upwind scheme. Infinite where both sides along an axis it needs are closed.
 double straightCost(const CellCost& cost, Vec2 by);
 
 }  // namespace muster

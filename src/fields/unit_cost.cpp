@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "fields/discomfort.h"
 #include "fields/ground_cost.h"
@@ -38,6 +39,7 @@ void UnitCostBuilder::build(const UnitCostDef& def, const Environment& environme
     cost.radius = radius;
     cost.lowest = lowest_;
     cost.cells = ground_;
+    cost.nodes = nodes_;
     updateDiscomfort(def, environment);
     priceCrowd(def, environment, density, cost);
 }
@@ -62,7 +64,7 @@ void UnitCostBuilder::updateGround(const UnitCostDef& def, const Environment& en
     price_ = price;
     clearance_.assign(clearance.begin(), clearance.end());
     travelSpeed_.assign(travelSpeed.begin(), travelSpeed.end());
-    lowest_ = priceGround({grid_, clearance_, travelSpeed_}, radius, price, ground_);
+    lowest_ = priceGround({grid_, clearance_, travelSpeed_}, radius, price, ground_, nodes_);
 }
 
 void UnitCostBuilder::updateDiscomfort(const UnitCostDef& def, const Environment& environment) {
@@ -141,6 +143,10 @@ void UnitCostBuilder::priceCell(const UnitCostDef& def, const DensityField& dens
     out.north = price(ground.north, {0.0, 1.0});
     out.west = price(ground.west, {-1.0, 0.0});
     out.south = price(ground.south, {0.0, -1.0});
+    if (std::memcmp(&out, &ground, sizeof(CellCost)) == 0) return;
+    const auto node = std::lower_bound(cost.nodes.begin(), cost.nodes.end(), index,
+                                       [](const WallNode& n, std::int32_t cell) { return n.cell < cell; });
+    if (node != cost.nodes.end() && node->cell == index) node->unit = 0.0f;
 }
 
 }  // namespace muster

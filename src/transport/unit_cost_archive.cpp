@@ -18,6 +18,18 @@ bool plausible(const Grid& grid) {
            grid.cell > 1e-4 && grid.cell < 1e4 && isFinite(grid.origin);
 }
 
+// Wall nodes must ascend and lie inside, as solvers index cells with them.
+bool plausible(const std::vector<WallNode>& nodes, std::size_t cells) {
+    std::int64_t before = -1;
+    for (const WallNode& node : nodes) {
+        if (node.cell <= before || static_cast<std::size_t>(node.cell) >= cells) return false;
+        if (!(std::fabs(node.x) <= 1.0f && std::fabs(node.y) <= 1.0f)) return false;
+        if (!(std::fabs(node.normalX) <= 1.01f && std::fabs(node.normalY) <= 1.01f && std::isfinite(node.unit))) return false;
+        before = node.cell;
+    }
+    return true;
+}
+
 bool plausible(float cost) { return cost >= kLeast && (cost <= kMost || std::isinf(cost)); }
 
 }  // namespace
@@ -34,13 +46,13 @@ void saveUnitCost(Writer& archive, const UnitCost& cost) {
         lengths.push_back(1);
         values.insert(values.end(), {c.east, c.north, c.west, c.south});
     }
-    archive(cost.grid, cost.radius, cost.lowest, lengths, values);
+    archive(cost.grid, cost.radius, cost.lowest, cost.nodes, lengths, values);
 }
 
 bool loadUnitCost(Reader& archive, UnitCost& cost) {
     std::vector<std::uint32_t> lengths;
     std::vector<float> values;
-    archive(cost.grid, cost.radius, cost.lowest, lengths, values);
+    archive(cost.grid, cost.radius, cost.lowest, cost.nodes, lengths, values);
     if (!archive.ok() || !plausible(cost.grid) || values.size() != 4 * lengths.size()) return false;
     for (const float value : values)
         if (!plausible(value)) return false;
@@ -48,6 +60,7 @@ bool loadUnitCost(Reader& archive, UnitCost& cost) {
     std::size_t total = 0;
     for (const std::uint32_t length : lengths) total += length;
     if (total != count || !std::isfinite(cost.radius) || !plausible(cost.lowest)) return false;
+    if (!plausible(cost.nodes, count)) return false;
     cost.cells.clear();
     cost.cells.reserve(count);
     for (std::size_t run = 0; run < lengths.size(); ++run) {

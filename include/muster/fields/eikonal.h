@@ -39,6 +39,7 @@ public:
 private:
     friend class EikonalSolver;
     Vec2 towardsReached(Vec2 p) const;
+    double cornerValue(Cell low, int k) const;
 
     Grid grid_;                  // Of the whole ground.
     Vec2 source_;

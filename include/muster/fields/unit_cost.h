@@ -41,11 +41,29 @@ struct CellCost {
     }
 };
 
+/// A cell beside a wall. The value of a field there is that of the nearest point to which a character can come, as far
+/// as that is less than a cell away, so that ways along walls and round corners have their true length.
+struct WallNode {
+    std::int32_t cell = 0;  ///< Its index.
+    float x = 0.0f;         ///< That point, from the cell's centre [cells].
+    float y = 0.0f;         ///< That point, from the cell's centre [cells].
+    float normalX = 0.0f;   ///< Unit vector away from the wall; null where the point is the centre.
+    float normalY = 0.0f;   ///< Unit vector away from the wall; null where the point is the centre.
+    float unit = 0.0f;      ///< Cost of a metre in all directions; 0 where directions differ.
+
+    /// Lets an archive read or write the node.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(cell, x, y, normalX, normalY, unit);
+    }
+};
+
 /// The unit cost of one radius class over the whole ground.
 struct UnitCost {
     Grid grid;                     ///< The ground cells.
     double radius = 0.25;          ///< Cells whose centre is nearer to an obstacle are walls [m].
     std::vector<CellCost> cells;   ///< Row-major.
+    std::vector<WallNode> nodes;   ///< Ascending by cell.
     float lowest = 1.0f;           ///< Of a metre anywhere; edges of cells drawn to walls may bear less, being shorter.
 
     /// True where nobody of this radius can be.
@@ -57,7 +75,7 @@ struct UnitCost {
     /// Lets an archive read or write the cost.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(grid, radius, cells, lowest);
+        archive(grid, radius, cells, nodes, lowest);
     }
 };
 
@@ -83,6 +101,7 @@ private:
     // The empty ground, with what it was made of.
     Grid grid_;
     std::vector<CellCost> ground_;
+    std::vector<WallNode> nodes_;
     std::vector<float> clearance_;
     std::vector<float> travelSpeed_;
     float lowest_ = 1.0f;

@@ -1,0 +1,56 @@
+// Straight ways on uniform ground: what is seen from where.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "muster/fields/unit_cost.h"
+
+namespace muster {
+
+/// A point from which ways go straight on: the source, or a place at a wall where they bend.
+struct Root {
+    float x = 0.0f;     ///< From the centre of cell (0, 0) [cells].
+    float y = 0.0f;     ///< From the centre of cell (0, 0) [cells].
+    float cost = 0.0f;  ///< Cost to the source.
+    float unit = 0.0f;  ///< Cost of a metre round it.
+
+    /// Cost at a point that the root sees.
+    float costAt(float px, float py) const {
+        const float dx = px - x;
+        const float dy = py - y;
+        return cost + unit * std::sqrt(dx * dx + dy * dy);
+    }
+};
+
+/// What a straight way meets.
+enum class Ray { Clear, Wall, OtherGround };
+
+/// Answers whether straight ways on uniform ground are clear.
+class Sight {
+public:
+    /// Starts on these costs.
+    void begin(const UnitCost& cost);
+    /// Drops what begin() noted.
+    void end();
+    /// Number of the wall node of a cell plus one; 0 where it has none.
+    std::int32_t wall(std::int32_t cell) const { return wall_[cell]; }
+    /// The node with that number.
+    const WallNode& node(std::int32_t number) const { return cost_->nodes[number - 1]; }
+    /// True where all directions of a cell cost `unit`.
+    bool plain(std::int32_t cell, float unit) const {
+        const CellCost& c = cost_->cells[cell];
+        if (c.east == unit && c.north == unit && c.west == unit && c.south == unit) return wall_[cell] == 0;
+        const std::int32_t number = wall_[cell];
+        return number != 0 && node(number).unit == unit;
+    }
+    /// Looks from a point [cells] towards a root, cell by cell.
+    Ray look(float x, float y, const Root& root) const;
+
+private:
+    const UnitCost* cost_ = nullptr;
+    std::vector<std::int32_t> wall_;
+};
+
+}  // namespace muster
