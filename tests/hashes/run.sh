@@ -56,7 +56,8 @@ if { [ -f build/wasm/build.ninja ] ||
     emcmake cmake -S . -B build/wasm -G Ninja -DCMAKE_BUILD_TYPE=Release -DMUSTER_BUILD_APPS=OFF -DMUSTER_BUILD_TESTS=OFF \
         -DMUSTER_BUILD_HASHES=ON -DMUSTER_DEPS_INCLUDE="$root/build/wasm/deps" >build/wasm/configure.log 2>&1; } &&
     cmake --build build/wasm --target scenario_hashes >build/wasm/build.log 2>&1; then
-    node build/wasm/tests/hashes/scenario_hashes.js scenarios "$seconds" 1 >"$work/wasm" || failed=$((failed + 1))
+    node build/wasm/tests/hashes/scenario_hashes.js scenarios "$seconds" 1 >"$work/wasm" 2>"$work/errors" ||
+        { failed=$((failed + 1)); tail -c 1000 "$work/errors"; }
     compare WebAssembly "$work/wasm"
 else
     tail -n 20 build/wasm/configure.log build/wasm/build.log
