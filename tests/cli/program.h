@@ -49,7 +49,7 @@ inline std::string put(const std::string& name, const std::string& text) {
 }
 
 /// Runs `muster ARGUMENTS` (a shell fragment) in the source folder.
-inline Outcome muster(const std::string& arguments) {
+inline Outcome runProgram(const std::string& arguments) {
     const auto out = workFolder() / "stdout", error = workFolder() / "stderr";
     const std::string command = "cd '" MUSTER_SOURCE_DIR "' && '" MUSTER_PROGRAM "' " + arguments + " >'" + out.string() +
                                 "' 2>'" + error.string() + "' </dev/null";

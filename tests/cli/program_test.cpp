@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "cli/program.h"
+#include "muster/scenario/scenario.h"
+#include "muster/take/take.h"
 
-using muster::testing::muster;
 using muster::testing::Outcome;
 using muster::testing::put;
+using muster::testing::runProgram;
 using muster::testing::slurp;
 using muster::testing::workFolder;
 using Json = nlohmann::json;
@@ -36,19 +38,19 @@ const char* kDrag = R"({"format":"muster-gestures","version":1,"events":[
 }  // namespace
 
 TEST_CASE("help for all, with examples") {
-    const Outcome all = muster("--help");
+    const Outcome all = runProgram("--help");
     CHECK(all.code == 0);
     CHECK(all.out.find("Exit codes") != std::string::npos);
     for (const std::string& command : kCommands) {
         CAPTURE(command);
         CHECK(all.out.find(command) != std::string::npos);
-        const Outcome help = muster(command + " --help");
+        const Outcome help = runProgram(command + " --help");
         CHECK(help.code == 0);
         CHECK(help.error.empty());
         CHECK(help.out.find("Examples:") != std::string::npos);
         CHECK(help.out.find("muster " + command) != std::string::npos);
     }
-    CHECK(muster("--version").code == 0);
+    CHECK(runProgram("--version").code == 0);
 }
 
 TEST_CASE("a wrong command line gives one sentence and 2") {
@@ -59,7 +61,7 @@ TEST_CASE("a wrong command line gives one sentence and 2") {
              "import x", "import x -o y --cell 0", "import x -o y --count 0", "picture x", "picture x -o y --width 3",
              "peers", "studio --port 99999", "studio --page /nowhere"}) {
         CAPTURE(line);
-        const Outcome outcome = muster(line);
+        const Outcome outcome = runProgram(line);
         CHECK(outcome.code == 2);
         CHECK(outcome.out.empty());
         CHECK(outcome.errorLines() == 1);
@@ -87,13 +89,13 @@ TEST_CASE("bad input gives one sentence and 1") {
              "picture " + fine + "-o /nowhere/x.png", "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
              "peers '" + scenes + "'", "peers " + fine, "peers /work/nothing.json"}) {
         CAPTURE(line);
-        const Outcome outcome = muster(line);
+        const Outcome outcome = runProgram(line);
         CHECK(outcome.code == 1);
         CHECK(outcome.out.empty());
         CAPTURE(outcome.error);
         CHECK(outcome.errorLines() == 1);
         CHECK(outcome.error.rfind("muster: ", 0) == 0);
-        const Outcome quiet = muster(line + " --json");
+        const Outcome quiet = runProgram(line + " --json");
         CHECK(quiet.code == 1);
     }
 }
@@ -101,7 +103,7 @@ TEST_CASE("bad input gives one sentence and 1") {
 TEST_CASE("play reports every named figure, records a take that replays, and writes the trajectory") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
     const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 6";
-    const Outcome outcome = muster(common + " --json --take '" + path("a.take") + "' --trajectory '" + path("a.csv") + "'");
+    const Outcome outcome = runProgram(common + " --json --take '" + path("a.take") + "' --trajectory '" + path("a.csv") + "'");
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
     CHECK(outcome.error.empty());
     const Json figures = json(outcome);
@@ -115,15 +117,15 @@ TEST_CASE("play reports every named figure, records a take that replays, and wri
     CHECK(figures["path_ratio"].is_null());
     CHECK(figures["step_ms"]["stages"].size() == 11);
     // The same again, on two threads and as text: the same hash.
-    const Outcome text = muster(common + " --threads 2");
+    const Outcome text = runProgram(common + " --threads 2");
     CHECK(text.out.find(figures["hash"].get<std::string>()) != std::string::npos);
     CHECK(text.out.find("arrived95_s") != std::string::npos);
 
-    const Json replayed = json(muster("replay '" + path("a.take") + "' --json"));
+    const Json replayed = json(runProgram("replay '" + path("a.take") + "' --json"));
     CHECK(replayed["reproduced"] == true);
     CHECK(replayed["hash"] == figures["hash"]);
     CHECK(replayed["steps"] == 360);
-    CHECK(muster("replay '" + path("a.take") + "'").out.find("reproduced") == 0);
+    CHECK(runProgram("replay '" + path("a.take") + "'").out.find("reproduced") == 0);
 
     const std::string csv = slurp(path("a.csv"));
     CHECK(csv.rfind("t,id,x,y,place_x,place_y\n0,1,", 0) == 0);
@@ -132,7 +134,7 @@ TEST_CASE("play reports every named figure, records a take that replays, and wri
 
 TEST_CASE("without seconds a run ends when all stand") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
-    const Json figures = json(muster("play '" + small + "' --gestures '" + drag + "' --json"));
+    const Json figures = json(runProgram("play '" + small + "' --gestures '" + drag + "' --json"));
     CHECK(figures["steps"].get<int>() > 150);
     CHECK(figures["steps"].get<int>() < 20 * 60);
     CHECK(figures["arrived100_s"].is_number());
@@ -141,33 +143,46 @@ TEST_CASE("without seconds a run ends when all stand") {
 TEST_CASE("parameters from the command line change the run") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
     const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 3 --json ";
-    const Json plain = json(muster(common)), slow = json(muster(common + "--set character.maxSpeed=0.5 --set density.enabled=0"));
-    const Json paper = json(muster(common + "--preset paper"));
+    const Json plain = json(runProgram(common)), slow = json(runProgram(common + "--set character.maxSpeed=0.5 --set density.enabled=0"));
+    const Json paper = json(runProgram(common + "--preset paper"));
     CHECK(plain["hash"] != slow["hash"]);
     CHECK(plain["hash"] != paper["hash"]);
     CHECK(slow["lag_p95_m"].get<double>() > plain["lag_p95_m"].get<double>());
 }
 
 TEST_CASE("a take that does not reproduce ends with 3 and names the step") {
-    // Record with one scenario, then exchange a coordinate of its text for another of the same length.
+    const auto def = muster::parseScenario(kSmall, "small", "");
+    REQUIRE(def.ok());
+    auto bytes = muster::TakeEncoder::begin(*def);
+    const auto end = muster::TakeEncoder::end({60, 0x0123456789abcdefull});
+    bytes.insert(bytes.end(), end.begin(), end.end());
+    const std::string take = "replay '" + put("b.take", std::string(bytes.begin(), bytes.end())) + "'";
+    const Outcome other = runProgram(take);
+    CHECK(other.code == 3);
+    CHECK(other.errorLines() == 1);
+    CHECK(other.error.find("step 60:") != std::string::npos);
+    const Outcome asJson = runProgram(take + " --json");
+    CHECK(asJson.code == 3);
+    CHECK(json(asJson)["reproduced"] == false);
+}
+
+TEST_CASE("damaged takes are refused, torn ones replayed as far as they go") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
-    REQUIRE(muster("play '" + small + "' --gestures '" + drag + "' --seconds 2 --take '" + path("b.take") + "'").code == 0);
-    std::string bytes = slurp(path("b.take"));
-    const std::size_t at = bytes.rfind('\x03', bytes.size() - 30);  // Some byte before the end record.
-    REQUIRE(at != std::string::npos);
+    REQUIRE(runProgram("play '" + small + "' --gestures '" + drag + "' --seconds 2 --take '" + path("c.take") + "'").code == 0);
+    const std::string bytes = slurp(path("c.take"));
     std::string damaged = bytes;
     damaged[damaged.size() - 8] ^= 1;  // In the last hash: the checksum notices.
-    const Outcome corrupt = muster("replay '" + put("c.take", damaged) + "'");
+    const Outcome corrupt = runProgram("replay '" + put("d.take", damaged) + "'");
     CHECK(corrupt.code == 1);
     CHECK(corrupt.error.find("offset") != std::string::npos);
-    const Outcome torn = muster("replay '" + put("d.take", bytes.substr(0, bytes.size() - 5)) + "'");
+    const Outcome torn = runProgram("replay '" + put("e.take", bytes.substr(0, bytes.size() - 5)) + "'");
     CHECK(torn.code == 0);
     CHECK(torn.error.find("torn") != std::string::npos);
 }
 
 TEST_CASE("check tells good files from bad ones") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag), bad = put("bad2.json", "{}");
-    const Outcome both = muster("check '" + small + "' '" + bad + "' '" + drag + "' --json");
+    const Outcome both = runProgram("check '" + small + "' '" + bad + "' '" + drag + "' --json");
     CHECK(both.code == 1);
     const Json list = json(both);
     REQUIRE(list.size() == 3);
@@ -176,8 +191,8 @@ TEST_CASE("check tells good files from bad ones") {
     CHECK(list[1]["good"] == false);
     CHECK(list[1]["error"].get<std::string>().find("format") != std::string::npos);
     CHECK(list[2]["kind"] == "gestures");
-    CHECK(muster("check scenarios/*.json scenarios/gestures/*.json").code == 0);
-    CHECK(Json::parse(muster("check --schema").out, nullptr, false).contains("properties"));
+    CHECK(runProgram("check scenarios/*.json scenarios/gestures/*.json").code == 0);
+    CHECK(Json::parse(runProgram("check --schema").out, nullptr, false).contains("properties"));
 }
 
 TEST_CASE("import puts the group where there is most room") {
@@ -187,23 +202,23 @@ TEST_CASE("import puts the group where there is most room") {
                                 "@@@@@@@@@@@@@\n@...@.......@\n@...@.......@\n@...@.......@\n"
                                 "@@@@@.......@\n@@@@@.......@\n@@@@@.......@\n@@@@@@@@@@@@@\n");
     const std::string out = path("rooms.json");
-    const Outcome outcome = muster("import '" + map + "' -o '" + out + "' --cell 2 --count 16 --json");
+    const Outcome outcome = runProgram("import '" + map + "' -o '" + out + "' --cell 2 --count 16 --json");
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
     const Json value = json(outcome);
     CHECK(value["width_m"] == 26.0);
     CHECK(std::abs(value["position"][0].get<double>() - 17.0) <= 1.5);
     CHECK(std::abs(value["position"][1].get<double>() - 8.0) <= 1.0);
-    CHECK(muster("check '" + out + "'").code == 0);
-    const Json figures = json(muster("play '" + out + "' --seconds 1 --json"));
+    CHECK(runProgram("check '" + out + "'").code == 0);
+    const Json figures = json(runProgram("play '" + out + "' --seconds 1 --json"));
     CHECK(figures["unmatched"] == 0);
 }
 
 TEST_CASE("pictures are made of scenarios and takes") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
-    REQUIRE(muster("picture '" + small + "' --gestures '" + drag + "' --at 2 -o '" + path("p.png") + "'").code == 0);
+    REQUIRE(runProgram("picture '" + small + "' --gestures '" + drag + "' --at 2 -o '" + path("p.png") + "'").code == 0);
     CHECK(slurp(path("p.png")).substr(1, 3) == "PNG");
-    REQUIRE(muster("play '" + small + "' --gestures '" + drag + "' --seconds 3 --take '" + path("p.take") + "'").code == 0);
-    const Outcome svg = muster("picture '" + path("p.take") + "' --at 2 --layers cost,mesh --dark --json -o '" + path("p.svg") + "'");
+    REQUIRE(runProgram("play '" + small + "' --gestures '" + drag + "' --seconds 3 --take '" + path("p.take") + "'").code == 0);
+    const Outcome svg = runProgram("picture '" + path("p.take") + "' --at 2 --layers cost,mesh --dark --json -o '" + path("p.svg") + "'");
     REQUIRE_MESSAGE(svg.code == 0, svg.error);
     CHECK(json(svg)["t"].get<double>() == doctest::Approx(2.0));
     CHECK(slurp(path("p.svg")).find("</svg>") != std::string::npos);
@@ -214,7 +229,7 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
                                    R"({"scenes":{"A":{"n":3,"T":20,"world":[-3,-5,12,5],"polygons_ccw":[[[3,-1],[4,-1],[4,1],[3,1]]],
         "circles":[[6,3,0.5]],"start":[[0,0],[0,1],[0,-1]],"slots":[[8,0],[8,1],[8,-1]]},
         "B":{"n":1,"T":5,"world":[-3,-5,12,5],"start":[[0,0]],"slots":[[2,0]]}}})");
-    const Outcome outcome = muster("peers '" + scenes + "' --json --trajectory '" + path("peers.csv") + "'");
+    const Outcome outcome = runProgram("peers '" + scenes + "' --json --trajectory '" + path("peers.csv") + "'");
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
     const Json list = json(outcome);
     REQUIRE(list.size() == 2);
@@ -227,8 +242,8 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     const std::string csv = slurp(path("peers.csv"));
     CHECK(csv.rfind("scene,t,id,x,y,place_x,place_y\nA,0,1,0,0,", 0) == 0);
     CHECK(csv.find("\nB,0,1,0,0,") != std::string::npos);
-    const Outcome one = muster("peers '" + scenes + "' --scene B");
+    const Outcome one = runProgram("peers '" + scenes + "' --scene B");
     CHECK(one.code == 0);
     CHECK(one.out.find("| B ") != std::string::npos);
-    CHECK(muster("peers '" + scenes + "' --scene C").code == 1);
+    CHECK(runProgram("peers '" + scenes + "' --scene C").code == 1);
 }
