@@ -227,7 +227,7 @@ TEST_CASE("pictures are made of scenarios and takes") {
 TEST_CASE("peers runs scenes with explicit starts and slots") {
     const std::string scenes = put("scenes.json",
                                    R"({"scenes":{"A":{"n":3,"T":20,"world":[-3,-5,12,5],"polygons_ccw":[[[3,-1],[4,-1],[4,1],[3,1]]],
-        "circles":[[6,3,0.5]],"start":[[0,0],[0,1],[0,-1]],"slots":[[8,0],[8,1],[8,-1]]},
+        "circles":[[6,3,0.5]],"start":[[0,0.4],[0,1.4],[0,-0.6]],"slots":[[8,0],[8,1],[8,-1]]},
         "B":{"n":1,"T":5,"world":[-3,-5,12,5],"start":[[0,0]],"slots":[[2,0]]}}})");
     const Outcome outcome = runProgram("peers '" + scenes + "' --json --trajectory '" + path("peers.csv") + "'");
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
@@ -240,7 +240,7 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(list[0]["path_ratio"].get<double>() < 1.1);
     CHECK(list[1]["arrived100_s"].get<double>() < 2.0);
     const std::string csv = slurp(path("peers.csv"));
-    CHECK(csv.rfind("scene,t,id,x,y,place_x,place_y\nA,0,1,0,0,", 0) == 0);
+    CHECK(csv.rfind("scene,t,id,x,y,place_x,place_y\nA,0,1,0,0.4,", 0) == 0);
     CHECK(csv.find("\nB,0,1,0,0,") != std::string::npos);
     const Outcome one = runProgram("peers '" + scenes + "' --scene B");
     CHECK(one.code == 0);
