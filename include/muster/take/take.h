@@ -19,8 +19,8 @@ inline constexpr std::uint32_t kTakeMarkSpacing = 60;  ///< Steps between hash m
 
 /// The hash of a world's state after that many steps.
 struct HashMark {
-    std::uint32_t step = 0;
-    std::uint64_t hash = 0;
+    std::uint32_t step = 0;      ///< Steps done.
+    std::uint64_t hash = 0;      ///< World::hash() then.
     std::uint32_t commands = 0;  ///< Recorded before it: those were submitted by then (not in the file's mark itself).
     friend bool operator==(const HashMark&, const HashMark&) = default;
 };

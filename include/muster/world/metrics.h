@@ -11,16 +11,16 @@ namespace muster {
 
 /// Figures of a run. Times count from the last command.
 struct RunFigures {
-    std::int32_t characters = 0;
-    std::uint32_t steps = 0;
-    std::uint64_t hash = 0;
+    std::int32_t characters = 0;    ///< At the end.
+    std::uint32_t steps = 0;        ///< Done.
+    std::uint64_t hash = 0;         ///< Of the state at the end.
     double arrived95 = -1.0;        ///< [s]; -1 where not reached.
     double arrived100 = -1.0;       ///< [s]; -1 where not reached.
-    std::int32_t stuck = 0;
+    std::int32_t stuck = 0;         ///< Not arrived, and within 0.25 m for the last 5 s.
     double pathRatio = -1.0;        ///< Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
-    std::int32_t overlapPairsMax = 0;
+    std::int32_t overlapPairsMax = 0;  ///< Most pairs at once deeper than 10 % of the mean diameter.
     double worstPenetration = 0.0;  ///< Share of the mean diameter.
-    double swapsPerCharacterPerSecond = 0.0;
+    double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
     double lagP95 = 0.0;            ///< Distance to the place at the end, p95 [m].
     std::int32_t unmatched = 0;     ///< At the end.
     std::int32_t collected = 0;     ///< Items.
