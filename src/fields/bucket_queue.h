@@ -52,8 +52,8 @@ public:
 
     /// Moves on to the next bucket that holds cells; false where there is none.
     bool advance() {
-        buckets_[current_ % kRing].clear();
-        used_[(current_ % kRing) / 64] &= ~(1ull << (current_ % 64));
+        buckets_[slot(current_)].clear();
+        used_[slot(current_) / 64] &= ~(1ull << (slot(current_) % 64));
         std::int32_t next = nextUsed();
         if (next >= farLowest_) {
             if (far_.empty()) return false;
@@ -66,7 +66,7 @@ public:
     }
 
     /// The bucket being emptied; it may grow meanwhile, so look at its size anew for every cell.
-    const std::vector<FrontCell>& bucket() const { return buckets_[current_ % kRing]; }
+    const std::vector<FrontCell>& bucket() const { return buckets_[slot(current_)]; }
     /// Its number.
     std::int32_t current() const { return current_; }
 
@@ -79,19 +79,21 @@ private:
         FrontCell cell;
     };
 
+    static std::uint32_t slot(std::int32_t bucket) { return static_cast<std::uint32_t>(bucket) % kRing; }
+
     void put(std::int32_t bucket, FrontCell cell) {
-        const std::int32_t slot = bucket % kRing;
-        used_[slot / 64] |= 1ull << (slot % 64);
-        buckets_[slot].push_back(cell);
+        const std::uint32_t at = slot(bucket);
+        used_[at / 64] |= 1ull << (at % 64);
+        buckets_[at].push_back(cell);
     }
 
     std::int32_t nextUsed() const {
-        const std::int32_t slot = current_ % kRing;
-        for (std::int32_t k = 0; k <= kRing / 64; ++k) {
-            std::uint64_t word = used_[(slot / 64 + k) % (kRing / 64)];
-            if (k == 0) word &= ~0ull << (slot % 64);
-            if (k == kRing / 64) word &= ~(~0ull << (slot % 64));
-            if (word != 0) return current_ - slot % 64 + 64 * k + std::countr_zero(word);
+        const std::uint32_t first = slot(current_);
+        for (std::uint32_t k = 0; k <= kRing / 64; ++k) {
+            std::uint64_t word = used_[(first / 64 + k) % (kRing / 64)];
+            if (k == 0) word &= ~0ull << (first % 64);
+            if (k == kRing / 64) word &= ~(~0ull << (first % 64));
+            if (word != 0) return current_ + static_cast<std::int32_t>(64 * k - first % 64) + std::countr_zero(word);
         }
         return kFarthest;
     }

@@ -104,6 +104,10 @@ Vec2 CostField::direction(Vec2 p) const {
     if ((down.x < 0.0 && !left) || (down.x > 0.0 && !right)) down.x = 0.0;
     if ((down.y < 0.0 && !below) || (down.y > 0.0 && !above)) down.y = 0.0;
     down = normalized(down);
+    // Who stands nearer to such a side than to the reached cells is too near to a wall: it also leads away from there.
+    if (!left || !right) down.x += left ? std::min(0.0, 0.5 - at.fx) : std::max(0.0, 0.5 - at.fx);
+    if (!below || !above) down.y += below ? std::min(0.0, 0.5 - at.fy) : std::max(0.0, 0.5 - at.fy);
+    down = normalized(down);
     return down == Vec2{} ? towardsReached(p) : down;
 }
 

@@ -17,6 +17,7 @@ struct EikonalSolver::Impl {
 
     void watch(const UnitCost& cost, std::span<const Vec2> targets);
     void march(double cell, bool bounded);
+    double reach(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets) const;
     Cell readRows(const Grid& grid, Cell& high) const;
 };
 
@@ -44,8 +45,22 @@ void EikonalSolver::Impl::march(double cell, bool bounded) {
     while (front.level() <= stop && front.step()) {
         if (!bounded || stop < kInfiniteCost) continue;
         while (reached < watched.size() && front.value(watched[reached].node) < kInfiniteCost) ++reached;
-        if (reached == watched.size()) stop = front.level() + static_cast<float>(def.margin / cell);
+        if (reached < watched.size()) continue;
+        // Straight ways may have run ahead of the front.
+        stop = front.level();
+        for (const FrontCell at : watched) stop = std::max(stop, front.value(at.node));
+        stop += static_cast<float>(def.margin / cell);
     }
+}
+
+// How far from the source the targets lie, with the margin [m].
+double EikonalSolver::Impl::reach(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets) const {
+    if (targets.empty()) return kInfiniteCost;
+    double farthest = 0.0;
+    for (const Vec2 target : targets) {
+        if (isFinite(target)) farthest = std::max(farthest, distance(cost.grid.box().clamp(target), source));
+    }
+    return farthest + 2.0 * cost.grid.cell + def.margin / cost.lowest;
 }
 
 // The smallest window that holds all reached cells; high lies below low where there are none.
@@ -87,7 +102,7 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
     work.front.fit(grid);
     work.front.begin(cost, work.def.secondOrder);
     work.watch(cost, targets);
-    work.disc.start(cost, field.source_, work.def.startRadius, work.front);
+    work.disc.start(cost, field.source_, work.def.startRadius, work.reach(cost, field.source_, targets), work.front);
     field.nearRadius_ = work.disc.radius();
     field.nearCost_ = cost.cells[grid.index(grid.nearestCell(field.source_))];
     work.march(grid.cell, !targets.empty());

@@ -82,7 +82,7 @@ inline void Front::relax(FrontCell from, float value, const CellCost& fromCost) 
     const float old = tentative_[to];
     if (!(old > value)) return;
     const std::int32_t cell = from.cell + rowStep * grid_.width + columnStep;
-    if (root_[to] == kGiven && old < kInfiniteCost) return;
+    if (root_[to] == kGiven) return;
     if (root_[from.node] > 0 && relaxStraight(from, {cell, to}, old)) return;
     const CellCost& cost = cells_[cell];
 
@@ -126,7 +126,7 @@ inline void Front::relax(FrontCell from, float value, const CellCost& fromCost) 
         }
     }
     const bool cheaper = before < towards<kSide>(cost);
-    const float least = !cheaper && root_[to] > 0 && old < kInfiniteCost ? kDoubt * cost.east : tolerance_;
+    const float least = !cheaper && root_[to] > 0 ? kDoubt * cost.east : tolerance_;
     if (best < old - least) put({cell, to}, old, best, cheaper ? kCheaper : 0);
 }
 
@@ -141,8 +141,9 @@ inline void Front::spread(FrontCell from, float value) {
 
 bool Front::step() {
     if (!queue_.advance()) return false;
-    for (std::size_t k = 0; k < queue_.bucket().size(); ++k) {
-        const FrontCell from = queue_.bucket()[k];
+    const std::vector<FrontCell>& bucket = queue_.bucket();
+    for (std::size_t k = 0; k < bucket.size(); ++k) {
+        const FrontCell from = bucket[k];
         const float value = tentative_[from.node];
         if (!(value < accepted_[from.node])) continue;
         accepted_[from.node] = value;
@@ -157,6 +158,7 @@ void Front::end(Cell low, Cell high) {
     for (std::int32_t y = std::max(0, low.y - 1); y <= std::min(grid_.height - 1, high.y + 1); ++y) {
         std::fill(accepted_.begin() + node(left, y), accepted_.begin() + node(right, y) + 1, kInfiniteCost);
         std::fill(tentative_.begin() + node(left, y), tentative_.begin() + node(right, y) + 1, kInfiniteCost);
+        std::fill(root_.begin() + node(left, y), root_.begin() + node(right, y) + 1, 0);
     }
     sight_.end();
 }

@@ -30,6 +30,10 @@ public:
     void begin(const UnitCost& cost, bool secondOrder);
     /// Makes a root at the source, of cost 0; cells seeded with its number get straight-line costs.
     std::int32_t addSource(float x, float y, float unit);
+    /// Gives the cells that the source's root sees within `limit` [cost of cells] their values at once, from cell to
+    /// cell, and leaves to the march what lies behind them. False, doing nothing, where
+    /// the ground at `home` is not the root's.
+    bool flood(Cell home, std::int32_t root, float limit);
     /// Gives a cell a value that the march may still lower; `root` 0 where it comes from no root, kGiven where it may not.
     void seed(FrontCell cell, float value, std::int32_t root);
     /// What lies between a cell and the source's root; `value` is the cost of the straight way where it is clear.
@@ -66,6 +70,10 @@ private:
     void bendRound(FrontCell from);
     std::int32_t rootAt(FrontCell wallCell);
     void place(FrontCell cell, float& x, float& y) const;
+    void floodAxis(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
+    void floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
+    void floodCell(FrontCell cell, bool certain, std::int32_t root);
+    void queueRim(std::int32_t root);
     void put(FrontCell to, float old, float value, std::int32_t root) {
         tentative_[to.node] = value;
         root_[to.node] = root;
@@ -89,6 +97,9 @@ private:
     std::vector<Root> roots_;
     std::vector<std::int32_t> root_;
     std::vector<std::int32_t> wallRoot_;
+    Cell floodLow_;
+    Cell floodHigh_;
+    float floodLimit_ = 0.0f;
 };
 
 }  // namespace muster

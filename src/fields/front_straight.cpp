@@ -78,7 +78,7 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) const {
 // Returns false where differences should be tried: on other ground, or behind it.
 bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     const std::int32_t number = root_[from.node];
-    if (old < kInfiniteCost && root_[to.node] == number) return true;
+    if (root_[to.node] == number) return true;
     const Root& root = roots_[number];
     if (!sight_.plain(to.cell, root.unit)) return false;
     // A value from differences gives way to a straight one that is hardly worse.
@@ -141,7 +141,7 @@ void Front::bendRound(FrontCell from) {
         for (const std::int32_t up : {1, -1}) {
             const FrontCell to{from.cell + up * grid_.width + right, from.node + up * stride_ + right};
             const float old = tentative_[to.node];
-            if (!(old > accepted_[from.node]) || (root_[to.node] == kGiven && old < kInfiniteCost)) continue;
+            if (!(old > accepted_[from.node]) || root_[to.node] == kGiven) continue;
             const CellCost& cost = cells_[from.cell];
             const bool beside = (right > 0 ? cost.east : cost.west) < kInfiniteCost;
             const bool above = (up > 0 ? cost.north : cost.south) < kInfiniteCost;

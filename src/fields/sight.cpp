@@ -7,8 +7,6 @@ namespace {
 
 // A way may dip this far into the forbidden zone beside a wall, so that polylines can follow round discs [cells].
 constexpr float kDip = 0.05f;
-// Looks per cell along a way: one per cell would cut the rounded corners of obstacles.
-constexpr float kLooks = 2.0f;
 
 }  // namespace
 
@@ -24,30 +22,46 @@ void Sight::end() {
     cost_ = nullptr;
 }
 
+// What a way meets at one point of it; `besideWall` tells whether walls are near.
+inline Ray Sight::meets(float px, float py, float unit, bool& besideWall) const {
+    const auto column = static_cast<std::int32_t>(px + 0.5f);
+    const auto row = static_cast<std::int32_t>(py + 0.5f);
+    const std::int32_t cell = row * cost_->grid.width + column;
+    if (open(cell, unit)) {
+        besideWall = false;
+        return Ray::Clear;
+    }
+    besideWall = true;
+    const std::int32_t number = wall_[cell];
+    if (number == 0) return cost_->wall(cell) ? Ray::Wall : Ray::OtherGround;
+    const WallNode& beside = node(number);
+    if (beside.unit != unit) return Ray::OtherGround;
+    const float outX = px - static_cast<float>(column) - beside.x;
+    const float outY = py - static_cast<float>(row) - beside.y;
+    return outX * beside.normalX + outY * beside.normalY < -kDip ? Ray::Wall : Ray::Clear;
+}
+
 Ray Sight::look(float x, float y, const Root& root) const {
-    const Grid& grid = cost_->grid;
     const float dx = root.x - x;
     const float dy = root.y - y;
-    const auto steps = static_cast<std::int32_t>(std::ceil(kLooks * std::max(std::fabs(dx), std::fabs(dy))));
+    const auto steps = static_cast<std::int32_t>(std::ceil(std::max(std::fabs(dx), std::fabs(dy))));
     const float stepX = dx / static_cast<float>(steps);
     const float stepY = dy / static_cast<float>(steps);
-    for (std::int32_t k = 1; k < steps; ++k) {
-        const float px = x + stepX * static_cast<float>(k);
-        const float py = y + stepY * static_cast<float>(k);
-        const auto column = static_cast<std::int32_t>(px + 0.5f);
-        const auto row = static_cast<std::int32_t>(py + 0.5f);
-        const std::int32_t cell = row * grid.width + column;
-        const std::int32_t number = wall_[cell];
-        if (number == 0) {
-            const CellCost& c = cost_->cells[cell];
-            if (c.east == root.unit && c.north == root.unit && c.west == root.unit && c.south == root.unit) continue;
-            return cost_->wall(cell) ? Ray::Wall : Ray::OtherGround;
+    bool before = true;
+    for (std::int32_t k = 1; k <= steps; ++k) {
+        const auto away = static_cast<float>(k);
+        bool here = true;
+        if (k < steps) {
+            const Ray ray = meets(x + stepX * away, y + stepY * away, root.unit, here);
+            if (ray != Ray::Clear) return ray;
         }
-        const WallNode& beside = node(number);
-        if (beside.unit != root.unit) return Ray::OtherGround;
-        const float outX = px - static_cast<float>(column) - beside.x;
-        const float outY = py - static_cast<float>(row) - beside.y;
-        if (outX * beside.normalX + outY * beside.normalY < -kDip) return Ray::Wall;
+        // Beside walls also halfway, as one look per cell would cut the rounded corners of obstacles.
+        if (before || here) {
+            bool ignored = false;
+            const Ray ray = meets(x + stepX * (away - 0.5f), y + stepY * (away - 0.5f), root.unit, ignored);
+            if (ray != Ray::Clear) return ray;
+        }
+        before = here;
     }
     return Ray::Clear;
 }

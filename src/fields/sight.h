@@ -38,17 +38,28 @@ public:
     std::int32_t wall(std::int32_t cell) const { return wall_[cell]; }
     /// The node with that number.
     const WallNode& node(std::int32_t number) const { return cost_->nodes[number - 1]; }
-    /// True where all directions of a cell cost `unit`.
-    bool plain(std::int32_t cell, float unit) const {
+    /// True where all directions of a cell are open and cost `unit`.
+    bool open(std::int32_t cell, float unit) const {
         const CellCost& c = cost_->cells[cell];
-        if (c.east == unit && c.north == unit && c.west == unit && c.south == unit) return wall_[cell] == 0;
+        return c.east == unit && c.north == unit && c.west == unit && c.south == unit;
+    }
+    /// True where all directions of a cell cost `unit`, as far as they are open.
+    bool plain(std::int32_t cell, float unit) const {
+        if (open(cell, unit)) return true;
         const std::int32_t number = wall_[cell];
         return number != 0 && node(number).unit == unit;
+    }
+    /// True where the root lies on the open side of the wall beside the cell, whose point is (x, y) [cells].
+    bool faces(std::int32_t cell, float x, float y, const Root& root) const {
+        const WallNode& beside = node(wall_[cell]);
+        return (root.x - x) * beside.normalX + (root.y - y) * beside.normalY >= 0.0f;
     }
     /// Looks from a point [cells] towards a root, cell by cell.
     Ray look(float x, float y, const Root& root) const;
 
 private:
+    Ray meets(float px, float py, float unit, bool& besideWall) const;
+
     const UnitCost* cost_ = nullptr;
     std::vector<std::int32_t> wall_;
 };

@@ -72,7 +72,7 @@ double StartDisc::clearRadius(const UnitCost& cost, Vec2 source, double radius) 
     return std::sqrt(squared);
 }
 
-void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, Front& front) {
+void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, double reach, Front& front) {
     const Grid& grid = cost.grid;
     radius_ = 0.0;
     const std::int32_t home = grid.index(grid.nearestCell(source));
@@ -88,6 +88,8 @@ void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, Front& f
     const float unit = beside ? node->unit : std::min({own.east, own.north, own.west, own.south});
     const Vec2 at = (source - grid.centre({0, 0})) / grid.cell;
     const std::int32_t root = front.addSource(static_cast<float>(at.x), static_cast<float>(at.y), unit);
+    const bool flooded = front.flood(grid.nearestCell(source), root, static_cast<float>(unit * reach / grid.cell));
+    if (flooded && clear >= radius) return;
     const Cell low = grid.nearestCell(source - Vec2{radius, radius});
     const Cell high = grid.nearestCell(source + Vec2{radius, radius});
     const double least = lowestCost(cost, low, high);

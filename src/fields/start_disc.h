@@ -9,8 +9,9 @@ namespace muster {
 class StartDisc {
 public:
     /// Gives values to the cells within `radius` [m] of `source` that a straight line reaches, and to the nearest
-    /// free cells where the source's own cell is a wall.
-    void start(const UnitCost& cost, Vec2 source, double radius, Front& front);
+    /// free cells where the source's own cell is a wall. On uniform ground all cells within `reach` [m] that see the
+    /// source get theirs.
+    void start(const UnitCost& cost, Vec2 source, double radius, double reach, Front& front);
     /// Straight-line costs at the cost of the source's cell are right within it [m].
     double radius() const { return radius_; }
 
