@@ -25,6 +25,7 @@ struct PictureOptions {
     std::string output;
     Overrides overrides;
     PictureDef def;
+    std::vector<double> view;
     bool json = false;
 };
 
@@ -60,6 +61,9 @@ int picture(const PictureOptions& options) {
     const auto layers = parseLayers(options.layers);
     if (!layers.ok()) return reportFailure(layers.status().within("--layers"));
     picture.layers = *layers;
+    if (options.view.size() == 4) {
+        picture.view = Box{{options.view[0], options.view[1]}, {options.view[2], options.view[3]}};
+    }
     WorldDef def;
     std::vector<Command> commands;
     if (Status s = loadSource(options, def, commands); !s.ok()) return reportFailure(s);
@@ -96,6 +100,7 @@ void addPictureCommand(CLI::App& app, int& exitCode) {
     command->add_option("--gestures", options->gestures, "Touches to give to a scenario.");
     options->overrides.addTo(*command);
     command->add_option("--width", options->def.width, "Pixels across.")->check(CLI::Range(64, 8192));
+    command->add_option("--view", options->view, "What is shown: X0 Y0 X1 Y1 [m]; without it the whole world.")->expected(4);
     command->add_option("--group", options->def.group, "Group (from 0) whose place the layer cost shows.");
     command->add_option("--place", options->def.place, "Place (from 0) that the layer cost shows; without it that of the "
                                                        "character with the longest way.");

@@ -110,9 +110,10 @@ void drawControls(const Pen& pen) {
 
 void drawCharacters(const Pen& pen) {
     const Characters& characters = pen.world.characters();
-    const double radius = pen.world.parameters().radius;
+    // Seen from far they are drawn larger than they are.
+    const double radius = std::max(pen.world.parameters().radius, pen.metres(3.5));
     for (std::size_t i = 0; i < characters.size(); ++i) {
-        pen.draw.disc(characters.position[i] + Vec2{0.10, -0.07}, radius, pen.theme.shadow, {});
+        pen.draw.disc(characters.position[i] + Vec2{0.4, -0.28} * radius, radius, pen.theme.shadow, {});
     }
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 at = characters.position[i], ahead = characters.heading[i];

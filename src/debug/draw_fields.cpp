@@ -141,7 +141,9 @@ void drawPotentialField(const Pen& pen) {
         if (std::isfinite(v)) highest = std::max(highest, v);
     }
     if (highest <= 0.0) return;
-    drawSamples(pen, samples, highest, 0.85, true);
+    Samples grown = samples;
+    for (int round = 0; round < 2; ++round) growKnown(grown.grid, grown.values);
+    drawSamples(pen, grown, highest, 0.85, true);
     const double gap = std::max(1.0, pen.metres(26.0));
     const Box box = environment.def().box;
     for (double y = box.min.y + gap / 2; y < box.max.y; y += gap) {

@@ -77,7 +77,10 @@ Status writePicture(const World& world, const PictureDef& def, const std::string
     if (def.width < 64 || def.width > 8192) {
         return invalidArgument("found a width of " + std::to_string(def.width) + " pixels, expected 64 to 8192");
     }
-    const Box view = world.environment().def().box;
+    const Box view = def.view.value_or(world.environment().def().box);
+    if (!(view.width() > 0.0 && view.height() > 0.0 && view.height() * def.width < 8192.0 * view.width())) {
+        return invalidArgument("found an empty view or one too high for its width, expected a box");
+    }
     const Colour ground = Theme::of(def.dark).ground;
     std::unique_ptr<DebugDraw> draw;
     if (endsWith(path, ".png")) draw = makePngDraw(view, def.width, ground);

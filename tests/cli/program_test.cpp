@@ -85,7 +85,7 @@ TEST_CASE("bad input gives one sentence and 1") {
              "play " + fine + "--seconds 0.1 --take /nowhere/x.take", "play " + fine + "--seconds 0.1 --trajectory /nowhere/x.csv",
              "replay /nowhere.take", "replay '" + take + "'", "replay " + fine, "check '" + bad + "'", "check '" + take + "'",
              "import /nowhere.map -o x.json", "import '" + map + "' -o '" + path("x.json") + "'",
-             "import '" + blocked + "' -o '" + path("x.json") + "'", "picture " + fine + "-o x.jpeg",
+             "import '" + blocked + "' -o '" + path("x.json") + "'", "picture " + fine + "-o x.jpeg", "picture " + fine + "--view 1 1 1 1 -o x.png",
              "picture " + fine + "-o /nowhere/x.png", "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
              "peers '" + scenes + "'", "peers " + fine, "peers /work/nothing.json"}) {
         CAPTURE(line);

@@ -189,6 +189,9 @@ TEST_CASE("bad picture requests are refused") {
     def.width = 10;
     CHECK(writePicture(*world, def, "x.png").code() == StatusCode::InvalidArgument);
     def.width = 100;
+    def.view = Box{{0, 0}, {0, 5}};
+    CHECK(writePicture(*world, def, "x.png").code() == StatusCode::InvalidArgument);
+    def.view.reset();
     def.place = 999;
     def.layers = *parseLayers("cost");
     def.group = 7;

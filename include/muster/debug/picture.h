@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,7 @@ std::vector<std::string> layerNames();
 struct PictureDef {
     std::uint32_t layers = 0;                 ///< Layer bits; 0 for all but the three coloured grounds.
     std::int32_t width = 1280;                ///< [px] 64 to 8192.
+    std::optional<Box> view;                  ///< What is shown [m]; the whole world where empty.
     bool dark = false;                        ///< Colours for dark surroundings.
     std::int32_t place = -1;                  ///< Whose cost field; -1: of the character with the longest way.
     std::size_t group = 0;                    ///< Index of the group whose place it is.
