@@ -24,6 +24,7 @@ void Front::fit(const Grid& grid) {
     accepted_.assign(size, kInfiniteCost);
     tentative_.assign(size, kInfiniteCost);
     root_.assign(size, 0);
+    hidden_.assign(size, 0);
     // Nothing is ever below minus infinity: the padding is never marched.
     const float never = -kInfiniteCost;
     std::fill_n(tentative_.begin(), 2 * stride_ + 1, never);
@@ -159,6 +160,7 @@ void Front::end(Cell low, Cell high) {
         std::fill(accepted_.begin() + node(left, y), accepted_.begin() + node(right, y) + 1, kInfiniteCost);
         std::fill(tentative_.begin() + node(left, y), tentative_.begin() + node(right, y) + 1, kInfiniteCost);
         std::fill(root_.begin() + node(left, y), root_.begin() + node(right, y) + 1, 0);
+        std::fill(hidden_.begin() + node(left, y), hidden_.begin() + node(right, y) + 1, 0);
     }
     sight_.end();
 }

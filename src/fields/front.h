@@ -64,7 +64,8 @@ private:
     void relax(FrontCell from, float value, const CellCost& fromCost);
     void spread(FrontCell from, float value);
     bool relaxStraight(FrontCell from, FrontCell to, float old);
-    Ray sees(FrontCell to, float x, float y, std::int32_t number) const;
+    Ray sees(FrontCell to, float x, float y, std::int32_t number);
+    Ray look(FrontCell to, float x, float y, std::int32_t number);
     bool shows(std::int32_t node, std::int32_t root) const;
     void bend(FrontCell from, FrontCell to, float old);
     void bendRound(FrontCell from);
@@ -96,6 +97,7 @@ private:
     Sight sight_;
     std::vector<Root> roots_;
     std::vector<std::int32_t> root_;
+    std::vector<std::int32_t> hidden_;  // The root last found hidden from a node by a wall; 0 for none.
     std::vector<std::int32_t> wallRoot_;
     Cell floodLow_;
     Cell floodHigh_;

@@ -88,7 +88,8 @@ inline void Front::floodCell(FrontCell cell, bool certain, std::int32_t root) {
     place(cell, x, y);
     const float value = source.costAt(x, y);
     if (value > floodLimit_) return;
-    if (!(certain && (open || sight_.faces(cell.cell, x, y, source))) && sight_.look(x, y, source) != Ray::Clear) return;
+    const float rise = open ? 1.0f : sight_.rise(cell.cell, x, y, source);
+    if (rise < kHidden || (!(certain && rise >= kRisen) && look(cell, x, y, root) != Ray::Clear)) return;
     root_[cell.node] = root;
     tentative_[cell.node] = value;
     accepted_[cell.node] = value;

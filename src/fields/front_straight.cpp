@@ -57,7 +57,8 @@ bool Front::shows(std::int32_t node, std::int32_t root) const {
 
 // What lies between a cell and the root, at (-dx, -dy) from it. Between two cells that the root sees, those between
 // which the way leaves towards it, it sees this one as well; else the way is looked along.
-Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) const {
+Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
+    if (hidden_[to.node] == number) return Ray::Wall;
     const Root& root = roots_[number];
     const float dx = x - root.x;
     const float dy = y - root.y;
@@ -67,11 +68,17 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) const {
     const std::int32_t alongY = dy > 0.0f ? -stride_ : stride_;
     const std::int32_t straight = to.node + (ax >= ay ? alongX : alongY);
     const std::int32_t oblique = to.node + alongX + alongY;
-    if (sight_.wall(to.cell) == 0 && shows(straight, number) &&
-        (shows(oblique, number) || std::min(ax, ay) <= kNearlyStraight * std::max(ax, ay))) {
-        return Ray::Clear;
-    }
-    return sight_.look(x, y, root);
+    const float rise = sight_.rise(to.cell, x, y, root);
+    if (rise < kHidden) return Ray::Wall;
+    const bool level = std::min(ax, ay) <= kNearlyStraight * std::max(ax, ay);
+    if (rise >= kRisen && shows(straight, number) && (level || shows(oblique, number))) return Ray::Clear;
+    return look(to, x, y, number);
+}
+
+Ray Front::look(FrontCell to, float x, float y, std::int32_t number) {
+    const Ray ray = sight_.look(x, y, roots_[number]);
+    if (ray == Ray::Wall) hidden_[to.node] = number;
+    return ray;
 }
 
 // Offers `to` the cost of a straight way from the root of `from`, or from `from` itself where it lies at a wall.

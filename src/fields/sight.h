@@ -1,6 +1,7 @@
 // Straight ways on uniform ground: what is seen from where.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -23,6 +24,10 @@ struct Root {
         return cost + unit * std::sqrt(dx * dx + dy * dy);
     }
 };
+
+/// A root that rises over a wall by more than this is not hidden by it, and one below by more than kHidden is [sine].
+inline constexpr float kRisen = -1e-3f;
+inline constexpr float kHidden = -0.35f;
 
 /// What a straight way meets.
 enum class Ray { Clear, Wall, OtherGround };
@@ -49,10 +54,16 @@ public:
         const std::int32_t number = wall_[cell];
         return number != 0 && node(number).unit == unit;
     }
-    /// True where the root lies on the open side of the wall beside the cell, whose point is (x, y) [cells].
-    bool faces(std::int32_t cell, float x, float y, const Root& root) const {
-        const WallNode& beside = node(wall_[cell]);
-        return (root.x - x) * beside.normalX + (root.y - y) * beside.normalY >= 0.0f;
+    /// How far the root lies out of the wall beside the cell, whose point is (x, y): the sine of the angle over the
+    /// wall; 1 where there is none.
+    float rise(std::int32_t cell, float x, float y, const Root& root) const {
+        const std::int32_t number = wall_[cell];
+        if (number == 0) return 1.0f;
+        const WallNode& beside = node(number);
+        if (beside.normalX == 0.0f && beside.normalY == 0.0f) return 1.0f;
+        const float dx = root.x - x;
+        const float dy = root.y - y;
+        return (dx * beside.normalX + dy * beside.normalY) / std::max(1e-6f, std::sqrt(dx * dx + dy * dy));
     }
     /// Looks from a point [cells] towards a root, cell by cell.
     Ray look(float x, float y, const Root& root) const;
