@@ -25,7 +25,8 @@ public:
         if (touch.group && group == nullptr) return notFound("group", touch.group.value);
         if (group == nullptr) return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
         return refused(group->controls.touchDown(world_.controlDef(), command_.client, touch.touch, touch.position,
-                                                 stamp(touch.time), group->mesh.formation().mesh, group->mesh.finalMesh()),
+                                                 stamp(touch.time), group->mesh.formation().mesh, group->mesh.finalMesh(),
+                                                 group->mesh.userMesh()),
                        "touch " + std::to_string(touch.touch) + " is down already, or its vertex is held");
     }
     Status operator()(const TouchMove& touch) {
@@ -45,7 +46,8 @@ public:
         Group* group = world_.findGroup(add.group);
         if (group == nullptr) return notFound("group", add.group.value);
         return refused(group->controls.addControl(world_.controlDef(), command_.client, add.kind, add.touches, add.positions,
-                                                  stamp(add.time), group->mesh.formation().mesh, group->mesh.finalMesh()),
+                                                  stamp(add.time), group->mesh.formation().mesh, group->mesh.finalMesh(),
+                                                  group->mesh.userMesh()),
                        "the control's points do not suit its kind, or share a vertex that is held");
     }
     Status operator()(const PinControl& pin) {

@@ -111,7 +111,8 @@ TEST_CASE("who cannot move is stuck, after five seconds and not before") {
     CHECK(run(*world, 3.0).stuck == 0);
     auto again = World::create(def);
     const RunFigures f = run(*again, 14.0);
-    CHECK(f.stuck == 3);
+    // All places lie in the box of one of them, who stands in one; the other two cannot come.
+    CHECK(f.stuck == 2);
     CHECK(f.arrived95 == -1.0);
     CHECK(f.pathRatio == -1.0);
 }
