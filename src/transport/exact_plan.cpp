@@ -21,7 +21,7 @@ std::unique_ptr<Plan> makeExactPlan() { return std::make_unique<ExactPlan>(); }
 
 Status ExactPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = checkPlan(def, input); !status.ok()) return status;
-    pending_.freeze(def, input);
+    pending_.freeze(def, input, finished_);
     return {};
 }
 

@@ -18,6 +18,8 @@ constexpr double kReachFactor = 1.5;
 constexpr double kReachMore = 2.0;
 // ... but to all where that is not much farther.
 constexpr double kWorthwhile = 0.6;
+// Plans for which a front that had to go on does so from the start, at least.
+constexpr std::int32_t kWidePlans = 16;
 // Fields are a discretisation; a lower bound of their values must allow for their error.
 constexpr double kBoundShare = 0.95;
 
@@ -28,7 +30,7 @@ void copy(std::span<const T> from, std::vector<T>& to) {
 
 }  // namespace
 
-void PlanGeneration::freeze(const PlanDef& def, const PlanInput& input) {
+void PlanGeneration::freeze(const PlanDef& def, const PlanInput& input, const PlanGeneration& former) {
     def_ = def;
     copy(input.characters, characters_);
     copy(input.supply, supply_);
@@ -38,9 +40,17 @@ void PlanGeneration::freeze(const PlanDef& def, const PlanInput& input) {
     copy(input.incumbent, incumbent_);
     cost_ = *input.cost;
     solved_ = 0;
-    wide_.assign(places_.size(), 0);
+    setWide(former);
     valid_ = true;
     prepare();
+}
+
+// A front that had to go on once will have to again soon: better within its share of the work than at its end.
+void PlanGeneration::setWide(const PlanGeneration& former) {
+    wide_.assign(places_.size(), 0);
+    if (!former.valid_ || former.wide_.size() != wide_.size()) return;
+    for (std::size_t j = 0; j < wide_.size(); ++j)
+        if (former.wide_[j] > 0) wide_[j] = static_cast<std::uint8_t>(former.wide_[j] - 1);
 }
 
 void PlanGeneration::prepare() {
@@ -77,7 +87,7 @@ void PlanGeneration::setReach() {
 bool PlanGeneration::met(std::int32_t character, std::int32_t place) const {
     if (characterRegion_[character] != placeRegion_[place] || supplyOf(character) <= 0.0) return false;
     if (incumbent_[character] == place) return true;
-    return def_.reassign && (wide_[place] || distance(characters_[character], places_[place]) <= reach_[place]);
+    return def_.reassign && (wide_[place] > 0 || distance(characters_[character], places_[place]) <= reach_[place]);
 }
 
 void PlanGeneration::solve(std::int32_t end, ThreadPool& pool, std::vector<FieldWorker>& workers) {
@@ -90,7 +100,8 @@ void PlanGeneration::solve(std::int32_t end, ThreadPool& pool, std::vector<Field
 
 void PlanGeneration::widen(std::span<const std::int32_t> places, ThreadPool& pool, std::vector<FieldWorker>& workers) {
     if (static_cast<std::int32_t>(workers.size()) < pool.threads()) workers.resize(pool.threads());
-    for (const std::int32_t j : places) wide_[j] = 1;
+    // Not all for equally long, so that not all have to go on again in one plan.
+    for (const std::int32_t j : places) wide_[j] = static_cast<std::uint8_t>(kWidePlans + (j * 5) % kWidePlans);
     const auto work = [&](std::int32_t item, std::int32_t worker) { solveOne(places[item], workers[worker]); };
     pool.run(static_cast<std::int32_t>(places.size()), std::ref(work));
 }

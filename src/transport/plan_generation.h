@@ -25,8 +25,8 @@ Status checkPlan(const PlanDef& def, const PlanInput& input);
 /// Inputs as they stood at start(), how many fields are solved, and as a cache of these the fields themselves.
 class PlanGeneration {
 public:
-    /// Copies the input (checked before).
-    void freeze(const PlanDef& def, const PlanInput& input);
+    /// Copies the input (checked before). Fronts that had to go on in `former` do so from the start for some plans.
+    void freeze(const PlanDef& def, const PlanInput& input, const PlanGeneration& former);
     /// Empties it, keeping memory.
     void clear() { valid_ = false; }
     /// Solves the fields of places [solved(), end).
@@ -65,6 +65,7 @@ public:
 private:
     void prepare();
     void setReach();
+    void setWide(const PlanGeneration& former);
     void solveOne(std::int32_t place, FieldWorker& worker);
     template <class Self, class Archive>
     static void visitInputs(Self& self, Archive& archive);
@@ -79,7 +80,7 @@ private:
     std::vector<std::int32_t> incumbent_;
     UnitCost cost_;
     std::int32_t solved_ = 0;
-    std::vector<std::uint8_t> wide_;  // Per place: its front goes to all characters.
+    std::vector<std::uint8_t> wide_;  // Per place: its front goes to all characters, for so many plans yet.
     // Caches.
     std::vector<double> reach_;       // Per place: its front goes to characters this near [m].
     GroundRegions regions_;
