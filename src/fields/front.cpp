@@ -44,7 +44,7 @@ void Front::begin(const UnitCost& cost, bool secondOrder) {
 }
 
 std::int32_t Front::addSource(float x, float y, float unit) {
-    roots_.push_back({x, y, 0.0f, unit});
+    roots_.push_back({x, y, 0.0f, unit, 0.0f, 0.0f, 0});
     return static_cast<std::int32_t>(roots_.size()) - 1;
 }
 

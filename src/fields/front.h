@@ -66,7 +66,7 @@ private:
     bool relaxStraight(FrontCell from, FrontCell to, float old);
     Ray sees(FrontCell to, float x, float y, std::int32_t number);
     Ray look(FrontCell to, float x, float y, std::int32_t number);
-    bool shows(std::int32_t node, std::int32_t root) const;
+    bool shows(std::int32_t node, std::int32_t number, bool far) const;
     void bend(FrontCell from, FrontCell to, float old);
     void bendRound(FrontCell from);
     std::int32_t rootAt(FrontCell wallCell);

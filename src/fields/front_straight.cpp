@@ -9,10 +9,11 @@ namespace {
 
 // A root this near to the line of cells is seen through the one cell between [cells across per cell along].
 constexpr float kNearlyStraight = 1e-3f;
-// Between neighbours, one of them drawn to a wall [cells].
-constexpr float kLongestStep = 2.0f;
 // Arcs lower than this over their chords count as straight [cells].
 constexpr float kFlat = 0.01f;
+// Roots this near to each other stand at one corner, for cells at least so far off [cells].
+constexpr float kSameCorner = 2.5f;
+constexpr float kFar = 6.0f;
 
 // The middle of the arc between two points at a rounded corner, a root as good as the points themselves; false where
 // the straight way between them runs outside.
@@ -33,6 +34,9 @@ bool middleOfArc(const WallNode& a, const WallNode& b, const Root& from, float x
     middle.x = from.x + 0.5f * dx + height * outX / outLength;
     middle.y = from.y + 0.5f * dy + height * outY / outLength;
     middle.unit = from.unit;
+    middle.parent = from.parent;
+    middle.normalX = outX / outLength;
+    middle.normalY = outY / outLength;
     middle.cost = from.cost + 0.5f * from.unit * chord * (1.0f + turn * (1.0f / 12.0f) + turn * turn * (1.0f / 40.0f));
     return height > kFlat;
 }
@@ -50,13 +54,19 @@ void Front::place(FrontCell cell, float& x, float& y) const {
     }
 }
 
-// True where a node's value comes straight from the root, or the root stands there.
-bool Front::shows(std::int32_t node, std::int32_t root) const {
-    return accepted_[node] < kInfiniteCost && root_[node] == root;
+// True where a node is known to see the root: its value comes straight from there, or, far off, from another root at
+// the same corner or from the root before it, as at the border between what the two see first.
+inline bool Front::shows(std::int32_t node, std::int32_t number, bool far) const {
+    const std::int32_t own = root_[node];
+    if (own == number) return true;
+    if (!far || own <= 0) return false;
+    const Root& a = roots_[own];
+    const Root& b = roots_[number];
+    return own == b.parent || std::fabs(a.x - b.x) + std::fabs(a.y - b.y) < kSameCorner;
 }
 
-// What lies between a cell and the root, at (-dx, -dy) from it. Between two cells that the root sees, those between
-// which the way leaves towards it, it sees this one as well; else the way is looked along.
+// What lies between a cell and a root. Between two cells that the root sees, those between which the way leaves
+// towards it, it sees this one as well, unless a wall hides one from the other; else the way is looked along.
 Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
     if (hidden_[to.node] == number) return Ray::Wall;
     const Root& root = roots_[number];
@@ -69,9 +79,12 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
     const std::int32_t straight = to.node + (ax >= ay ? alongX : alongY);
     const std::int32_t oblique = to.node + alongX + alongY;
     const float rise = sight_.rise(to.cell, x, y, root);
-    if (rise < kHidden) return Ray::Wall;
+    const float rootRise = root.rise(x, y);
+    if (std::min(rise, rootRise) < kHidden) return Ray::Wall;
     const bool level = std::min(ax, ay) <= kNearlyStraight * std::max(ax, ay);
-    if (rise >= kRisen && shows(straight, number) && (level || shows(oblique, number))) return Ray::Clear;
+    const bool far = rootRise >= 0.0f && rootRise < 1.0f && ax + ay > kFar;
+    const bool own = root_[straight] == number || root_[oblique] == number;
+    if (own && rise >= kRisen && shows(straight, number, far) && (level || shows(oblique, number, far))) return Ray::Clear;
     return look(to, x, y, number);
 }
 
@@ -82,7 +95,7 @@ Ray Front::look(FrontCell to, float x, float y, std::int32_t number) {
 }
 
 // Offers `to` the cost of a straight way from the root of `from`, or from `from` itself where it lies at a wall.
-// Returns false where differences should be tried: on other ground, or behind it.
+// Returns false where differences should be tried: on other ground, or where the root is hidden.
 bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     const std::int32_t number = root_[from.node];
     if (root_[to.node] == number) return true;
@@ -100,11 +113,9 @@ bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
         put(to, tentative_[to.node], straight, number);
     } else if (sight_.wall(from.cell) != 0) {
         bend(from, to, old);
-    } else if (ray == Ray::OtherGround) {
+    } else {
+        // Hidden: by other ground, or in the shadow of a wall whose corner will offer better to nearly all.
         return false;
-    } else if (const float step = accepted_[from.node] + kLongestStep * root.unit; step < tentative_[to.node]) {
-        // In the shadow of a wall; its corner will offer better, and this makes sure that no cell goes without.
-        put(to, tentative_[to.node], step, 0);
     }
     return true;
 }
@@ -135,7 +146,11 @@ std::int32_t Front::rootAt(FrontCell wallCell) {
         Root root;
         place(wallCell, root.x, root.y);
         root.cost = cost;
-        root.unit = roots_[root_[wallCell.node]].unit;
+        root.parent = root_[wallCell.node];
+        root.unit = roots_[root.parent].unit;
+        const WallNode& beside = sight_.node(sight_.wall(wallCell.cell));
+        root.normalX = beside.normalX;
+        root.normalY = beside.normalY;
         number = static_cast<std::int32_t>(roots_.size());
         roots_.push_back(root);
     }

@@ -109,6 +109,51 @@ TEST_CASE("cost fields agree with exact geodesics round corners") {
     }
 }
 
+TEST_CASE("cost fields agree with exact geodesics among random obstacles") {
+    Random random(101);
+    double worst = 0.0;
+    double mean = 0.0;
+    constexpr int kRounds = 25;
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<Shape> shapes;
+        // Gaps are left wide enough: one a hair wider than a character may be closed on the grid.
+        while (shapes.size() < 7) {
+            const Vec2 centre{random.uniform(-6, 6), random.uniform(-6, 6)};
+            const double reach = random.uniform(0.4, 1.6);
+            Shape shape{{centre}, reach};
+            if (random.below(2) == 0) shape = turned(centre, {0.8 * reach, 0.6 * reach}, random.uniform(0, 3));
+            const auto apart = [&](const Shape& other) {
+                Vec2 middle;
+                double around = other.extra;
+                for (const Vec2 c : other.corners) middle += c / static_cast<double>(other.corners.size());
+                for (const Vec2 c : other.corners) around = std::max(around, distance(c, middle));
+                return distance(middle, centre) > around + reach + 0.9;
+            };
+            if (std::all_of(shapes.begin(), shapes.end(), apart)) shapes.push_back(shape);
+        }
+        Vec2 source;
+        GeodesicOracle probe(shapes, kRadius, source);
+        do {
+            source = {random.uniform(-7, 7), random.uniform(-7, 7)};
+        } while (probe.clearance(source) < kRadius);
+        const GeodesicOracle oracle(shapes, kRadius, source);
+        const UnitCost cost = costOf(oracle, 0.25);
+        EikonalSolver solver;
+        CostField field;
+        solver.solve(cost, source, {}, field);
+        const Errors errors = measure(oracle, field);
+        CAPTURE(round);
+        CAPTURE(errors.where.x);
+        CAPTURE(errors.where.y);
+        // Where ways round two sides meet, interpolation across the kink adds to the error.
+        CHECK(errors.worst < 0.02);
+        CHECK(errors.mean < 0.002);
+        worst = std::max(worst, errors.worst);
+        mean += errors.mean / kRounds;
+    }
+    std::printf("  25 random scenes         h 0.250 m: %.3f %%, %.3f %%\n", 100 * mean, 100 * worst);
+}
+
 TEST_CASE("traced paths are as long as the cost, and stay out of obstacles") {
     for (const Scene& scene : scenes()) {
         const GeodesicOracle oracle(scene.shapes, kRadius, scene.source);
