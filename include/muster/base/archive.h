@@ -62,7 +62,7 @@ class Reader {
 public:
     static constexpr bool kReading = true;  ///< Types may branch on this.
 
-    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}  ///< Reads `bytes`, which must outlive it.
 
     /// Reads each value in turn.
     template <class... T>
@@ -123,21 +123,21 @@ private:
 
 namespace detail {
 template <class T>
-struct IsVector : std::false_type {};
+struct IsVector : std::false_type {};  // Is it a std::vector?
 template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
+struct IsVector<std::vector<T>> : std::true_type {};  // It is.
 template <class T>
-struct IsOptional : std::false_type {};
+struct IsOptional : std::false_type {};  // Is it a std::optional?
 template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
+struct IsOptional<std::optional<T>> : std::true_type {};  // It is.
 template <class T>
-struct IsArray : std::false_type {};
+struct IsArray : std::false_type {};  // Is it a std::array?
 template <class T, std::size_t N>
-struct IsArray<std::array<T, N>> : std::true_type {};
+struct IsArray<std::array<T, N>> : std::true_type {};  // It is.
 }  // namespace detail
 
 template <class T>
-void Writer::write(T& value) {
+void Writer::write(T& value) {  // By what the type is.
     using Plain = std::remove_const_t<T>;
     if constexpr (std::is_same_v<Plain, bool>) {
         const std::uint8_t byte = value ? 1 : 0;
@@ -172,7 +172,7 @@ void Writer::write(T& value) {
 }
 
 template <class T>
-void Reader::read(T& value) {
+void Reader::read(T& value) {  // As Writer::write wrote it.
     if constexpr (std::is_same_v<T, bool>) {
         std::uint8_t byte = 0;
         raw(&byte, 1);
@@ -209,7 +209,7 @@ void Reader::read(T& value) {
 }
 
 template <class T>
-void Hasher::add(T& value) {
+void Hasher::add(T& value) {  // In the order of Writer::write.
     using Plain = std::remove_const_t<T>;
     if constexpr (std::is_same_v<Plain, bool> || std::is_same_v<Plain, double> ||
                   std::is_same_v<Plain, float> || std::is_same_v<Plain, std::string>) {

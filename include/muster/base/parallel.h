@@ -13,7 +13,7 @@ public:
     /// `threads` in total, the caller counted in; 0 takes what the machine has.
     explicit ThreadPool(std::int32_t threads = 1);
     ~ThreadPool();
-    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool(const ThreadPool&) = delete;  ///< Threads cannot be copied.
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     /// Threads in total, at least 1.

@@ -66,11 +66,11 @@ public:
         MUSTER_ASSERT(ok());
         return *value_;
     }
-    const T& value() const& {
+    const T& value() const& {  ///< The value. Only where ok().
         MUSTER_ASSERT(ok());
         return *value_;
     }
-    T&& value() && {
+    T&& value() && {  ///< The value. Only where ok().
         MUSTER_ASSERT(ok());
         return std::move(*value_);
     }

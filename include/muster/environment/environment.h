@@ -51,9 +51,9 @@ public:
     /// An empty world. Fails with InvalidArgument where the box is empty, the cell is not positive
     /// or there would be more than 16 million cells.
     static Result<Environment> create(const EnvironmentDef& def);
-    Environment();
+    Environment();  ///< Empty.
     ~Environment();
-    Environment(Environment&&) noexcept;
+    Environment(Environment&&) noexcept;  ///< Moves.
     Environment& operator=(Environment&&) noexcept;
 
     const EnvironmentDef& def() const;  ///< As made.

@@ -18,7 +18,7 @@ struct DensityDef {
 /// Density [characters per m^2] and momentum on a grid of its own.
 class DensityField {
 public:
-    DensityField() = default;
+    DensityField() = default;  ///< Empty.
     /// An empty field over `box`.
     DensityField(const Box& box, const DensityDef& def);
 

@@ -55,9 +55,9 @@ private:
 /// Owns the working memory; one per thread. Repeated solves do not allocate once warm.
 class EikonalSolver {
 public:
-    explicit EikonalSolver(const EikonalDef& def = {});
+    explicit EikonalSolver(const EikonalDef& def = {});  ///< With these options for its life.
     ~EikonalSolver();
-    EikonalSolver(EikonalSolver&&) noexcept;
+    EikonalSolver(EikonalSolver&&) noexcept;  ///< Moves.
     EikonalSolver& operator=(EikonalSolver&&) noexcept;
 
     /// Marches from `source` until every reachable target's surrounding cells are accepted, and `margin` beyond;

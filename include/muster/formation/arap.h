@@ -23,9 +23,9 @@ struct SoftConstraint {
 class ArapSolver {
 public:
     /// A solver without a mesh; solving needs setMesh() and setConstraints() first.
-    ArapSolver();
+    ArapSolver();  ///< Empty.
     ~ArapSolver();
-    ArapSolver(ArapSolver&&) noexcept;
+    ArapSolver(ArapSolver&&) noexcept;  ///< Moves.
     ArapSolver& operator=(ArapSolver&&) noexcept;
 
     /// Takes the rest shape and forgets constraints. Fails where a triangle is degenerate.

@@ -67,7 +67,7 @@ public:
     /// Without a world: load() comes next.
     explicit Session(SessionDef def);
     ~Session();
-    Session(Session&&) noexcept;
+    Session(Session&&) noexcept;  ///< Moves.
     Session& operator=(Session&&) noexcept;
 
     /// Begins a world, ending the one before and any recording or replay. Plays at once. Fails, changing

@@ -47,9 +47,9 @@ struct TransportSolution {
 /// Owns its working memory.
 class TransportSolver {
 public:
-    TransportSolver();
+    TransportSolver();  ///< Empty.
     ~TransportSolver();
-    TransportSolver(TransportSolver&&) noexcept;
+    TransportSolver(TransportSolver&&) noexcept;  ///< Moves.
     TransportSolver& operator=(TransportSolver&&) noexcept;
 
     /// Fails with InvalidArgument where a size does not fit, or a cost, supply or demand is negative or NaN.

@@ -63,7 +63,7 @@ public:
     static Result<World> create(const WorldDef& def, std::int32_t threads = 1);
     /// A world from snapshot(): goes on bit for bit. Fails with ParseError on anything else.
     static Result<World> restore(std::span<const std::uint8_t> snapshot, std::int32_t threads = 1);
-    World(World&&) noexcept;
+    World(World&&) noexcept;  ///< Moves.
     World& operator=(World&&) noexcept;
     ~World();
 
@@ -75,10 +75,10 @@ public:
 
     std::uint32_t stepCount() const;           ///< Steps done.
     double time() const;                       ///< [s] = stepCount * stepTime.
-    const Parameters& parameters() const;
-    const Environment& environment() const;
-    const Characters& characters() const;
-    std::size_t groupCount() const;
+    const Parameters& parameters() const;      ///< As they are now.
+    const Environment& environment() const;    ///< Obstacles, patches, ground.
+    const Characters& characters() const;      ///< Of all groups.
+    std::size_t groupCount() const;            ///< Groups now.
     GroupView group(std::size_t index) const;  ///< In ascending order of ids.
     const DensityField& density() const;       ///< Of the last step.
     /// Unit cost that the last plan read; null before the first.
@@ -88,8 +88,8 @@ public:
     std::span<const ItemDef> items() const;
     std::span<const std::uint8_t> collected() const;  ///< Per item, 1 once collected.
     std::span<const FormationCheckpointDef> checkpoints() const;
-    const StageTimes& stageTimes() const;
-    const ContactReport& contacts() const;
+    const StageTimes& stageTimes() const;          ///< Of the last step.
+    const ContactReport& contacts() const;         ///< After the last step.
     /// Step of the last applied command (0 for none): the clock of "arrived" starts there.
     std::uint32_t lastCommandStep() const;
 
