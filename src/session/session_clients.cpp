@@ -72,6 +72,9 @@ void Session::Impl::sendScene(SessionClient& client) {
     if (client.sentScene != sceneRevision) {
         client.outbox.push_back(sceneBytes);
         client.sentScene = sceneRevision;
+        // A new scene starts the page's picture afresh: what it knew of characters and meshes is gone.
+        client.sentIds = 0;
+        client.sentMeshes.clear();
     }
     for (std::size_t g = 0; g < world->groupCount(); ++g) {
         const GroupView group = world->group(g);

@@ -287,3 +287,23 @@ TEST_CASE("A client that goes lifts its fingers, and is logged") {
     REQUIRE(take.ok());
     CHECK(std::holds_alternative<ReleaseClient>(take->commands.back().body));
 }
+
+TEST_CASE("A new scene comes with its meshes and with the ids of its characters, even where they are as before") {
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.5, {&client});
+    const std::size_t meshes = client.meshes.size();
+    const std::size_t frames = client.frames.size();
+    WorldDef same = smallFloor();
+    REQUIRE(session.load("again", same).ok());
+    run(session, 0.5, {&client});
+    REQUIRE(client.scenes.size() == 2);
+    CHECK(client.meshes.size() > meshes);
+    bool told = false;
+    for (std::size_t k = frames; k < client.frames.size(); ++k) {
+        if (client.frames[k].sceneRevision != client.scenes[1].revision) continue;
+        told = !client.frames[k].ids.empty();
+        break;
+    }
+    CHECK(told);
+}
