@@ -8,6 +8,9 @@
 namespace muster {
 namespace {
 
+// A slope along a wall below this share of the one into it is none.
+constexpr double kRidge = 0.05;
+
 // Where a point lies between the four cell centres around it.
 struct Between {
     Cell low;
@@ -101,14 +104,31 @@ Vec2 CostField::direction(Vec2 p) const {
     const bool right = reached[1] || reached[3];
     const bool below = reached[0] || reached[1];
     const bool above = reached[2] || reached[3];
-    if ((down.x < 0.0 && !left) || (down.x > 0.0 && !right)) down.x = 0.0;
-    if ((down.y < 0.0 && !below) || (down.y > 0.0 && !above)) down.y = 0.0;
+    const bool stoppedX = (down.x < 0.0 && !left) || (down.x > 0.0 && !right);
+    const bool stoppedY = (down.y < 0.0 && !below) || (down.y > 0.0 && !above);
+    // Before a wall, where both ways round it cost the same, the slope leads nowhere: one of them is taken.
+    if (stoppedX && std::fabs(down.y) < kRidge * std::fabs(down.x)) down.y = sideStep(at.low, {0, 1});
+    if (stoppedY && std::fabs(down.x) < kRidge * std::fabs(down.y)) down.x = sideStep(at.low, {1, 0});
+    if (stoppedX) down.x = 0.0;
+    if (stoppedY) down.y = 0.0;
     down = normalized(down);
     // Who stands nearer to such a side than to the reached cells is too near to a wall: it also leads away from there.
     if (!left || !right) down.x += left ? std::min(0.0, 0.5 - at.fx) : std::max(0.0, 0.5 - at.fx);
     if (!below || !above) down.y += below ? std::min(0.0, 0.5 - at.fy) : std::max(0.0, 0.5 - at.fy);
     down = normalized(down);
     return down == Vec2{} ? towardsReached(p) : down;
+}
+
+// Towards the cheaper of the cells beyond the square of centres on either side along `axis`: 1 or -1, 1 where they tie.
+double CostField::sideStep(Cell low, Cell axis) const {
+    const auto cheapest = [&](std::int32_t along) {
+        const Cell near{low.x + along * axis.x, low.y + along * axis.y};
+        return std::min(value(near), value({near.x + axis.y, near.y + axis.x}));
+    };
+    const float ahead = cheapest(2);
+    const float behind = cheapest(-1);
+    if (!(ahead < kInfiniteCost) && !(behind < kInfiniteCost)) return 0.0;
+    return ahead <= behind ? 1.0 : -1.0;
 }
 
 // The direction to the cheapest way on over the centres of reached cells near by.

@@ -40,6 +40,7 @@ private:
     friend class EikonalSolver;
     Vec2 towardsReached(Vec2 p) const;
     double cornerValue(Cell low, int k) const;
+    double sideStep(Cell low, Cell axis) const;
 
     Grid grid_;                  // Of the whole ground.
     Vec2 source_;
