@@ -3,8 +3,18 @@
 export interface LatencySample {
   /** Page clock [s]. */
   readonly down: number;
-  /** Page clock [s]. */
+  /** The first server frame that shows the touch arrived; page clock [s]. */
+  readonly received: number;
+  /** A picture of it was drawn; page clock [s]. */
   readonly shown: number;
+}
+
+/** A touch whose effect has arrived. */
+export interface ArrivedTouch {
+  readonly down: number;
+  readonly received: number;
+  /** The server frame that first showed it. */
+  readonly frame: number;
 }
 
 const KEPT = 2000;
@@ -12,31 +22,30 @@ const KEPT = 2000;
 export class LatencyMeter {
   readonly samples: LatencySample[] = [];
   private waiting: number[] = [];
-  /** Touches by the server frame that first showed their effect. */
-  private arrived: { readonly time: number; readonly frame: number }[] = [];
+  private arrived: ArrivedTouch[] = [];
 
   /** A touch event with this time was sent. */
   touched(time: number): void {
     this.waiting.push(time);
   }
 
-  /** A server frame arrived that shows all touches up to `echo`. */
-  echoed(echo: number, frame: number): void {
+  /** A server frame arrived at `received` that shows all touches up to `echo`. */
+  echoed(echo: number, frame: number, received: number): void {
     if (this.waiting.length === 0 || echo <= 0) return;
-    for (const time of this.waiting) if (time <= echo) this.arrived.push({ time, frame });
+    for (const down of this.waiting) if (down <= echo) this.arrived.push({ down, received, frame });
     this.waiting = this.waiting.filter((time) => time > echo);
   }
 
   /** Takes the touches that a picture made of server frames up to `frame` shows. */
-  takeDrawn(frame: number): number[] {
-    const drawn = this.arrived.filter((one) => one.frame <= frame).map((one) => one.time);
+  takeDrawn(frame: number): ArrivedTouch[] {
+    const drawn = this.arrived.filter((one) => one.frame <= frame);
     if (drawn.length > 0) this.arrived = this.arrived.filter((one) => one.frame > frame);
     return drawn;
   }
 
   /** That picture is done. */
-  drawn(times: readonly number[], shown: number): void {
-    for (const down of times) this.samples.push({ down, shown });
+  drawn(touches: readonly ArrivedTouch[], shown: number): void {
+    for (const { down, received } of touches) this.samples.push({ down, received, shown });
     if (this.samples.length > KEPT) this.samples.splice(0, this.samples.length - KEPT);
   }
 

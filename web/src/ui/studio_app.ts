@@ -212,7 +212,7 @@ export class StudioApp {
     this.keys.observe(frame);
     this.controls.observe(frame);
     this.view.pushFrame(frame, receivedAt);
-    this.latency.echoed(frame.touchEcho, frame.frame);
+    this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.store.set(this.reader.change(frame, this.store.state));
     for (const news of this.watch.observe(frame)) this.announce(news);
   }

@@ -1,24 +1,22 @@
 import { describe, expect, it } from 'vitest';
 import { ControlMarks } from './control_marks';
 import type { ControlView } from './frame_types';
-import { madeControl, madeFrame, madeGroup } from './test_frames';
+import { madeControl, madeGroup } from './test_frames';
 
-function blendOf(controls: readonly ControlView[], before: readonly ControlView[] = controls, alpha = 0) {
-  const frame = (list: readonly ControlView[]) => madeFrame(1, [], { groups: [madeGroup(1, list)] });
-  return { from: frame(before), to: frame(controls), alpha };
-}
+const groupsOf = (controls: readonly ControlView[]) => [madeGroup(1, controls)];
 
 describe('ControlMarks', () => {
-  it('lets handles move between frames', () => {
+  it('puts handles where the newest frame has them', () => {
     const marks = new ControlMarks();
-    marks.update(blendOf([madeControl(1, 0, [[4, 8]])], [madeControl(1, 0, [[0, 0]])], 0.25), 100);
-    expect([...marks.controls][0]?.handles[0]).toEqual({ x: 1, y: 2 });
+    marks.update(groupsOf([madeControl(1, 0, [[0, 0]])]), 100);
+    marks.update(groupsOf([madeControl(1, 0, [[4, 8]])]), 101);
+    expect([...marks.controls][0]?.handles[0]).toEqual({ x: 4, y: 8 });
   });
 
   it('knows when a control grew into another kind', () => {
     const marks = new ControlMarks();
-    marks.update(blendOf([madeControl(1, 0, [[0, 0]])]), 100);
-    marks.update(blendOf([madeControl(1, 1, [[0, 0], [1, 0]])]), 180);
+    marks.update(groupsOf([madeControl(1, 0, [[0, 0]])]), 100);
+    marks.update(groupsOf([madeControl(1, 1, [[0, 0], [1, 0]])]), 180);
     const shown = [...marks.controls][0];
     expect(shown?.born).toBe(100);
     expect(shown?.kindSince).toBe(180);
@@ -29,13 +27,13 @@ describe('ControlMarks', () => {
     for (const reduced of [false, true]) {
       const marks = new ControlMarks();
       marks.reducedMotion = reduced;
-      marks.update(blendOf([madeControl(1, 0, [[0, 0]])]), 100);
-      marks.update(blendOf([]), 200);
+      marks.update(groupsOf([madeControl(1, 0, [[0, 0]])]), 100);
+      marks.update(groupsOf([]), 200);
       const shown = [...marks.controls][0];
       expect(shown?.ended).toBe(200);
       expect(marks.left(shown?.ended ?? 0, 200 + marks.fade / 2)).toBeCloseTo(0.5);
       expect(marks.fade).toBe(reduced ? 80 : 160);
-      marks.update(blendOf([]), 200 + marks.fade);
+      marks.update(groupsOf([]), 200 + marks.fade);
       expect([...marks.controls]).toHaveLength(0);
     }
   });
@@ -46,12 +44,12 @@ describe('ControlMarks', () => {
     marks.touch(7, { x: 3, y: 4 }, 0, 20);
     expect(marks.rings.get(7)).toMatchObject({ at: { x: 3, y: 4 }, since: 10, lifted: 0 });
     marks.touch(7, null, 0, 30);
-    marks.update(null, 100);
+    marks.update([], 100);
     expect(marks.rings.size).toBe(1);
     marks.touch(7, { x: 9, y: 9 }, 0, 110);
     expect(marks.rings.get(7)?.since).toBe(110);
     marks.touch(7, null, 0, 120);
-    marks.update(null, 300);
+    marks.update([], 300);
     expect(marks.rings.size).toBe(0);
   });
 

@@ -1,15 +1,13 @@
 // Which marks are on screen and how old they are: handles grow in, bars and hulls fade in, what ended fades out.
 
-import { mix } from './blend';
 import type { GroundPoint } from './camera_types';
-import type { FrameBlend } from './frame_timeline';
-import type { ControlView } from './frame_types';
+import type { ControlView, GroupView } from './frame_types';
 
 /** One control as it is drawn now. */
 export interface ShownControl {
   readonly group: number;
   readonly control: ControlView;
-  /** Where its handles are between frames [m]. */
+  /** Where its handles are in the newest frame [m]. */
   readonly handles: readonly GroundPoint[];
   readonly born: number;
   /** When its kind last changed [ms]. */
@@ -81,21 +79,19 @@ export class ControlMarks {
     return found;
   }
 
-  /** Takes the controls of a moment between two frames. */
-  update(blend: FrameBlend | null, now: number): void {
+  /** Takes the controls of the newest frame: what is under a finger waits for no other. */
+  update(groups: readonly GroupView[], now: number): void {
     for (const [id, ring] of this.rings) if (ring.lifted > 0 && now - ring.lifted > this.fade) this.rings.delete(id);
     const next = new Map<string, ShownControl>();
-    blend?.to.groups.forEach((group, index) => {
-      const before = blend.from.groups[index];
+    groups.forEach((group, index) => {
       for (const control of group.controls) {
         const key = `${group.id}:${control.id}`;
         const old = this.shown_.get(key);
-        const earlier = before?.controls.find((candidate) => candidate.id === control.id);
         const grown = old && old.control.kind !== control.kind;
         next.set(key, {
           group: index,
           control,
-          handles: blendHandles(earlier, control, blend.alpha),
+          handles: control.points.map(({ x, y }) => ({ x, y })),
           born: old && old.ended === 0 ? old.born : now,
           kindSince: !old || old.ended > 0 || grown ? now : old.kindSince,
           ended: 0,
@@ -120,11 +116,4 @@ export class ControlMarks {
   left(ended: number, now: number): number {
     return ended === 0 ? 1 : Math.max(0, 1 - (now - ended) / this.fade);
   }
-}
-
-function blendHandles(from: ControlView | undefined, to: ControlView, alpha: number): GroundPoint[] {
-  return to.points.map((point) => {
-    const before = from?.points.find((candidate) => candidate.touch === point.touch) ?? point;
-    return { x: mix(before.x, point.x, alpha), y: mix(before.y, point.y, alpha) };
-  });
 }

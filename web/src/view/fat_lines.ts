@@ -2,7 +2,7 @@
 
 import {
   Color, DynamicDrawUsage, GreaterDepth, InstancedBufferAttribute, InstancedBufferGeometry, BufferAttribute,
-  LessEqualDepth, Mesh, ShaderMaterial, Vector2,
+  LessEqualDepth, LinearSRGBColorSpace, Mesh, ShaderMaterial, Vector2,
 } from 'three';
 
 const kVertex = `
@@ -55,7 +55,6 @@ void main() {
   }
   if (cover * vTint.a < 0.003) discard;
   gl_FragColor = vec4(vTint.rgb, vTint.a * cover * uFade);
-  #include <colorspace_fragment>
 }`;
 
 export interface FatLinesDef {
@@ -148,7 +147,8 @@ export class FatLines {
   }
 
   setTint(index: number, hex: string, alpha: number): void {
-    this.scratch_.set(hex);
+    // As it is shown: converting at every pixel costs software renderers more than the line.
+    this.scratch_.setStyle(hex, LinearSRGBColorSpace);
     this.tints_[4 * index] = this.scratch_.r;
     this.tints_[4 * index + 1] = this.scratch_.g;
     this.tints_[4 * index + 2] = this.scratch_.b;

@@ -4,7 +4,7 @@ import { lookOf } from './figures';
 
 describe('figure', () => {
   it('is 1.75 m tall and within its budgets of triangles', () => {
-    for (const [detail, most] of [[{ sides: 8, fine: true }, 2000], [{ sides: 4, fine: false }, 300]] as const) {
+    for (const [detail, most] of [[{ sides: 8, shape: 'fine' }, 2000], [{ sides: 4, shape: 'coarse' }, 300], [{ sides: 4, shape: 'plain' }, 100]] as const) {
       const geometry = makeFigureGeometry(detail);
       geometry.computeBoundingBox();
       expect(geometry.boundingBox?.max.z).toBeGreaterThan(1.7);
@@ -15,7 +15,7 @@ describe('figure', () => {
   });
 
   it('faces outwards: its tubes hold a body of plausible volume', () => {
-    const geometry = makeFigureGeometry({ sides: 8, fine: true });
+    const geometry = makeFigureGeometry({ sides: 8, shape: 'fine' });
     const p = geometry.attributes['position']?.array ?? [];
     const index = geometry.index?.array ?? [];
     let sum = 0;
@@ -30,8 +30,8 @@ describe('figure', () => {
     expect(sum).toBeGreaterThan(0);
   });
 
-  it('has two of each limb, one to a side', () => {
-    const limbs = makeFigureGeometry({ sides: 8, fine: true }).attributes['limb']?.array ?? [];
+  it.each(['fine', 'coarse', 'plain'] as const)('has two of each limb, one to a side, when %s', (shape) => {
+    const limbs = makeFigureGeometry({ sides: 4, shape }).attributes['limb']?.array ?? [];
     const sides = new Map<number, Set<number>>();
     for (let i = 0; i < limbs.length; i += 3) {
       const set = sides.get(limbs[i] ?? 0) ?? new Set<number>();

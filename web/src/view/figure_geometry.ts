@@ -22,13 +22,17 @@ interface Tube {
   readonly side: number;
   /** Stuff between ring i and i + 1; the last one holds on. */
   readonly stuffs: readonly number[];
+  /** Ends that are not drawn to a point, where something else hides them. */
+  readonly open?: 'first' | 'both';
+  /** Sides, where the tube has a number of its own. */
+  readonly sides?: number;
 }
 
 export interface FigureDetail {
   /** Sides of a tube. */
   readonly sides: number;
-  /** Use every ring, or only the needed ones. */
-  readonly fine: boolean;
+  /** Every ring, only the needed ones, or the fewest that make a person: for machines that draw without a GPU. */
+  readonly shape: 'fine' | 'coarse' | 'plain';
 }
 
 const kBody: readonly Ring[] = [
@@ -80,6 +84,37 @@ function tubes(): Tube[] {
   return list;
 }
 
+const kPlainBody: readonly Ring[] = [
+  [0.84, 0, 0.12, 0.17], [1.0, 0, 0.125, 0.17], [1.4, 0.01, 0.13, 0.235], [1.53, 0, 0, 0],
+];
+const kPlainHead: readonly Ring[] = [
+  [1.47, 0.02, 0.06, 0.06], [1.6, 0.02, 0.12, 0.105], [1.7, 0, 0.125, 0.115], [1.76, 0, 0, 0],
+];
+const kPlainArm: readonly Ring[] = [[1.43, 0, 0.075, 0.07], [1.14, 0, 0.055, 0.055]];
+const kPlainHand: readonly Ring[] = [[1.15, 0, 0.06, 0.055], [0.76, 0, 0, 0]];
+const kPlainThigh: readonly Ring[] = [[0.9, 0, 0.115, 0.105], [0.47, 0, 0.075, 0.07]];
+const kPlainShin: readonly Ring[] = [[0.5, 0, 0.075, 0.07], [0.09, 0, 0.052, 0.052], [0, 0.045, 0.14, 0.06]];
+
+/** Fewer than a hundred triangles. */
+function plainTubes(): Tube[] {
+  const { shirt, trousers, skin, hair, shoe } = kStuff;
+  const list: Tube[] = [
+    { rings: kPlainBody, y: 0, limb: kLimb.body, side: 0, stuffs: [trousers, shirt, shirt], open: 'first' },
+    { rings: kPlainHead, y: 0, limb: kLimb.head, side: 0, stuffs: [skin, hair, hair], open: 'first' },
+  ];
+  for (const side of [-1, 1]) {
+    const arm = side * kJoints.shoulderSide;
+    const leg = side * kJoints.hipSide;
+    list.push(
+      { rings: kPlainArm, y: arm, limb: kLimb.upperArm, side, stuffs: [shirt], open: 'both', sides: 3 },
+      { rings: kPlainHand, y: arm, limb: kLimb.foreArm, side, stuffs: [skin], open: 'first', sides: 3 },
+      { rings: kPlainThigh, y: leg, limb: kLimb.thigh, side, stuffs: [trousers], open: 'both' },
+      { rings: kPlainShin, y: leg, limb: kLimb.shin, side, stuffs: [trousers, shoe], open: 'both', sides: 3 },
+    );
+  }
+  return list;
+}
+
 /** Keeps the ends and the rings where the stuff changes. */
 function coarse(tube: Tube): Tube {
   const keep: number[] = [];
@@ -90,6 +125,12 @@ function coarse(tube: Tube): Tube {
     if (i === 0 || i >= last - 1 || change || (i === 2 && last < 7) || (i === 3 && last > 7)) keep.push(i);
   }
   return { ...tube, rings: keep.map((i) => tube.rings[i] as Ring), stuffs: keep.map(stuffAt) };
+}
+
+/** Ends are drawn to a point, so that no tube stands open where it can be seen. */
+function pointed(tube: Tube, index: number): boolean {
+  if (index === 0) return tube.open === undefined;
+  return index === tube.rings.length - 1 && tube.open !== 'both';
 }
 
 class FigureBuilder {
@@ -108,17 +149,22 @@ class FigureBuilder {
       const rising = (tube.rings[i + 1]?.[0] ?? 0) > (tube.rings[i]?.[0] ?? 0);
       for (let s = 0; s < sides; ++s) {
         const t = (s + 1) % sides;
-        if (rising) this.indices.push(low + s, low + t, high + t, low + s, high + t, high + s);
-        else this.indices.push(low + s, high + t, low + t, low + s, high + s, high + t);
+        // At a pointed end one of the two triangles has no area.
+        if (!pointed(tube, i + 1)) this.triangle(low + s, high + t, high + s, rising);
+        if (!pointed(tube, i)) this.triangle(low + s, low + t, high + t, rising);
       }
     }
+  }
+
+  private triangle(a: number, b: number, c: number, rising: boolean): void {
+    if (rising) this.indices.push(a, b, c);
+    else this.indices.push(a, c, b);
   }
 
   private ring(tube: Tube, index: number, sides: number, stuff: number): number {
     const first = this.positions.length / 3;
     const [z, x, wideX, wideY] = tube.rings[index] as Ring;
-    // Ends are drawn to a point: no tube stands open.
-    const end = index === 0 || index === tube.rings.length - 1 ? 0.001 : 1;
+    const end = pointed(tube, index) ? 0.001 : 1;
     const [halfX, halfY] = [wideX * end, wideY * end];
     const before = tube.rings[Math.max(0, index - 1)] as Ring;
     const after = tube.rings[Math.min(tube.rings.length - 1, index + 1)] as Ring;
@@ -143,7 +189,8 @@ class FigureBuilder {
 /** The person at a level of detail. Attributes: position, normal, limb (limb, side, stuff). */
 export function makeFigureGeometry(detail: FigureDetail): BufferGeometry {
   const builder = new FigureBuilder();
-  for (const tube of tubes()) builder.add(detail.fine ? tube : coarse(tube), detail.sides);
+  const list = detail.shape === 'plain' ? plainTubes() : tubes();
+  for (const tube of list) builder.add(detail.shape === 'coarse' ? coarse(tube) : tube, tube.sides ?? detail.sides);
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(Float32Array.from(builder.positions), 3));
   geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(builder.normals), 3));

@@ -8,6 +8,8 @@ import type { CrowdState } from './crowd_state';
 import { makeFigureGeometry } from './figure_geometry';
 import { kFigureColour, kFigurePose } from './figure_shader';
 import { accentOf, type Palette } from './palette';
+import { lightPlainFigures, plainFigureMaterial } from './plain_material';
+import type { Quality } from './quality';
 
 const kSkins = ['#F1C9A5', '#E0A97F', '#B97A50', '#8A5636', '#5B3A28'];
 const kHairs = ['#15120F', '#3A2618', '#6B4A2B', '#8F867C', '#241A16'];
@@ -45,39 +47,37 @@ function inject(shader: WebGLProgramParametersWithUniforms, colours: boolean): v
   }
 }
 
-interface FigureUniforms {
+type FigureUniforms = {
   readonly uSkins: { value: Color[] };
   readonly uHairs: { value: Color[] };
   readonly uGreyed: { value: number };
   readonly uGreyTint: { value: Color };
-}
+};
 
 export class Figures {
-  readonly bodies: Mesh<InstancedBufferGeometry, MeshLambertMaterial>;
+  readonly bodies: Mesh<InstancedBufferGeometry, MeshLambertMaterial | ShaderMaterial>;
   readonly discs: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  private readonly fine_ = makeFigureGeometry({ sides: 8, fine: true });
-  private readonly coarse_ = makeFigureGeometry({ sides: 4, fine: false });
+  /** Near, and far. */
+  private readonly shapes_: readonly [BufferGeometry, BufferGeometry];
   private readonly uniforms_: FigureUniforms = {
     uSkins: { value: kSkins.map((hex) => new Color(hex)) },
     uHairs: { value: kHairs.map((hex) => new Color(hex)) },
     uGreyed: { value: 0 },
     uGreyTint: { value: new Color('#A9A6A2') },
   };
-  private usesFine_ = true;
+  private shape_: BufferGeometry | null = null;
   private shirts_ = new Float32Array(0);
 
-  /** `casts`: near figures throw shadows, not only discs. */
-  constructor(private readonly casts_: boolean) {
-    const material = new MeshLambertMaterial();
-    material.onBeforeCompile = (shader): void => {
-      Object.assign(shader.uniforms, this.uniforms_);
-      inject(shader, true);
-    };
+  /** In full quality near figures throw shadows, in light quality all are plain and have only discs. */
+  constructor(private readonly quality_: Quality) {
+    const plain = quality_ === 'light' ? makeFigureGeometry({ sides: 4, shape: 'plain' }) : null;
+    this.shapes_ = plain ? [plain, plain]
+      : [makeFigureGeometry({ sides: 8, shape: 'fine' }), makeFigureGeometry({ sides: 4, shape: 'coarse' })];
+    const material = plain ? plainFigureMaterial(this.uniforms_) : this.litMaterial();
     const depth = new MeshDepthMaterial({ depthPacking: RGBADepthPacking });
     depth.onBeforeCompile = (shader): void => inject(shader, false);
     this.bodies = new Mesh(new InstancedBufferGeometry(), material);
     this.bodies.customDepthMaterial = depth;
-    this.bodies.castShadow = casts_;
     this.bodies.receiveShadow = false;
     this.bodies.frustumCulled = false;
     this.discs = new Mesh(makeDisc(), discMaterial());
@@ -94,6 +94,8 @@ export class Figures {
   setPalette(palette: Palette, greyed: boolean, dark: boolean): void {
     this.uniforms_.uGreyed.value = greyed ? 1 : 0;
     this.uniforms_.uGreyTint.value.set(palette.grey);
+    const { material } = this.bodies;
+    if (material instanceof ShaderMaterial) lightPlainFigures(material, palette.sun, palette.sky);
     (this.discs.material.uniforms['uAlpha'] as { value: number }).value = dark ? 0.5 : 0.3;
   }
 
@@ -146,11 +148,20 @@ export class Figures {
     this.discs.visible = count > 0;
   }
 
+  private litMaterial(): MeshLambertMaterial {
+    const material = new MeshLambertMaterial();
+    material.onBeforeCompile = (shader): void => {
+      Object.assign(shader.uniforms, this.uniforms_);
+      inject(shader, true);
+    };
+    return material;
+  }
+
   private useDetail(fine: boolean): void {
-    if (fine === this.usesFine_ && this.bodies.geometry.attributes['position']) return;
-    this.usesFine_ = fine;
-    this.bodies.castShadow = fine && this.casts_;
-    const source: BufferGeometry = fine ? this.fine_ : this.coarse_;
+    const source = this.shapes_[fine ? 0 : 1];
+    if (source === this.shape_) return;
+    this.shape_ = source;
+    this.bodies.castShadow = fine && this.quality_ === 'full';
     for (const name of ['position', 'normal', 'limb']) {
       this.bodies.geometry.setAttribute(name, source.attributes[name] as BufferAttribute);
     }

@@ -17,6 +17,8 @@ interface Stamped {
 }
 
 const kFirstInterval = 1000 / 60;
+/** The display never runs further behind than this [ms]. */
+const kDelayMost = 80;
 /** A stall longer than this starts the timeline anew [ms]. */
 const kBreak = 250;
 
@@ -33,7 +35,7 @@ export class FrameTimeline {
 
   /** How far behind the newest frame the display runs [ms]. */
   get delay(): number {
-    return Math.min(120, this.interval_ + this.jitter_);
+    return Math.min(kDelayMost, this.interval_ + Math.min(this.jitter_, this.interval_ / 2));
   }
 
   get newest(): FrameView | null {

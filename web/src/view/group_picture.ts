@@ -1,7 +1,5 @@
-// Meshes and places of all groups as they lie between two frames.
+// Meshes and places of all groups as they lie in the newest frame.
 
-import { mixNumbers } from './blend';
-import type { FrameBlend } from './frame_timeline';
 import type { GroupMeshView, GroupView } from './frame_types';
 import { type InstancedRings, kRing } from './instanced_rings';
 import type { MeshLayer, ShownMesh } from './mesh_layer';
@@ -13,10 +11,8 @@ const kPlaceRadius = 0.24;
 const kPlaceAlpha = 0.5;
 
 export class GroupPicture {
-  /** By group id and version: the last few, since the display runs behind. */
+  /** By group id and version: the last few, since frames may be dropped. */
   private readonly topologies_ = new Map<string, MeshTopology>();
-  private readonly vertices_: Float32Array[] = [];
-  private readonly places_: Float32Array[] = [];
   private groups_: readonly GroupView[] = [];
 
   clear(): void {
@@ -29,24 +25,16 @@ export class GroupPicture {
     this.topologies_.delete(`${mesh.group}:${mesh.version - 3}`);
   }
 
-  /** Moves to a moment between two frames. */
-  update(blend: FrameBlend): void {
-    this.groups_ = blend.to.groups;
-    blend.to.groups.forEach((group, index) => {
-      const before = blend.from.groups[index];
-      const same = before !== undefined && before.id === group.id && before.meshVersion === group.meshVersion;
-      const from = same ? before : group;
-      this.vertices_[index] = mixNumbers(from.vertices, group.vertices, blend.alpha, this.vertices_[index] ?? kEmpty);
-      this.places_[index] = mixNumbers(from.places, group.places, blend.alpha, this.places_[index] ?? kEmpty);
-    });
+  /** Takes the groups of the newest frame: the mesh is held by fingers and waits for no other frame. */
+  update(groups: readonly GroupView[]): void {
+    this.groups_ = groups;
   }
 
   /** The mesh of each group as shown; null where its shape has not come yet. */
   targets(): (MeshTarget | null)[] {
-    return this.groups_.map((group, index) => {
+    return this.groups_.map((group) => {
       const topology = this.topologies_.get(`${group.id}:${group.meshVersion}`);
-      const vertices = this.vertices_[index];
-      return topology && vertices && vertices.length > 0 ? { topology, vertices } : null;
+      return topology && group.vertices.length > 0 ? { topology, vertices: group.vertices } : null;
     });
   }
 
@@ -64,7 +52,7 @@ export class GroupPicture {
   /** Draws places as rings, and those to come dashed. */
   showPlaces(rings: InstancedRings, visible: boolean, accents: readonly string[],
              previews: ReadonlyMap<number, ArrayLike<number>>): void {
-    const sets = visible ? this.groups_.map((_, index) => this.places_[index] ?? kEmpty) : [];
+    const sets = visible ? this.groups_.map((group) => group.places) : [];
     let count = sets.reduce((sum, places) => sum + places.length / 2, 0);
     for (const places of previews.values()) count += places.length / 2;
     rings.begin(count);
@@ -85,5 +73,3 @@ export class GroupPicture {
     rings.end();
   }
 }
-
-const kEmpty = new Float32Array(0);

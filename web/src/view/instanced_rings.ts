@@ -1,6 +1,6 @@
 // Rings on the ground, all in one draw: places (whole, dashed for those to come, crossed where nobody fits).
 
-import { BufferAttribute, Color, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
+import { BufferAttribute, Color, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, LinearSRGBColorSpace, Mesh, ShaderMaterial } from 'three';
 
 /** How a ring is drawn. */
 export const kRing = { whole: 0, dashed: 1, crossed: 2 } as const;
@@ -45,7 +45,6 @@ void main() {
   }
   if (cover < 0.01) discard;
   gl_FragColor = vec4(vTint.rgb, vTint.a * cover);
-  #include <colorspace_fragment>
 }`;
 
 export class InstancedRings {
@@ -90,7 +89,8 @@ export class InstancedRings {
 
   /** All rings that follow have this colour. */
   setTint(hex: string): void {
-    this.scratch_.set(hex);
+    // As it is shown: the shader converts nothing.
+    this.scratch_.setStyle(hex, LinearSRGBColorSpace);
   }
 
   add(x: number, y: number, radius: number, style: number, alpha: number): void {

@@ -62,6 +62,8 @@ export class MarkLayer {
     const busy = controls.length > 0 || marks.rings.size > 0 || scene.draft !== null || scene.overlay !== null;
     if (!busy && !this.drawn_) return;
     this.drawn_ = busy;
+    // An empty canvas over the scene would still be blended with it.
+    this.canvas.hidden = !busy;
     this.painter_.begin(this.width_, this.height_, this.ratio_);
     if (scene.overlay && scene.overlay.path.length >= 4) this.drawWay(scene.overlay.path, scene);
     for (const shown of controls) this.drawBody(shown, marks, scene);

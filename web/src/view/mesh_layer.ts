@@ -1,6 +1,6 @@
 // The meshes of all groups: fill, inside lines and rim, each a draw for all groups; lines show faintly through bodies.
 
-import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Group, Mesh, ShaderMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Group, LinearSRGBColorSpace, Mesh, ShaderMaterial } from 'three';
 import { FatLines } from './fat_lines';
 import type { Numbers } from './frame_types';
 import type { MeshTopology } from './mesh_topology';
@@ -97,7 +97,7 @@ export class MeshLayer {
     const indices: number[] = [];
     let first = 0;
     for (const { topology, vertices, colour } of meshes) {
-      const rgb = new Color(colour);
+      const rgb = new Color().setStyle(colour, LinearSRGBColorSpace);
       for (let i = 0; i < vertices.length / 2; ++i) colours.set([rgb.r, rgb.g, rgb.b], 3 * (first + i));
       for (const index of topology.triangles) indices.push(first + index);
       first += vertices.length / 2;
@@ -137,7 +137,6 @@ void main() { vColour = color; gl_Position = projectionMatrix * modelViewMatrix 
 varying vec3 vColour;
 void main() {
   gl_FragColor = vec4(vColour, ${kFillAlpha.toFixed(2)});
-  #include <colorspace_fragment>
 }`,
   });
 }

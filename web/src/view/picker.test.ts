@@ -36,8 +36,7 @@ describe('picking', () => {
   it('finds the nearest handle within its catch', () => {
     const marks = new ControlMarks();
     const controls = [madeControl(5, 1, [[0, 0], [6, 0]])];
-    const frame = madeFrame(1, [], { groups: [madeGroup(1, controls)] });
-    marks.update({ from: frame, to: frame, alpha: 0 }, 0);
+    marks.update([madeGroup(1, controls)], 0);
     const view = camera();
     const at = view.worldToScreen(6, 0);
     expect(pickHandle({ x: at.x + 15, y: at.y + 15 }, marks.controls, view)).toEqual({ group: 0, control: 5, touch: 2 });

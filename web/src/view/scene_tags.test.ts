@@ -4,7 +4,7 @@ import { CameraController } from './camera_controller';
 import { ControlMarks } from './control_marks';
 import { paletteOf } from './palette';
 import { chipTags, overlayTags, patchTags, patchWords, type TagScene, uncrowded } from './scene_tags';
-import { madeControl, madeFrame, madeGroup } from './test_frames';
+import { madeControl, madeGroup } from './test_frames';
 
 function view(now: number, more: Partial<TagScene> = {}): TagScene {
   const camera = new CameraController();
@@ -49,8 +49,8 @@ describe('tags', () => {
   it('name a control for 1.2 s, anew where it grows', () => {
     const marks = new ControlMarks();
     const show = (kind: number, now: number) => {
-      const frame = madeFrame(1, [], { groups: [madeGroup(1, [madeControl(1, kind, [[0, 0], [1, 0], [1, 1]].slice(0, kind + 1) as [number, number][])])] });
-      marks.update({ from: frame, to: frame, alpha: 0 }, now);
+      const handles = [[0, 0], [1, 0], [1, 1]].slice(0, kind + 1) as [number, number][];
+      marks.update([madeGroup(1, [madeControl(1, kind, handles)])], now);
       return chipTags(marks, view(now)).map((tag) => tag.text);
     };
     expect(show(0, 0)).toEqual(['Point']);

@@ -1,14 +1,16 @@
 // The three.js side of the view: renderer, light, and the layers that fill the scene.
 
-import { BasicShadowMap, Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import type { SceneBox, SceneFacts } from '../protocol/scene';
 import type { CameraController } from './camera_controller';
 import type { FieldPicture } from './field_picture';
 import { Figures } from './figures';
+import { GpuPace } from './gpu_pace';
 import { Ground } from './ground';
 import { InstancedRings } from './instanced_rings';
 import { MeshLayer } from './mesh_layer';
 import type { Palette } from './palette';
+import { PlainGround } from './plain_ground';
 import type { Quality } from './quality';
 import type { ShadeUniforms } from './shade';
 import { Sun } from './sun';
@@ -26,6 +28,8 @@ export class Stage {
   readonly rings = new InstancedRings();
   readonly world: WorldLayer;
   private readonly ground_: Ground;
+  /** In light quality, where no field is painted on the ground. */
+  private readonly plain_: PlainGround | null;
   private readonly sun_: Sun;
   private readonly renderer_: WebGLRenderer;
   private readonly scene_ = new Scene();
@@ -36,26 +40,32 @@ export class Stage {
   private readonly floatLinear_: boolean;
   private box_ = kNoBox;
   private ratio_ = 1;
-  private shadowsStale_ = true;
+  /** Only where drawing is slow. */
+  private readonly pace_: GpuPace | null;
   private maxRatio_ = kMaxPixelRatio;
 
   constructor(canvas: HTMLCanvasElement, quality: Quality) {
     const full = quality === 'full';
-    this.figures = new Figures(full);
+    this.figures = new Figures(quality);
     this.sun_ = new Sun(quality);
-    this.renderer_ = new WebGLRenderer({ canvas, antialias: full, powerPreference: 'high-performance' });
-    this.renderer_.shadowMap.enabled = true;
-    this.renderer_.shadowMap.type = full ? PCFSoftShadowMap : BasicShadowMap;
-    // A slow machine draws its shadows anew only where something else than people moved.
-    this.renderer_.shadowMap.autoUpdate = full;
+    // Nothing shines through the scene, so the page need not blend it: three.js would ask for a canvas with alpha.
+    const context = canvas.getContext('webgl2', { alpha: false, antialias: full, powerPreference: 'high-performance' });
+    if (!context) throw new Error('This browser draws no WebGL 2.');
+    this.renderer_ = new WebGLRenderer({ canvas, context });
+    this.renderer_.shadowMap.enabled = full;
+    this.renderer_.shadowMap.type = PCFSoftShadowMap;
+    this.pace_ = full ? null : new GpuPace(context);
+    this.plain_ = full ? null : new PlainGround();
     if (!full) this.maxRatio_ = 1;
     this.renderer_.info.autoReset = false;
     this.floatLinear_ = this.renderer_.extensions.has('OES_texture_float_linear');
     this.ground_ = new Ground(this.shade_);
+    this.ground_.mesh.visible = full;
     this.world = new WorldLayer(this.shade_);
     this.eye_.up.set(0, 0, 1);
     this.scene_.add(this.ground_.mesh, this.sun_.group, this.world.group, this.figures.bodies, this.figures.discs,
       this.meshes.group, this.rings.mesh);
+    if (this.plain_) this.scene_.add(this.plain_.group);
   }
 
   /** Device px per CSS px now. */
@@ -72,10 +82,12 @@ export class Stage {
     this.meshes.setSize(w, h, this.ratio_);
     this.rings.setPixelRatio(this.ratio_);
     this.ground_.setPixelRatio(this.ratio_);
+    this.plain_?.setSize(w, h, this.ratio_);
   }
 
   setPalette(palette: Palette): void {
     this.ground_.setPalette(palette);
+    this.plain_?.setPalette(palette);
     this.sun_.setPalette(palette);
     this.shade_.uShadowKeeps.value = palette.shadowKeeps;
     this.shade_.uHatch.value.set(palette.roofHatch);
@@ -85,12 +97,20 @@ export class Stage {
   setScene(scene: SceneFacts, palette: Palette): void {
     this.box_ = scene.box;
     this.ground_.setBox(scene.box);
+    this.plain_?.setBox(scene.box);
     this.world.build(scene, palette);
-    this.shadowsStale_ = true;
   }
 
   setField(picture: FieldPicture | null): void {
     this.ground_.setField(picture, this.floatLinear_);
+    if (!this.plain_) return;
+    this.ground_.mesh.visible = picture !== null;
+    this.plain_.group.visible = picture === null;
+  }
+
+  /** True while the last picture is still being drawn and another would only wait behind it. */
+  busy(): boolean {
+    return this.pace_?.busy(performance.now()) ?? false;
   }
 
   /** Draws the scene as the camera sees it and counts what that took. */
@@ -103,17 +123,18 @@ export class Stage {
     this.eye_.position.set(eye[0], eye[1], eye[2]);
     this.eye_.lookAt(new Vector3(eye[0] + forward[0], eye[1] + forward[1], eye[2] + forward[2]));
     this.eye_.updateProjectionMatrix();
-    const sunMoved = this.sun_.follow(camera, this.box_);
-    if (sunMoved || this.world.moves || this.shadowsStale_) this.renderer_.shadowMap.needsUpdate = true;
-    this.shadowsStale_ = false;
+    this.sun_.follow(camera, this.box_);
+    this.plain_?.setScale(camera.pixelsPerMetre());
     this.renderer_.info.reset();
     this.renderer_.render(this.scene_, this.eye_);
     stats.drawCalls = this.renderer_.info.render.calls;
     stats.triangles = this.renderer_.info.render.triangles;
+    this.pace_?.sent(performance.now());
   }
 
   dispose(): void {
     for (const part of [this.figures, this.meshes, this.rings, this.world, this.ground_, this.sun_]) part.dispose();
+    this.plain_?.dispose();
     this.renderer_.dispose();
   }
 }

@@ -34,7 +34,8 @@ export interface ViewStats {
   frameMs: number;
   /** Frames rendered. */
   frames: number;
-  /** Number of the newest server frame that the last picture shows, wholly or in part; 0 before the first. */
+  /** Number of the server frame whose controls, meshes and places the last picture shows; 0 before the first.
+   * Characters run about a frame behind. */
   shownFrame: number;
 }
 
@@ -89,7 +90,7 @@ export interface Pick {
 const kSettle = 700;
 const kNoFrame: readonly MovingView[] = [];
 
-/** Draws the world between its last two frames, once per display frame. */
+/** Draws the world once per display frame: controls and meshes of the newest frame, characters between the last two. */
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
   readonly stats: ViewStats = { drawCalls: 0, triangles: 0, frameMs: 0, frames: 0, shownFrame: 0 };
@@ -286,23 +287,24 @@ export class StudioView implements StudioScene {
   private frame(now: number): void {
     this.request_ = requestAnimationFrame((next) => this.frame(next));
     const start = performance.now();
+    if (!this.changed(now) || this.stage_.busy()) return;
     const dt = Math.min(0.1, Math.max(0, (now - this.last_) / 1000));
     this.last_ = now;
-    if (!this.changed(now)) return;
     const blend = this.timeline_.sample(now);
     if (blend) {
       this.crowd_.update(blend, dt);
-      this.groups_.update(blend);
       this.moving_ = blend.to.moving;
       this.stage_.world.move(blend.from.moving, blend.to.moving, blend.alpha);
       this.stage_.world.setCollected(blend.to.collected);
       this.openView();
     }
-    this.marks_.update(blend, now);
+    const newest = this.timeline_.newest;
+    this.groups_.update(newest?.groups ?? []);
+    this.marks_.update(newest?.groups ?? [], now);
     this.show(now);
     this.stats.frameMs = performance.now() - start;
     this.stats.frames += 1;
-    if (blend) this.stats.shownFrame = blend.to.frame;
+    if (newest) this.stats.shownFrame = newest.frame;
   }
 
   /** False where the next picture would be the last one again. */

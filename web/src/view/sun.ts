@@ -10,20 +10,25 @@ const kElevation = (52 * Math.PI) / 180;
 /** Where the sun stands, from +x counter-clockwise [rad]: left of the view as it opens, so that shadows fall right. */
 const kAzimuth = 3.4;
 const kMapSize = 2048;
+export const kSunColour = '#FFF9EE';
+export const kSkyColour = '#FFFFFF';
+export const kEarthColour = '#D2CABF';
+/** Unit vector to the sun. */
+export const kToSun = [
+  Math.cos(kElevation) * Math.cos(kAzimuth), Math.cos(kElevation) * Math.sin(kAzimuth), Math.sin(kElevation),
+] as const;
 
 export class Sun {
   readonly group = new Group();
-  private readonly sun_ = new DirectionalLight('#FFF9EE', 2.2);
-  private readonly sky_ = new HemisphereLight('#FFFFFF', '#D2CABF', 1.3);
-  private readonly toSun_ = new Vector3(
-    Math.cos(kElevation) * Math.cos(kAzimuth), Math.cos(kElevation) * Math.sin(kAzimuth), Math.sin(kElevation));
-
+  private readonly sun_ = new DirectionalLight(kSunColour, 2.2);
+  private readonly sky_ = new HemisphereLight(kSkyColour, kEarthColour, 1.3);
+  private readonly toSun_ = new Vector3(...kToSun);
   private key_ = '';
 
+  /** In light quality the sun throws no shadows. */
   constructor(quality: Quality) {
-    const size = quality === 'full' ? kMapSize : kMapSize / 2;
-    this.sun_.castShadow = true;
-    this.sun_.shadow.mapSize.set(size, size);
+    this.sun_.castShadow = quality === 'full';
+    this.sun_.shadow.mapSize.set(kMapSize, kMapSize);
     this.sun_.shadow.bias = -0.0004;
     this.sun_.shadow.normalBias = 0.02;
     this.sun_.shadow.radius = 2.5;
@@ -36,9 +41,9 @@ export class Sun {
     this.sky_.intensity = palette.sky;
   }
 
-  /** Lays the shadow map over the ground in view, in steps, so that shadows do not shimmer while the camera moves.
-   * True where it moved. */
-  follow(camera: CameraController, box: SceneBox): boolean {
+  /** Lays the shadow map over the ground in view, in steps, so that shadows do not shimmer while the camera moves. */
+  follow(camera: CameraController, box: SceneBox): void {
+    if (!this.sun_.castShadow) return;
     const corners = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
     let minX = Infinity, minY = Infinity, maxX = -Infinity, maxY = -Infinity;
     for (const [u, v] of corners) {
@@ -51,17 +56,16 @@ export class Sun {
       minY = Math.min(minY, y);
       maxY = Math.max(maxY, y);
     }
-    if (!(maxX > minX) || !(maxY > minY)) return false;
+    if (!(maxX > minX) || !(maxY > minY)) return;
     const reach = Math.max(8, Math.hypot(maxX - minX, maxY - minY) / 2 + 3);
     const radius = 1.18 ** Math.ceil(Math.log(reach) / Math.log(1.18));
     const texel = radius / 128;
     const x = Math.round((minX + maxX) / 2 / texel) * texel;
     const y = Math.round((minY + maxY) / 2 / texel) * texel;
     const key = `${x}:${y}:${radius}`;
-    if (key === this.key_) return false;
+    if (key === this.key_) return;
     this.key_ = key;
     this.place(x, y, radius);
-    return true;
   }
 
   private place(x: number, y: number, radius: number): void {
