@@ -213,6 +213,7 @@ export class StudioApp {
     this.controls.observe(frame);
     this.view.pushFrame(frame, receivedAt);
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
+    this.timePicture();
     this.store.set(this.reader.change(frame, this.store.state));
     for (const news of this.watch.observe(frame)) this.announce(news);
   }
@@ -247,11 +248,16 @@ export class StudioApp {
     requestAnimationFrame(this.drawn);
     this.touches.flush();
     this.shell.scale.update(this.view.pixelsPerMetre());
+    this.timePicture();
+  };
+
+  /** Times the touches whose effect the last picture shows. */
+  private timePicture(): void {
     const shown = this.latency.takeDrawn(this.view.stats.shownFrame);
     if (shown.length === 0) return;
-    // The task after this frame's callbacks: the scene has been drawn by then.
+    // The task after this one: the scene has been drawn by then.
     const after = new MessageChannel();
     after.port1.onmessage = () => this.latency.drawn(shown, pageClock());
     after.port2.postMessage(null);
-  };
+  }
 }

@@ -51,6 +51,8 @@ export interface FrameView {
   /** World time [s]. */
   readonly time: number;
   readonly playing: boolean;
+  /** Newest time among our touches that the frame shows; grows with each. */
+  readonly touchEcho?: number;
   /** Empty where unchanged since the last frame. */
   readonly ids: Numbers;
   /** Index into groups, per character; empty together with `ids`. */

@@ -108,9 +108,14 @@ export class Stage {
     this.plain_.group.visible = picture === null;
   }
 
-  /** True while the last picture is still being drawn and another would only wait behind it. */
-  busy(): boolean {
-    return this.pace_?.busy(performance.now()) ?? false;
+  /** True where pictures are spaced because drawing is slow. */
+  get paced(): boolean {
+    return this.pace_ !== null;
+  }
+
+  /** True while the last picture is still being drawn and another would only wait behind it; see GpuPace. */
+  busy(urgent: boolean): boolean {
+    return this.pace_?.busy(performance.now(), urgent) ?? false;
   }
 
   /** Draws the scene as the camera sees it and counts what that took. */

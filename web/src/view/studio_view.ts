@@ -12,6 +12,7 @@ import { FrameTimeline } from './frame_timeline';
 import type { FrameView, GroupMeshView, MovingView, Numbers, OverlayView } from './frame_types';
 import { GroupPicture } from './group_picture';
 import { type DraftControl, MarkLayer } from './mark_layer';
+import { surroundings } from './opening';
 import { accentOf, type Palette, paletteOf } from './palette';
 import { pickCharacter, pickHandle, pickMesh } from './picker';
 import { chooseQuality, rendererName } from './quality';
@@ -117,6 +118,9 @@ export class StudioView implements StudioScene {
   private activeGroup_ = -1;
   private opened_ = false;
   private membersStale_ = true;
+  /** The next picture answers a finger. */
+  private urgent_ = false;
+  private touchEcho_ = 0;
   private last_ = 0;
   private activeUntil_ = 0;
   private signature_ = '';
@@ -169,6 +173,10 @@ export class StudioView implements StudioScene {
       this.membersStale_ = true;
     }
     this.timeline_.push(frame, receivedAt);
+    this.urgent_ ||= (frame.touchEcho ?? 0) > this.touchEcho_;
+    this.touchEcho_ = frame.touchEcho ?? 0;
+    // Where drawing is slow the answer to a finger does not wait for the display's next beat as well.
+    if (this.urgent_ && this.stage_.paced) this.draw(performance.now());
   }
 
   setOverlay(overlay: OverlayView | null): void {
@@ -221,6 +229,7 @@ export class StudioView implements StudioScene {
 
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void {
     this.marks_.touch(id, world, groupIndex, performance.now());
+    this.urgent_ = true;
     this.wake();
   }
 
@@ -286,8 +295,13 @@ export class StudioView implements StudioScene {
 
   private frame(now: number): void {
     this.request_ = requestAnimationFrame((next) => this.frame(next));
+    this.draw(now);
+  }
+
+  private draw(now: number): void {
     const start = performance.now();
-    if (!this.changed(now) || this.stage_.busy()) return;
+    if (!this.changed(now) || this.stage_.busy(this.urgent_)) return;
+    this.urgent_ = false;
     const dt = Math.min(0.1, Math.max(0, (now - this.last_) / 1000));
     this.last_ = now;
     const blend = this.timeline_.sample(now);
@@ -353,13 +367,14 @@ export class StudioView implements StudioScene {
     return index < 0 ? this.activeGroup_ : this.crowd_.group[index] ?? -1;
   }
 
-  /** Opens the view on the crowd with the first frame that has one. */
+  /** Opens the view on the crowd, and what awaits it, with the first frame that has one. */
   private openView(): void {
     if (this.opened_ || this.camera.width < 2) return;
     const points = this.crowdPoints();
     if (points.length === 0) return;
     this.opened_ = true;
-    this.camera.fit(points, this.padding_);
+    const around = this.scene_ ? surroundings(this.scene_, points) : [];
+    this.camera.fit([...points, ...around], this.padding_);
   }
 
   /** Points round crowd, places and paths. */

@@ -43,7 +43,6 @@ export class Sun {
 
   /** Lays the shadow map over the ground in view, in steps, so that shadows do not shimmer while the camera moves. */
   follow(camera: CameraController, box: SceneBox): void {
-    if (!this.sun_.castShadow) return;
     const corners = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
     let minX = Infinity, minY = Infinity, maxX = -Infinity, maxY = -Infinity;
     for (const [u, v] of corners) {
