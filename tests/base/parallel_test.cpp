@@ -1,0 +1,111 @@
+// Pools at their edges: no items, one item, more threads than items, many rounds, several pools.
+#include <doctest.h>
+
+#include <atomic>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+#include "muster/base/parallel.h"
+
+using namespace muster;
+
+TEST_CASE("a pool without items calls nobody and returns") {
+    for (const int threads : {1, 3}) {
+        ThreadPool pool(threads);
+        std::atomic<int> calls{0};
+        pool.run(0, [&](std::int32_t, std::int32_t) { ++calls; });
+        pool.run(-4, [&](std::int32_t, std::int32_t) { ++calls; });
+        CHECK(calls == 0);
+        pool.run(2, [&](std::int32_t, std::int32_t) { ++calls; });  // And it still works.
+        CHECK(calls == 2);
+    }
+}
+
+TEST_CASE("a single item runs in the calling thread") {
+    ThreadPool pool(4);
+    std::thread::id where;
+    std::int32_t by = -1;
+    pool.run(1, [&](std::int32_t, std::int32_t worker) {
+        where = std::this_thread::get_id();
+        by = worker;
+    });
+    CHECK(where == std::this_thread::get_id());
+    CHECK(by == 0);
+}
+
+TEST_CASE("the number of threads is what was asked for, at least one") {
+    CHECK(ThreadPool(1).threads() == 1);
+    CHECK(ThreadPool(3).threads() == 3);
+    CHECK(ThreadPool(0).threads() >= 1);
+    CHECK(ThreadPool(-7).threads() >= 1);
+}
+
+TEST_CASE("a pool that never ran closes, again and again") {
+    for (int i = 0; i < 50; ++i) {
+        const ThreadPool pool(4);
+        CHECK(pool.threads() == 4);
+    }
+}
+
+TEST_CASE("private memory by worker needs no lock") {
+    ThreadPool pool(4);
+    std::vector<std::vector<std::int32_t>> took(4);
+    for (int round = 0; round < 100; ++round) {
+        for (auto& items : took) items.clear();
+        pool.run(301, [&](std::int32_t item, std::int32_t worker) { took[static_cast<std::size_t>(worker)].push_back(item); });
+        std::vector<int> hits(301, 0);
+        for (const auto& items : took) {
+            for (const std::int32_t item : items) ++hits[static_cast<std::size_t>(item)];
+        }
+        for (const int hit : hits) REQUIRE(hit == 1);
+    }
+}
+
+TEST_CASE("what the items wrote is seen by the caller when run returns") {
+    ThreadPool pool(3);
+    std::vector<std::int64_t> results(500, 0);
+    for (std::int64_t round = 1; round <= 300; ++round) {
+        pool.run(500, [&](std::int32_t item, std::int32_t) { results[static_cast<std::size_t>(item)] += item * round; });
+    }
+    const std::int64_t rounds = 300 * 301 / 2;
+    for (std::int64_t i = 0; i < 500; ++i) REQUIRE(results[static_cast<std::size_t>(i)] == i * rounds);
+}
+
+TEST_CASE("rounds of very different size follow each other") {
+    ThreadPool pool(4);
+    std::int64_t expected = 0;
+    std::atomic<std::int64_t> sum{0};
+    for (std::int32_t count : {7, 1, 0, 2000, 3, 1, 1, 50, 0, 4}) {
+        pool.run(count, [&](std::int32_t item, std::int32_t) { sum += item + 1; });
+        expected += static_cast<std::int64_t>(count) * (count + 1) / 2;
+        REQUIRE(sum == expected);
+    }
+}
+
+TEST_CASE("an item may use a pool of its own") {
+    ThreadPool outer(2);
+    std::atomic<int> hits{0};
+    outer.run(4, [&](std::int32_t, std::int32_t) {
+        ThreadPool inner(2);
+        inner.run(10, [&](std::int32_t, std::int32_t) { ++hits; });
+    });
+    CHECK(hits == 40);
+}
+
+TEST_CASE("pools in several threads do not disturb each other") {
+    std::vector<std::int64_t> sums(3, 0);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < 3; ++t) {
+        threads.emplace_back([&sums, t] {
+            ThreadPool pool(2);
+            std::vector<std::int64_t> squares(100);
+            for (int round = 0; round < 50; ++round) {
+                pool.run(100, [&](std::int32_t i, std::int32_t) { squares[static_cast<std::size_t>(i)] = std::int64_t{i} * i; });
+            }
+            sums[t] = std::accumulate(squares.begin(), squares.end(), std::int64_t{0});
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const std::int64_t sum : sums) CHECK(sum == 99 * 100 * 199 / 6);
+}
