@@ -1,5 +1,6 @@
 // muster replay
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "commands.h"
@@ -24,7 +25,14 @@ int replay(const ReplayOptions& options) {
                      take->tornBytes);
     }
     Progress progress("replaying");
+    std::optional<RunMetrics> metrics;
+    nlohmann::ordered_json figures;
     const auto report = replayTake(*take, options.threads, [&](const World& world) {
+        if (options.json) {
+            if (!metrics) metrics.emplace(world);
+            metrics->observe(world);
+            if (world.stepCount() == take->steps()) figures = figuresJson(metrics->figures(world, false));
+        }
         progress.show(static_cast<double>(world.stepCount()) / std::max(1u, take->steps()));
         return true;
     });
@@ -39,6 +47,7 @@ int replay(const ReplayOptions& options) {
         if (!differs) {
             value["steps"] = report->steps;
             value["hash"] = toHex(report->hash);
+            value["figures"] = figures;
         }
         if (differs) value["message"] = report.status().message();
         printJsonValue(value);
@@ -61,7 +70,8 @@ void addReplayCommand(CLI::App& app, int& exitCode) {
         ->check(CLI::Range(0, 256));
     command->add_flag("--json", options->json, "One JSON value on standard output.");
     command->footer(
-        "Ends with 3 where a hash differs; the message names the first step that does.\n"
+        "Ends with 3 where a hash differs; the message names the first step that does. With --json it also gives the\n"
+        "figures of muster play.\n"
         "Examples:\n"
         "  muster replay cars.take\n"
         "  muster replay cars.take --threads 4 --json");

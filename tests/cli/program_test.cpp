@@ -125,6 +125,8 @@ TEST_CASE("play reports every named figure, records a take that replays, and wri
     CHECK(replayed["reproduced"] == true);
     CHECK(replayed["hash"] == figures["hash"]);
     CHECK(replayed["steps"] == 360);
+    for (const char* key : {"characters", "steps", "hash", "arrived100_s", "stuck", "overlap_pairs_max", "unmatched"})
+        CHECK(replayed["figures"][key] == figures[key]);
     CHECK(runProgram("replay '" + path("a.take") + "'").out.find("reproduced") == 0);
 
     const std::string csv = slurp(path("a.csv"));

@@ -2,6 +2,7 @@
 import { chromium } from 'playwright-core';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
+import * as realMaps from './cases/real_maps.mjs';
 import * as session from './cases/session.mjs';
 import * as touch from './cases/touch.mjs';
 import { startStudio } from './support/server.mjs';
@@ -33,6 +34,7 @@ const CASES = [
   ['layout', look.layout, [...TABLETS, 'phone'], {}],
   ['access', look.accessible, [...TABLETS, 'phone'], {}],
   ['lost and found', session.lostAndFound, ['landscape'], {}],
+  ...realMaps.cases(),
 ];
 
 const at = process.argv.indexOf('--only');
