@@ -44,6 +44,13 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
     return worst;
 }
 
+// Pairs may have pushed somebody farther than the rounds watch: obstacles and the world's edge have the last word.
+void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const {
+    const Box inside = environment.def().box.grown(-radius);
+    for (Vec2& p : positions)
+        if (!inside.contains(p) || environment.distanceToObstacle(p, radius) < radius) p = environment.pushOut(p, radius);
+}
+
 ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) const {
     ContactReport result;
     for (const NearPair pair : pairs_) {
@@ -68,6 +75,7 @@ ContactReport Contacts::resolve(const ContactDef& def, const Environment& enviro
         const double walls = leaveObstacles(def.radius, environment, positions);
         if (std::max(pairs, walls) < kSettled * diameter) break;
     }
+    leaveForGood(def.radius, environment, positions);
     return report(diameter, positions);
 }
 

@@ -31,6 +31,7 @@ public:
 private:
     double separatePairs(double diameter, std::span<Vec2> positions) const;
     double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const;
+    void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const;
     ContactReport report(double diameter, std::span<const Vec2> positions) const;
 
     NeighbourGrid neighbours_;
