@@ -33,7 +33,7 @@ const MAPS = {
   },
 };
 const STROKE = 34;  // Drawn at one go, at most [m].
-const PICTURED = Number(process.env.MUSTER_PICTURED ?? 2);  // The stroke after which the picture is taken.
+const PICTURED = 4;  // The stroke after which the picture is taken: across the yard, to the gap.
 const ZOOM = 11;    // While steering [px/m].
 
 /** The cases, or none and a line that says why. */
@@ -81,7 +81,7 @@ async function steerAndRecord(studio, steering, take, name, server) {
   for (let stroke = 1; !steering.done(); ++stroke) {
     await steering.drawOn();
     await studio.shot(`${name}-stroke-${stroke}`);
-    if (stroke === PICTURED && pictures) await picture(studio, server, `${pictures}/${name}.png`);
+    if (pictures && stroke === PICTURED) await picture(studio, server, `${pictures}/${name}.png`);
     // Walking takes long: it is watched at four times the speed, where the machine can.
     await studio.send({ type: 'SetSpeed', factor: 4 });
     await steering.untilNearEnd();
@@ -236,7 +236,7 @@ class Steering {
 
 /** Another page on the same world, in full quality: what the README shows. */
 async function picture(studio, server, path) {
-  await studio.wait(3000);
+  await studio.wait(1000);
   await studio.send({ type: 'Transport', action: 1 });
   const context = await studio.context.browser().newContext({ viewport: { width: 1440, height: 900 } });
   try {
@@ -244,7 +244,7 @@ async function picture(studio, server, path) {
     await page.addInitScript(() => localStorage.setItem('muster.hint', 'seen'));
     await page.goto(`${server.url}?quality=full`);
     await page.waitForFunction(() => (globalThis.__muster?.frame?.groups.length ?? 0) > 0, null, { timeout: 60000 });
-    await page.waitForTimeout(9000);
+    await page.waitForTimeout(16000);  // Tags fade; a software renderer is slow.
     await page.screenshot({ path, timeout: 120000 });
   } finally {
     await context.close();
