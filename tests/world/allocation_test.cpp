@@ -1,0 +1,85 @@
+// A warm step allocates nothing: memory grows to the most that was needed, and is kept.
+#include <doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+#include "scenes.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* p = std::malloc(size > 0 ? size : 1)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+/// Allocations of 60 steps after as many warm ones.
+long allocationsOf(World& world) {
+    for (int s = 0; s < 120; ++s) world.step();
+    const long before = allocations;
+    for (int s = 0; s < 60; ++s) world.step();
+    return allocations - before;
+}
+
+}  // namespace
+
+TEST_CASE("the count sees what is allocated") {
+    const long before = allocations;
+    std::vector<int> some(100);
+    CHECK(some.size() == 100);
+    CHECK(allocations > before);
+}
+
+TEST_CASE("60 steps of a standing crowd allocate nothing") {
+    World world = World::create(openFloor(36)).value();
+    CHECK(allocationsOf(world) == 0);
+}
+
+TEST_CASE("a crowd that walks in the open where it walked before allocates nothing") {
+    WorldDef def = openFloor(36);
+    def.box = {{-15, -12}, {15, 12}};
+    World world = World::create(def).value();
+    std::uint32_t sequence = 0;
+    long inStep = 0;
+    for (int way = 0; way < 6; ++way) {
+        const double from = way % 2 == 0 ? -6.0 : 6.0;
+        REQUIRE(give(world, sequence, TouchDown{1, {from, 0}, world.time(), {}}).ok());
+        world.step();
+        REQUIRE(give(world, sequence, TouchMove{1, {-from, 0}, world.time()}).ok());
+        world.step();
+        REQUIRE(give(world, sequence, TouchUp{1, world.time()}).ok());
+        world.step();
+        const long before = allocations;
+        for (int s = 0; s < 600; ++s) world.step();
+        if (way >= 4) inStep += allocations - before;
+        CHECK(std::fabs(world.group(0).mesh->pose().position.x + from) < 0.5);  // It did walk.
+    }
+    CHECK(inStep == 0);
+}
+
+TEST_CASE("60 steps of two groups on patches, with items and checkpoints, allocate nothing") {
+    WorldDef def = openFloor(25);
+    def.patches = {rectangle(-11, -5, -1, 5, 3)};
+    def.items = {{{10, 10}, 0.5}};
+    FormationCheckpointDef checkpoint;
+    checkpoint.position = {10, -10};
+    def.checkpoints = {checkpoint};
+    GroupDef second;
+    second.count = 16;
+    second.position = {6, 0};
+    def.groups.push_back(second);
+    World world = World::create(def).value();
+    CHECK(allocationsOf(world) == 0);
+}

@@ -1,0 +1,36 @@
+// Crowded ways cost more, so people take others.
+#include <doctest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+TEST_CASE("two ways, one jammed: with density the plan avoids the crowd, without it does not") {
+    // A wall with two doors at the same distance; a standing crowd of another group fills the upper one.
+    const auto goesLow = [](double density) {
+        WorldDef def = openFloor(1);
+        def.obstacles = {block(-0.5, -12, 0.5, -5), block(-0.5, -2.5, 0.5, 2.5), block(-0.5, 5, 0.5, 12)};
+        def.groups[0].starts = {{-6, 0.05}};  // A little nearer to the upper door.
+        def.groups[0].position = {6, 0.05};
+        GroupDef jam;
+        jam.count = 20;
+        jam.position = {0, 3.75};
+        jam.formation.spacing = 0.55;
+        def.groups.push_back(jam);
+        def.parameters.density = density;
+        World world = World::create(def).value();
+        bool lower = false;
+        for (int s = 0; s < 15 * 60; ++s) {
+            world.step();
+            const Vec2 p = world.characters().position[0];
+            if (std::fabs(p.x) < 0.3) lower = p.y < 0;
+        }
+        CHECK(world.characters().position[0].x > 3.0);
+        return lower;
+    };
+    CHECK(goesLow(1));
+    CHECK_FALSE(goesLow(0));
+}
