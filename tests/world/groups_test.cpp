@@ -194,12 +194,12 @@ TEST_CASE("events name the characters of the group that had them") {
 
 TEST_CASE("more characters than room: who fits has a place, the others wait near and nobody overlaps") {
     WorldDef def;
-    def.box = {{-4, -4}, {4, 4}};
-    def.obstacles = {block(-4, -4, -1.5, 4), block(1.5, -4, 4, 4)};  // A lane 3 m wide.
+    def.box = {{-4, -2.2}, {4, 2.2}};
+    def.obstacles = {block(-4, -2.2, -1.5, 2.2), block(1.5, -2.2, 4, 2.2)};  // A room 3 m wide.
     GroupDef group;
     group.count = 36;
     group.formation.spacing = 1.0;
-    for (int i = 0; i < 36; ++i) group.starts.push_back({-1.0 + (i % 4) * 0.62, -3.5 + (i / 4) * 0.62});
+    for (int i = 0; i < 36; ++i) group.starts.push_back({-1.15 + (i % 5) * 0.57, -1.9 + (i / 5) * 0.52});
     def.groups.push_back(group);
     World world = World::create(def).value();
     run(world, 12);
@@ -207,7 +207,9 @@ TEST_CASE("more characters than room: who fits has a place, the others wait near
     const auto room = std::count(fit.begin(), fit.end(), 1);
     const Characters& c = world.characters();
     const auto matched = std::count_if(c.place.begin(), c.place.end(), [](std::int32_t p) { return p >= 0; });
-    CHECK(matched == std::min<std::ptrdiff_t>(room, 36));
+    CHECK(room < 36);
+    CHECK(room > 18);
+    CHECK(matched == room);
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.place[i] >= 0) CHECK(fit[static_cast<std::size_t>(c.place[i])] == 1);
         else CHECK(std::isinf(c.cost[i]));
