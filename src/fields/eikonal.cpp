@@ -67,7 +67,7 @@ double EikonalSolver::Impl::reach(const UnitCost& cost, Vec2 source, std::span<c
 Cell EikonalSolver::Impl::readRows(const Grid& grid, Cell& high) const {
     Cell low{grid.width, grid.height};
     high = {-1, -1};
-    for (std::int32_t y = 0; y < grid.height; ++y) {
+    for (std::int32_t y = front.firstRow(); y <= front.lastRow(); ++y) {
         const float* row = front.row(y);
         std::int32_t left = 0;
         while (left < low.x && !(row[left] < kInfiniteCost)) ++left;
@@ -125,7 +125,11 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
         }
         field.marched_ += reached;
     }
-    for (const WallNode& beside : cost.nodes) {
+    // Nodes ascend by cell: those of other rows need no look.
+    auto node = std::lower_bound(cost.nodes.begin(), cost.nodes.end(), low.y * grid.width,
+                                 [](const WallNode& n, std::int32_t cell) { return n.cell < cell; });
+    for (; node != cost.nodes.end() && node->cell < (high.y + 1) * grid.width; ++node) {
+        const WallNode& beside = *node;
         const Cell c = grid.at(beside.cell);
         const Cell in{c.x - low.x, c.y - low.y};
         if (in.x < 0 || in.y < 0 || in.x >= field.width_ || in.y >= field.height_) continue;

@@ -38,6 +38,8 @@ void Front::begin(const UnitCost& cost, bool secondOrder) {
     width_ = kBucketShare * std::max(cost.lowest, 1e-6f);
     tolerance_ = 1e-3f * width_;
     queue_.restart(1.0f / width_);
+    firstNode_ = std::numeric_limits<std::int32_t>::max();
+    lastNode_ = -1;
     sight_.begin(cost);
     roots_.assign(1, {});
     wallRoot_.assign(cost.nodes.size() + 1, 0);
@@ -148,6 +150,7 @@ bool Front::step() {
         const float value = tentative_[from.node];
         if (!(value < accepted_[from.node])) continue;
         accepted_[from.node] = value;
+        noteReached(from.node);
         spread(from, value);
     }
     return true;

@@ -1,6 +1,7 @@
 // The marching front: padded arrays and the upwind update.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -46,6 +47,9 @@ public:
     float centreValue(const WallNode& beside) const;
     /// Value of a node, infinite where not reached.
     float value(std::int32_t node) const { return accepted_[node]; }
+    /// First and last row in which a cell may have been reached; the last lies below the first where there is none.
+    std::int32_t firstRow() const { return lastNode_ < 0 ? 0 : firstNode_ / stride_ - 2; }
+    std::int32_t lastRow() const { return lastNode_ < 0 ? -1 : lastNode_ / stride_ - 2; }
     /// Values of a row, from column 0 on.
     const float* row(std::int32_t y) const { return accepted_.data() + node(0, y); }
     /// The padded index of a cell.
@@ -75,6 +79,10 @@ private:
     void floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
     void floodCell(FrontCell cell, bool certain, std::int32_t root);
     void queueRim(std::int32_t root);
+    void noteReached(std::int32_t node) {
+        firstNode_ = std::min(firstNode_, node);
+        lastNode_ = std::max(lastNode_, node);
+    }
     void put(FrontCell to, float old, float value, std::int32_t root) {
         tentative_[to.node] = value;
         root_[to.node] = root;
@@ -99,6 +107,9 @@ private:
     std::vector<std::int32_t> root_;
     std::vector<std::int32_t> hidden_;  // The root last found hidden from a node by a wall; 0 for none.
     std::vector<std::int32_t> wallRoot_;
+    // The lowest and the highest node reached, so that reading the result need not visit the whole ground.
+    std::int32_t firstNode_ = 0;
+    std::int32_t lastNode_ = -1;
     Cell floodLow_;
     Cell floodHigh_;
     float floodLimit_ = 0.0f;
