@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/letters.h"
 #include "debug/theme.h"
 #include "muster/geometry/polygon.h"
 
@@ -131,7 +132,7 @@ void drawPatchTags(const Pen& pen) {
         const std::string& name = environment.patch(id)->name;
         const Box box = boundsOf(environment.patchPolygon(id));
         const bool again = std::find(named.begin(), named.end(), name) != named.end();
-        const double half = pen.metres(4.2 * static_cast<double>(name.size()) + 9.0), high = pen.metres(10.0);
+        const double half = pen.metres(4.2 * static_cast<double>(plainLetters(name).size()) + 9.0), high = pen.metres(10.0);
         if (again || name.empty() || box.width() < 2.0 * half) continue;
         named.push_back(name);
         const Vec2 at{(box.min.x + box.max.x) * 0.5, std::min(box.max.y, pen.draw.view().max.y - 2.0 * high) - high * 0.2};

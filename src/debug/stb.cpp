@@ -40,7 +40,8 @@ std::vector<std::uint8_t> encodePng(std::int32_t width, std::int32_t height, std
 }
 
 double letterLoops(std::string_view words, double size, std::vector<std::vector<Vec2>>& loops) {
-    std::string copy(words.substr(0, 200));
+    // The font has no other letters, and would read beyond its tables.
+    std::string copy = plainLetters(words).substr(0, 200);
     std::vector<Corner> corners(copy.size() * 400 / sizeof(Corner) + 64);
     const int quads = stb_easy_font_print(0.0f, 0.0f, copy.data(), nullptr, corners.data(),
                                           static_cast<int>(corners.size() * sizeof(Corner)));
