@@ -22,4 +22,6 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/musterConfig.cmake ${CMAKE_CURRENT_BIN
 if(TARGET muster_program)
     install(TARGETS muster_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     install(DIRECTORY scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/muster)
+    # The page, where it is built: npm run build in web/, or ./run --build.
+    install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/muster/web OPTIONAL)
 endif()

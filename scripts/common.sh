@@ -3,9 +3,12 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit 1
 
-# Debian packages: to build the program and its page, and on top of that to test both.
+# Debian packages: to build the program; on top of that for the C++ tests, the browser tests, WebAssembly.
 build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev)
-test_packages=(doctest-dev librapidcheck-dev liblemon-dev chromium libgl1-mesa-dri libegl1 emscripten)
+test_packages=(doctest-dev librapidcheck-dev liblemon-dev)
+browser_packages=(chromium libgl1-mesa-dri libegl1)
+wasm_packages=(emscripten)
+configure_again=no  # Once packages have come, for what is found now.
 
 say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
 fail() { printf 'muster: %s\n' "$*" >&2; exit 1; }
@@ -26,6 +29,7 @@ install_packages() {
     "${as_root[@]}" apt-get update -qq || fail "apt-get update failed; is there a network?"
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
         fail "apt-get could not install: ${missing[*]}"
+    configure_again=yes
 }
 
 # Node from wherever it comes, else Debian's.
@@ -37,11 +41,13 @@ install_node() {
     install_packages nodejs npm
 }
 
-# build_program PRESET TARGET...: configures once, then builds.
+# build_program PRESET TARGET...: configures once, and again where packages have come, then builds.
 build_program() {
     local preset=$1
     shift
-    [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >/dev/null || fail "cmake could not configure the preset $preset"
+    if [ ! -f "build/$preset/build.ninja" ] || [ "$configure_again" = yes ]; then
+        cmake --preset "$preset" >/dev/null || fail "cmake could not configure the preset $preset"
+    fi
     cmake --build "build/$preset" --target "$@" >"build/$preset/build.log" 2>&1 || {
         grep -A 12 -m 1 -E 'error|FAILED' "build/$preset/build.log" >&2
         fail "the build failed; the whole log is build/$preset/build.log"
@@ -52,7 +58,8 @@ build_program() {
 build_page() {
     if [ ! -f web/node_modules/.package-lock.json ] || [ web/package-lock.json -nt web/node_modules/.package-lock.json ]; then
         say "Installing the page's packages"
-        (cd web && npm ci --no-audit --no-fund --silent) || fail "npm ci failed in web/"
+        # No progress, but the reason where it fails.
+        (cd web && npm ci --no-audit --no-fund --loglevel=error >&2) || fail "npm ci failed in web/"
         touch web/node_modules/.package-lock.json
     fi
     if [ ! -f web/dist/index.html ] ||

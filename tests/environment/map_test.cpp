@@ -127,7 +127,7 @@ TEST_CASE("real maps: every blocked cell in one piece, no free one in any") {
     for (const char* name : {"Berlin_0_256.map", "lak303d.map", "arena.map", "Brushfire.map"}) {
         const std::string text = readMap(name);
         if (text.empty()) {
-            MESSAGE("skipped: ", name, " is not here");
+            MESSAGE("skipped: ", std::string(name), " is not here");
             continue;
         }
         const auto map = parseMap(text);

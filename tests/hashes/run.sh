@@ -36,9 +36,7 @@ for threads in 2 4 8; do
     build/release/tests/hashes/scenario_hashes scenarios "$seconds" "$threads" >"$work/threads" || failed=$((failed + 1))
     compare "$threads threads" "$work/threads"
 done
-# The debug build is slow to make and to run: MUSTER_HASHES_DEBUG=1 asks for it.
-presets=()
-[ -z "${MUSTER_HASHES_DEBUG:-}" ] || presets+=(debug)
+presets=(debug)
 if command -v clang++ >/dev/null; then presets+=(clang); else echo "skipped: clang, which is not installed"; fi
 for preset in "${presets[@]}"; do
     if build "$preset"; then
