@@ -6,8 +6,10 @@ namespace muster {
 
 Status Replayer::feed(World& world) {
     while (nextMark_ < take_.marks.size() && take_.marks[nextMark_].step <= world.stepCount()) ++nextMark_;
-    if (nextMark_ == take_.marks.size()) return {};
-    for (; nextCommand_ < take_.marks[nextMark_].commands; ++nextCommand_) {
+    // Behind the last mark of an unfinished take there may be commands still.
+    const bool marked = nextMark_ < take_.marks.size();
+    const std::size_t until = marked ? take_.marks[nextMark_].commands : take_.commands.size();
+    for (; nextCommand_ < until; ++nextCommand_) {
         const Status status = world.submit(take_.commands[nextCommand_]);
         if (!status.ok()) return status.within("command " + std::to_string(nextCommand_) + " of the take");
     }

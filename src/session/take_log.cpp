@@ -11,6 +11,7 @@ constexpr std::size_t kEndBytes = 64;  // Kept free for the end record.
 
 void TakeLog::begin(const WorldDef& def, std::size_t limit) {
     sink_.reset();
+    failure_ = Status();
     bytes_ = TakeEncoder::begin(def);
     limit_ = limit;
     full_ = false;
@@ -23,9 +24,13 @@ void TakeLog::append(const std::vector<std::uint8_t>& record) {
         return;
     }
     bytes_.insert(bytes_.end(), record.begin(), record.end());
+    if (!sink_) return;
     // A file that cannot be written is given up; the log in memory stays whole.
-    if (sink_ && !sink_->append(record).ok()) sink_.reset();
+    failure_ = sink_->append(record);
+    if (!failure_.ok()) sink_.reset();
 }
+
+Status TakeLog::takeFailure() { return std::exchange(failure_, Status()); }
 
 void TakeLog::command(const Command& command) { append(TakeEncoder::command(command)); }
 

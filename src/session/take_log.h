@@ -26,6 +26,8 @@ public:
     Status detach(const World& world);
     /// True where a file is attached.
     bool attached() const { return sink_ != nullptr; }
+    /// Why a file was given up since the last call; it is detached then.
+    Status takeFailure();
     /// True once the limit was reached.
     bool full() const { return full_; }
 
@@ -36,6 +38,7 @@ private:
     std::size_t limit_ = 0;
     bool full_ = false;
     std::unique_ptr<TakeSink> sink_;
+    Status failure_;
 };
 
 }  // namespace muster

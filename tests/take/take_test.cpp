@@ -138,6 +138,41 @@ TEST_CASE("a replay can be watched and stopped") {
     CHECK(report->compared == 1);
 }
 
+TEST_CASE("commands behind the last mark of a killed take are replayed, and nothing is claimed of them") {
+    const auto bytes = recorded();
+    const auto starts = recordStarts(bytes);
+    std::size_t cut = 0;  // Behind the last command, at step 150: the marks of 180 and 200 are lost.
+    for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+        if (bytes[starts[i] + 4] == 2) cut = starts[i + 1];
+    }
+    auto take = parseTake(std::span<const std::uint8_t>(bytes.data(), cut), "T");
+    REQUIRE(take.ok());
+    CHECK(!take->finished);
+    CHECK(take->markedSteps() == 120);
+    CHECK(take->steps() == 151);
+    FormationKind last = FormationKind::Square;
+    const auto report = replayTake(*take, 1, [&](const World& world) {
+        last = world.group(0).def->formation.kind;
+        return true;
+    });
+    REQUIRE_MESSAGE(report.ok(), report.status().message());
+    CHECK(report->steps == 151);
+    CHECK(report->compared == 2);
+    CHECK(report->unmarked == 31);
+    CHECK(last == FormationKind::Line);
+
+    // Killed within the first second there is no mark at all.
+    take->marks.clear();
+    CHECK(take->steps() == 151);
+    const auto whole = replayTake(*take);
+    REQUIRE(whole.ok());
+    CHECK(whole->unmarked == 151);
+    CHECK(whole->hash == report->hash);
+    // A finished take goes no further than its end, whatever waits.
+    take->finished = true;
+    CHECK(take->steps() == 0);
+}
+
 TEST_CASE("the last record torn at every byte: the rest is read and what is lost is told") {
     const auto bytes = recorded();
     const auto starts = recordStarts(bytes);

@@ -33,8 +33,10 @@ struct Take {
     std::vector<HashMark> marks;    ///< In ascending order.
     bool finished = false;          ///< It ends with an end record.
     std::size_t tornBytes = 0;      ///< Bytes of an unfinished last record that were left out.
-    /// Steps that can be replayed: up to the last mark.
-    std::uint32_t steps() const { return marks.empty() ? 0 : marks.back().step; }
+    /// Steps whose hashes are known: up to the last mark.
+    std::uint32_t markedSteps() const { return marks.empty() ? 0 : marks.back().step; }
+    /// Steps that can be replayed: also those behind the last mark of an unfinished take, to its last command.
+    std::uint32_t steps() const;
 };
 
 /// Makes the bytes of a take record by record (docs/take-format.md).
@@ -85,11 +87,12 @@ Result<Take> parseTake(std::span<const std::uint8_t> bytes, const std::string& s
 struct ReplayReport {
     std::uint32_t steps = 0;     ///< Simulated.
     std::uint32_t compared = 0;  ///< Marks that matched.
+    std::uint32_t unmarked = 0;  ///< Steps behind the last mark: simulated, compared with nothing.
     std::uint64_t hash = 0;      ///< At the end.
 };
 
-/// Simulates the take again and compares every mark. Fails with Corrupt naming the step of the first mark that
-/// differs. `observe` is called after every step; it returns false to stop early.
+/// Simulates the take again and compares every mark; then, where the take is unfinished, goes on to its last
+/// command. Fails with Corrupt naming the step of the first mark that differs. `observe` is called after every step; it returns false to stop early.
 Result<ReplayReport> replayTake(const Take& take, std::int32_t threads = 1,
                                 const std::function<bool(const World&)>& observe = {});
 
