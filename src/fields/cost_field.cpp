@@ -2,29 +2,17 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/between_centres.h"
 #include "fields/start_disc.h"
 #include "muster/fields/eikonal.h"
 
 namespace muster {
 namespace {
 
+// Nearer to a root than this the slope leads round it [cells, squared].
+constexpr double kNearRoot = 0.1;
 // A slope along a wall below this share of the one into it is none.
 constexpr double kRidge = 0.05;
-
-// Where a point lies between the four cell centres around it.
-struct Between {
-    Cell low;
-    double fx = 0.0;
-    double fy = 0.0;
-};
-
-Between between(const Grid& grid, Vec2 p) {
-    const double u = std::clamp((p.x - grid.origin.x) / grid.cell - 0.5, 0.0, static_cast<double>(grid.width - 1));
-    const double v = std::clamp((p.y - grid.origin.y) / grid.cell - 0.5, 0.0, static_cast<double>(grid.height - 1));
-    const Cell low{std::min(static_cast<std::int32_t>(u), std::max(0, grid.width - 2)),
-                   std::min(static_cast<std::int32_t>(v), std::max(0, grid.height - 2))};
-    return {low, u - low.x, v - low.y};
-}
 
 }  // namespace
 
@@ -41,7 +29,10 @@ double CostField::cost(Vec2 p) const {
         const double near = straightCost(nearCost_, source_ - p);
         if (near < kInfiniteCost) return near;
     }
-    const Between at = between(grid_, p);
+    Vec2 ignored;
+    const double straight = straightCostAt(p, ignored);
+    if (straight < kInfiniteCost) return straight;
+    const BetweenCentres at = betweenCentres(grid_, p);
     double sum = 0.0;
     double weights = 0.0;
     for (int k = 0; k < 4; ++k) {
@@ -78,12 +69,17 @@ double CostField::cornerValue(Cell low, int k) const {
 Vec2 CostField::direction(Vec2 p) const {
     if (!isFinite(p) || values_.empty()) return {};
     if (lengthSquared(p - source_) <= nearRadius_ * nearRadius_) return normalized(source_ - p);
-    const Between at = between(grid_, p);
+    const BetweenCentres at = betweenCentres(grid_, p);
     double v[4];
     bool reached[4];
     for (int k = 0; k < 4; ++k) {
         v[k] = cornerValue(at.low, k);
         reached[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kInfiniteCost;
+    }
+    // In the open straight to the root.
+    if (reached[0] && reached[1] && reached[2] && reached[3]) {
+        Vec2 towards;
+        if (straightCostAt(p, towards) < kInfiniteCost && lengthSquared(towards) > kNearRoot) return normalized(towards);
     }
     // A slope along one edge of the square of centres, where both its ends have a value.
     const auto slope = [&](int a, int b, int c, int d, double share) {

@@ -113,14 +113,19 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
     field.width_ = std::max(0, high.x - low.x + 1);
     field.height_ = std::max(0, high.y - low.y + 1);
     field.values_.resize(static_cast<std::size_t>(field.width_) * field.height_);
+    field.root_.resize(field.values_.size());
+    field.roots_ = work.front.roots();
     field.marched_ = 0;
     const auto edge = static_cast<float>(grid.cell);
     for (std::int32_t y = 0; y < field.height_; ++y) {
         const float* row = work.front.row(low.y + y) + low.x;
+        const std::int32_t* root = work.front.rootRow(low.y + y) + low.x;
         float* out = field.values_.data() + static_cast<std::size_t>(y) * field.width_;
+        std::uint16_t* rootOut = field.root_.data() + static_cast<std::size_t>(y) * field.width_;
         std::int32_t reached = 0;
         for (std::int32_t x = 0; x < field.width_; ++x) {
             out[x] = row[x] * edge;
+            rootOut[x] = static_cast<std::uint16_t>(root[x] > 0 && root[x] <= 0xffff ? root[x] : 0);
             reached += row[x] < kInfiniteCost ? 1 : 0;
         }
         field.marched_ += reached;

@@ -25,6 +25,7 @@ void Front::fit(const Grid& grid) {
     tentative_.assign(size, kInfiniteCost);
     root_.assign(size, 0);
     hidden_.assign(size, 0);
+    hidingCell_.assign(size, -1);
     // Nothing is ever below minus infinity: the padding is never marched.
     const float never = -kInfiniteCost;
     std::fill_n(tentative_.begin(), 2 * stride_ + 1, never);
@@ -43,6 +44,8 @@ void Front::begin(const UnitCost& cost, bool secondOrder) {
     sight_.begin(cost);
     roots_.assign(1, {});
     wallRoot_.assign(cost.nodes.size() + 1, 0);
+    writtenLow_ = {grid_.width, grid_.height};
+    writtenHigh_ = {-1, -1};
 }
 
 std::int32_t Front::addSource(float x, float y, float unit) {
@@ -50,8 +53,11 @@ std::int32_t Front::addSource(float x, float y, float unit) {
     return static_cast<std::int32_t>(roots_.size()) - 1;
 }
 
-void Front::seed(FrontCell cell, float value, std::int32_t root) {
-    if (value < tentative_[cell.node]) put(cell, kInfiniteCost, value, root);
+void Front::seed(Cell cell, float value, std::int32_t root) {
+    const FrontCell at = this->at(cell);
+    if (!(value < tentative_[at.node])) return;
+    noteWritten(cell, cell);
+    put(at, kInfiniteCost, value, root);
 }
 
 Ray Front::seen(Cell cell, std::int32_t root, float& value) const {
@@ -62,7 +68,8 @@ Ray Front::seen(Cell cell, std::int32_t root, float& value) const {
     float y = 0.0f;
     place(at, x, y);
     value = from.costAt(x, y);
-    return sight_.look(x, y, from);
+    std::int32_t ignored = 0;
+    return sight_.look(x, y, from, ignored);
 }
 
 template <Front::Side kSide>
@@ -156,7 +163,11 @@ bool Front::step() {
     return true;
 }
 
+// The march writes to reached cells and those beside them. The flood, and seeds that were never reached, stand apart.
 void Front::end(Cell low, Cell high) {
+    noteWritten(low, high);
+    low = writtenLow_;
+    high = writtenHigh_;
     const std::int32_t left = std::max(0, low.x - 1);
     const std::int32_t right = std::min(grid_.width - 1, high.x + 1);
     for (std::int32_t y = std::max(0, low.y - 1); y <= std::min(grid_.height - 1, high.y + 1); ++y) {

@@ -36,7 +36,7 @@ public:
     /// the ground at `home` is not the root's.
     bool flood(Cell home, std::int32_t root, float limit);
     /// Gives a cell a value that the march may still lower; `root` 0 where it comes from no root, kGiven where it may not.
-    void seed(FrontCell cell, float value, std::int32_t root);
+    void seed(Cell cell, float value, std::int32_t root);
     /// What lies between a cell and the source's root; `value` is the cost of the straight way where it is clear.
     Ray seen(Cell cell, std::int32_t root, float& value) const;
     /// Empties one bucket of the queue; false where nothing is left. Its lowest value is then in level().
@@ -52,11 +52,15 @@ public:
     std::int32_t lastRow() const { return lastNode_ < 0 ? -1 : lastNode_ / stride_ - 2; }
     /// Values of a row, from column 0 on.
     const float* row(std::int32_t y) const { return accepted_.data() + node(0, y); }
+    /// What the values of a row come from: numbers of roots above 0.
+    const std::int32_t* rootRow(std::int32_t y) const { return root_.data() + node(0, y); }
+    /// All roots by number; number 0 is none.
+    const std::vector<Root>& roots() const { return roots_; }
     /// The padded index of a cell.
     std::int32_t node(std::int32_t x, std::int32_t y) const { return (y + 2) * stride_ + x + 1; }
     /// Both indices of a cell.
     FrontCell at(Cell c) const { return {grid_.index(c), node(c.x, c.y)}; }
-    /// Ends the march: forgets the values of these rows and columns and one cell around them.
+    /// Ends the march: forgets what it wrote. Values stand in these rows and columns only.
     void end(Cell low, Cell high);
 
 private:
@@ -71,6 +75,9 @@ private:
     Ray sees(FrontCell to, float x, float y, std::int32_t number);
     Ray look(FrontCell to, float x, float y, std::int32_t number);
     bool shows(std::int32_t node, std::int32_t number, bool far) const;
+    bool bends(std::int32_t cell) const;
+    std::int32_t bestBend(std::int32_t hiding, const Root& target, float more, float& value) const;
+    bool bendAt(std::int32_t hiding, FrontCell to, float x, float y, float unit, float old);
     void bend(FrontCell from, FrontCell to, float old);
     void bendRound(FrontCell from);
     std::int32_t rootAt(FrontCell wallCell);
@@ -79,6 +86,10 @@ private:
     void floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
     void floodCell(FrontCell cell, bool certain, std::int32_t root);
     void queueRim(std::int32_t root);
+    void noteWritten(Cell low, Cell high) {
+        writtenLow_ = {std::min(writtenLow_.x, low.x), std::min(writtenLow_.y, low.y)};
+        writtenHigh_ = {std::max(writtenHigh_.x, high.x), std::max(writtenHigh_.y, high.y)};
+    }
     void noteReached(std::int32_t node) {
         firstNode_ = std::min(firstNode_, node);
         lastNode_ = std::max(lastNode_, node);
@@ -106,6 +117,8 @@ private:
     std::vector<Root> roots_;
     std::vector<std::int32_t> root_;
     std::vector<std::int32_t> hidden_;  // The root last found hidden from a node by a wall; 0 for none.
+    std::vector<std::int32_t> hidingCell_;  // The cell that hid it; -1 where ways bent there were offered.
+    std::int32_t hiding_ = -1;          // The same of the root asked for last.
     std::vector<std::int32_t> wallRoot_;
     // The lowest and the highest node reached, so that reading the result need not visit the whole ground.
     std::int32_t firstNode_ = 0;
@@ -113,6 +126,9 @@ private:
     Cell floodLow_;
     Cell floodHigh_;
     float floodLimit_ = 0.0f;
+    // Seeded and flooded cells, which may lie apart from those reached.
+    Cell writtenLow_;
+    Cell writtenHigh_;
 };
 
 }  // namespace muster

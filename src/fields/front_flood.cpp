@@ -24,6 +24,7 @@ bool Front::flood(Cell home, std::int32_t root, float limit) {
     for (const std::int32_t right : {1, -1}) {
         for (const std::int32_t up : {1, -1}) floodQuadrant(home, right, up, root);
     }
+    noteWritten(floodLow_, floodHigh_);
     noteReached(node(floodLow_.x, floodLow_.y));
     noteReached(node(floodHigh_.x, floodHigh_.y));
     queueRim(root);

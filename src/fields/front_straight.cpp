@@ -9,36 +9,51 @@ namespace {
 
 // A root this near to the line of cells is seen through the one cell between [cells across per cell along].
 constexpr float kNearlyStraight = 1e-3f;
-// Arcs lower than this over their chords count as straight [cells].
+// Arcs that keep less than this off the corner of their tangents count as straight [cells].
 constexpr float kFlat = 0.01f;
 // Roots this near to each other stand at one corner, for cells at least so far off [cells].
 constexpr float kSameCorner = 2.5f;
 constexpr float kFar = 6.0f;
+// Where a wall hides a root, ways bend within this many cells.
+constexpr std::int32_t kNearHiding = 2;
+constexpr int kBendTries = 3;
 
-// The middle of the arc between two points at a rounded corner, a root as good as the points themselves; false where
-// the straight way between them runs outside.
+// The middle of a rounded corner between two points at its wall, a root as good as the points themselves; false where
+// the straight way between them runs outside. The corner is an arc that touches the walls' lines through both points,
+// as wide as the nearer one allows: on round obstacles both lie on it, at a polygon one may lie far along its side.
 bool middleOfArc(const WallNode& a, const WallNode& b, const Root& from, float x, float y, Root& middle) {
     const float dx = x - from.x;
     const float dy = y - from.y;
-    const bool inside = dx * a.normalX + dy * a.normalY < 0.0f && dx * b.normalX + dy * b.normalY > 0.0f;
+    const float below = -(dx * a.normalX + dy * a.normalY);
+    const float above = dx * b.normalX + dy * b.normalY;
+    if (!(below > 0.0f && above > 0.0f)) return false;
     const float outX = a.normalX + b.normalX;
     const float outY = a.normalY + b.normalY;
-    const float outLength = std::sqrt(outX * outX + outY * outY);  // 2 cos(t / 2) for an arc of angle t.
-    const float chord = std::sqrt(dx * dx + dy * dy);
-    if (!inside || outLength < 0.5f) return false;
-    // Height of an arc over its chord: half the chord times tan(t / 4); its length by a series in 1 - cos t, under
-    // 0.3 % off up to a quarter turn.
-    const float half = 0.5f * outLength;
-    const float height = 0.5f * chord * std::sqrt(std::max(0.0f, (1.0f - half) / (1.0f + half)));
-    const float turn = 2.0f * (1.0f - half * half);
-    middle.x = from.x + 0.5f * dx + height * outX / outLength;
-    middle.y = from.y + 0.5f * dy + height * outY / outLength;
-    middle.unit = from.unit;
-    middle.parent = from.parent;
+    const float outLength = std::sqrt(outX * outX + outY * outY);
+    const float cosine = 0.5f * outLength;  // Of half the angle of the turn.
+    const float sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
+    if (cosine < 0.25f || sine < 1e-3f) return false;
+    // From the points to where the lines cross.
+    const float turn = 2.0f * sine * cosine;
+    const float before = above / turn;
+    const float after = below / turn;
+    const float tangent = std::min(before, after);
+    const float radius = tangent * cosine / sine;
+    const bool left = dx * a.normalY - dy * a.normalX < 0.0f;
+    const float alongX = left ? -a.normalY : a.normalY;
+    const float alongY = left ? a.normalX : -a.normalX;
+    const float inward = radius * (1.0f / cosine - 1.0f);
     middle.normalX = outX / outLength;
     middle.normalY = outY / outLength;
-    middle.cost = from.cost + 0.5f * from.unit * chord * (1.0f + turn * (1.0f / 12.0f) + turn * turn * (1.0f / 40.0f));
-    return height > kFlat;
+    middle.x = from.x + before * alongX - inward * middle.normalX;
+    middle.y = from.y + before * alongY - inward * middle.normalY;
+    middle.unit = from.unit;
+    middle.parent = from.parent;
+    // Half the angle by its series in the sine.
+    const float s2 = sine * sine;
+    const float angle = sine * (1.0f + s2 * (1.0f / 6.0f + s2 * (0.075f + s2 * 0.0446f)));
+    middle.cost = from.cost + from.unit * (before - tangent + radius * angle);
+    return inward > kFlat;
 }
 
 }  // namespace
@@ -68,7 +83,11 @@ inline bool Front::shows(std::int32_t node, std::int32_t number, bool far) const
 // What lies between a cell and a root. Between two cells that the root sees, those between which the way leaves
 // towards it, it sees this one as well, unless a wall hides one from the other; else the way is looked along.
 Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
-    if (hidden_[to.node] == number) return Ray::Wall;
+    hiding_ = -1;
+    if (hidden_[to.node] == number) {
+        hiding_ = hidingCell_[to.node];
+        return Ray::Wall;
+    }
     const Root& root = roots_[number];
     const float dx = x - root.x;
     const float dy = y - root.y;
@@ -80,7 +99,10 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
     const std::int32_t oblique = to.node + alongX + alongY;
     const float rise = sight_.rise(to.cell, x, y, root);
     const float rootRise = root.rise(x, y);
-    if (std::min(rise, rootRise) < kHidden) return Ray::Wall;
+    if (std::min(rise, rootRise) < kHidden) {
+        if (rise < kHidden) hiding_ = to.cell;
+        return Ray::Wall;
+    }
     const bool level = std::min(ax, ay) <= kNearlyStraight * std::max(ax, ay);
     const bool far = rootRise >= 0.0f && rootRise < 1.0f && ax + ay > kFar;
     const bool own = root_[straight] == number || root_[oblique] == number;
@@ -89,8 +111,11 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
 }
 
 Ray Front::look(FrontCell to, float x, float y, std::int32_t number) {
-    const Ray ray = sight_.look(x, y, roots_[number]);
-    if (ray == Ray::Wall) hidden_[to.node] = number;
+    const Ray ray = sight_.look(x, y, roots_[number], hiding_);
+    if (ray == Ray::Wall) {
+        hidden_[to.node] = number;
+        hidingCell_[to.node] = hiding_;
+    }
     return ray;
 }
 
@@ -111,6 +136,10 @@ bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     const Ray ray = sees(to, x, y, number);
     if (ray == Ray::Clear) {
         put(to, tentative_[to.node], straight, number);
+    } else if (bends(from.cell)) {
+        bend(from, to, old);
+    } else if (ray == Ray::Wall && hiding_ >= 0 && (root_[to.node] <= 0 || sight_.wall(from.cell) != 0) && bendAt(hiding_, to, x, y, root.unit, old)) {
+        return true;
     } else if (sight_.wall(from.cell) != 0) {
         bend(from, to, old);
     } else {
@@ -118,6 +147,63 @@ bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
         return false;
     }
     return true;
+}
+
+// The wall cell near the one that hides a root from a point at which the way to the point is cheapest, of those dearer
+// than `more`; `value` is its cost, which must be below what it was. -1 where there is none.
+std::int32_t Front::bestBend(std::int32_t hiding, const Root& target, float more, float& value) const {
+    const Cell middle = grid_.at(hiding);
+    const Cell low{std::max(0, middle.x - kNearHiding), std::max(0, middle.y - kNearHiding)};
+    const Cell high{std::min(grid_.width - 1, middle.x + kNearHiding), std::min(grid_.height - 1, middle.y + kNearHiding)};
+    std::int32_t best = -1;
+    for (std::int32_t y = low.y; y <= high.y; ++y) {
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+            const FrontCell at = this->at({x, y});
+            const float cost = accepted_[at.node];
+            if (!(cost < value) || !bends(at.cell)) continue;
+            if (root_[at.node] <= 0 || roots_[root_[at.node]].unit != target.unit) continue;
+            float px = 0.0f;
+            float py = 0.0f;
+            place(at, px, py);
+            const float here = cost + target.costAt(px, py);
+            if (!(here < value && here > more)) continue;
+            value = here;
+            best = at.cell;
+        }
+    }
+    return best;
+}
+
+// Offers `to`, which lies at (x, y), the cheapest clear way bent at a wall near the cell that hides a root from it.
+bool Front::bendAt(std::int32_t hiding, FrontCell to, float x, float y, float unit, float old) {
+    const Root target{x, y, 0.0f, unit};
+    float more = 0.0f;
+    hidingCell_[to.node] = -1;
+    for (int tries = 0; tries < kBendTries; ++tries) {
+        float value = old - tolerance_;
+        const std::int32_t cell = bestBend(hiding, target, more, value);
+        if (cell < 0) return false;
+        const FrontCell from = at(grid_.at(cell));
+        Root bent = target;
+        place(from, bent.x, bent.y);
+        std::int32_t ignored = 0;
+        if (sight_.look(x, y, bent, ignored) == Ray::Clear) {
+            put(to, tentative_[to.node], value, rootAt(from));
+            return true;
+        }
+        more = value;
+    }
+    return false;
+}
+
+// True where ways bend at a cell: where it touches a wall, or lies between two.
+bool Front::bends(std::int32_t cell) const {
+    const std::int32_t number = sight_.wall(cell);
+    if (number == 0) return false;
+    const WallNode& beside = sight_.node(number);
+    if (beside.normalX != 0.0f || beside.normalY != 0.0f) return true;
+    const CellCost& c = cells_[cell];
+    return (c.east == kInfiniteCost && c.west == kInfiniteCost) || (c.north == kInfiniteCost && c.south == kInfiniteCost);
 }
 
 // Offers `to` the way from `from`, which lies at a wall: straight, or along the arc where a round corner lies between.

@@ -10,6 +10,8 @@ namespace {
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 // Beside a wall the clearance must rise away from it at least this steeply, or the cell lies between two walls.
 constexpr double kLeastSlope = 0.7;
+// Slopes fit where they are off by less than this.
+constexpr double kFits = 0.05;
 // Two nodes drawn to the wall keep at least this distance, in cells.
 constexpr double kLeastStep = 0.1;
 
@@ -34,21 +36,15 @@ public:
         constexpr double kWidestBand = 0.70710678118654752;
         if (depth <= -kWidestBand) return {.free = true};
         if (depth > kWidestBand || !(here > 0.0)) return {};
-        double x = slope(here, at(cell.x + 1, cell.y), at(cell.x - 1, cell.y));
-        double y = slope(here, at(cell.x, cell.y + 1), at(cell.x, cell.y - 1));
-        const bool wallBeside = x * x + y * y >= kLeastSlope * kLeastSlope * edge * edge;
-        if (wallBeside) {
-            // Even differences tell the direction better, where both neighbours lie outside.
-            x = even(x, at(cell.x + 1, cell.y), at(cell.x - 1, cell.y));
-            y = even(y, at(cell.x, cell.y + 1), at(cell.x, cell.y - 1));
-        }
-        const double steepness = std::sqrt(x * x + y * y);
-        const double band = wallBeside ? 0.5 * (std::fabs(x) + std::fabs(y)) / steepness : 0.0;
+        Vec2 rise;
+        const bool wallBeside = riseFromWall(cell, depth <= 0.0, rise);
+        const double steepness = length(rise);
+        const double band = wallBeside ? 0.5 * (std::fabs(rise.x) + std::fabs(rise.y)) / steepness : 0.0;
         // A hair to one side, so that of two cells that lie evenly about the wall only one is drawn to it.
         constexpr double kHair = 1e-4;
         if (depth > band + kHair) return {};
         if (depth < -band + kHair || !wallBeside) return {.free = depth <= 0.0};
-        const Vec2 away = Vec2{x, y} / steepness;
+        const Vec2 away = refined(cell, rise / steepness);
         return {true, static_cast<float>(depth * away.x), static_cast<float>(depth * away.y),
                 static_cast<float>(away.x), static_cast<float>(away.y)};
     }
@@ -60,14 +56,83 @@ private:
             {std::clamp(x, 0, ground_.grid.width - 1), std::clamp(y, 0, ground_.grid.height - 1)})];
     }
 
+    // The rise of the clearance per cell away from the wall beside a cell; false where it lies between two. Of a cell
+    // that is free even so the slope towards its own wall counts there.
+    bool riseFromWall(Cell cell, bool free, Vec2& rise) const {
+        const double here = at(cell.x, cell.y);
+        const double east = at(cell.x + 1, cell.y);
+        const double west = at(cell.x - 1, cell.y);
+        const double north = at(cell.x, cell.y + 1);
+        const double south = at(cell.x, cell.y - 1);
+        const double least = kLeastSlope * kLeastSlope * ground_.grid.cell * ground_.grid.cell;
+        rise = {slope(here, east, west), slope(here, north, south)};
+        if (lengthSquared(rise) >= least) {
+            // Even differences tell the direction better, where both neighbours lie outside.
+            rise = {even(rise.x, east, west), even(rise.y, north, south)};
+            return true;
+        }
+        if (free) rise = {innerSlope(here, east, west), innerSlope(here, north, south)};
+        return free && lengthSquared(rise) >= least;
+    }
+
     // Rise of the clearance per cell, looked for on the side where it rises more.
     static double slope(double here, double after, double before) {
         if (after <= here && before <= here) return 0.0;
         return after >= before ? after - here : here - before;
     }
 
+    // The same on the side where it falls more.
+    static double innerSlope(double here, double after, double before) {
+        if (after >= here && before >= here) return 0.0;
+        return after <= before ? after - here : here - before;
+    }
+
     static double even(double uneven, double after, double before) {
         return after > 0.0 && before > 0.0 ? 0.5 * (after - before) : uneven;
+    }
+
+    // A slope of the clearance [cells per cell] by the value here and at one side, or both: `wall` as before a straight
+    // wall (clearance linear), `corner` as round a corner (its square quadratic); `outer` is the side where it is higher.
+    struct Slope {
+        double wall = 0.0;
+        double corner = 0.0;
+        double even = 0.0;  // Right at both, where both neighbours are outside.
+        bool bothOut = false;
+        std::int32_t outer = 0;
+    };
+    Slope slopeOf(double here, Cell after, Cell before) const {
+        const double edge = ground_.grid.cell;
+        const double a = ground_.grid.contains(after) ? at(after.x, after.y) / edge : 0.0;
+        const double b = ground_.grid.contains(before) ? at(before.x, before.y) / edge : 0.0;
+        const double beside = std::max(a, b);
+        const double side = a >= b ? 1.0 : -1.0;
+        return {side * (beside - here), side * (beside * beside - here * here - 1.0) / (2.0 * here),
+                (a * a - b * b) / (4.0 * here), a > 0.0 && b > 0.0, a >= b ? 1 : -1};
+    }
+
+    // A better direction in which the clearance rises: as before a wall or round a corner, whichever fits, as it rises
+    // by a metre per metre and the cell across is a fourth witness; the coarse one where none fits.
+    Vec2 refined(Cell cell, Vec2 coarse) const {
+        const double here = at(cell.x, cell.y) / ground_.grid.cell;
+        const Slope x = slopeOf(here, {cell.x + 1, cell.y}, {cell.x - 1, cell.y});
+        const Slope y = slopeOf(here, {cell.x, cell.y + 1}, {cell.x, cell.y - 1});
+        const double across = at(cell.x + x.outer, cell.y + y.outer) / ground_.grid.cell;
+        double best = kFits;
+        Vec2 found = coarse;
+        const auto offer = [&](Vec2 slope, bool corner) {
+            const double rise = slope.x * x.outer + slope.y * y.outer;
+            const double expected =
+                corner ? std::sqrt(std::max(0.0, here * here + 2.0 * here * rise + 2.0)) : here + rise;
+            const double misfit = std::fabs(lengthSquared(slope) - 1.0) + std::fabs(across - expected);
+            if (!(misfit < best)) return;
+            best = misfit;
+            found = slope;
+        };
+        offer({x.bothOut ? x.even : x.wall, y.bothOut ? y.even : y.wall}, false);
+        offer({x.bothOut ? x.even : x.corner, y.bothOut ? y.even : y.corner}, true);
+        offer({x.wall, y.wall}, false);
+        offer({x.corner, y.corner}, true);
+        return normalized(found);
     }
 
     const GroundRasters& ground_;

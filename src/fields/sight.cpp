@@ -22,11 +22,11 @@ void Sight::end() {
     cost_ = nullptr;
 }
 
-// What a way meets at one point of it; `besideWall` tells whether walls are near.
-inline Ray Sight::meets(float px, float py, float unit, bool& besideWall) const {
+// What a way meets at one point of it, which lies in `cell`; `besideWall` tells whether walls are near.
+inline Ray Sight::meets(float px, float py, float unit, bool& besideWall, std::int32_t& cell) const {
     const auto column = static_cast<std::int32_t>(px + 0.5f);
     const auto row = static_cast<std::int32_t>(py + 0.5f);
-    const std::int32_t cell = row * cost_->grid.width + column;
+    cell = row * cost_->grid.width + column;
     if (open(cell, unit)) {
         besideWall = false;
         return Ray::Clear;
@@ -41,7 +41,7 @@ inline Ray Sight::meets(float px, float py, float unit, bool& besideWall) const 
     return outX * beside.normalX + outY * beside.normalY < -kDip ? Ray::Wall : Ray::Clear;
 }
 
-Ray Sight::look(float x, float y, const Root& root) const {
+Ray Sight::look(float x, float y, const Root& root, std::int32_t& stop) const {
     const float dx = root.x - x;
     const float dy = root.y - y;
     const auto steps = static_cast<std::int32_t>(std::ceil(std::max(std::fabs(dx), std::fabs(dy))));
@@ -52,13 +52,13 @@ Ray Sight::look(float x, float y, const Root& root) const {
         const auto away = static_cast<float>(k);
         bool here = true;
         if (k < steps) {
-            const Ray ray = meets(x + stepX * away, y + stepY * away, root.unit, here);
+            const Ray ray = meets(x + stepX * away, y + stepY * away, root.unit, here, stop);
             if (ray != Ray::Clear) return ray;
         }
         // Beside walls also halfway, as one look per cell would cut the rounded corners of obstacles.
         if (before || here) {
             bool ignored = false;
-            const Ray ray = meets(x + stepX * (away - 0.5f), y + stepY * (away - 0.5f), root.unit, ignored);
+            const Ray ray = meets(x + stepX * (away - 0.5f), y + stepY * (away - 0.5f), root.unit, ignored, stop);
             if (ray != Ray::Clear) return ray;
         }
         before = here;

@@ -99,13 +99,13 @@ void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, double r
             if (distance(centre, source) > radius || cost.wall(grid.index({x, y}))) continue;
             float value = 0.0f;
             const Ray ray = front.seen({x, y}, root, value);
-            if (ray == Ray::Clear) front.seed(front.at({x, y}), value, root);
+            if (ray == Ray::Clear) front.seed({x, y}, value, root);
             if (ray == Ray::OtherGround) {
                 // Differences are poor next to a point source, so that straight costs stand where little can be gained.
                 const double price = rayCost(cost, centre, source);
                 const double away = distance(centre, source);
                 const bool good = away < kSingular * grid.cell || price <= kGoodEnough * away * least;
-                front.seed(front.at({x, y}), static_cast<float>(price / grid.cell), good ? kGiven : 0);
+                front.seed({x, y}, static_cast<float>(price / grid.cell), good ? kGiven : 0);
             }
         }
     }
@@ -126,7 +126,7 @@ void StartDisc::startFromWall(const UnitCost& cost, Vec2 source, Front& front) {
                 if (find || away > nearest + 0.5 * grid.cell) continue;
                 const CellCost& c = cost.cells[grid.index({x, y})];
                 const float unit = std::min({c.east, c.north, c.west, c.south});
-                front.seed(front.at({x, y}), static_cast<float>(away / grid.cell) * unit, 0);
+                front.seed({x, y}, static_cast<float>(away / grid.cell) * unit, 0);
             }
         }
     };

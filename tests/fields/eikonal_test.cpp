@@ -75,7 +75,7 @@ double update(const UnitCost& cost, const std::vector<double>& phi, Cell c) {
 }  // namespace
 
 TEST_CASE("in the open the field is the straight distance") {
-    std::printf("open ground, worst error of all cells [m]:");
+    std::printf("measured: open ground, worst error of all cells [m]:");
     for (const double h : {1.0, 0.5, 0.25, 0.125}) {
         const UnitCost cost = makeCost(kBox, h, [](Vec2) { return even(1.0); });
         EikonalSolver solver;
@@ -104,7 +104,7 @@ TEST_CASE("differences are of second order: speed rising linearly, against the c
         def.secondOrder = second;
         double before = 0.0;
         double order = 0.0;
-        std::printf("speed rising linearly, %s order:", second ? "second" : "first");
+        std::printf("measured: speed rising linearly, %s order:", second ? "second" : "first");
         for (const double h : {1.0, 0.5, 0.25, 0.125}) {
             const UnitCost cost = makeCost(kBox, h, [&](Vec2 p) { return even(1.0 / speed(p)); });
             EikonalSolver solver(def);

@@ -92,7 +92,7 @@ Errors measure(const GeodesicOracle& oracle, const CostField& field) {
 }  // namespace
 
 TEST_CASE("cost fields agree with exact geodesics round corners") {
-    std::printf("relative error of the cost, 2 m and more from the place (mean, worst)\n");
+    std::printf("measured: relative error of the cost, 2 m and more from the place (mean, worst)\n");
     for (const Scene& scene : scenes()) {
         const GeodesicOracle oracle(scene.shapes, kRadius, scene.source);
         for (const double cell : {0.25, 0.125}) {
@@ -101,7 +101,7 @@ TEST_CASE("cost fields agree with exact geodesics round corners") {
             CostField field;
             solver.solve(cost, scene.source, {}, field);
             const Errors errors = measure(oracle, field);
-            std::printf("  %-24s h %.3f m: %.3f %%, %.3f %% at (%.2f, %.2f)\n", scene.name, cell, 100 * errors.mean,
+            std::printf("measured:   %-24s h %.3f m: %.3f %%, %.3f %% at (%.2f, %.2f)\n", scene.name, cell, 100 * errors.mean,
                         100 * errors.worst, errors.where.x, errors.where.y);
             CHECK(errors.worst < 0.01);
             CHECK(errors.mean < 0.002);
@@ -113,6 +113,7 @@ TEST_CASE("cost fields agree with exact geodesics among random obstacles") {
     Random random(101);
     double worst = 0.0;
     double mean = 0.0;
+    int above = 0;
     constexpr int kRounds = 25;
     for (int round = 0; round < kRounds; ++round) {
         std::vector<Shape> shapes;
@@ -145,13 +146,16 @@ TEST_CASE("cost fields agree with exact geodesics among random obstacles") {
         CAPTURE(round);
         CAPTURE(errors.where.x);
         CAPTURE(errors.where.y);
-        // Where ways round two sides meet, interpolation across the kink adds to the error.
+        // Beside tight corners whose walls' directions the cells do not tell, some points are above 1 %.
         CHECK(errors.worst < 0.02);
-        CHECK(errors.mean < 0.002);
+        CHECK(errors.mean < 0.001);
+        above += errors.worst > 0.01 ? 1 : 0;
         worst = std::max(worst, errors.worst);
         mean += errors.mean / kRounds;
     }
-    std::printf("  25 random scenes         h 0.250 m: %.3f %%, %.3f %%\n", 100 * mean, 100 * worst);
+    std::printf("measured:   25 random scenes         h 0.250 m: %.3f %%, %.3f %%; %d scenes with a point above 1 %%\n", 100 * mean,
+                100 * worst, above);
+    CHECK(above <= 3);
 }
 
 TEST_CASE("traced paths are as long as the cost, and stay out of obstacles") {

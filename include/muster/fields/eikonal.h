@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "muster/base/status.h"
+#include "muster/fields/root.h"
 #include "muster/fields/unit_cost.h"
 
 namespace muster {
@@ -21,10 +22,10 @@ struct EikonalDef {
 /// The cost to reach `source`, stored for the part of the grid that was marched.
 class CostField {
 public:
-    /// Cost from `p` by bilinear interpolation of the reached ones among the four cells around; infinite where
-    /// there is none, or `p` is not finite. Exact (straight line) next to the source.
+    /// Cost from `p`: where the reached ones among the four cells around know the points their straight ways come
+    /// from, the cheapest way from these; else bilinear. Infinite where none is reached, or `p` is not finite.
     double cost(Vec2 p) const;
-    /// The unit direction of steepest descent at `p`, without any part that leads into cells not reached. Where
+    /// The unit direction of the cheapest way at `p`, without any part that leads into cells not reached. Where
     /// none of the four cells around is reached, it leads to a reached one near by; zero where there is none.
     Vec2 direction(Vec2 p) const;
     /// Value of a cell; infinite where not reached.
@@ -38,6 +39,22 @@ public:
 
 private:
     friend class EikonalSolver;
+    // Numbers of different roots.
+    struct Roots {
+        std::int32_t number[4];
+        int count = 0;
+        int find(std::int32_t wanted) const {
+            for (int k = 0; k < count; ++k)
+                if (number[k] == wanted) return k;
+            return -1;
+        }
+    };
+    // The cheapest of the ways from the roots around a point, exact also where two ways meet, and the vector to that
+    // root [cells]. Infinite where not all that is known around the point comes straight from roots.
+    double straightCostAt(Vec2 p, Vec2& towards) const;
+    Roots rootsAround(Vec2 p) const;
+    std::int32_t seenRoot(std::int32_t first, std::int32_t last, Vec2 at) const;
+    std::int32_t rootOf(Cell cell) const;
     Vec2 towardsReached(Vec2 p) const;
     double cornerValue(Cell low, int k) const;
     double sideStep(Cell low, Cell axis) const;
@@ -51,6 +68,9 @@ private:
     double nearRadius_ = 0.0;    // Straight-line costs hold within it [m].
     CellCost nearCost_;          // Of the source's cell.
     std::vector<float> values_;
+    // Straight ways: the number of the root that each value comes from, 0 for none, and the roots.
+    std::vector<std::uint16_t> root_;
+    std::vector<Root> roots_;
 };
 
 /// Owns the working memory; one per thread. Repeated solves do not allocate once warm.
