@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "fields/discomfort.h"
+#include "muster/base/maths.h"
 #include "muster/base/random.h"
 #include "muster/fields/unit_cost.h"
 
@@ -139,6 +140,54 @@ TEST_CASE("discomfort falls linearly with time and distance, against brute force
             CHECK(discomfortAt(def, piece, p) == doctest::Approx(best).epsilon(0.03));
         }
     }
+}
+
+TEST_CASE("the peak of discomfort is found to a millionth, for all shapes and speeds") {
+    Random random(11);
+    double worst = 0.0;
+    int felt = 0;
+    for (int round = 0; round < 400; ++round) {
+        UnitCostDef def;
+        def.discomfortTime = random.uniform(0.5, 3.0);
+        def.discomfortRange = random.uniform(0.3, 2.0);
+        ObstaclePiece piece;
+        piece.moving = true;
+        piece.velocity = Vec2{random.uniform(-1, 1), random.uniform(-1, 1)} * random.uniform(0.02, 6.0);
+        piece.radius = random.uniform(0.2, 1.5);
+        // Corners on a circle: convex.
+        const int corners = round % 4 == 0 ? 0 : 2 + round % 4;
+        for (int k = 0; k < corners; ++k) {
+            const double angle = 2.0 * kPi * (k + random.uniform(0.0, 0.8)) / corners;
+            piece.corners.push_back(Vec2{std::cos(angle), std::sin(angle)} * piece.radius);
+        }
+        for (int k = 0; k < 10; ++k) {
+            const Vec2 p{random.uniform(-3, 3) + piece.velocity.x, random.uniform(-3, 3) + piece.velocity.y};
+            const auto at = [&](double time) {
+                const double away = std::max(0.0, piece.signedDistance(p - piece.velocity * time));
+                return def.discomfortGain * (1 - time / def.discomfortTime) * std::max(0.0, 1.0 - away / def.discomfortRange);
+            };
+            // Coarsely, then finely round the best.
+            double best = 0.0;
+            double when = 0.0;
+            for (int t = 0; t <= 1000; ++t) {
+                const double time = def.discomfortTime * t / 1000;
+                if (at(time) > best) when = time;
+                best = std::max(best, at(time));
+            }
+            for (int t = -1000; t <= 1000; ++t) {
+                const double time = when + def.discomfortTime * t * 1e-6;
+                if (time >= 0.0 && time <= def.discomfortTime) best = std::max(best, at(time));
+            }
+            felt += best > 0.0 ? 1 : 0;
+            // Sampling may miss the peak by as much as it moves within a sample.
+            const double missed = def.discomfortGain * 1e-6 * (1.0 + def.discomfortTime * length(piece.velocity) / def.discomfortRange);
+            const double found = discomfortAt(def, piece, p);
+            CHECK(found <= best + missed);
+            worst = std::max(worst, best - found);
+        }
+    }
+    CHECK(felt > 1000);
+    CHECK(worst < 1e-6);
 }
 
 TEST_CASE("a builder with a history gives the same bits as a new one") {
