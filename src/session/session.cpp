@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "muster/scenario/scenario.h"
+#include "session/notice_place.h"
 #include "session/scene_json.h"
 #include "session/session_state.h"
 
@@ -23,7 +25,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     if (!made.ok()) return made.status();
     stopRecording();
     world.emplace(std::move(made).value());
-    if (&worldDef != &newDef) worldDef = newDef;
+    if (&worldDef != &newDef) worldDef = newDef, warn();
     name = worldName;
     replay.reset();
     if (take) replay.emplace(std::move(*take));
@@ -45,6 +47,14 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
         client.touchWaiting = client.touchShown = 0.0;
     }
     return {};
+}
+
+// What is likely a mistake in a scenario is told once to everybody, and to those who come later.
+void Session::Impl::warn() {
+    const auto warnings = scenarioWarnings(worldDef);
+    warning = warnings.empty() ? "" : "Likely a mistake: " + warnings.front();
+    if (warnings.size() > 1) warning += " (and " + std::to_string(warnings.size() - 1) + " more)";
+    if (!warning.empty()) noticeAll(protocol::NoticeLevel::Warning, "scenario", warning + ".");
 }
 
 Status Session::Impl::restart() {
@@ -80,8 +90,9 @@ Result<std::vector<std::uint8_t>> Session::take() const {
     std::size_t next = 0;
     for (const HashMark& mark : take.marks) {
         for (; next < mark.commands; ++next) append(TakeEncoder::command(take.commands[next]));
-        append(&mark == &take.marks.back() ? TakeEncoder::end(mark) : TakeEncoder::mark(mark));
+        append(take.finished && &mark == &take.marks.back() ? TakeEncoder::end(mark) : TakeEncoder::mark(mark));
     }
+    for (; next < take.commands.size(); ++next) append(TakeEncoder::command(take.commands[next]));
     return bytes;
 }
 
@@ -120,9 +131,17 @@ void Session::Impl::setRecording(bool on, std::uint32_t client) {
 void Session::Impl::stopRecording() {
     recordedFrom = -1.0;
     touchState();
+    reportLostFile();
     if (!world || !log.attached()) return;
     const Status status = log.detach(*world);
     if (!status.ok()) noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
+}
+
+// A file that takes no more is told once; the log in memory goes on.
+void Session::Impl::reportLostFile() {
+    const Status status = log.takeFailure();
+    if (status.ok()) return;
+    noticeAll(protocol::NoticeLevel::Warning, "record", "Recording in memory only: " + status.message() + ".");
 }
 
 // ---- Steps ----
@@ -136,13 +155,13 @@ void Session::elapse(double seconds) {
 bool Session::stepDue() const {
     if (!impl_->world) return false;
     if (!impl_->playing) return impl_->singleSteps > 0;
-    return impl_->pacer.due(impl_->world->parameters().stepTime);
+    return impl_->pacer.due(impl_->world->parameters().stepTime, impl_->eager());
 }
 
 double Session::untilNextStep() const {
     if (!impl_->world) return kLongWait;
     if (!impl_->playing) return impl_->singleSteps > 0 ? 0.0 : kLongWait;
-    return impl_->pacer.until(impl_->speed, impl_->world->parameters().stepTime);
+    return impl_->pacer.until(impl_->speed, impl_->world->parameters().stepTime, impl_->eager());
 }
 
 void Session::step() {
@@ -188,13 +207,17 @@ void Session::Impl::stepOnce() {
         }
     }
     reportRejections();
+    reportLostFile();
     if (sceneSignature(*world) != signature) refreshScene();
 }
 
 void Session::Impl::replayEnded() {
     playing = false;
     touchState();
-    noticeAll(protocol::NoticeLevel::Info, "replay-end", "The take ends here; every hash matched.");
+    std::string words = replay->take().marks.empty() ? "The take ends here." : "The take ends here; every hash matched.";
+    if (const std::uint32_t steps = replay->unmarked(); steps > 0)
+        words += " It was never finished: its last " + std::to_string(steps) + " steps bear no hash.";
+    noticeAll(protocol::NoticeLevel::Info, "replay-end", words);
 }
 
 void Session::Impl::reportRejections() {
@@ -206,7 +229,7 @@ void Session::Impl::reportRejections() {
             continue;
         const auto found = clients.find(rejection.command.client);
         if (found != clients.end() && !replay)
-            notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message());
+            notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(), placeOf(body));
     }
 }
 

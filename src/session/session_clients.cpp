@@ -17,7 +17,6 @@ void Session::disconnect(std::uint32_t client) {
     if (found == impl_->clients.end()) return;
     if (found->second.steers && !impl_->replay) {
         std::vector<CommandBody> bodies{ReleaseClient{}};
-        // Where even this finds no room the fingers stay until the next load: nothing else can be done.
         (void)impl_->submit(client, found->second, bodies);
     }
     impl_->clients.erase(found);
@@ -30,12 +29,17 @@ void Session::notice(std::uint32_t client, bool error, const std::string& code, 
 }
 
 void Session::Impl::notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,
-                           const std::string& text) {
+                           const std::string& text, std::optional<Vec2> place) {
     if (!client.notices.take(realTime)) return;
     protocol::Notice message;
     message.level = level;
     message.code = code;
     message.text = text;
+    if (place) {
+        message.hasPlace = true;
+        message.x = static_cast<float>(place->x);
+        message.y = static_cast<float>(place->y);
+    }
     client.outbox.push_back(protocol::encode(message));
 }
 
@@ -53,6 +57,7 @@ void Session::Impl::greet(std::uint32_t id, SessionClient& client) {
     for (const ScenarioEntry& entry : def.scenarios)
         welcome.scenarios.push_back({entry.name, entry.title, entry.description, entry.characters});
     client.outbox.push_back(protocol::encode(welcome));
+    if (world && !warning.empty()) notice(client, protocol::NoticeLevel::Warning, "scenario", warning + ".");
 }
 
 void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages) {

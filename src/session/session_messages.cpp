@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "muster/world/validation.h"
+#include "session/notice_place.h"
 #include "session/session_state.h"
 
 namespace muster {
@@ -115,7 +117,8 @@ public:
     Status operator()(const protocol::SetParameter& message) {
         if (!session_.world) return noWorld();
         Parameters copy = session_.world->parameters();
-        const Status status = setParameter(copy, message.name, message.value);
+        Status status = setParameter(copy, message.name, message.value);
+        if (status.ok()) status = validateParameters(copy, session_.world->environment().def().box);
         if (!status.ok()) return status;
         return submit(CommandBody{SetParameter{message.name, message.value}});
     }
@@ -239,7 +242,7 @@ void Session::receive(std::uint32_t client, std::span<const std::uint8_t> bytes)
     const Status status = impl_->handle(client, found->second, message.value());
     if (status.ok()) return;
     impl_->notice(found->second, protocol::NoticeLevel::Error, protocol::messageName(message.value()),
-                  status.message());
+                  status.message(), placeOf(message.value()));
 }
 
 Status Session::Impl::handle(std::uint32_t id, SessionClient& client, const protocol::ClientMessage& message) {
@@ -251,7 +254,9 @@ Status Session::Impl::handle(std::uint32_t id, SessionClient& client, const prot
 Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies) {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
     if (replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
-    if (waitingCommands + bodies.size() > def.limits.waitingCommands) {
+    // Lifting the fingers of a client that has gone always finds room: it comes once per client.
+    const bool released = bodies.size() == 1 && std::holds_alternative<ReleaseClient>(bodies.front());
+    if (!released && waitingCommands + bodies.size() > def.limits.waitingCommands) {
         return {StatusCode::LimitExceeded, "more than " + std::to_string(def.limits.waitingCommands) +
                                                " commands wait for the next step"};
     }

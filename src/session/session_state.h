@@ -58,15 +58,20 @@ struct Session::Impl {
     void stepOnce();
     void replayEnded();
     void reportRejections();
+    void warn();
     void touchState() { ++state; }
+    /// Somebody waits for the next step: it may come up to one step time early, at once where it can.
+    bool eager() const { return waitingCommands > 0; }
 
     // Recording (session.cpp).
     void setRecording(bool on, std::uint32_t client);
     void stopRecording();
+    void reportLostFile();
 
     // Clients (session_clients.cpp).
     void greet(std::uint32_t id, SessionClient& client);
-    void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code, const std::string& text);
+    void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code, const std::string& text,
+                std::optional<Vec2> place = std::nullopt);
     void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text);
     void sendScene(SessionClient& client);
     void sendFrame(SessionClient& client);
@@ -82,6 +87,7 @@ struct Session::Impl {
 
     std::string name;                  // Of the scenario.
     WorldDef worldDef;
+    std::string warning;               // What is likely a mistake in it; empty for nothing.
     std::optional<World> world;
     std::optional<Replayer> replay;
     TakeLog log;

@@ -6,7 +6,8 @@
 namespace muster {
 
 /// Maps one client's time stamps. The offset between the clocks is that of the message that travelled fastest so
-/// far; stamps never fall, never lie in the future and at most kOldest in the past.
+/// far; while the world runs stamps never fall, never lie in the future and at most kOldest in the past. While it is
+/// paused they run on with real time, so that they still tell which touches came down together.
 class TouchClock {
 public:
     static constexpr double kOldest = 0.5;  ///< [s] of world time.
@@ -17,15 +18,26 @@ public:
         const double delay = real - page;
         if (!known_ || delay < offset_) offset_ = delay;
         known_ = true;
+        if (!(speed > 0.0)) {
+            if (!paused_) pausedPage_ = page;
+            paused_ = true;
+            return now + std::max(0.0, page - pausedPage_);
+        }
+        paused_ = false;
         const double age = (delay - offset_) * speed;
         last_ = std::clamp(now - age, std::max(last_, now - kOldest), now);
         return last_;
     }
     /// The world began anew, at time 0.
-    void restart() { last_ = 0.0; }
+    void restart() {
+        last_ = 0.0;
+        paused_ = false;
+    }
 
 private:
     bool known_ = false;
+    bool paused_ = false;
+    double pausedPage_ = 0.0;  // Stamp of the first event of this pause [s].
     double offset_ = 0.0;  // Real minus page [s].
     double last_ = 0.0;    // Of the world [s].
 };

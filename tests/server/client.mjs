@@ -63,7 +63,7 @@ export class RawSocket {
       Connection: 'Upgrade',
       'Sec-WebSocket-Key': randomBytes(16).toString('base64'),
       'Sec-WebSocket-Version': '13',
-      'Sec-WebSocket-Protocol': 'muster.v1',
+      'Sec-WebSocket-Protocol': 'muster.v2',
       ...headers,
     };
     const lines = Object.entries(all).filter(([, value]) => value !== null).map(([name, value]) => `${name}: ${value}\r\n`);
@@ -178,7 +178,8 @@ export class RawSocket {
 export function readNotice(bytes) {
   const codeLength = bytes.readUInt32LE(2);
   const code = bytes.subarray(6, 6 + codeLength).toString();
-  return `${code}: ${bytes.subarray(10 + codeLength).toString()}`;
+  const textLength = bytes.readUInt32LE(6 + codeLength);
+  return `${code}: ${bytes.subarray(10 + codeLength, 10 + codeLength + textLength).toString()}`;
 }
 
 export function hello() {

@@ -228,6 +228,25 @@ TEST_CASE("Commands that wait while paused are bounded") {
     CHECK(client.notices.empty());
 }
 
+TEST_CASE("Who goes while as many commands wait as may lifts the fingers all the same") {
+    SessionDef def = sessionDef();
+    def.limits.waitingCommands = 30;
+    Session session = startedSession(def);
+    FakeClient watcher(session);
+    FakeClient client(session);
+    run(session, 0.1, {&watcher});
+    client.touchAt(protocol::TouchPhase::Down, {0.2, 0.0}, 1.0);
+    run(session, 0.5, {&watcher, &client});
+    REQUIRE(watcher.frames.back().groups[0].controls.size() == 1);
+    REQUIRE(watcher.frames.back().groups[0].controls[0].points[0].down);
+    watcher.send(protocol::Transport{protocol::TransportAction::Pause});
+    for (std::uint32_t i = 0; i < 30; ++i) watcher.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
+    session.disconnect(client.id);
+    watcher.send(protocol::Transport{protocol::TransportAction::Play});
+    run(session, 5.0, {&watcher});
+    CHECK(watcher.frames.back().groups[0].controls.empty());
+}
+
 TEST_CASE("Points of one control: the limit passes, one more does not") {
     SessionDef def = sessionDef();
     def.limits.pointsPerControl = 3;

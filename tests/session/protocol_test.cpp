@@ -128,17 +128,17 @@ TEST_CASE("Pacer: real time at every speed, no spiral") {
         int steps = 0;
         for (int look = 0; look < 1200; ++look) {  // Ten seconds at 120 looks a second.
             pacer.elapse(1.0 / 120.0, speed, step);
-            for (; pacer.due(step); ++steps) pacer.pay(step);
+            for (; pacer.due(step, false); ++steps) pacer.pay(step);
         }
         CHECK(std::abs(steps - 600.0 * speed) <= 1.0);
     }
     Pacer late;
     late.elapse(10.0, 1.0, step);
     int steps = 0;
-    for (; late.due(step); ++steps) late.pay(step);
+    for (; late.due(step, false); ++steps) late.pay(step);
     CHECK(steps == 2);
-    CHECK(late.until(1.0, step) == doctest::Approx(step));
-    CHECK(late.until(2.0, step) == doctest::Approx(step / 2));
+    CHECK(late.until(1.0, step, false) == doctest::Approx(step));
+    CHECK(late.until(2.0, step, false) == doctest::Approx(step / 2));
 }
 
 TEST_CASE("Touch clock: offset, order, bounds, pause") {

@@ -158,8 +158,18 @@ TEST_CASE("Recording keeps a whole take in a file, from the first step on") {
     const auto torn = parseTake(kept->bytes, "torn");
     REQUIRE(torn.ok());
     CHECK_FALSE(torn->finished);
-    CHECK(torn->steps() == 120);
+    CHECK(torn->markedSteps() == 120);
+    CHECK(torn->steps() > 120);  // A finger came down behind the last mark.
     CHECK(replayTake(torn.value()).ok());
+    // The studio replays it as far, says what was not compared, and hands it out as it came.
+    Session other = startedSession();
+    FakeClient viewer(other);
+    REQUIRE(other.openTake(kept->bytes, "torn").ok());
+    run(other, 5.0, {&viewer});
+    CHECK(other.world()->stepCount() == torn->steps());
+    const std::string rest = std::to_string(torn->steps() - 120);
+    CHECK(viewer.noticed("replay-end").find("its last " + rest + " steps bear no hash") != std::string::npos);
+    CHECK(other.take().value() == kept->bytes);
 
     client.send(protocol::Record{false});
     CHECK(kept->finished);
@@ -206,6 +216,40 @@ TEST_CASE("A recording without a file says so and goes on in memory") {
     CHECK(client.noticed("record").find("no room") != std::string::npos);
     CHECK(client.frames.back().recordedSeconds > 0.4f);
     CHECK(parseTake(session.take().value(), "memory").ok());
+}
+
+TEST_CASE("A file that takes no more is told once, and the recording goes on in memory") {
+    class FullSink : public TakeSink {
+    public:
+        Status append(std::span<const std::uint8_t>) override {
+            return ++count_ < 5 ? Status() : Status(StatusCode::IoError, "takes/a.take: no room");
+        }
+        Status finish() override { return {}; }
+
+    private:
+        int count_ = 0;
+    };
+    SessionDef def = sessionDef();
+    def.openSink = [](const std::string&) -> Result<std::unique_ptr<TakeSink>> {
+        return std::unique_ptr<TakeSink>(new FullSink());
+    };
+    Session session = startedSession(def);
+    FakeClient client(session);
+    client.send(protocol::Record{true});
+    const auto told = [&] {
+        return std::count_if(client.notices.begin(), client.notices.end(),
+                             [](const protocol::Notice& notice) { return notice.code == "record"; });
+    };
+    run(session, 0.5, {&client});
+    CHECK(told() == 0);
+    run(session, 5.0, {&client});
+    CHECK(told() == 1);
+    CHECK(client.noticed("record").find("no room") != std::string::npos);
+    CHECK(client.frames.back().recordedSeconds > 5.0f);
+    client.send(protocol::Record{false});
+    run(session, 0.1, {&client});
+    CHECK(told() == 1);
+    CHECK(parseTake(session.take().value(), "memory")->finished);
 }
 
 TEST_CASE("A log that reaches its limit ends, says so once, and still replays") {

@@ -225,6 +225,37 @@ TEST_CASE("A whole control by message, pinned, then removed") {
     client.send(protocol::RemoveControl{1, id});
     run(session, 0.1, {&client});
     CHECK(client.noticed("rejected").find("control") != std::string::npos);
+    CHECK(!client.notices.back().hasPlace);
+}
+
+TEST_CASE("A notice says where a finger or a control was refused") {
+    Session session(sessionDef());
+    REQUIRE(session.load("small", smallFloor()).ok());
+    FakeClient client(session);
+    run(session, 0.1, {&client});
+    client.touchAt(protocol::TouchPhase::Down, {7.5, -6.0}, 1.0, 1);
+    run(session, 0.1, {&client});
+    REQUIRE(client.noticed("rejected").find("no formation") != std::string::npos);
+    CHECK(client.notices.back().hasPlace);
+    CHECK(client.notices.back().x == 7.5f);
+    CHECK(client.notices.back().y == -6.0f);
+
+    protocol::AddControl add;  // A line needs two points.
+    add.group = 1;
+    add.kind = protocol::ControlKind::Line;
+    add.touches = {2, 3, 4};
+    add.xs = {0.0, 1.0, 2.0};
+    add.ys = {0.0, 1.0, 5.0};
+    client.send(add);
+    run(session, 0.1, {&client});
+    REQUIRE(client.notices.size() == 2);
+    CHECK(client.notices.back().hasPlace);
+    CHECK(client.notices.back().x == 1.0f);
+    CHECK(client.notices.back().y == 2.0f);
+    client.send(protocol::SetSpeed{99.0f});
+    client.poll();
+    CHECK(client.noticed("SetSpeed") != "");
+    CHECK(!client.notices.back().hasPlace);
 }
 
 TEST_CASE("Overlays: the field, one character's cost, density; at most five a second") {
@@ -306,4 +337,29 @@ TEST_CASE("A new scene comes with its meshes and with the ids of its characters,
         break;
     }
     CHECK(told);
+}
+
+TEST_CASE("What is likely a mistake in a scenario is told on load and to those who come later, not on restart") {
+    WorldDef def = smallFloor();
+    for (const double x : {6.0, 7.3}) {
+        ObstacleDef disc;
+        disc.centre = {x, 6.0};
+        disc.radius = 0.5;
+        def.obstacles.push_back(disc);
+    }
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.1, {&client});
+    CHECK(client.noticed("scenario") == "");
+    REQUIRE(session.load("narrow", def).ok());
+    client.poll();
+    CHECK(client.noticed("scenario").find("0.30 m wide") != std::string::npos);
+    FakeClient late(session);
+    late.poll();
+    CHECK(late.noticed("scenario").find("0.30 m wide") != std::string::npos);
+    client.notices.clear();
+    client.send(protocol::Transport{protocol::TransportAction::Restart});
+    client.send(protocol::LoadScenario{"small"});
+    run(session, 0.1, {&client});
+    CHECK(client.noticed("scenario") == "");
 }

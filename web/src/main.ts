@@ -4,7 +4,10 @@ import '@fontsource-variable/inter';
 import './ui/styles/tokens.css';
 import './ui/styles/base.css';
 import './ui/styles/panels.css';
-import './ui/styles/layouts.css';
+import './ui/styles/messages.css';
+import './ui/styles/layout_floating.css';
+import './ui/styles/layout_sheet.css';
+import './ui/styles/layout_phone.css';
 
 import { StudioClient } from './engine/studio_client';
 import { StudioApp } from './ui/studio_app';

@@ -1,8 +1,11 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
+import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
+import * as overlays from './cases/overlays.mjs';
 import * as realMaps from './cases/real_maps.mjs';
+import * as scenarios from './cases/scenarios.mjs';
 import * as session from './cases/session.mjs';
 import * as touch from './cases/touch.mjs';
 import { startStudio } from './support/server.mjs';
@@ -11,7 +14,7 @@ import { StudioPage } from './support/studio_page.mjs';
 const FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const TABLETS = ['desktop', 'landscape', 'portrait'];
 
-/** Name, test, sizes, and options of the page. */
+/** Name, test, sizes, and options of the page; a `scenario` gets a server of its own. */
 const CASES = [
   ['latency', session.latency, ['desktop'], {}],
   ['point', touch.pointDrag, TABLETS, { room: true }],
@@ -26,16 +29,24 @@ const CASES = [
   ['mouse: line', mouseAndKeys.mouseLine, ['desktop'], { touch: false, room: true }],
   ['mouse: area', mouseAndKeys.mouseArea, ['desktop'], { touch: false, room: true }],
   ['mouse: pin', mouseAndKeys.mousePin, ['desktop'], { touch: false, room: true }],
+  ['mouse: keys while it drags', mouseAndKeys.keysWhileDragging, ['desktop'], { touch: false, room: true }],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true }],
+  ['paused', feedback.paused, ['desktop'], { room: true }],
+  ['refused', feedback.refused, ['desktop', 'phone'], {}],
+  ['overlays', overlays.overlays, ['desktop'], { scenario: 'scenarios/block.json' }],
+  ['overlay after a loss', overlays.overlayAfterLoss, ['desktop', 'phone'], { scenario: 'scenarios/block.json' }],
+  ['scenario picker', scenarios.scenarioPicker, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  ['every scenario', scenarios.everyScenario, ['desktop'], { scenario: 'scenarios/open.json' }],
+  ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
+  ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
-  ['first visit', look.firstVisit, [...TABLETS, 'phone'], { hint: true }],
-  ['layout', look.layout, [...TABLETS, 'phone'], {}],
-  ['access', look.accessible, [...TABLETS, 'phone'], {}],
+  ['first visit', look.firstVisit, [...TABLETS, 'phone', 'narrow'], { hint: true }],
+  ['layout', look.layout, [...TABLETS, 'phone', 'narrow', 'zoomed'], {}],
+  ['access', look.accessible, [...TABLETS, 'phone', 'zoomed'], {}],
   ['lost and found', session.lostAndFound, ['landscape'], {}],
-  // Minutes long: MUSTER_REAL_MAPS=1 asks for them.
-  ...(process.env.MUSTER_REAL_MAPS ? realMaps.cases() : []),
+  ...realMaps.cases(),
 ];
 
 const at = process.argv.indexOf('--only');
@@ -48,11 +59,15 @@ const failed = [];
 async function runCase(name, test, size, options) {
   const started = Date.now();
   let studio = null;
+  let own = null;
   try {
-    studio = await StudioPage.open(browser, server.url, { size, ...options });
+    if (options.scenario) own = await startStudio({ scenario: options.scenario, port: 18280 });
+    studio = await StudioPage.open(browser, (own ?? server).url, { size, ...options });
     await studio.restart();
+    await studio.fit();
     if (options.room) await studio.makeRoom();
-    server = (await test(studio, server)) ?? server;
+    const left = await test(studio, own ?? server);
+    if (!own) server = left ?? server;
     if (studio.errors.length > 0) throw new Error(`the page complained: ${studio.errors.join('; ')}`);
     passed += 1;
     console.log(`ok    ${name} (${size}, ${((Date.now() - started) / 1000).toFixed(1)} s)`);
@@ -62,6 +77,7 @@ async function runCase(name, test, size, options) {
     await studio?.shot(`failed-${name.replace(/\W+/g, '-')}`).catch(() => undefined);
   } finally {
     await studio?.close().catch(() => undefined);
+    await own?.stop();
   }
 }
 

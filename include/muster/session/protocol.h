@@ -12,8 +12,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 1;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v1";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 2;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v2";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -458,11 +458,14 @@ struct Notice {
     NoticeLevel level = NoticeLevel::Info;
     std::string code;
     std::string text;  ///< one sentence
+    bool hasPlace = false;  ///< it concerns a spot on the ground
+    float x = 0.0f;  ///< [m]
+    float y = 0.0f;
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(level, code, text);
+        archive(level, code, text, hasPlace, x, y);
         checkEnum(archive, level, 3);
     }
 };

@@ -66,7 +66,7 @@ class LinkWorker {
       else post({ kind: 'message', message });
     } catch (error) {
       const text = `The page could not read a message of the server: ${String(error)}`;
-      post({ kind: 'message', message: { type: 'Notice', level: 2, code: 'decode', text } });
+      post({ kind: 'message', message: { type: 'Notice', level: 2, code: 'decode', text, hasPlace: false, x: 0, y: 0 } });
     }
   }
 

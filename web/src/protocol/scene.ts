@@ -78,6 +78,12 @@ export interface SceneFacts {
   readonly checkpoints: readonly SceneCheckpoint[];
 }
 
+/** True where both are the same place, whatever stands in it: the view need not open anew. */
+export function isSameWorld(a: SceneFacts, b: SceneFacts): boolean {
+  const corners = ({ box }: SceneFacts): string => [...box.min, ...box.max].join();
+  return a.name === b.name && corners(a) === corners(b);
+}
+
 /** Reads the JSON of a Scene message; absent lists are empty. Throws where it is no JSON object with a box. */
 export function parseScene(json: string): SceneFacts {
   const raw: unknown = JSON.parse(json);

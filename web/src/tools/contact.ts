@@ -13,6 +13,7 @@ export interface Contact {
   readonly time: number;
   readonly button: number;
   readonly shift: boolean;
+  /** Alt or Ctrl. */
   readonly alt: boolean;
 }
 

@@ -1,10 +1,10 @@
 // Keys that act on camera and controls.
 
 import { pageClock } from '../engine/latency_meter';
-import type { ControlFrame, Frame } from '../protocol/messages';
+import type { Frame } from '../protocol/messages';
 import type { CameraControls, GroundPoint, ScreenPoint } from '../view/camera_types';
-import { pointsOf } from './ground_geometry';
-import type { HeldControls } from './held_controls';
+import { pointsOf } from '../geometry/plane';
+import type { HeldControls, OwnControl } from './held_controls';
 import { KeyboardSteering, type ArrowKey, type GroundAxes } from './keyboard_steering';
 import type { ToolChooser } from './tool_chooser';
 
@@ -12,6 +12,8 @@ export interface KeyScene {
   readonly camera: CameraControls;
   screenToWorld(at: ScreenPoint): GroundPoint | null;
 }
+
+export type PointerFacts = Pick<PointerEvent, 'type' | 'pointerType' | 'buttons' | 'clientX' | 'clientY'>;
 
 const PAN_PX = 60;
 const PAN_FAR_PX = 240;
@@ -31,8 +33,8 @@ export function groundAxes(toGround: (at: ScreenPoint) => GroundPoint | null, mi
 export class CrowdKeys {
   private readonly steering: KeyboardSteering;
   private frame: Frame | null = null;
-  /** Where the pointer was last. */
-  pointer: GroundPoint | null = null;
+  /** Where the mouse is over the scene; null while it drags. */
+  private pointer: ScreenPoint | null = null;
 
   constructor(
     private readonly scene: KeyScene,
@@ -46,6 +48,12 @@ export class CrowdKeys {
 
   observe(frame: Frame): void {
     this.frame = frame;
+  }
+
+  /** A pointer event over the scene. A drag has its control in hand: what lies under the mouse then is chance. */
+  pointed({ type, pointerType, buttons, clientX, clientY }: PointerFacts): void {
+    if (pointerType === 'touch') return;
+    this.pointer = type !== 'pointerleave' && buttons === 0 ? { x: clientX, y: clientY } : null;
   }
 
   arrow(key: ArrowKey, long: boolean): void {
@@ -82,7 +90,7 @@ export class CrowdKeys {
   }
 
   letGo(): void {
-    this.controls.letGoAll(pageClock());
+    this.controls.letGoAll(pageClock(), this.frame);
   }
 
   togglePin(): void {
@@ -99,10 +107,10 @@ export class CrowdKeys {
     this.say('Removed');
   }
 
-  /** A control that any finger holds counts too: it can be pinned while it is dragged. */
-  private target(): { group: number; control: ControlFrame } | null {
+  /** What is dragged, else what lies under the mouse, whoever holds it, else our newest. */
+  private target(): OwnControl | null {
     if (!this.frame) return null;
-    const grab = this.pointer ? this.chooser.nearest(this.pointer) : null;
-    return grab ? { group: grab.group, control: grab.control } : this.controls.newestIn(this.frame);
+    const ground = this.pointer && this.scene.screenToWorld(this.pointer);
+    return this.controls.draggedIn(this.frame) ?? (ground && this.chooser.nearest(ground)) ?? this.controls.newestIn(this.frame);
   }
 }

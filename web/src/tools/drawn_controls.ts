@@ -4,8 +4,8 @@ import { ControlKind } from '../protocol/messages';
 import type { GroundPoint } from '../view/camera_types';
 import type { Contact, ContactOwner } from './contact';
 import type { Grab } from './grab';
-import { distance } from './ground_geometry';
-import type { Held, HeldControls } from './held_controls';
+import { distance } from '../geometry/plane';
+import type { Held, HeldControls, HeldFinger } from './held_controls';
 import { lassoCorners } from './lasso';
 import type { TouchMarks } from './touch_editor';
 
@@ -88,7 +88,7 @@ export class Lasso implements ContactOwner {
 export class ControlDrag implements ContactOwner {
   private held: Held | null = null;
   private start: GroundPoint | null = null;
-  private from: readonly GroundPoint[] = [];
+  private fingers: readonly { readonly finger: HeldFinger; readonly from: GroundPoint }[] = [];
 
   constructor(
     private readonly grab: Grab,
@@ -102,28 +102,32 @@ export class ControlDrag implements ContactOwner {
     held.drags += 1;
     this.held = held;
     this.start = contact.ground;
-    this.from = held.fingers.map((finger) => finger.at);
-    this.marks.touchMark(contact.pointer, contact.ground, this.grab.index);
+    this.fingers = this.controls.fingersOf(held, this.grab).map((finger) => ({ finger, from: finger.at }));
+    this.mark(contact, contact.ground);
   }
 
   move(contacts: readonly Contact[]): void {
     const { held, start } = this;
     if (!held || !start) return;
-    for (const { ground, time, pointer } of contacts) {
+    for (const contact of contacts) {
+      const { ground, time } = contact;
       if (!ground) continue;
-      for (const point of this.grab.points) {
-        const from = this.from[point];
-        if (!from) continue;
+      for (const { finger, from } of this.fingers) {
         const at = { x: from.x + ground.x - start.x, y: from.y + ground.y - start.y };
-        this.controls.move(held, point, at, time);
+        this.controls.move(held, finger, at, time);
       }
-      this.marks.touchMark(pointer, ground, this.grab.index);
+      this.mark(contact, ground);
     }
   }
 
   end(contact: Contact): void {
-    this.marks.touchMark(contact.pointer, null, this.grab.index);
+    this.mark(contact, null);
     if (this.held) this.controls.release(this.held, contact.time);
     this.held = null;
+  }
+
+  /** Rings of fingers are known by their touch, which is positive; this one is at no end of a path. */
+  private mark({ pointer }: Contact, at: GroundPoint | null): void {
+    this.marks.touchMark(-1 - pointer, at, this.grab.index);
   }
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { GroupFrame, GroupMesh } from '../protocol/messages';
-import { FormationHitTest, edgesOf, rimReach } from './formation_hit_test';
+import { FormationHitTest, fingertipFrom, metresFrom } from './formation_hit_test';
 
 function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame: GroupFrame } {
   return {
@@ -34,38 +34,46 @@ function hitTest(...squares: { mesh: GroupMesh; frame: GroupFrame }[]): Formatio
 describe('FormationHitTest', () => {
   it('finds the mesh that holds the point', () => {
     const test = hitTest(square(7, 0), square(9, 10));
-    expect(test.find({ x: 2, y: 2 }, 1)).toEqual({ index: 0, group: 7, distance: 0 });
-    expect(test.find({ x: 12, y: 2 }, 1)).toEqual({ index: 1, group: 9, distance: 0 });
+    expect(test.find({ x: 2, y: 2 }, metresFrom({ x: 2, y: 2 }, 1))).toEqual({ index: 0, group: 7, distance: 0 });
+    expect(test.find({ x: 12, y: 2 }, metresFrom({ x: 12, y: 2 }, 1))).toEqual({ index: 1, group: 9, distance: 0 });
   });
   it('takes the nearest rim within reach', () => {
     const test = hitTest(square(7, 0), square(9, 5));
-    expect(test.find({ x: 4.8, y: 2 }, 1)?.group).toBe(9);
-    expect(test.find({ x: 4.2, y: 2 }, 1)?.group).toBe(7);
-    expect(test.find({ x: 4.2, y: 2 }, 0.1)).toBeNull();
+    expect(test.find({ x: 4.8, y: 2 }, metresFrom({ x: 4.8, y: 2 }, 1))?.group).toBe(9);
+    expect(test.find({ x: 4.2, y: 2 }, metresFrom({ x: 4.2, y: 2 }, 1))?.group).toBe(7);
+    expect(test.find({ x: 4.2, y: 2 }, metresFrom({ x: 4.2, y: 2 }, 0.1))).toBeNull();
   });
   it('calls the rest empty ground', () => {
-    expect(hitTest(square(7, 0)).find({ x: 9, y: 9 }, 1.5)).toBeNull();
-    expect(new FormationHitTest().find({ x: 0, y: 0 }, 1)).toBeNull();
+    expect(hitTest(square(7, 0)).find({ x: 9, y: 9 }, metresFrom({ x: 9, y: 9 }, 1.5))).toBeNull();
+    expect(new FormationHitTest().find({ x: 0, y: 0 }, metresFrom({ x: 0, y: 0 }, 1))).toBeNull();
   });
   it('ignores vertices of another mesh version', () => {
     const old = square(7, 0);
     const test = new FormationHitTest();
     test.setMesh({ ...old.mesh, version: 2 });
     test.setGroups([old.frame]);
-    expect(test.find({ x: 2, y: 2 }, 1)).toBeNull();
+    expect(test.find({ x: 2, y: 2 }, metresFrom({ x: 2, y: 2 }, 1))).toBeNull();
   });
 });
 
-describe('edgesOf', () => {
-  it('closes every loop', () => {
-    expect(edgesOf([3, 0, 1, 2, 2, 5, 6])).toEqual([[0, 1], [1, 2], [2, 0], [5, 6], [6, 5]]);
+describe('fingertipFrom', () => {
+  // A view from low above the ground: a metre is 40 px wide and 20 px high.
+  const toScreen = ({ x, y }: { x: number; y: number }) => ({ x: 40 * x, y: -20 * y });
+  const at = (x: number, y: number) => hitTest(square(7, 0)).find({ x, y }, fingertipFrom({ x, y }, toScreen));
+  it('reaches 24 px on the screen, in depth as well as sideways', () => {
+    expect(at(4.55, 2)?.distance).toBeCloseTo(22);
+    expect(at(4.65, 2)).toBeNull();
+    expect(at(2, 5.1)?.distance).toBeCloseTo(22);
+    expect(at(2, 5.3)).toBeNull();
   });
-});
-
-describe('rimReach', () => {
-  it('is a fingertip within its bounds', () => {
-    expect(rimReach(40)).toBeCloseTo(0.6);
-    expect(rimReach(1000)).toBe(0.3);
-    expect(rimReach(2)).toBe(1.5);
+  it('is never more than 1.5 m nor less than 0.3 m', () => {
+    const near = (scale: number, x: number) => {
+      const scaled = (p: { x: number; y: number }) => ({ x: scale * p.x, y: scale * p.y });
+      return hitTest(square(7, 0)).find({ x, y: 2 }, fingertipFrom({ x, y: 2 }, scaled));
+    };
+    expect(near(4, 5.4)).not.toBeNull();
+    expect(near(4, 5.6)).toBeNull();
+    expect(near(200, 4.28)).not.toBeNull();
+    expect(near(200, 4.32)).toBeNull();
   });
 });

@@ -1,69 +1,76 @@
 // Which formation a contact begins on, tested against the newest Vf.
 
+import { distanceToSegment, insideTriangle, pointsOf } from '../geometry/plane';
 import type { GroupFrame, GroupMesh } from '../protocol/messages';
-import type { GroundPoint } from '../view/camera_types';
-import { distanceToSegment, insideTriangle, pointsOf } from './ground_geometry';
+import type { GroundPoint, ScreenPoint } from '../view/camera_types';
+import { rimOf } from '../view/mesh_topology';
 
 export interface FormationHit {
   /** Index into the frame's groups. */
   readonly index: number;
   readonly group: number;
-  /** To the rim [m]; 0 inside. */
+  /** To the rim, as its reach measures; 0 inside. */
   readonly distance: number;
+}
+
+/** How far a piece of rim is from a point, in any measure; null where it is out of reach. */
+export type RimReach = (a: GroundPoint, b: GroundPoint) => number | null;
+
+/** A fingertip on the screen, but never less or more than this on the ground [m]. */
+const TIP_PX = 24;
+const TIP_LEAST = 0.3;
+const TIP_MOST = 1.5;
+
+/** Within so many metres. */
+export function metresFrom(point: GroundPoint, most: number): RimReach {
+  return (a, b) => {
+    const away = distanceToSegment(point, a, b);
+    return away <= most ? away : null;
+  };
+}
+
+/** Within a fingertip, measured on the screen. */
+export function fingertipFrom(point: GroundPoint, toScreen: (point: GroundPoint) => ScreenPoint): RimReach {
+  const at = toScreen(point);
+  return (a, b) => {
+    const metres = distanceToSegment(point, a, b);
+    if (metres > TIP_MOST) return null;
+    const px = distanceToSegment(at, toScreen(a), toScreen(b));
+    return px <= TIP_PX || metres <= TIP_LEAST ? px : null;
+  };
 }
 
 interface Mesh {
   readonly version: number;
   readonly triangles: Uint32Array;
-  readonly rim: readonly (readonly [number, number])[];
-}
-
-/** Loops (length, then vertices) as edges. */
-export function edgesOf(boundary: ArrayLike<number>): [number, number][] {
-  const edges: [number, number][] = [];
-  let at = 0;
-  while (at < boundary.length) {
-    const length = boundary[at]!;
-    const loop = Array.from({ length }, (_, i) => boundary[at + 1 + i] ?? 0);
-    loop.forEach((vertex, i) => edges.push([vertex, loop[(i + 1) % length]!]));
-    at += length + 1;
-  }
-  return edges;
+  /** Pairs of vertices. */
+  readonly rim: readonly number[];
 }
 
 export class FormationHitTest {
   private readonly meshes = new Map<number, Mesh>();
   private groups: readonly GroupFrame[] = [];
 
-  setMesh(mesh: GroupMesh): void {
-    this.meshes.set(mesh.group, {
-      version: mesh.version,
-      triangles: mesh.triangles,
-      rim: edgesOf(mesh.boundary),
-    });
+  setMesh({ group, version, triangles, boundary }: GroupMesh): void {
+    this.meshes.set(group, { version, triangles, rim: rimOf(boundary) });
   }
 
   setGroups(groups: readonly GroupFrame[]): void {
     this.groups = groups;
   }
 
-  clear(): void {
-    this.meshes.clear();
-    this.groups = [];
-  }
-
-  /** The group whose mesh holds the point, or whose rim is nearest within `reach` [m]; null for empty ground. */
-  find(point: GroundPoint, reach: number): FormationHit | null {
+  /** The group whose mesh holds the point, or whose rim is nearest within reach; null for empty ground. */
+  find(point: GroundPoint, reach: RimReach): FormationHit | null {
     let best: FormationHit | null = null;
     this.groups.forEach((group, index) => {
-      const distance = this.distanceTo(group, point, best?.distance ?? reach);
+      const distance = this.distanceTo(group, point, reach);
       if (distance !== null && (best === null || distance < best.distance)) best = { index, group: group.id, distance };
     });
     return best;
   }
 
-  /** Null beyond `reach`, and where mesh and vertices do not belong together yet. */
-  private distanceTo(group: GroupFrame, point: GroundPoint, reach: number): number | null {
+  /** Null out of reach, and where mesh and vertices do not belong together yet. */
+  private distanceTo(group: GroupFrame, point: GroundPoint, reach: RimReach): number | null {
     const mesh = this.meshes.get(group.id);
     if (!mesh || mesh.version !== group.meshVersion) return null;
     const vertices = pointsOf(group.vertices);
@@ -72,13 +79,11 @@ export class FormationHitTest {
     for (let i = 0; i + 2 < t.length; i += 3) {
       if (insideTriangle(point, corner(t[i]!), corner(t[i + 1]!), corner(t[i + 2]!))) return 0;
     }
-    let nearest = Infinity;
-    for (const [from, to] of mesh.rim) nearest = Math.min(nearest, distanceToSegment(point, corner(from), corner(to)));
-    return nearest <= reach ? nearest : null;
+    let nearest: number | null = null;
+    for (let i = 0; i + 1 < mesh.rim.length; i += 2) {
+      const away = reach(corner(mesh.rim[i]!), corner(mesh.rim[i + 1]!));
+      if (away !== null && (nearest === null || away < nearest)) nearest = away;
+    }
+    return nearest;
   }
-}
-
-/** How near the rim counts as on it: a fingertip of 24 px, within 0.3 and 1.5 m [m]. */
-export function rimReach(pixelsPerMetre: number): number {
-  return Math.min(1.5, Math.max(0.3, 24 / Math.max(pixelsPerMetre, 1e-6)));
 }

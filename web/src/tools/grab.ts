@@ -1,58 +1,68 @@
 // What of the controls on the meshes a contact takes hold of: an end, a bar, or a whole area.
 
+import { convexHull, distance, distanceToSegment, insidePolygon } from '../geometry/plane';
 import { ControlKind, type ControlFrame, type GroupFrame } from '../protocol/messages';
-import type { GroundPoint } from '../view/camera_types';
-import { convexHull, distance, distanceToSegment, insidePolygon } from './ground_geometry';
+import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 
 export interface Grab {
   /** Index into the frame's groups. */
   readonly index: number;
   readonly group: number;
   readonly control: ControlFrame;
-  /** Indices of the control's points that follow the contact. */
-  readonly points: readonly number[];
+  /** Touches of the control's points that follow the contact. */
+  readonly touches: readonly number[];
 }
 
 /** How much of a control may be grabbed. */
 export type Grabbable = 'nothing' | 'handles' | 'whole';
+
+export type ToScreen = (point: GroundPoint) => ScreenPoint;
+
+/** Handles draw at 22 px but catch 48, also where the view foreshortens the ground. */
+const HANDLE_PX = 24;
+const BAR_PX = 12;
 
 interface Candidate {
   readonly grab: Grab;
   readonly distance: number;
 }
 
-function nearestHandle(grab: Omit<Grab, 'points'>, at: GroundPoint): Candidate | null {
+function nearestHandle(grab: Omit<Grab, 'touches'>, at: ScreenPoint, toScreen: ToScreen): Candidate | null {
   let best: Candidate | null = null;
-  grab.control.points.forEach((point, i) => {
-    const away = distance(point, at);
-    if (best === null || away < best.distance) best = { grab: { ...grab, points: [i] }, distance: away };
-  });
+  for (const point of grab.control.points) {
+    const away = distance(toScreen(point), at);
+    if (best === null || away < best.distance) best = { grab: { ...grab, touches: [point.touch] }, distance: away };
+  }
   return best;
 }
 
-function holdsBody(control: ControlFrame, at: GroundPoint, reach: number): boolean {
-  const points = control.points;
-  if (control.kind === ControlKind.Line) return distanceToSegment(at, points[0]!, points[points.length - 1]!) <= reach / 2;
-  return control.kind === ControlKind.Area && insidePolygon(at, convexHull(points));
+function holdsBody(control: ControlFrame, ground: GroundPoint, at: ScreenPoint, toScreen: ToScreen): boolean {
+  const { kind, points } = control;
+  if (kind === ControlKind.Area) return insidePolygon(ground, convexHull(points));
+  if (kind !== ControlKind.Line) return false;
+  return distanceToSegment(at, toScreen(points[0]!), toScreen(points[points.length - 1]!)) <= BAR_PX;
 }
 
-/** Handles win over bars and areas; `reach` [m] is that of a handle. */
+/** Handles win over bars and areas; reaches are measured on the screen. */
 export function grabAt(
   groups: readonly GroupFrame[],
-  at: GroundPoint,
-  reach: number,
-  grabbable: (control: ControlFrame) => Grabbable,
+  ground: GroundPoint,
+  toScreen: ToScreen,
+  grabbable: (control: ControlFrame, group: number) => Grabbable,
 ): Grab | null {
+  const at = toScreen(ground);
   let handle: Candidate | null = null;
   let body: Grab | null = null;
   groups.forEach((group, index) => {
     for (const control of group.controls) {
-      const part = grabbable(control);
+      const part = grabbable(control, group.id);
       if (part === 'nothing') continue;
       const base = { index, group: group.id, control };
-      const near = nearestHandle(base, at);
-      if (near && near.distance <= Math.min(reach, handle?.distance ?? reach)) handle = near;
-      if (part === 'whole' && holdsBody(control, at, reach)) body = { ...base, points: control.points.map((_, i) => i) };
+      const near = nearestHandle(base, at, toScreen);
+      if (near && near.distance <= Math.min(HANDLE_PX, handle?.distance ?? HANDLE_PX)) handle = near;
+      if (part === 'whole' && holdsBody(control, ground, at, toScreen)) {
+        body = { ...base, touches: control.points.map(({ touch }) => touch) };
+      }
     }
   });
   return (handle as Candidate | null)?.grab ?? body;

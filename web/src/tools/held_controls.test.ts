@@ -3,7 +3,7 @@ import { ControlKind, TouchPhase } from '../protocol/messages';
 import { ControlDrag, Lasso, RubberBand } from './drawn_controls';
 import { grabAt } from './grab';
 import { HeldControls } from './held_controls';
-import { FakeClient, FakeScene, contactAt, controlFrame, frameWith } from './test_support';
+import { FakeClient, FakeScene, contactAt, controlFrame, frameWith, onScreen } from './test_support';
 import { TouchSender } from './touch_sender';
 
 const target = { index: 0, group: 5 };
@@ -72,7 +72,7 @@ describe('HeldControls', () => {
     const frame = frameWith(1, [shownLine()]);
     controls.observe(frame);
     for (const [x, moved] of [[4, [2]], [2, [1, 2]]] as const) {
-      const grab = grabAt(frame.groups, { x, y: 0 }, 0.3, (control) => controls.grabbable(control))!;
+      const grab = grabAt(frame.groups, { x, y: 0 }, onScreen, (control, group) => controls.grabbable(control, group))!;
       const drag = new ControlDrag(grab, controls, scene);
       drag.begin(contactAt(x, 0));
       drag.move([contactAt(x, 2, { time: 5 })]);
@@ -89,7 +89,7 @@ describe('HeldControls', () => {
   it('takes a lifted pinned control up again: removes it, makes it anew and pins that', () => {
     const old = controlFrame(8, 0, [{ x: 1, y: 1 }], { pinned: true });
     const frame = frameWith(1, [old]);
-    const grab = grabAt(frame.groups, { x: 1, y: 1 }, 0.3, (control) => controls.grabbable(control))!;
+    const grab = grabAt(frame.groups, { x: 1, y: 1 }, onScreen, (control, group) => controls.grabbable(control, group))!;
     const drag = new ControlDrag(grab, controls, scene);
     drag.begin(contactAt(1, 1));
     drag.move([contactAt(2, 1)]);
@@ -105,10 +105,10 @@ describe('HeldControls', () => {
 
   it('leaves fingers alone that are really down', () => {
     const foreign = shownLine();
-    expect(controls.grabbable(foreign)).toBe('nothing');
+    expect(controls.grabbable(foreign, 5)).toBe('nothing');
   });
 
-  it('lifts the fingers when a pinned one is let go, and on Escape', () => {
+  it('lifts the fingers when a pinned one is let go', () => {
     drawLine();
     controls.observe(frameWith(1, [shownLine()]));
     controls.togglePin(5, shownLine(), 6);
@@ -116,9 +116,72 @@ describe('HeldControls', () => {
     controls.togglePin(5, shownLine(0, true), 7);
     expect(controls.all).toHaveLength(0);
     expect(client.touches().map((event) => event.phase)).toEqual([TouchPhase.Up, TouchPhase.Up]);
+  });
+
+  it('ends all of ours at once, pinned or held by real fingers, and lifts what no frame shows yet', () => {
     drawLine();
-    controls.letGoAll(9);
+    controls.observe(frameWith(1, [shownLine(0, true)]));
+    drawLine();
+    const real = controlFrame(11, 0, [{ x: 7, y: 7 }]);
+    real.points[0]!.touch = 90;
+    const theirs = controlFrame(12, 0, [{ x: 9, y: 9 }], { client: 2 });
+    client.sent.length = 0;
+    controls.letGoAll(9, frameWith(2, [shownLine(0, true), real, theirs]));
+    expect(client.touches().map(({ phase, touch }) => [phase, touch])).toEqual([[TouchPhase.Up, 3], [TouchPhase.Up, 4]]);
+    const removed = client.sent.filter((one) => one.type === 'RemoveControl');
+    expect(removed).toEqual([{ type: 'RemoveControl', group: 5, control: 8 }, { type: 'RemoveControl', group: 5, control: 11 }]);
     expect(controls.all).toHaveLength(0);
+  });
+
+  it('tells controls of one number in two groups apart', () => {
+    // Controls are numbered within a group: 8 is there twice.
+    const frame = frameWith(1, [controlFrame(8, 0, [{ x: 1, y: 1 }])]);
+    controls.take(grabAt(frame.groups, { x: 1, y: 1 }, onScreen, () => 'whole')!, 1);
+    const other = controlFrame(8, 0, [{ x: 3, y: 3 }], { client: 2 });
+    other.points[0]!.down = true;
+    expect(controls.grabbable(other, 6)).toBe('nothing');
+    expect(controls.grabbable(other, 5)).toBe('whole');
+    expect(controls.all).toHaveLength(1);
+    controls.remove(6, other);
+    expect(controls.all).toHaveLength(1);
+  });
+
+  it('moves the finger of the point that was grabbed, also where the server dropped another', () => {
+    drawLine();
+    const rest = shownLine();
+    rest.points.shift();
+    const frame = frameWith(1, [rest]);
+    controls.observe(frame);
+    const drag = new ControlDrag(grabAt(frame.groups, { x: 4, y: 0 }, onScreen, () => 'handles')!, controls, scene);
+    drag.begin(contactAt(4, 0));
+    drag.move([contactAt(5, 1)]);
+    touches.flush();
+    expect(client.touches()).toMatchObject([{ phase: TouchPhase.Move, touch: 2, x: 5, y: 1 }]);
+  });
+
+  it('moves the right finger of a line that was taken up again', () => {
+    const lifted = controlFrame(8, 1, [{ x: 0, y: 0 }, { x: 4, y: 0 }], { client: 2 });
+    const frame = frameWith(1, [lifted]);
+    const drag = new ControlDrag(grabAt(frame.groups, { x: 4, y: 0 }, onScreen, () => 'handles')!, controls, scene);
+    drag.begin(contactAt(4, 0));
+    drag.move([contactAt(4, 2)]);
+    touches.flush();
+    const made = client.sent.find((one) => one.type === 'AddControl');
+    const [moved] = client.touches();
+    expect(made?.type === 'AddControl' && made.touches[1]).toBe(moved?.touch);
+    expect(moved).toMatchObject({ x: 4, y: 2 });
+  });
+
+  it('knows our newest control by its touch, in all groups', () => {
+    const old = controlFrame(30, 0, [{ x: 1, y: 1 }]);
+    const young = controlFrame(2, 0, [{ x: 2, y: 2 }]);
+    young.points[0]!.touch = 7;
+    const theirs = controlFrame(40, 0, [{ x: 3, y: 3 }], { client: 2 });
+    theirs.points[0]!.touch = 99;
+    const frame = frameWith(1, [old, theirs]);
+    frame.groups.push({ ...frame.groups[0]!, id: 6, controls: [young] });
+    expect(controls.newestIn(frame)).toEqual({ group: 6, control: young });
+    expect(controls.newestIn(frameWith(1, [theirs]))).toBeNull();
   });
 
   it('forgets controls that are gone and those that the server refused', () => {

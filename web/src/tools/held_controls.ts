@@ -1,16 +1,24 @@
 // Controls whose fingers are not real ones: made by rubber band, lasso or keyboard, or taken up again after the
 // fingers lifted. Their touches stay down until they are let go.
 
-import { ControlKind, type ControlFrame, type Frame } from '../protocol/messages';
+import { ControlKind, type ControlFrame, type Frame, type GroupFrame } from '../protocol/messages';
 import type { MessageSender } from '../engine/studio_client';
 import type { GroundPoint } from '../view/camera_types';
+import { noDrafts, type DraftBook } from './drafts';
 import type { Grab, Grabbable } from './grab';
 import type { TouchSender } from './touch_sender';
+
+export interface HeldFinger {
+  readonly touch: number;
+  /** The touch whose point it took over; 0 for none. */
+  readonly was: number;
+  at: GroundPoint;
+}
 
 export interface Held {
   readonly group: number;
   readonly kind: ControlKind;
-  readonly fingers: { readonly touch: number; at: GroundPoint }[];
+  readonly fingers: readonly HeldFinger[];
   /** The server's number; 0 until a frame shows it. */
   control: number;
   /** The control that this one took the place of; 0 for none. */
@@ -29,7 +37,15 @@ export interface NewControl {
   readonly time: number;
   readonly keep: boolean;
   readonly pinned: boolean;
+  /** The control whose place it takes, and the touches of its points. */
   readonly replaced?: number;
+  readonly was?: readonly number[];
+}
+
+/** A control of ours in a frame. */
+export interface OwnControl {
+  readonly group: number;
+  readonly control: ControlFrame;
 }
 
 /** A control that no frame shows for so many steps was refused. */
@@ -38,27 +54,32 @@ const REFUSED_AFTER_STEPS = 60;
 export class HeldControls {
   private held: Held[] = [];
   private step = 0;
-  private newest: Held | null = null;
 
   constructor(
     private readonly client: MessageSender,
     private readonly touches: TouchSender,
     private readonly clientId: () => number,
+    private readonly drafts: DraftBook = noDrafts,
   ) {}
 
   get all(): readonly Held[] {
     return this.held;
   }
 
+  /** Those that no frame has shown yet. */
+  get unanswered(): readonly Held[] {
+    return this.held.filter((held) => held.control === 0);
+  }
+
   /** What of a control may be taken hold of: all of ours and of pinned ones, the handles of others that were lifted. */
-  grabbable(control: ControlFrame): Grabbable {
-    if (this.holderOf(control)) return 'whole';
+  grabbable(control: ControlFrame, group: number): Grabbable {
+    if (this.holderOf(control, group)) return 'whole';
     if (control.points.some((point) => point.down)) return 'nothing';
     return control.pinned ? 'whole' : 'handles';
   }
 
   create(made: NewControl): Held {
-    const fingers = made.positions.map((at) => ({ touch: this.touches.nextTouch(), at }));
+    const fingers = made.positions.map((at, i) => ({ touch: this.touches.nextTouch(), was: made.was?.[i] ?? 0, at }));
     this.client.send({
       type: 'AddControl',
       group: made.group,
@@ -71,28 +92,34 @@ export class HeldControls {
     const { group, kind, pinned, keep, replaced = 0 } = made;
     const held: Held = { group, kind, fingers, control: 0, replaced, pinned, keep, drags: 0, bornAtStep: this.step };
     this.held.push(held);
-    this.newest = held;
+    this.drafts.changed();
     return held;
   }
 
   /** Ours already, or made anew in the place of one whose fingers have lifted. */
   take(grab: Grab, time: number): Held {
-    const known = this.holderOf(grab.control);
+    const known = this.holderOf(grab.control, grab.group);
     if (known) return known;
     const { control, group } = grab;
     this.touches.flush();
     this.client.send({ type: 'RemoveControl', group, control: control.id });
     const positions = control.points.map(({ x, y }) => ({ x, y }));
+    const was = control.points.map(({ touch }) => touch);
     const { kind, pinned, id } = control;
-    return this.create({ group, kind, positions, time, keep: false, pinned, replaced: id });
+    return this.create({ group, kind, positions, time, keep: false, pinned, replaced: id, was });
+  }
+
+  /** The fingers that hold what was grabbed: the server may show fewer points than there are fingers. */
+  fingersOf(held: Held, { control, touches }: Grab): readonly HeldFinger[] {
+    const old = held.replaced === control.id;
+    return held.fingers.filter((finger) => touches.includes(old ? finger.was : finger.touch));
   }
 
   /** Moves one finger. */
-  move(held: Held, point: number, at: GroundPoint, time: number): void {
-    const finger = held.fingers[point];
-    if (!finger) return;
+  move(held: Held, finger: HeldFinger, at: GroundPoint, time: number): void {
     finger.at = at;
     this.touches.move(finger.touch, at, time);
+    this.drafts.add(finger.touch, held.group, at, time);
   }
 
   /** A drag of it ended: unless it is meant to stay, its fingers lift. */
@@ -104,15 +131,24 @@ export class HeldControls {
   letGo(held: Held, time: number): void {
     this.held = this.held.filter((other) => other !== held);
     for (const finger of held.fingers) this.touches.up(finger.touch, finger.at, time);
+    this.drafts.changed();
   }
 
-  letGoAll(time: number): void {
-    for (const held of [...this.held]) this.letGo(held, time);
+  /** Ends all of ours, pinned or not; those that no frame shows yet lift. */
+  letGoAll(time: number, frame: Frame | null): void {
+    for (const { touch } of this.held.flatMap((held) => held.fingers)) this.drafts.drop(touch);
+    for (const held of this.unanswered) this.letGo(held, time);
+    this.held = [];
+    this.touches.flush();
+    for (const { group, control } of this.ownIn(frame)) {
+      this.client.send({ type: 'RemoveControl', group, control: control.id });
+    }
+    this.drafts.changed();
   }
 
   /** Ends a control at once. */
   remove(group: number, control: ControlFrame): void {
-    const held = this.holderOf(control);
+    const held = this.holderOf(control, group);
     if (held) this.held = this.held.filter((other) => other !== held);
     this.client.send({ type: 'RemoveControl', group, control: control.id });
   }
@@ -120,7 +156,7 @@ export class HeldControls {
   togglePin(group: number, control: ControlFrame, time: number): void {
     const pinned = !control.pinned;
     this.client.send({ type: 'PinControl', group, control: control.id, pinned });
-    const held = this.holderOf(control);
+    const held = this.holderOf(control, group);
     if (!held) return;
     held.pinned = pinned;
     if (pinned) return;
@@ -128,21 +164,24 @@ export class HeldControls {
     if (held.drags === 0) this.letGo(held, time);
   }
 
-  /** Our newest control in this frame, for keys without a pointer. */
-  newestIn(frame: Frame): { group: number; control: ControlFrame } | null {
-    for (const group of frame.groups) {
-      const control = group.controls.find((one) => this.newest !== null && this.matches(this.newest, one));
-      if (control) return { group: group.id, control };
-    }
-    return null;
+  /** Our newest control in this frame, for keys without a pointer: touches count on, ids only within a group. */
+  newestIn(frame: Frame): OwnControl | null {
+    const age = ({ control }: OwnControl): number => Math.max(...control.points.map(({ touch }) => touch));
+    return this.ownIn(frame).reduce<OwnControl | null>((best, own) => (best && age(best) >= age(own) ? best : own), null);
+  }
+
+  /** The control in this frame that a drag holds. */
+  draggedIn(frame: Frame): OwnControl | null {
+    const dragged = this.held.filter((held) => held.drags > 0);
+    return this.ownIn(frame).find(({ group, control }) => dragged.some((held) => this.matches(held, control, group))) ?? null;
   }
 
   /** Learns the numbers of new controls, pins those that shall be, forgets those that are gone. */
   observe(frame: Frame): void {
     this.step = frame.step;
-    const shown = frame.groups.flatMap((group) => group.controls);
+    const shown = this.ownIn(frame);
     for (const held of [...this.held]) {
-      const control = shown.find((one) => this.matches(held, one));
+      const control = shown.find((own) => this.matches(held, own.control, own.group))?.control;
       if (control && held.control === 0) {
         held.control = control.id;
         if (held.pinned) this.client.send({ type: 'PinControl', group: held.group, control: control.id, pinned: true });
@@ -154,15 +193,21 @@ export class HeldControls {
 
   clear(): void {
     this.held = [];
-    this.newest = null;
   }
 
-  private holderOf(control: ControlFrame): Held | undefined {
-    return this.held.find((held) => held.replaced === control.id || this.matches(held, control));
+  private ownIn(frame: Frame | null): OwnControl[] {
+    const me = this.clientId();
+    const own = ({ id, controls }: GroupFrame): OwnControl[] =>
+      controls.filter((control) => control.client === me).map((control) => ({ group: id, control }));
+    return frame?.groups.flatMap(own) ?? [];
   }
 
-  private matches(held: Held, control: ControlFrame): boolean {
-    if (control.client !== this.clientId()) return false;
+  private holderOf(control: ControlFrame, group: number): Held | undefined {
+    return this.held.find((held) => (held.group === group && held.replaced === control.id) || this.matches(held, control, group));
+  }
+
+  private matches(held: Held, control: ControlFrame, group: number): boolean {
+    if (held.group !== group || control.client !== this.clientId()) return false;
     return control.points.some((point) => held.fingers.some((finger) => finger.touch === point.touch));
   }
 }

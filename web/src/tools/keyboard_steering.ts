@@ -2,7 +2,7 @@
 
 import { ControlKind } from '../protocol/messages';
 import type { GroundPoint } from '../view/camera_types';
-import { centroid, convexHull } from './ground_geometry';
+import { middleOf, convexHull } from '../geometry/plane';
 import type { Held, HeldControls } from './held_controls';
 import { lassoCorners } from './lasso';
 
@@ -24,7 +24,7 @@ export interface GroundAxes {
 export function innerCorners(vertices: readonly GroundPoint[]): GroundPoint[] {
   const hull = convexHull(vertices);
   const corners = lassoCorners(hull, 0);
-  const middle = centroid(corners);
+  const middle = middleOf(corners);
   return corners.map((p) => ({ x: middle.x + SHARE * (p.x - middle.x), y: middle.y + SHARE * (p.y - middle.y) }));
 }
 
@@ -49,10 +49,10 @@ export class KeyboardSteering {
     const step = long ? LONG_STEP : STEP;
     const axis = key === 'ArrowUp' || key === 'ArrowDown' ? axes.up : axes.right;
     const sign = key === 'ArrowUp' || key === 'ArrowRight' ? step : -step;
-    this.held.fingers.forEach((finger, i) => {
+    for (const finger of this.held.fingers) {
       const at = { x: finger.at.x + sign * axis.x, y: finger.at.y + sign * axis.y };
-      this.controls.move(this.held!, i, at, time);
-    });
+      this.controls.move(this.held, finger, at, time);
+    }
   }
 
   drop(time: number): void {

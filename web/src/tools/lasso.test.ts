@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { insidePolygon } from './ground_geometry';
+import { insidePolygon } from '../geometry/plane';
 import { lassoCorners } from './lasso';
 
 function circle(count: number, radius: number) {

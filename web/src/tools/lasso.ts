@@ -1,7 +1,7 @@
 // From a drawn loop to the few corners of an area control.
 
 import type { GroundPoint } from '../view/camera_types';
-import { convexHull, turn } from './ground_geometry';
+import { convexHull, turn } from '../geometry/plane';
 
 const MOST_CORNERS = 6;
 

@@ -50,6 +50,16 @@ describe('PointerRouter', () => {
     fire('pointermove', { x: 80, getCoalescedEvents: () => coalesced });
     expect(log[1]).toBe('edit move 60 70 80');
   });
+  it('follows raw updates, and hears nothing twice', () => {
+    fire('pointerdown', { x: 50 });
+    fire('pointerrawupdate', { x: 60 });
+    fire('pointerrawupdate', { x: 70 });
+    fire('pointermove', { x: 70 });
+    fire('pointerup', { x: 70 });
+    expect(log).toEqual(['edit begin 1', 'edit move 60', 'edit move 70', 'edit end']);
+    fire('pointerrawupdate', { x: 90 });
+    expect(log).toHaveLength(4);
+  });
   it('keeps contacts apart, a pen among fingers, and takes ten at most', () => {
     for (let pointerId = 1; pointerId <= 12; ++pointerId) {
       fire('pointerdown', { x: pointerId === 2 ? 200 : 50, pointerId, pointerType: pointerId === 3 ? 'pen' : 'touch' });

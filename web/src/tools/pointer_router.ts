@@ -19,6 +19,8 @@ interface Owned {
   readonly owner: ContactOwner;
   readonly from: Contact;
   still: boolean;
+  /** Its moves come by pointerrawupdate, so that pointermove repeats them. */
+  raw: boolean;
 }
 
 const MOST_TOUCHES = 10;
@@ -36,6 +38,7 @@ export class PointerRouter {
   ) {
     surface.addEventListener('pointerdown', (event) => this.down(event));
     surface.addEventListener('pointermove', (event) => this.moved(event));
+    surface.addEventListener('pointerrawupdate', (event) => this.rawMoved(event as PointerEvent));
     surface.addEventListener('pointerup', (event) => this.up(event, false));
     surface.addEventListener('pointercancel', (event) => this.up(event, true));
     surface.addEventListener('lostpointercapture', (event) => this.up(event, true));
@@ -65,7 +68,7 @@ export class PointerRouter {
     }
     this.handlers.pointed(contact);
     const owner = this.handlers.choose(contact);
-    this.owned.set(event.pointerId, { owner, from: contact, still: true });
+    this.owned.set(event.pointerId, { owner, from: contact, still: true, raw: false });
     owner.begin(contact);
   }
 
@@ -75,6 +78,18 @@ export class PointerRouter {
       this.handlers.pointed(this.contactOf(event));
       return;
     }
+    if (!owned.raw) this.follow(owned, event);
+  }
+
+  /** Browsers keep pointermove back until just before the next drawn frame; raw updates come at once. */
+  private rawMoved(event: PointerEvent): void {
+    const owned = this.owned.get(event.pointerId);
+    if (!owned) return;
+    owned.raw = true;
+    this.follow(owned, event);
+  }
+
+  private follow(owned: Owned, event: PointerEvent): void {
     const coalesced = event.getCoalescedEvents?.() ?? [];
     const contacts = (coalesced.length > 0 ? coalesced : [event]).map((one) => this.contactOf(one));
     const { screen } = contacts[contacts.length - 1]!;
@@ -115,7 +130,7 @@ export class PointerRouter {
       time: pageClock(event.timeStamp),
       button: event.button,
       shift: event.shiftKey,
-      alt: event.altKey,
+      alt: event.altKey || event.ctrlKey,
     };
   }
 

@@ -43,6 +43,20 @@ it('ShortcutHandler runs once and stops the default', () => {
   expect(run).toHaveBeenCalledTimes(1);
 });
 
+it('a held key acts once, unless it is one that repeats', () => {
+  const root = document.createElement('div');
+  document.body.append(root);
+  const zoom = vi.fn();
+  new ShortcutHandler(root, [...shortcuts, { keys: '+', does: '', group: 'Camera', match: ['+'], run: zoom, repeats: true }]);
+  for (const [key, repeat] of [['r', false], ['r', true], ['+', false], ['+', true]] as const) {
+    const event = new KeyboardEvent('keydown', { key, repeat, cancelable: true });
+    root.dispatchEvent(event);
+    expect(event.defaultPrevented).toBe(true);
+  }
+  expect(run).toHaveBeenCalledTimes(1);
+  expect(zoom).toHaveBeenCalledTimes(2);
+});
+
 describe('SpaceKey', () => {
   it('plays on a tap, pans while the mouse drags, and leaves buttons alone', () => {
     const panning: boolean[] = [];

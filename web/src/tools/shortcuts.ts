@@ -12,6 +12,8 @@ export interface Shortcut {
   readonly run?: (event: KeyboardEvent) => void;
   /** Only while the scene, not a button, has the focus. */
   readonly sceneOnly?: boolean;
+  /** Again and again while the key is held. */
+  readonly repeats?: boolean;
   /** Another line of the help tells of it. */
   readonly unlisted?: boolean;
 }
@@ -47,6 +49,6 @@ export class ShortcutHandler {
     const shortcut = findShortcut(this.shortcuts, event);
     if (!shortcut?.run || event.defaultPrevented) return;
     event.preventDefault();
-    shortcut.run(event);
+    if (!event.repeat || shortcut.repeats) shortcut.run(event);
   }
 }

@@ -1,7 +1,7 @@
 // What several tests of the tools need: a client that remembers, and contacts.
 
 import type { ClientMessage, ControlFrame, Frame, TouchEvent } from '../protocol/messages';
-import type { GroundPoint } from '../view/camera_types';
+import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import type { Contact } from './contact';
 
 export class FakeClient {
@@ -22,9 +22,12 @@ export class FakeClient {
 }
 
 /** A metre on the ground is 100 px on this screen. */
+export function onScreen({ x, y }: GroundPoint): ScreenPoint {
+  return { x: x * 100, y: y * 100 };
+}
+
 export function contactAt(x: number, y: number, more: Partial<Contact> = {}): Contact {
-  const screen = { x: x * 100, y: y * 100 };
-  return { pointer: 1, kind: 'touch', screen, ground: { x, y }, time: 0, button: 0, shift: false, alt: false, ...more };
+  return { pointer: 1, kind: 'touch', screen: onScreen({ x, y }), ground: { x, y }, time: 0, button: 0, shift: false, alt: false, ...more };
 }
 
 export function controlFrame(id: number, kind: 0 | 1 | 2, at: readonly GroundPoint[], more: Partial<ControlFrame> = {}): ControlFrame {
@@ -48,7 +51,5 @@ export class FakeScene {
   previewControl(_group: number, points: readonly GroundPoint[] | null): void {
     this.preview = points && [...points];
   }
-  pixelsPerMetre(): number {
-    return 100;
-  }
+  worldToScreen = onScreen;
 }

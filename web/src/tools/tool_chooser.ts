@@ -1,18 +1,18 @@
 // Who owns a contact: decided once, where and how it begins.
 
-import type { Frame } from '../protocol/messages';
-import type { GroundPoint } from '../view/camera_types';
+import type { ControlFrame, Frame } from '../protocol/messages';
+import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import type { CameraGesture, OrbitGesture } from './camera_gesture';
 import type { Contact, ContactOwner } from './contact';
 import { ControlDrag, Lasso, RubberBand, type ControlPreview, type DrawTarget } from './drawn_controls';
-import { rimReach, type FormationHitTest } from './formation_hit_test';
-import { grabAt, type Grab } from './grab';
-import { centroid } from './ground_geometry';
+import { fingertipFrom, metresFrom, type FormationHit, type FormationHitTest, type RimReach } from './formation_hit_test';
+import { grabAt, type Grab, type Grabbable } from './grab';
+import { middleOf } from '../geometry/plane';
 import type { HeldControls } from './held_controls';
 import type { TouchEditor, TouchMarks } from './touch_editor';
 
 export interface ChooserScene extends TouchMarks, ControlPreview {
-  pixelsPerMetre(): number;
+  worldToScreen(point: GroundPoint): ScreenPoint;
 }
 
 export interface ChooserTools {
@@ -24,8 +24,6 @@ export interface ChooserTools {
   readonly controls: HeldControls;
 }
 
-/** Handles draw at 22 px but catch 48. */
-const HANDLE_PX = 24;
 /** A rubber band may begin so near the mesh [m]. */
 const NEAR = 3;
 const MIDDLE = 1;
@@ -55,42 +53,49 @@ export class ToolChooser {
 
   /** The control whose handle, bar or inside lies here, if it may be grabbed. */
   grab(ground: GroundPoint): Grab | null {
-    const { controls, scene } = this.tools;
-    const reach = HANDLE_PX / Math.max(scene.pixelsPerMetre(), 1e-6);
-    return grabAt(this.frame?.groups ?? [], ground, reach, (control) => controls.grabbable(control));
+    return this.grabWhere(ground, (control, group) => this.tools.controls.grabbable(control, group));
   }
 
   /** The control here, whoever holds it. */
   nearest(ground: GroundPoint): Grab | null {
-    const reach = HANDLE_PX / Math.max(this.tools.scene.pixelsPerMetre(), 1e-6);
-    return grabAt(this.frame?.groups ?? [], ground, reach, () => 'whole');
+    return this.grabWhere(ground, () => 'whole');
   }
 
-  /** The formation under the point. */
-  formation(ground: GroundPoint, reach?: number): DrawTarget | null {
-    return this.tools.hitTest.find(ground, reach ?? rimReach(this.tools.scene.pixelsPerMetre()));
+  /** The formation under the point, or a fingertip beside it. */
+  formation(ground: GroundPoint): FormationHit | null {
+    return this.find(ground, fingertipFrom(ground, this.toScreen));
+  }
+
+  private readonly toScreen = (point: GroundPoint): ScreenPoint => this.tools.scene.worldToScreen(point);
+
+  private grabWhere(ground: GroundPoint, grabbable: (control: ControlFrame, group: number) => Grabbable): Grab | null {
+    return grabAt(this.frame?.groups ?? [], ground, this.toScreen, grabbable);
+  }
+
+  private find(ground: GroundPoint, reach: RimReach): FormationHit | null {
+    return this.tools.hitTest.find(ground, reach);
   }
 
   /** Keys held with a mouse or a pen draw a whole control. */
   private drawing(contact: Contact, ground: GroundPoint): ContactOwner | null {
     if (contact.kind === 'touch' || (!contact.shift && !contact.alt)) return null;
     const { controls, scene } = this.tools;
-    const near = this.formation(ground, NEAR);
+    const near = this.find(ground, metresFrom(ground, NEAR));
     if (contact.alt) return new Lasso((corners) => this.lassoed(corners), near?.index ?? 0, controls, scene);
     return near ? new RubberBand(near, controls, scene) : null;
   }
 
   private editing(ground: GroundPoint): ContactOwner | null {
-    const { controls, scene, editor, hitTest } = this.tools;
+    const { controls, scene, editor } = this.tools;
     const grab = this.grab(ground);
     if (grab) return new ControlDrag(grab, controls, scene);
-    const hit = hitTest.find(ground, rimReach(scene.pixelsPerMetre()));
+    const hit = this.formation(ground);
     return hit ? editor.ownerFor(hit) : null;
   }
 
   private lassoed(corners: readonly GroundPoint[]): DrawTarget | null {
-    for (const point of [centroid(corners), ...corners]) {
-      const target = this.formation(point, NEAR);
+    for (const point of [middleOf(corners), ...corners]) {
+      const target = this.find(point, metresFrom(point, NEAR));
       if (target) return target;
     }
     return null;

@@ -61,11 +61,11 @@ describe('TouchEditor', () => {
     ]);
   });
 
-  it('marks the finger at once and lets the mark go', () => {
+  it('marks the finger at once, by its touch, and lets the mark go', () => {
     const owner = editor.ownerFor(hit);
     owner.begin(contactAt(1, 1, { pointer: 4 }));
     owner.end(contactAt(1, 1, { pointer: 4 }), false);
-    expect(scene.marks).toEqual([[4, { x: 1, y: 1 }, 0], [4, null, 0]]);
+    expect(scene.marks).toEqual([[1, { x: 1, y: 1 }, 0], [1, null, 0]]);
   });
 });
 

@@ -2,10 +2,11 @@
 
 import type { GroundPoint } from '../view/camera_types';
 import type { Contact, ContactOwner } from './contact';
+import { noDrafts, type DraftBook } from './drafts';
 import type { FormationHit } from './formation_hit_test';
 import type { TouchSender } from './touch_sender';
 
-/** The ring under a finger, drawn in the very next frame. */
+/** The ring under a finger, drawn in the very next frame; its id is the touch, or negative. */
 export interface TouchMarks {
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
 }
@@ -13,6 +14,7 @@ export interface TouchMarks {
 interface Finger {
   readonly touch: number;
   readonly index: number;
+  readonly group: number;
   readonly from: Contact;
   last: GroundPoint;
   moved: boolean;
@@ -26,6 +28,7 @@ export class TouchEditor {
   constructor(
     private readonly sender: TouchSender,
     private readonly marks: TouchMarks,
+    private readonly drafts: DraftBook = noDrafts,
   ) {}
 
   /** Fingers that are down. */
@@ -45,9 +48,10 @@ export class TouchEditor {
   private begin(contact: Contact, hit: FormationHit): void {
     if (!contact.ground) return;
     const touch = this.sender.nextTouch();
-    this.fingers.set(contact.pointer, { touch, index: hit.index, from: contact, last: contact.ground, moved: false });
-    this.marks.touchMark(contact.pointer, contact.ground, hit.index);
+    this.fingers.set(contact.pointer, { touch, index: hit.index, group: hit.group, from: contact, last: contact.ground, moved: false });
+    this.marks.touchMark(touch, contact.ground, hit.index);
     this.sender.down(touch, contact.ground, contact.time, hit.group);
+    this.drafts.add(touch, hit.group, contact.ground, contact.time);
   }
 
   private move(contacts: readonly Contact[]): void {
@@ -59,17 +63,20 @@ export class TouchEditor {
       finger.moved ||= Math.hypot(dx, dy) > STILL_PX;
       finger.last = contact.ground;
       this.sender.move(finger.touch, contact.ground, contact.time);
-      this.marks.touchMark(contact.pointer, contact.ground, finger.index);
+      this.marks.touchMark(finger.touch, contact.ground, finger.index);
+      this.drafts.add(finger.touch, finger.group, contact.ground, contact.time);
     }
+    this.sender.moved();
   }
 
   private end(contact: Contact, cancelled: boolean): void {
     const finger = this.fingers.get(contact.pointer);
     if (!finger) return;
     this.fingers.delete(contact.pointer);
-    this.marks.touchMark(contact.pointer, null, finger.index);
+    this.marks.touchMark(finger.touch, null, finger.index);
     // A click that drew nothing must leave no control behind that would stand in the way of a double click.
     const dropped = cancelled || (contact.kind === 'mouse' && !finger.moved);
+    if (dropped) this.drafts.drop(finger.touch);
     if (dropped) this.sender.cancel(finger.touch, finger.last, contact.time);
     else this.sender.up(finger.touch, contact.ground ?? finger.last, contact.time);
   }

@@ -1,17 +1,22 @@
-// Sends touches: downs and lifts at once, moves together once per drawn frame.
+// Sends touches: downs and lifts at once, moves at once too, unless the last left only just now.
 
 import { TouchPhase, type TouchEvent } from '../protocol/messages';
 import type { MessageSender } from '../engine/studio_client';
 import type { GroundPoint } from '../view/camera_types';
 
+/** Moves of fast mice leave together, no oftener than this [ms]; what waits leaves with the next drawn frame. */
+const kSpacing = 8;
+
 export class TouchSender {
   private queue: TouchEvent[] = [];
   private lastTouch = 0;
+  private lastSent = -Infinity;
 
-  /** `sent` hears the time of every event that leaves, for the measurement of latency. */
+  /** `sent` hears the time of every event that leaves, for the measurement of latency; `now` in [ms]. */
   constructor(
     private readonly client: MessageSender,
     private readonly sent: (time: number) => void = () => undefined,
+    private readonly now: () => number = () => performance.now(),
   ) {}
 
   /** A number that no finger of this page has had. */
@@ -25,8 +30,14 @@ export class TouchSender {
     this.flush();
   }
 
+  /** Waits for flush() or later moves where the last ones left only just now. */
   move(touch: number, at: GroundPoint, time: number): void {
     this.push(TouchPhase.Move, touch, at, time, 0);
+  }
+
+  /** The moves of one event are all there. */
+  moved(): void {
+    if (this.now() - this.lastSent >= kSpacing) this.flush();
   }
 
   up(touch: number, at: GroundPoint, time: number): void {
@@ -44,6 +55,7 @@ export class TouchSender {
     if (this.queue.length === 0) return;
     const events = this.queue;
     this.queue = [];
+    this.lastSent = this.now();
     this.client.send({ type: 'Touches', events });
     for (const event of events) if (event.phase <= TouchPhase.Move) this.sent(event.time);
   }

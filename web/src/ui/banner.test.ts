@@ -1,8 +1,62 @@
-import { expect, it } from 'vitest';
-import { lostText } from './banner';
+// @vitest-environment jsdom
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { NoticeLevel, type Notice } from '../protocol/messages';
+import { NoticeBanner, lostText } from './banner';
+import type { StudioActions } from './studio_actions';
+import { StudioStore } from './studio_state';
 
 it('says what is safe and when the next attempt comes', () => {
   expect(lostText(14.2, 3)).toBe('The crowd waits. Your take is safe up to 0:14.2. Trying again in 3 s.');
   expect(lostText(-1, 3)).toBe('The crowd waits. Trying again in 3 s.');
   expect(lostText(-1, 0)).toBe('The crowd waits. Trying again now.');
+});
+
+describe('NoticeBanner', () => {
+  let store: StudioStore;
+  let root: HTMLElement;
+  const actions = { showNoticePlace: vi.fn(), dismissNotice: vi.fn() };
+
+  beforeEach(() => {
+    vi.useFakeTimers();
+    vi.clearAllTimers();
+    vi.clearAllMocks();
+    store = new StudioStore();
+    root = new NoticeBanner(store, actions as unknown as StudioActions).root;
+  });
+
+  function tell(level: NoticeLevel, more: Partial<Notice> = {}): void {
+    store.set({ notice: { type: 'Notice', level, code: 'rejected', text: 'No.', hasPlace: false, x: 0, y: 0, ...more } });
+  }
+  const show = () => root.querySelector<HTMLButtonElement>('.notice-show')!;
+
+  it('says what and where, and shows the spot', () => {
+    tell(NoticeLevel.Warning, { hasPlace: true, x: 3.44, y: -2 });
+    expect(root.hidden).toBe(false);
+    expect(root.querySelector('strong')!.textContent).toBe('No.');
+    expect(root.querySelector('.secondary')!.textContent).toBe('rejected \u00b7 at 3.4, \u22122.0 m');
+    expect(show().hidden).toBe(false);
+    show().click();
+    expect(actions.showNoticePlace).toHaveBeenCalledTimes(1);
+  });
+
+  it('has nothing to show where the place is not known', () => {
+    tell(NoticeLevel.Error);
+    expect(show().hidden).toBe(true);
+    expect(root.querySelector('.secondary')!.textContent).toBe('rejected');
+  });
+
+  it('tells info, warning and error apart, and keeps errors until they are closed', () => {
+    const pictures = new Set<string>();
+    for (const [level, name, role] of [[0, 'info', 'status'], [1, 'warning', 'status'], [2, 'error', 'alert']] as const) {
+      tell(level);
+      expect([root.dataset['level'], root.getAttribute('role')]).toEqual([name, role]);
+      pictures.add(root.firstElementChild!.innerHTML);
+    }
+    expect(pictures.size).toBe(3);
+    vi.advanceTimersByTime(60000);
+    expect(actions.dismissNotice).not.toHaveBeenCalled();
+    tell(NoticeLevel.Warning);
+    vi.advanceTimersByTime(6001);
+    expect(actions.dismissNotice).toHaveBeenCalledTimes(1);
+  });
 });

@@ -1,9 +1,10 @@
-// Below the top row: the lost connection with what is safe, or a message of the server.
+// Below the top row, one above the other: the lost connection with what is safe, and a message of the server.
 
-import { NoticeLevel } from '../protocol/messages';
+import { NoticeLevel, type Notice } from '../protocol/messages';
 import { element, setText } from './dom';
 import { formatClock } from './formatters';
-import { icon } from './icons';
+import { icon, type IconName } from './icons';
+import { noticeDetail } from './notices';
 import type { StudioActions } from './studio_actions';
 import type { StudioState, StudioStore } from './studio_state';
 
@@ -46,26 +47,43 @@ export class LostBanner {
   }
 }
 
+const LEVELS: Record<NoticeLevel, { readonly name: string; readonly icon: IconName }> = {
+  [NoticeLevel.Info]: { name: 'info', icon: 'info' },
+  [NoticeLevel.Warning]: { name: 'warning', icon: 'warning' },
+  [NoticeLevel.Error]: { name: 'error', icon: 'error' },
+};
+
+/** What is no error goes by itself [ms]. */
+const NOTICE_MS = 6000;
+
 export class NoticeBanner {
   private readonly text = element('strong');
-  private readonly code = element('span', { class: 'secondary' });
+  private readonly detail = element('span', { class: 'secondary' });
+  private readonly show = element('button', { type: 'button', class: 'soft notice-show', 'data-tip': 'Brings the spot into view' }, 'Show');
   private readonly close = element('button', { type: 'button', class: 'notice-close', 'aria-label': 'Close the message' }, icon('close'));
   readonly root = element('section', { class: 'banner notice panel' },
-    icon('warning', 24), element('div', { class: 'banner-words' }, this.text, this.code), this.close);
+    icon('warning', 24), element('div', { class: 'banner-words' }, this.text, this.detail), this.show, this.close);
   private timer = 0;
 
-  constructor(store: StudioStore, actions: StudioActions) {
+  constructor(store: StudioStore, private readonly actions: StudioActions) {
+    this.show.addEventListener('click', () => actions.showNoticePlace());
     this.close.addEventListener('click', () => actions.dismissNotice());
     store.watch(['notice'], ({ notice }) => {
       this.root.hidden = notice === null;
       window.clearTimeout(this.timer);
-      if (!notice) return;
-      const isError = notice.level === NoticeLevel.Error;
-      this.root.setAttribute('role', isError ? 'alert' : 'status');
-      this.root.dataset['level'] = isError ? 'error' : 'info';
-      setText(this.text, notice.text);
-      setText(this.code, '');
-      if (!isError) this.timer = window.setTimeout(() => actions.dismissNotice(), 6000);
+      if (notice) this.fill(notice);
     });
+  }
+
+  private fill(notice: Notice): void {
+    const level = LEVELS[notice.level];
+    const isError = notice.level === NoticeLevel.Error;
+    this.root.setAttribute('role', isError ? 'alert' : 'status');
+    this.root.dataset['level'] = level.name;
+    this.root.replaceChild(icon(level.icon, 24), this.root.firstElementChild!);
+    setText(this.text, notice.text);
+    setText(this.detail, noticeDetail(notice));
+    this.show.hidden = !notice.hasPlace;
+    if (!isError) this.timer = window.setTimeout(() => this.actions.dismissNotice(), NOTICE_MS);
   }
 }

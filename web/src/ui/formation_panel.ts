@@ -37,7 +37,7 @@ export class FormationPanel {
 
   constructor(store: StudioStore, private readonly actions: StudioActions) {
     FORMATIONS.forEach((choice, i) => this.list.append(this.button(choice, i)));
-    new ToolbarFocus(this.list);
+    new ToolbarFocus(this.list, store);
     store.watch(['groups', 'active'], (state) => this.show(state));
   }
 

@@ -42,6 +42,14 @@ describe('FrameReader', () => {
     expect(change.active).toBe(0);
     expect(change.recorded).toBe(1.5);
   });
+  it('remembers the scenario that was steered through a replay', () => {
+    const reader = new FrameReader();
+    reader.setScene(scene);
+    const live = { ...initialState, scenario: 'open', ...reader.change(frame([0, 0, 1]), { ...initialState, scenario: 'open' }) };
+    expect(live.lastLive).toBe('open');
+    const take = reader.change({ ...frame([0, 0, 1]), replaying: true }, { ...live, scenario: 'Open square' });
+    expect([take.replaying, take.lastLive]).toEqual([true, 'open']);
+  });
 });
 
 it('countGroups ignores indices of groups that are not there', () => {

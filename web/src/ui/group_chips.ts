@@ -11,10 +11,11 @@ import { ToolbarFocus } from './toolbar_focus';
 export class GroupChips {
   readonly root = element('div', { class: 'groups panel', role: 'toolbar', 'aria-label': 'Groups' });
   private readonly add = toolButton({ icon: 'plus', label: 'Add a group', iconOnly: true, soon: true, className: 'add-group' });
-  private readonly focus = new ToolbarFocus(this.root);
+  private readonly focus: ToolbarFocus;
   private shownKey = '';
 
   constructor(store: StudioStore, private readonly actions: StudioActions) {
+    this.focus = new ToolbarFocus(this.root, store);
     store.watch(['groups', 'active'], (state) => this.show(state));
   }
 

@@ -23,7 +23,7 @@ const TOUCH: readonly Gesture[] = [
 const MOUSE: readonly Gesture[] = [
   { with: 'Drag on the formation', does: 'pulls a point' },
   { with: 'Shift + drag', does: 'spans a line; then drag an end or the bar' },
-  { with: 'Alt + drag', does: 'lassoes an area; then drag inside it' },
+  { with: 'Ctrl or Alt + drag', does: 'lassoes an area; then drag inside it' },
   { with: 'Double click', does: 'pins a point, or lets a pinned control go' },
   { with: 'Drag on empty ground, middle button, or Space + drag', does: 'pans the camera' },
   { with: 'Right button', does: 'turns the camera' },

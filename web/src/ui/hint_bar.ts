@@ -19,7 +19,7 @@ const WORDS: Record<InputKind, readonly Words[]> = {
   mouse: [
     { title: 'Drag', does: 'pulls a point' },
     { title: 'Shift + drag', does: 'spans a line' },
-    { title: 'Alt + drag', does: 'lassoes an area' },
+    { title: 'Ctrl or Alt + drag', does: 'lassoes an area' },
     { title: 'Empty ground', does: 'moves the camera' },
   ],
 };

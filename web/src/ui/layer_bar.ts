@@ -4,7 +4,7 @@ import { OverlayKind } from '../protocol/messages';
 import { element, setAttribute, setPressed } from './dom';
 import { icon } from './icons';
 import type { StudioActions } from './studio_actions';
-import type { LayerState, StudioStore } from './studio_state';
+import { isLost, type LayerState, type StudioStore } from './studio_state';
 import { toolButton } from './tool_button';
 import { ToolbarFocus } from './toolbar_focus';
 
@@ -32,6 +32,7 @@ export class LayerBar {
     for (const { kind, ...def } of OVERLAYS) {
       const button = toolButton({ ...def, className: 'toggle', pressed: false, act: () => actions.toggleOverlay(kind) });
       store.watch(['overlay'], (state) => setPressed(button, state.overlay === kind));
+      store.watch(['link', 'loaded'], (state) => (button.inert = isLost(state)));
       this.root.append(button);
     }
     const theme = toolButton({ icon: 'moon', label: 'Dark', iconOnly: true, key: 'N', className: 'theme-button', act: () => actions.toggleTheme() });
@@ -43,6 +44,6 @@ export class LayerBar {
     });
     const help = toolButton({ icon: 'help', label: 'Help', iconOnly: true, key: 'H', tip: 'All gestures and keys', className: 'help-button', act: () => actions.showHelp(true) });
     this.root.append(element('span', { class: 'divider' }), theme, help);
-    new ToolbarFocus(this.root);
+    new ToolbarFocus(this.root, store);
   }
 }

@@ -11,6 +11,11 @@ export class LiveRegion {
   /** The newest text within a quarter second is spoken: a point that becomes a line is a line. */
   say(text: string): void {
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => setText(this.root, text), SETTLE_MS);
+    this.timer = window.setTimeout(() => setText(this.root, this.fresh(text)), SETTLE_MS);
+  }
+
+  /** Unchanged text would not be spoken again: an unseen space makes it news. */
+  private fresh(text: string): string {
+    return this.root.textContent === text ? `${text}\u00a0` : text;
   }
 }

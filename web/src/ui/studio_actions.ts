@@ -13,6 +13,8 @@ export interface StudioActions {
   downloadTake(): void;
   openTake(file: File): void;
   loadScenario(name: string): void;
+  /** Ends a replay: the scenario comes back. */
+  leaveReplay(): void;
   setFormation(name: string): void;
   setActiveGroup(index: number): void;
   toggleLayer(layer: keyof LayerState): void;
@@ -22,6 +24,8 @@ export interface StudioActions {
   showHelp(open: boolean): void;
   dismissHint(): void;
   dismissNotice(): void;
+  /** Brings the spot that the message is about into view. */
+  showNoticePlace(): void;
   retry(): void;
   fit(): void;
 }

@@ -2,11 +2,12 @@
 
 import { LatencyMeter, pageClock } from '../engine/latency_meter';
 import type { StudioClient } from '../engine/studio_client';
-import { NoticeLevel, OverlayKind, ControlKind, type Frame, type GroupMesh, type Overlay, type Scene } from '../protocol/messages';
-import { parseScene } from '../protocol/scene';
+import { OverlayKind, ControlKind, type Frame, type GroupMesh, type Notice, type Overlay, type Scene, type Welcome } from '../protocol/messages';
+import { isSameWorld, parseScene, type SceneFacts } from '../protocol/scene';
 import { CameraGesture, OrbitGesture } from '../tools/camera_gesture';
 import type { Contact } from '../tools/contact';
 import { CrowdKeys } from '../tools/crowd_keys';
+import { Drafts } from '../tools/drafts';
 import { FormationHitTest } from '../tools/formation_hit_test';
 import { HeldControls } from '../tools/held_controls';
 import { PointerRouter } from '../tools/pointer_router';
@@ -15,28 +16,33 @@ import { SpaceKey } from '../tools/space_key';
 import { ToolChooser } from '../tools/tool_chooser';
 import { TouchEditor } from '../tools/touch_editor';
 import { TouchSender } from '../tools/touch_sender';
-import type { ScreenPoint } from '../view/camera_types';
+import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import { fieldScale } from '../view/field_picture';
-import type { StudioScene } from '../view/studio_view';
+import type { StudioScene } from '../view/studio_scene';
 import { ControlWatch, KIND_NAMES, type ControlNews } from './control_watch';
+import { returnFocus } from './focus_return';
+import { FormationWatch } from './formation_watch';
 import { formatClock } from './formatters';
 import { FrameReader, sceneKey } from './frame_reader';
 import { LayoutWatcher } from './layout';
+import { problem } from './notices';
 import { HINT_KEY, StudioController } from './studio_controller';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
-import { StudioStore } from './studio_state';
-import { applyTheme, preferredTheme, readSetting } from './theme';
+import { StudioStore, isLost } from './studio_state';
+import { applyTheme, followSystemTheme, preferredTheme, readSetting } from './theme';
 
 export class StudioApp {
   readonly latency = new LatencyMeter();
   readonly store = new StudioStore();
   /** Newest decoded frame. */
   frame: Frame | null = null;
-  private sceneKey = '';
-  private readonly meshes = new Map<number, GroupMesh>();
+  private scene: SceneFacts | null = null;
+  private sceneRevision = 0;
   private readonly reader = new FrameReader();
   private readonly watch = new ControlWatch();
+  private readonly formations = new FormationWatch();
+  private readonly drafts: Drafts;
   private readonly hitTest = new FormationHitTest();
   private readonly controller: StudioController;
   private readonly shell: StudioShell;
@@ -52,16 +58,19 @@ export class StudioApp {
     page: HTMLElement,
   ) {
     const say = (text: string): void => this.shell.live.say(text);
-    this.controller = new StudioController(client, this.store, () => this.fit(), say);
+    const look = { fitCrowd: () => this.fit(), lookAt: (point: GroundPoint) => this.lookAt(point) };
+    this.controller = new StudioController(client, this.store, look, say);
+    this.drafts = new Drafts((drafts) => view.showDrafts(drafts), () => this.controls.unanswered, () => client.clientId);
     this.touches = new TouchSender(client, (time) => this.latency.touched(time));
-    this.controls = new HeldControls(client, this.touches, () => client.clientId);
-    const editor = new TouchEditor(this.touches, view);
+    this.controls = new HeldControls(client, this.touches, () => client.clientId, this.drafts);
+    const editor = new TouchEditor(this.touches, view, this.drafts);
     const camera = new CameraGesture(view.camera);
     const orbit = new OrbitGesture(view.camera);
     this.chooser = new ToolChooser({ scene: view, hitTest: this.hitTest, editor, camera, orbit, controls: this.controls });
     this.keys = new CrowdKeys(view, this.controls, this.chooser, () => this.middle(), say);
     const shortcuts = this.shortcuts();
     this.shell = new StudioShell(page, this.store, this.controller, shortcuts);
+    returnFocus(page, canvas);
     new ShortcutHandler(window, shortcuts);
     new SpaceKey(window, (held) => (this.chooser.panning = held), () => this.controller.togglePlay());
     this.routePointers();
@@ -95,6 +104,9 @@ export class StudioApp {
       wheel: (at, factor) => this.view.camera.zoomAt(at, factor),
       pointed: (contact) => this.pointed(contact),
     });
+    for (const type of ['pointerdown', 'pointermove', 'pointerup', 'pointerleave'] as const) {
+      this.canvas.addEventListener(type, (event) => this.keys.pointed(event));
+    }
   }
 
   /** Touching a formation chooses its group. */
@@ -104,7 +116,6 @@ export class StudioApp {
   }
 
   private pointed(contact: Contact): void {
-    this.keys.pointer = contact.ground;
     const input = contact.kind === 'mouse' ? 'mouse' : 'touch';
     if (this.store.state.input !== input) this.store.set({ input });
     if (contact.kind !== 'mouse' || !contact.ground) return;
@@ -115,8 +126,8 @@ export class StudioApp {
   private tapped(contact: Contact): void {
     if (this.store.state.overlay !== OverlayKind.Cost) return;
     const box = this.canvas.getBoundingClientRect();
-    const picked = this.view.pick(contact.screen.x + box.left, contact.screen.y + box.top);
-    if (picked && picked.character >= 0) this.controller.chooseCharacter(picked.character);
+    const character = this.view.pick(contact.screen.x + box.left, contact.screen.y + box.top);
+    if (character >= 0) this.controller.chooseCharacter(character);
   }
 
   private doubleClicked({ ground, time }: Contact): void {
@@ -139,6 +150,7 @@ export class StudioApp {
       store.set({ layout });
       requestAnimationFrame(() => view.setPadding(this.shell.padding()));
     });
+    followSystemTheme(window, (theme) => store.set({ theme }));
     store.watch(['theme'], ({ theme }) => {
       applyTheme(window, theme);
       view.setTheme(theme);
@@ -162,50 +174,70 @@ export class StudioApp {
     const { client, store, view } = this;
     client.on('link', (link) => {
       store.set({ link });
-      const lost = link.phase !== 'open' && store.state.loaded;
+      const lost = isLost(store.state);
       view.setLost(lost);
       document.documentElement.toggleAttribute('data-lost', lost);
       if (link.phase !== 'open') this.forgetTouches();
     });
-    client.on('welcome', (welcome) => store.set({ scenarios: welcome.scenarios }));
+    client.on('welcome', (welcome) => this.greeted(welcome));
     client.on('scene', (scene) => this.showScene(scene));
-    client.on('groupMesh', (mesh) => {
-      this.meshes.set(mesh.group, mesh);
-      this.hitTest.setMesh(mesh);
-      this.reader.setMesh(mesh);
-      view.setGroupMesh(mesh);
-    });
+    client.on('groupMesh', (mesh) => this.showMesh(mesh));
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('overlay', (overlay) => this.showOverlay(overlay));
-    client.on('notice', (notice) => store.set({ notice }));
+    client.on('notice', (notice) => this.noticed(notice));
+  }
+
+  private greeted({ client, scenarios }: Welcome): void {
+    this.store.set({ scenarios });
+    this.view.setClient(client);
+    this.controller.askOverlayAgain();
+  }
+
+  private noticed(notice: Notice): void {
+    // Fingers that were refused are answered: nothing of them will ever be shown.
+    if (notice.code === 'Touches' || notice.code === 'AddControl') this.drafts.clear();
+    this.store.set({ notice });
   }
 
   private forgetTouches(): void {
     this.controls.clear();
+    this.drafts.clear();
     this.latency.reset();
   }
 
+  private showMesh(mesh: GroupMesh): void {
+    this.hitTest.setMesh(mesh);
+    this.reader.setMesh(mesh);
+    this.view.setGroupMesh(mesh);
+  }
+
   private showScene(message: Scene): void {
+    this.sceneRevision = message.revision;
     try {
       const scene = parseScene(message.json);
       this.reader.setScene(scene);
       this.store.set({ title: scene.title, scenario: scene.name, credit: scene.credit, loaded: true });
-      // A scene comes again when only a parameter or a count changed: that must not move the camera.
-      const key = sceneKey(scene);
-      if (key === this.sceneKey) return;
-      this.sceneKey = key;
-      this.forgetTouches();
-      this.store.set({ active: 0, notice: null });
+      const before = this.scene;
+      // A scene comes again when only a parameter or a count changed: nothing looks different then.
+      if (before && sceneKey(before) === sceneKey(scene)) return;
+      this.scene = scene;
+      if (!before || !isSameWorld(before, scene)) this.forgetWorld();
       this.view.setScene(scene);
       this.view.setPadding(this.shell.padding());
-      for (const mesh of this.meshes.values()) this.view.setGroupMesh(mesh);
     } catch (error) {
-      const text = `The scene could not be shown: ${String(error)}`;
-      this.store.set({ notice: { type: 'Notice', level: NoticeLevel.Error, code: 'scene', text } });
+      this.store.set({ notice: problem('scene', `The scene could not be shown: ${String(error)}`) });
     }
   }
 
+  private forgetWorld(): void {
+    this.forgetTouches();
+    this.formations.clear();
+    this.store.set({ active: 0, notice: null });
+  }
+
   private showFrame(frame: Frame, receivedAt: number): void {
+    // One that was on its way when the scene changed speaks of what is gone.
+    if (frame.sceneRevision !== this.sceneRevision) return;
     this.frame = frame;
     this.hitTest.setGroups(frame.groups);
     this.chooser.observe(frame);
@@ -215,7 +247,11 @@ export class StudioApp {
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
     this.store.set(this.reader.change(frame, this.store.state));
+    this.drafts.observe(frame);
     for (const news of this.watch.observe(frame)) this.announce(news);
+    for (const { name, formation } of this.formations.observe(this.store.state.groups, frame.step)) {
+      this.shell.live.say(`${name}: ${formation}`);
+    }
   }
 
   private announce(news: ControlNews): void {
@@ -237,6 +273,11 @@ export class StudioApp {
   private fit(): void {
     this.view.setPadding(this.shell.padding());
     this.view.fitCrowd();
+  }
+
+  private lookAt(point: GroundPoint): void {
+    this.view.setPadding(this.shell.padding());
+    this.view.lookAt(point);
   }
 
   private middle(): ScreenPoint {

@@ -5,15 +5,18 @@ import { StudioStore } from './studio_state';
 
 let sent: ClientMessage[];
 let said: string[];
+let seen: { x: number; y: number }[];
 let store: StudioStore;
 let controller: StudioController;
 
 beforeEach(() => {
   sent = [];
   said = [];
+  seen = [];
   store = new StudioStore();
   const client = { send: (message: ClientMessage) => sent.push(message), retry: () => undefined };
-  controller = new StudioController(client, store, () => undefined, (text) => said.push(text));
+  const camera = { fitCrowd: () => undefined, lookAt: (point: { x: number; y: number }) => seen.push(point) };
+  controller = new StudioController(client, store, camera, (text) => said.push(text));
 });
 
 const group = { id: 7, name: 'North', colour: 0, count: 9, formation: 'square' };
@@ -40,7 +43,10 @@ describe('StudioController', () => {
     store.set({ groups: [{ ...group, id: 1 }, group], active: 1 });
     controller.setFormation('ring');
     expect(sent).toEqual([{ type: 'SetFormation', group: 7, formation: 'ring' }]);
-    expect(said).toEqual(['North: ring']);
+    expect(said).toEqual(['North: ring with the next step']);
+    store.set({ playing: true });
+    controller.setFormation('line');
+    expect(said).toHaveLength(1);
   });
   it('goes round the groups', () => {
     store.set({ groups: [group, { ...group, id: 8 }], active: 1 });
@@ -55,6 +61,43 @@ describe('StudioController', () => {
       [OverlayKind.None, 0], [OverlayKind.Cost, 30], [OverlayKind.None, 0],
     ]);
     expect(store.state.overlay).toBe(OverlayKind.None);
+  });
+  it('asks again for the overlay that is shown, of a server that was found again', () => {
+    controller.askOverlayAgain();
+    expect(sent).toEqual([]);
+    controller.toggleOverlay(OverlayKind.Density);
+    controller.askOverlayAgain();
+    controller.chooseCharacter(30);
+    controller.askOverlayAgain();
+    expect(sent.map((one) => one.type === 'SetOverlay' && [one.kind, one.character])).toEqual([
+      [OverlayKind.Density, 0], [OverlayKind.Density, 0], [OverlayKind.Cost, 30], [OverlayKind.Cost, 30],
+    ]);
+  });
+  it('leaves a replay by loading what was steered before it, or what is called like it', () => {
+    const info = (name: string, title: string) => ({ type: 'ScenarioInfo', name, title, description: '', characters: 9 });
+    store.set({ scenarios: [info('block', 'Block'), info('open', 'Open square')] as never, replaying: true, title: 'Open square' });
+    controller.leaveReplay();
+    store.set({ lastLive: 'block' });
+    controller.leaveReplay();
+    store.set({ lastLive: 'gone', title: 'Gone' });
+    controller.leaveReplay();
+    const loads = sent.flatMap((one) => (one.type === 'LoadScenario' ? [one.name] : []));
+    expect(loads).toEqual(['open', 'block', 'block']);
+  });
+  it('records nothing while a take is replayed', () => {
+    store.set({ replaying: true });
+    controller.toggleRecord();
+    expect(sent).toEqual([]);
+    expect(said).toHaveLength(1);
+    store.set({ replaying: false });
+    controller.toggleRecord();
+    expect(sent).toEqual([{ type: 'Record', on: true }]);
+  });
+  it('shows the spot of a message, where it has one', () => {
+    controller.showNoticePlace();
+    store.set({ notice: { type: 'Notice', level: 1, code: 'rejected', text: '', hasPlace: true, x: 3, y: -2 } });
+    controller.showNoticePlace();
+    expect(seen).toEqual([{ x: 3, y: -2 }]);
   });
   it('toggles layers one by one', () => {
     controller.toggleLayer('paths');

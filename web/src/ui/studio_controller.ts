@@ -1,7 +1,9 @@
 // Carries out what panels and keys ask for.
 
-import { NoticeLevel, OverlayKind, TransportAction } from '../protocol/messages';
+import { OverlayKind, TransportAction } from '../protocol/messages';
 import type { MessageSender } from '../engine/studio_client';
+import type { GroundPoint } from '../view/camera_types';
+import { problem } from './notices';
 import type { StudioActions } from './studio_actions';
 import type { LayerState, StudioStore } from './studio_state';
 import { downloadTake, openTake } from './takes';
@@ -21,12 +23,18 @@ export interface ControllerLink extends MessageSender {
   retry(): void;
 }
 
+/** What panels and keys ask of the camera. */
+export interface ControllerCamera {
+  fitCrowd(): void;
+  lookAt(point: GroundPoint): void;
+}
+
 export class StudioController implements StudioActions {
-  /** `fitCrowd` moves the camera; `say` speaks to the live region. */
+  /** `say` speaks to the live region. */
   constructor(
     private readonly client: ControllerLink,
     private readonly store: StudioStore,
-    private readonly fitCrowd: () => void,
+    private readonly camera: ControllerCamera,
     private readonly say: (text: string) => void,
   ) {}
 
@@ -52,17 +60,28 @@ export class StudioController implements StudioActions {
   }
 
   toggleRecord(): void {
+    if (this.store.state.replaying) {
+      this.say('A take is replayed: leave it to record');
+      return;
+    }
     const on = this.store.state.recorded < 0;
     this.client.send({ type: 'Record', on });
     this.say(on ? 'Recording' : 'Recording stopped');
   }
 
   downloadTake(): void {
-    void downloadTake(this.store.state.title).then((problem) => this.tell(problem));
+    void downloadTake(this.store.state.title).then((text) => this.tell(text));
   }
 
   openTake(file: File): void {
-    void openTake(file).then((problem) => this.tell(problem));
+    void openTake(file).then((text) => this.tell(text));
+  }
+
+  /** Loads what was there before the take; where that is unknown, the scenario that is called like it, or the first. */
+  leaveReplay(): void {
+    const { scenarios, title, lastLive } = this.store.state;
+    const found = scenarios.find(({ name }) => name === lastLive) ?? scenarios.find((one) => one.title === title) ?? scenarios[0];
+    if (found) this.loadScenario(found.name);
   }
 
   loadScenario(name: string): void {
@@ -75,7 +94,8 @@ export class StudioController implements StudioActions {
     const group = groups[active];
     if (!group) return;
     this.client.send({ type: 'SetFormation', group: group.id, formation: name });
-    this.say(`${group.name}: ${name}`);
+    // The change itself is spoken when it happens.
+    if (!this.store.state.playing) this.say(`${group.name}: ${name} with the next step`);
   }
 
   setActiveGroup(index: number): void {
@@ -122,6 +142,11 @@ export class StudioController implements StudioActions {
     this.store.set({ hint: false });
   }
 
+  showNoticePlace(): void {
+    const { notice } = this.store.state;
+    if (notice?.hasPlace) this.camera.lookAt({ x: notice.x, y: notice.y });
+  }
+
   dismissNotice(): void {
     this.store.set({ notice: null });
   }
@@ -131,18 +156,28 @@ export class StudioController implements StudioActions {
   }
 
   fit(): void {
-    this.fitCrowd();
+    this.camera.fitCrowd();
+  }
+
+  /** A server that was found again knows nothing of what was asked for. */
+  askOverlayAgain(): void {
+    const { overlay, chosen } = this.store.state;
+    if (overlay !== OverlayKind.None) this.askOverlay(overlay, chosen);
   }
 
   private setOverlay(kind: OverlayKind, chosen: number): void {
     this.store.set({ overlay: kind, chosen, cost: null, ramp: null });
+    this.askOverlay(kind, chosen);
+  }
+
+  private askOverlay(kind: OverlayKind, chosen: number): void {
     // Nobody chosen yet: there is no field to ask for.
     const asked = kind === OverlayKind.Cost && chosen < 0 ? OverlayKind.None : kind;
     this.client.send({ type: 'SetOverlay', kind: asked, character: Math.max(0, chosen) });
   }
 
-  private tell(problem: string | null): void {
-    if (problem === null) return;
-    this.store.set({ notice: { type: 'Notice', level: NoticeLevel.Error, code: 'take', text: problem } });
+  private tell(text: string | null): void {
+    if (text === null) return;
+    this.store.set({ notice: problem('take', text) });
   }
 }

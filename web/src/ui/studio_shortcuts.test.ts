@@ -30,6 +30,11 @@ it('every key does what the help says', () => {
   expect(press('x')).toBeUndefined();
 });
 
+it('only camera, steps and carrying repeat while a key is held', () => {
+  const repeated = shortcuts.filter((shortcut) => shortcut.repeats).flatMap((shortcut) => shortcut.match);
+  expect(repeated.sort()).toEqual(['+', '-', '.', '=', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'e', 'q']);
+});
+
 it('no key means two things', () => {
   const keys = shortcuts.flatMap((shortcut) => (shortcut.run ? shortcut.match : []));
   expect(new Set(keys).size).toBe(keys.length);

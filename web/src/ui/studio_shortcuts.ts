@@ -45,7 +45,7 @@ function timeKeys(actions: StudioActions): Shortcut[] {
   return [
     // Space acts on its release, as it also pans while a mouse drags: see SpaceKey.
     { keys: 'Space', does: 'plays or pauses', group: 'Time', match: [] },
-    { keys: '.', does: 'single step', group: 'Time', match: ['.'], run: () => actions.singleStep() },
+    { keys: '.', does: 'single step', group: 'Time', match: ['.'], repeats: true, run: () => actions.singleStep() },
     { keys: '< >', does: 'slower, faster', group: 'Time', match: ['<', '>'], run: (event) => actions.nextSpeed(event.key === '<') },
     { keys: 'R', does: 'records a take, and stops', group: 'Time', match: ['r'], run: () => actions.toggleRecord() },
     { keys: 'Home', does: 'restart', group: 'Time', match: ['Home'], sceneOnly: true, run: () => actions.restart() },
@@ -55,9 +55,9 @@ function timeKeys(actions: StudioActions): Shortcut[] {
 function cameraKeys(actions: StudioActions, tools: KeyTools): Shortcut[] {
   const arrows = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight'];
   return [
-    { keys: '← ↑ → ↓', does: 'pan', group: 'Camera', match: arrows, sceneOnly: true, run: (event) => tools.arrow(event.key as ArrowKey, event.shiftKey) },
-    { keys: '+ -', does: 'zoom', group: 'Camera', match: ['+', '=', '-'], run: (event) => tools.zoom(event.key === '-' ? 1 / 1.2 : 1.2) },
-    { keys: 'Q E', does: 'turn', group: 'Camera', match: ['q', 'e'], run: (event) => tools.turn(event.key.toLowerCase() === 'q' ? QUARTER_STEP : -QUARTER_STEP) },
+    { keys: '← ↑ → ↓', does: 'pan', group: 'Camera', match: arrows, sceneOnly: true, repeats: true, run: (event) => tools.arrow(event.key as ArrowKey, event.shiftKey) },
+    { keys: '+ -', does: 'zoom', group: 'Camera', match: ['+', '=', '-'], repeats: true, run: (event) => tools.zoom(event.key === '-' ? 1 / 1.2 : 1.2) },
+    { keys: 'Q E', does: 'turn', group: 'Camera', match: ['q', 'e'], repeats: true, run: (event) => tools.turn(event.key.toLowerCase() === 'q' ? QUARTER_STEP : -QUARTER_STEP) },
     { keys: 'F', does: 'fits crowd and paths', group: 'Camera', match: ['f'], run: () => actions.fit() },
   ];
 }

@@ -58,6 +58,8 @@ export interface StudioState {
   readonly ramp: RampScale | null;
   readonly playing: boolean;
   readonly replaying: boolean;
+  /** The scenario that was last steered, not replayed. */
+  readonly lastLive: string;
   readonly speed: number;
   /** Negative: not recording. */
   readonly recorded: number;
@@ -91,6 +93,7 @@ export const initialState: StudioState = {
   ramp: null,
   playing: false,
   replaying: false,
+  lastLive: '',
   speed: 1,
   recorded: -1,
   characters: 0,
@@ -102,6 +105,11 @@ export const initialState: StudioState = {
   hint: false,
   help: false,
 };
+
+/** The server is gone after a scene was seen: what needs it would do nothing. */
+export function isLost({ link, loaded }: Pick<StudioState, 'link' | 'loaded'>): boolean {
+  return loaded && link.phase !== 'open';
+}
 
 type Listener = (state: StudioState, before: StudioState) => void;
 

@@ -27,6 +27,13 @@ export function preferredTheme(page: Window): Theme {
   return page.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 }
 
+/** Tells when the system changes between light and dark and the visitor has chosen none of them. */
+export function followSystemTheme(page: Window, changed: (theme: Theme) => void): void {
+  page.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    if (readSetting(() => page.localStorage, KEY) === null) changed(preferredTheme(page));
+  });
+}
+
 export function applyTheme(page: Window, theme: Theme): void {
   page.document.documentElement.dataset['theme'] = theme;
   page.document.querySelector('meta[name="theme-color"]')?.setAttribute('content', theme === 'dark' ? '#21262C' : '#E6E1D9');

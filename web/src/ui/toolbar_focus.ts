@@ -1,13 +1,16 @@
 // One Tab stop per toolbar; arrow keys, Home and End move inside it.
 
+import type { StudioStore } from './studio_state';
+
 const FORWARD = new Set(['ArrowRight', 'ArrowDown']);
 const BACK = new Set(['ArrowLeft', 'ArrowUp']);
 
 export class ToolbarFocus {
-  constructor(private readonly root: HTMLElement) {
+  /** Layouts and the connection hide and still buttons: the stop must stand on one that can be reached. */
+  constructor(private readonly root: HTMLElement, store: StudioStore) {
     root.addEventListener('keydown', (event) => this.moved(event));
     root.addEventListener('focusin', (event) => this.enter(event.target as HTMLElement));
-    this.refresh();
+    store.watch(['layout', 'link', 'replaying'], () => this.refresh());
   }
 
   /** After buttons came, went or were hidden. */
@@ -18,9 +21,18 @@ export class ToolbarFocus {
   }
 
   private buttons(): HTMLElement[] {
-    const all = [...this.root.querySelectorAll<HTMLElement>('button')];
-    const shown = all.filter((button) => !button.hidden && button.closest('[hidden]') === null);
-    return shown.filter((button) => getComputedStyle(button).display !== 'none');
+    return [...this.root.querySelectorAll<HTMLElement>('button')].filter((button) => this.canBeReached(button));
+  }
+
+  private canBeReached(button: HTMLElement): boolean {
+    if (button.closest('[hidden], [inert]') !== null || (button as HTMLButtonElement).disabled) return false;
+    // A list that a button opens has keys of its own.
+    const list = button.closest('[role="group"]');
+    if (list !== null && this.root.contains(list)) return false;
+    for (let node: HTMLElement | null = button; node !== null && node !== this.root; node = node.parentElement) {
+      if (getComputedStyle(node).display === 'none') return false;
+    }
+    return true;
   }
 
   private enter(target: HTMLElement): void {

@@ -1,4 +1,4 @@
-// Time: restart, play or pause, single step, speed, record and takes.
+// Time: restart, play or pause, single step, speed, record and takes; during a replay the way out of it.
 
 import { element, setAttribute, setPressed, setText } from './dom';
 import { formatClock, formatSpeed } from './formatters';
@@ -17,6 +17,7 @@ export class TransportBar {
   private readonly restart: HTMLButtonElement;
   private readonly step: HTMLButtonElement;
   private readonly takes: HTMLButtonElement;
+  private readonly replay = element('span', { class: 'replay' });
   private readonly takeList = element('div', { class: 'take-list panel', role: 'group', 'aria-label': 'Takes' });
   private readonly file = element('input', { type: 'file', accept: '.take', hidden: true, 'aria-label': 'Open a take', tabindex: -1 });
   readonly root = element('div', { class: 'transport panel', role: 'toolbar', 'aria-label': 'Time and takes' });
@@ -31,11 +32,13 @@ export class TransportBar {
     this.record.addEventListener('click', () => actions.toggleRecord());
     this.takes = toolButton({ icon: 'takes', label: 'Takes', iconOnly: true, className: 'takes', tip: 'Download or open a take' });
     this.fillTakes();
+    const leave = toolButton({ icon: 'leave', label: 'Leave', className: 'leave soft', tip: 'Leave the replay: load the scenario', act: () => actions.leaveReplay() });
+    this.replay.append(element('strong', { class: 'replay-label' }, 'Replay'), leave);
     const divider = element('span', { class: 'divider' });
     const takes = element('span', { class: 'takes-holder' }, this.takes, this.takeList);
-    this.root.append(this.restart, this.play, this.step, this.speed, divider, this.record, takes, this.file);
-    new ToolbarFocus(this.root);
-    store.watch(['playing', 'speed', 'recorded', 'link'], (state) => this.show(state));
+    this.root.append(this.restart, this.play, this.step, this.speed, divider, this.record, takes, this.replay, this.file);
+    store.watch(['playing', 'speed', 'recorded', 'replaying', 'link'], (state) => this.show(state));
+    new ToolbarFocus(this.root, store);
   }
 
   private fillTakes(): void {
@@ -78,5 +81,7 @@ export class TransportBar {
     const clock = formatClock(state.recorded);
     setText(this.recordLabel, recording ? (lost ? `${clock} kept` : clock) : 'Record');
     setAttribute(this.record, 'aria-label', recording ? 'Stop recording' : 'Record');
+    this.record.disabled = state.replaying;
+    this.replay.hidden = !state.replaying;
   }
 }

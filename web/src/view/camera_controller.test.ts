@@ -128,4 +128,19 @@ describe('CameraController', () => {
     expect(made.pose.targetX).toBeCloseTo(direct.pose.targetX);
     expect(made.update(1400)).toBe(false);
   });
+
+  it('glides to a spot between the panels without coming nearer, also to one behind the eye', () => {
+    const padding = { top: 80, right: 24, bottom: 200, left: 160 };
+    for (const spot of [{ x: 12, y: 9 }, { x: -20, y: -300 }]) {
+      const made = camera();
+      const { distance, turn, pitch } = made.pose;
+      made.glideTo(spot, padding, 1000, 200);
+      expect(made.update(1100)).toBe(true);
+      made.update(1300);
+      const at = made.worldToScreen(spot.x, spot.y);
+      expect(at.x).toBeCloseTo((160 + 1280 - 24) / 2, 4);
+      expect(at.y).toBeCloseTo((80 + 800 - 200) / 2, 4);
+      expect([made.pose.distance, made.pose.turn, made.pose.pitch]).toEqual([distance, turn, pitch]);
+    }
+  });
 });

@@ -151,9 +151,17 @@ export class CameraController implements CameraControls {
   glideFit(points: readonly GroundPoint[], padding: Padding, now: number, duration: number): void {
     const from = { ...this.pose_ };
     this.fit(points, padding);
-    if (duration <= 0) return;
-    this.glide_ = { from, to: { ...this.pose_ }, start: now, duration };
-    this.pose_ = from;
+    this.glideFrom(from, now, duration);
+  }
+
+  /** Glides until the point lies in the middle between the panels; distance, turn and pitch stay. */
+  glideTo(point: GroundPoint, padding: Padding, now: number, duration: number): void {
+    const from = { ...this.pose_ };
+    const middle = this.screenToGround({
+      x: (padding.left + this.width_ - padding.right) / 2, y: (padding.top + this.height_ - padding.bottom) / 2,
+    });
+    if (middle) this.shift(point.x - middle.x, point.y - middle.y);
+    this.glideFrom(from, now, duration);
   }
 
   /** Moves along a glide; true while it lasts. */
@@ -230,6 +238,13 @@ export class CameraController implements CameraControls {
       box.maxY = Math.max(box.maxY, at.y);
     }
     return box;
+  }
+
+  /** From a pose to the one it has now. */
+  private glideFrom(from: CameraPose, now: number, duration: number): void {
+    if (duration <= 0) return;
+    this.glide_ = { from, to: { ...this.pose_ }, start: now, duration };
+    this.pose_ = from;
   }
 
   private shift(dx: number, dy: number): void {

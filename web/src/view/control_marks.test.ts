@@ -53,14 +53,15 @@ describe('ControlMarks', () => {
     expect(marks.rings.size).toBe(0);
   });
 
-  it('finds the finger at the end of a path, not one of another group or one that lifted', () => {
+  it('knows the finger of a touch, but not where another client uses its number, nor after its lift', () => {
     const marks = new ControlMarks();
+    marks.client = 3;
     marks.touch(7, { x: 1, y: 0 }, 0, 10);
-    marks.touch(8, { x: 2, y: 0 }, 0, 10);
-    marks.touch(9, { x: 0.1, y: 0 }, 1, 10);
-    expect(marks.fingerNear(0, { x: 0, y: 0 })).toEqual({ x: 1, y: 0 });
-    expect(marks.fingerNear(0, { x: 30, y: 0 })).toBeNull();
-    marks.touch(7, null, 0, 20);
-    expect(marks.fingerNear(0, { x: 0, y: 0 })).toEqual({ x: 2, y: 0 });
+    marks.touch(8, { x: 1.1, y: 0 }, 0, 10);
+    expect(marks.fingerOf(3, 8)).toEqual({ x: 1.1, y: 0 });
+    expect(marks.fingerOf(4, 8)).toBeNull();
+    expect(marks.fingerOf(3, 9)).toBeNull();
+    marks.touch(8, null, 0, 20);
+    expect(marks.fingerOf(3, 8)).toBeNull();
   });
 });

@@ -26,11 +26,12 @@ export interface TouchRing {
 
 const kFade = 160;
 const kFadeReduced = 80;
-/** A finger runs ahead of its path by no more than this [m]. */
-const kFingerReach = 3;
 
 export class ControlMarks {
+  /** By touch, where the ring is a finger's that draws. */
   readonly rings = new Map<number, TouchRing>();
+  /** Our number at the server: only our touches have rings. */
+  client = 0;
   private shown_ = new Map<string, ShownControl>();
   private reduced_ = false;
 
@@ -66,17 +67,10 @@ export class ControlMarks {
     }
   }
 
-  /** Where the finger is that draws a path of this group ending at `end`: fingers and paths have numbers of their own. */
-  fingerNear(group: number, end: GroundPoint): GroundPoint | null {
-    let found: GroundPoint | null = null;
-    let least = kFingerReach;
-    for (const ring of this.rings.values()) {
-      const away = Math.hypot(ring.at.x - end.x, ring.at.y - end.y);
-      if (ring.lifted > 0 || ring.group !== group || away >= least) continue;
-      least = away;
-      found = ring.at;
-    }
-    return found;
+  /** Where the finger of this touch is now; null where it is another client's, or lifted. */
+  fingerOf(client: number, touch: number): GroundPoint | null {
+    const ring = client === this.client ? this.rings.get(touch) : undefined;
+    return ring && ring.lifted === 0 ? ring.at : null;
   }
 
   /** Takes the controls of the newest frame: what is under a finger waits for no other. */

@@ -17,6 +17,12 @@ describe('CrowdState', () => {
     expect(state.placement[4]).toBeCloseTo(5);
   });
 
+  it('forgets who was there with a world, so that the same numbers are news in the next', () => {
+    const state = crowd(2);
+    state.clear();
+    expect([state.count, state.ids.length, state.group.length]).toEqual([0, 0, 0]);
+  });
+
   it('walks its limbs with the ground covered and rests when still', () => {
     const state = crowd(1);
     const at = (x: number): void => {

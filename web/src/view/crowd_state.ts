@@ -63,8 +63,7 @@ export class CrowdState {
   }
 
   clear(): void {
-    this.count = 0;
-    this.started_ = false;
+    this.setMembers([], []);
   }
 
   /** Takes the list of who is there; call when a frame brings one. */

@@ -124,6 +124,8 @@ export class FatLines {
     this.tints_ = new Float32Array(4 * this.capacity_);
     this.along_ = new Float32Array(2 * this.capacity_);
     const geometry = this.mesh.geometry;
+    // three.js keeps the count of instances that it first saw, and their buffers, until the geometry goes.
+    geometry.dispose();
     const own = (array: Float32Array, size: number): InstancedBufferAttribute => {
       const attribute = new InstancedBufferAttribute(array, size);
       attribute.setUsage(DynamicDrawUsage);

@@ -114,6 +114,8 @@ export class Figures {
     }
     const place = instanced(state.placement, 4, true);
     for (const geometry of [this.bodies.geometry, this.discs.geometry]) {
+      // three.js keeps the count of instances that it first saw, and their buffers, until the geometry goes.
+      geometry.dispose();
       geometry.setAttribute('aPlace', place);
     }
     const pose = instanced(state.pose, 4, true);

@@ -4,19 +4,29 @@ import type { GroupMeshView, GroupView } from './frame_types';
 import { type InstancedRings, kRing } from './instanced_rings';
 import type { MeshLayer, ShownMesh } from './mesh_layer';
 import { makeTopology, type MeshTopology } from './mesh_topology';
-import type { MeshTarget } from './picker';
 
 /** Places are rings of this radius [m]. */
 const kPlaceRadius = 0.24;
 const kPlaceAlpha = 0.5;
+const kComingAlpha = 0.95;
+/** New places are dashed for this long: a formation appears before the crowd has taken it [ms]. */
+const kComing = 600;
+
+/** Which formation a group was last seen in, and since when [ms]. */
+interface Formed {
+  readonly version: number;
+  readonly since: number;
+}
 
 export class GroupPicture {
   /** By group id and version: the last few, since frames may be dropped. */
   private readonly topologies_ = new Map<string, MeshTopology>();
+  private readonly formed_ = new Map<number, Formed>();
   private groups_: readonly GroupView[] = [];
 
   clear(): void {
     this.topologies_.clear();
+    this.formed_.clear();
     this.groups_ = [];
   }
 
@@ -30,46 +40,41 @@ export class GroupPicture {
     this.groups_ = groups;
   }
 
-  /** The mesh of each group as shown; null where its shape has not come yet. */
-  targets(): (MeshTarget | null)[] {
-    return this.groups_.map((group) => {
-      const topology = this.topologies_.get(`${group.id}:${group.meshVersion}`);
-      return topology && group.vertices.length > 0 ? { topology, vertices: group.vertices } : null;
-    });
-  }
-
-  /** Hands the meshes to their layer; `accents` are the groups' colours. */
+  /** Hands the meshes to their layer, less those whose shape has not come yet; `accents` are the groups' colours. */
   showMeshes(layer: MeshLayer, visible: boolean, accents: readonly string[]): void {
     const shown: ShownMesh[] = [];
-    if (visible) {
-      this.targets().forEach((target, index) => {
-        if (target) shown.push({ ...target, colour: accents[index] ?? '#808080' });
-      });
-    }
+    this.groups_.forEach((group, index) => {
+      const topology = this.topologies_.get(`${group.id}:${group.meshVersion}`);
+      if (!visible || !topology || group.vertices.length === 0) return;
+      shown.push({ topology, vertices: group.vertices, colour: accents[index] ?? '#808080' });
+    });
     layer.update(shown);
   }
 
-  /** Draws places as rings, and those to come dashed. */
-  showPlaces(rings: InstancedRings, visible: boolean, accents: readonly string[],
-             previews: ReadonlyMap<number, ArrayLike<number>>): void {
-    const sets = visible ? this.groups_.map((group) => group.places) : [];
-    let count = sets.reduce((sum, places) => sum + places.length / 2, 0);
-    for (const places of previews.values()) count += places.length / 2;
-    rings.begin(count);
-    sets.forEach((places, index) => {
-      rings.setTint(accents[index] ?? '#808080');
-      const fit = this.groups_[index]?.fit;
-      for (let i = 0; i + 1 < places.length; i += 2) {
-        const fits = (fit?.[i / 2] ?? 1) !== 0;
-        rings.add(places[i] ?? 0, places[i + 1] ?? 0, kPlaceRadius, fits ? kRing.whole : kRing.crossed, kPlaceAlpha);
-      }
-    });
-    for (const [group, places] of previews) {
-      rings.setTint(accents[group] ?? '#808080');
-      for (let i = 0; i + 1 < places.length; i += 2) {
-        rings.add(places[i] ?? 0, places[i + 1] ?? 0, kPlaceRadius, kRing.dashed, 0.95);
-      }
+  /** Draws places as rings: dashed while a formation is new, crossed where nobody finds room. */
+  showPlaces(rings: InstancedRings, visible: boolean, accents: readonly string[], now: number): void {
+    const coming = this.groups_.map((group) => this.isComing(group, now));
+    rings.begin(visible ? this.groups_.reduce((sum, group) => sum + group.places.length / 2, 0) : 0);
+    if (visible) {
+      this.groups_.forEach(({ places, fit }, index) => {
+        rings.setTint(accents[index] ?? '#808080');
+        const [standing, alpha] = coming[index] ? [kRing.dashed, kComingAlpha] : [kRing.whole, kPlaceAlpha];
+        for (let i = 0; i + 1 < places.length; i += 2) {
+          const fits = (fit[i / 2] ?? 1) !== 0;
+          rings.add(places[i] ?? 0, places[i + 1] ?? 0, kPlaceRadius, fits ? standing : kRing.crossed, alpha);
+        }
+      });
     }
     rings.end();
+  }
+
+  /** True for a while after a group took another formation or count; its first one stands at once. */
+  private isComing(group: GroupView, now: number): boolean {
+    const known = this.formed_.get(group.id);
+    if (known?.version === group.meshVersion) return now - known.since < kComing;
+    // A lower version is a world that began anew.
+    const changed = known !== undefined && group.meshVersion > known.version;
+    this.formed_.set(group.id, { version: group.meshVersion, since: changed ? now : -Infinity });
+    return changed;
   }
 }

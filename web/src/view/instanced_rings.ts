@@ -80,6 +80,8 @@ export class InstancedRings {
     this.capacity_ = Math.ceil(count * 1.3) + 16;
     this.rings_ = new Float32Array(4 * this.capacity_);
     this.tints_ = new Float32Array(4 * this.capacity_);
+    // three.js keeps the count of instances that it first saw, and their buffers, until the geometry goes.
+    this.mesh.geometry.dispose();
     for (const [name, array] of [['ring', this.rings_], ['tint', this.tints_]] as const) {
       const attribute = new InstancedBufferAttribute(array, 4);
       attribute.setUsage(DynamicDrawUsage);

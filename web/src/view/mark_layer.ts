@@ -1,18 +1,23 @@
 // The canvas above the scene: controls, touch rings, previews, and the way of a chosen character.
 
+import { convexHull, distance } from '../geometry/plane';
 import type { CameraController } from './camera_controller';
 import type { GroundPoint, ScreenPoint } from './camera_types';
 import type { ControlMarks, ShownControl } from './control_marks';
-import { pathPoints, roundOrder, smooth, thinned } from './control_shapes';
+import { pathPoints, smooth, thinned } from './control_shapes';
 import type { OverlayView } from './frame_types';
 import { withAlpha } from './colour';
+import { MarkExtent, type MarkFrame } from './mark_frame';
 import { MarkPainter, type MarkColours } from './mark_painter';
 import { accentOf, type Palette } from './palette';
 
+/** A dashed line or outline, with handles. */
 export interface DraftControl {
+  /** Index into the frame's groups. */
   readonly group: number;
   readonly points: readonly GroundPoint[];
   readonly closed: boolean;
+  readonly handles: readonly GroundPoint[];
 }
 
 export interface MarkScene {
@@ -24,13 +29,17 @@ export interface MarkScene {
   /** Draw controls in grey. */
   readonly greyed: boolean;
   readonly now: number;
-  readonly draft: DraftControl | null;
+  readonly drafts: readonly DraftControl[];
   readonly overlay: OverlayView | null;
   readonly chosenGroup: number;
 }
 
 /** CSS px between two checkpoints shown. */
 const kCheckpointGap = 30;
+/** None is shown so near its handle [CSS px]. */
+const kHandleRoom = 18;
+/** Handles that the world has not answered yet are pale. */
+const kDraftAlpha = 0.55;
 
 export class MarkLayer {
   readonly canvas: HTMLCanvasElement;
@@ -38,7 +47,10 @@ export class MarkLayer {
   private width_ = 1;
   private height_ = 1;
   private ratio_ = 1;
-  private drawn_ = true;
+  /** What the canvas covers now; null where it is hidden. */
+  private frame_: MarkFrame | null = null;
+  /** Checkpoints shown last, by path. */
+  private dots_: ReadonlyMap<string, readonly GroundPoint[]> = new Map();
 
   constructor(root: HTMLElement) {
     this.canvas = document.createElement('canvas');
@@ -53,26 +65,55 @@ export class MarkLayer {
     this.width_ = width;
     this.height_ = height;
     this.ratio_ = ratio;
-    this.canvas.width = Math.round(width * ratio);
-    this.canvas.height = Math.round(height * ratio);
+    this.frame_ = null;
   }
 
   draw(marks: ControlMarks, scene: MarkScene): void {
     const controls = [...marks.controls];
-    const busy = controls.length > 0 || marks.rings.size > 0 || scene.draft !== null || scene.overlay !== null;
-    if (!busy && !this.drawn_) return;
-    this.drawn_ = busy;
-    // An empty canvas over the scene would still be blended with it.
-    this.canvas.hidden = !busy;
-    this.painter_.begin(this.width_, this.height_, this.ratio_);
+    if (!this.cover(this.extentOf(controls, marks, scene))) return;
+    this.painter_.begin(this.frame_ as MarkFrame, this.ratio_);
     if (scene.overlay && scene.overlay.path.length >= 4) this.drawWay(scene.overlay.path, scene);
     for (const shown of controls) this.drawBody(shown, marks, scene);
     if (scene.paths) for (const shown of controls) this.drawPaths(shown, marks, scene);
     this.drawRings(marks, scene);
     for (const shown of controls) this.drawHandles(shown, marks, scene);
-    if (scene.paths) for (const shown of controls) this.drawEnds(shown, marks, scene);
-    if (scene.draft) this.drawDraft(scene.draft, scene);
+    const dots = new Map<string, readonly GroundPoint[]>();
+    if (scene.paths) for (const shown of controls) this.drawEnds(shown, marks, scene, dots);
+    this.dots_ = dots;
+    for (const draft of scene.drafts) this.drawDraft(draft, scene);
     this.painter_.alpha = 1;
+  }
+
+  private extentOf(controls: readonly ShownControl[], marks: ControlMarks, scene: MarkScene): MarkExtent {
+    const extent = new MarkExtent();
+    const add = (x: number, y: number): void => extent.add(scene.camera.worldToScreen(x, y));
+    const addAll = (pairs: ArrayLike<number>): void => {
+      for (let i = 0; i + 1 < pairs.length; i += 2) add(pairs[i] ?? 0, pairs[i + 1] ?? 0);
+    };
+    for (const { control, handles } of controls) {
+      for (const handle of handles) add(handle.x, handle.y);
+      addAll(control.supplementary);
+      if (scene.paths) for (const point of control.points) addAll(point.path);
+    }
+    for (const ring of marks.rings.values()) add(ring.at.x, ring.at.y);
+    for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
+    addAll(scene.overlay?.path ?? []);
+    return extent;
+  }
+
+  /** Lays the canvas over what is to be drawn; false, hiding it, where there is nothing. */
+  private cover(extent: MarkExtent): boolean {
+    const frame = extent.frame(this.width_, this.height_, this.frame_);
+    this.canvas.hidden = frame === null;
+    if (frame !== null && frame !== this.frame_) {
+      this.canvas.width = Math.round(frame.width * this.ratio_);
+      this.canvas.height = Math.round(frame.height * this.ratio_);
+      const { style } = this.canvas;
+      [style.width, style.height] = [`${frame.width}px`, `${frame.height}px`];
+      style.transform = `translate(${frame.x}px, ${frame.y}px)`;
+    }
+    this.frame_ = frame;
+    return frame !== null;
   }
 
   private coloursOf(group: number, scene: MarkScene): MarkColours {
@@ -96,7 +137,7 @@ export class MarkLayer {
       this.painter_.cased([a, end], colours, 5.5, 10);
     } else if (shown.control.kind === 2) {
       this.painter_.alpha = left * grown;
-      this.painter_.hull(roundOrder(shown.handles).map((i) => at[i] as ScreenPoint), colours);
+      this.painter_.hull(this.screen(convexHull(shown.handles), scene), colours);
     }
     if (shown.control.kind === 0) return;
     const soft = shown.control.supplementary;
@@ -111,9 +152,9 @@ export class MarkLayer {
     const from = shown.handles[index];
     if (!point || !from) return [];
     const points = pathPoints(from, point.path);
-    const last = points[points.length - 1] as GroundPoint;
-    const finger = point.down && points.length > 1 ? marks.fingerNear(shown.group, last) : null;
-    if (finger && Math.hypot(finger.x - last.x, finger.y - last.y) > 0.02) points.push(finger);
+    const finger = point.down && points.length > 1 ? marks.fingerOf(shown.control.client, point.touch) : null;
+    // The last point is where the finger was when the server heard of it.
+    if (finger) points[points.length - 1] = finger;
     return points;
   }
 
@@ -132,12 +173,11 @@ export class MarkLayer {
       return handle !== undefined && Math.hypot(end.x - handle.x, end.y - handle.y) > 0.4;
     });
     if (!away || shown.control.kind === 0 || ends.length < 2) return;
-    const order = shown.control.kind === 2 ? roundOrder(shown.handles) : ends.map((_, i) => i);
-    const ghost = this.screen(order.map((i) => ends[i] as GroundPoint), scene);
+    const ghost = this.screen(shown.control.kind === 2 ? convexHull(ends) : ends, scene);
     this.painter_.dashed(ghost, withAlpha(colours.accent, 0.8), 2.2, shown.control.kind === 2);
   }
 
-  private drawEnds(shown: ShownControl, marks: ControlMarks, scene: MarkScene): void {
+  private drawEnds(shown: ShownControl, marks: ControlMarks, scene: MarkScene, dots: Map<string, readonly GroundPoint[]>): void {
     const colours = this.coloursOf(shown.group, scene);
     this.painter_.alpha = marks.left(shown.ended, scene.now);
     const gap = kCheckpointGap / Math.max(1, scene.camera.pixelsPerMetre());
@@ -145,8 +185,11 @@ export class MarkLayer {
       const points = this.way(shown, index, marks);
       if (points.length < 2) return;
       const at = this.screen(points, scene);
-      const kept = thinned(points, gap);
-      kept.forEach((i, order) => this.painter_.checkpoint(at[i] as ScreenPoint, colours, order === 0));
+      const key = `${shown.group}:${shown.control.id}:${point.touch}`;
+      const kept = thinned(points, gap, this.dots_.get(key));
+      dots.set(key, kept.map((i) => points[i] as GroundPoint));
+      const clear = kept.filter((i) => distance(at[i] as ScreenPoint, at[0] as ScreenPoint) > kHandleRoom);
+      clear.forEach((i, order) => this.painter_.checkpoint(at[i] as ScreenPoint, colours, order === 0));
       const last = at[at.length - 1] as ScreenPoint;
       const before = at[at.length - 2] as ScreenPoint;
       if (point.down) this.painter_.checkpoint(last, colours, true);
@@ -182,6 +225,8 @@ export class MarkLayer {
     this.painter_.alpha = 1;
     if (draft.closed) this.painter_.veil(at, colours.accent);
     this.painter_.dashed(at, colours.accent, 2.2, draft.closed);
+    this.painter_.alpha = kDraftAlpha;
+    for (const handle of this.screen(draft.handles, scene)) this.painter_.pointHandle(handle, colours, 1);
   }
 
   private drawWay(path: ArrayLike<number>, scene: MarkScene): void {

@@ -2,6 +2,7 @@
 
 import type { ScreenPoint } from './camera_types';
 import { withAlpha } from './colour';
+import type { MarkFrame } from './mark_frame';
 
 export type Pen = CanvasRenderingContext2D;
 
@@ -19,10 +20,10 @@ export class MarkPainter {
 
   constructor(private readonly pen_: Pen) {}
 
-  /** Before a frame: clears and sets CSS px. */
-  begin(width: number, height: number, ratio: number): void {
-    this.pen_.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.pen_.clearRect(0, 0, width, height);
+  /** Before a picture: clears, and sets CSS px of the screen for a canvas that covers this frame of it. */
+  begin(frame: MarkFrame, ratio: number): void {
+    this.pen_.setTransform(ratio, 0, 0, ratio, -frame.x * ratio, -frame.y * ratio);
+    this.pen_.clearRect(frame.x, frame.y, frame.width, frame.height);
     this.pen_.lineCap = 'round';
     this.pen_.lineJoin = 'round';
     this.pen_.globalAlpha = 1;
@@ -57,8 +58,8 @@ export class MarkPainter {
       this.disc(at, 5.5, colours.accent);
       return;
     }
-    this.disc(at, 4.4, colours.accent);
-    this.disc(at, 2.7, colours.casing);
+    this.disc(at, 3, colours.accent);
+    this.disc(at, 1.6, colours.casing);
   }
 
   /** The head of an arrow where a finger lifted; `angle` on the screen [rad]. */

@@ -22,7 +22,7 @@ export class MeshLayer {
   private readonly rim_ = new FatLines({ width: 2, renderOrder: 4 });
   private readonly rimBehind_ = new FatLines({ width: 2, renderOrder: 4, behind: true });
   private readonly fill_ = new Mesh(new BufferGeometry(), fillMaterial());
-  private key_ = '';
+  private built_: readonly ShownMesh[] = [];
   private positions_ = new Float32Array(0);
 
   constructor() {
@@ -38,9 +38,7 @@ export class MeshLayer {
 
   /** Shows these meshes as their vertices lie now. */
   update(meshes: readonly ShownMesh[]): void {
-    const key = meshes.map((mesh) => `${mesh.topology.version}:${mesh.topology.triangles.length}:${mesh.colour}`).join();
-    const fresh = key !== this.key_;
-    this.key_ = key;
+    const fresh = !this.sameAsBuilt(meshes);
     if (fresh) this.rebuild(meshes);
     let inside = 0;
     let rim = 0;
@@ -69,7 +67,16 @@ export class MeshLayer {
     return [this.inside_, this.insideBehind_, this.rim_, this.rimBehind_];
   }
 
+  /** True where only vertices have moved: groups may share a version and a count of triangles. */
+  private sameAsBuilt(meshes: readonly ShownMesh[]): boolean {
+    return meshes.length === this.built_.length && meshes.every((mesh, i) => {
+      const built = this.built_[i];
+      return mesh.topology === built?.topology && mesh.colour === built.colour && mesh.vertices.length === built.vertices.length;
+    });
+  }
+
   private rebuild(meshes: readonly ShownMesh[]): void {
+    this.built_ = meshes;
     const sum = (size: (mesh: ShownMesh) => number): number => meshes.reduce((total, mesh) => total + size(mesh), 0);
     const insideCount = sum((mesh) => mesh.topology.inside.length / 2);
     const rimCount = sum((mesh) => mesh.topology.rim.length / 2);

@@ -26,18 +26,16 @@ export function readLoops(boundary: Numbers): number[][] {
   return loops;
 }
 
+/** Pairs of vertices along the loops. */
+export function rimOf(boundary: Numbers): number[] {
+  return readLoops(boundary).flatMap((loop) => loop.flatMap((vertex, i) => [vertex, loop[(i + 1) % loop.length] ?? 0]));
+}
+
 export function makeTopology(mesh: GroupMeshView): MeshTopology {
   const rimKeys = new Set<number>();
-  const rim: number[] = [];
+  const rim = rimOf(mesh.boundary);
   const key = (a: number, b: number): number => Math.min(a, b) * 0x4000000 + Math.max(a, b);
-  for (const loop of readLoops(mesh.boundary)) {
-    for (let i = 0; i < loop.length; ++i) {
-      const a = loop[i] ?? 0;
-      const b = loop[(i + 1) % loop.length] ?? 0;
-      rimKeys.add(key(a, b));
-      rim.push(a, b);
-    }
-  }
+  for (let i = 0; i < rim.length; i += 2) rimKeys.add(key(rim[i] ?? 0, rim[i + 1] ?? 0));
   const seen = new Set<number>();
   const inside: number[] = [];
   for (let t = 0; t + 2 < mesh.triangles.length; t += 3) {
@@ -56,24 +54,4 @@ export function makeTopology(mesh: GroupMeshView): MeshTopology {
     inside: Uint32Array.from(inside),
     rim: Uint32Array.from(rim),
   };
-}
-
-/** True where the point lies in one of the triangles. */
-export function insideMesh(topology: MeshTopology, vertices: Numbers, x: number, y: number): boolean {
-  const { triangles } = topology;
-  const side = (a: number, b: number): number => {
-    const ax = vertices[2 * a] ?? 0;
-    const ay = vertices[2 * a + 1] ?? 0;
-    return ((vertices[2 * b] ?? 0) - ax) * (y - ay) - ((vertices[2 * b + 1] ?? 0) - ay) * (x - ax);
-  };
-  for (let t = 0; t + 2 < triangles.length; t += 3) {
-    const a = triangles[t] ?? 0;
-    const b = triangles[t + 1] ?? 0;
-    const c = triangles[t + 2] ?? 0;
-    const u = side(a, b);
-    const v = side(b, c);
-    const w = side(c, a);
-    if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return true;
-  }
-  return false;
 }

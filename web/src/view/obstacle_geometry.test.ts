@@ -20,7 +20,31 @@ describe('obstacles', () => {
     expect(lookOfObstacle({ ...kHouse, name: 'red car' })).toBe('car');
     expect(lookOfObstacle({ ...kHouse, name: 'Carlton house' })).toBe('building');
     expect(lookOfObstacle({ ...kHouse, name: 'Upper hedge' })).toBe('hedge');
-    expect(lookOfObstacle({ ...kHouse, name: '', moving: true })).toBe('car');
+  });
+
+  it('that move are cars only where they are called or sized like one', () => {
+    const moving = (name: string, long: number, wide: number) =>
+      lookOfObstacle({ ...kHouse, name, moving: true, polygon: [[0, 0], [long, 0], [long, wide], [0, wide]] });
+    expect(moving('', 4.2, 1.8)).toBe('car');
+    expect(moving('', 1.8, 4.2)).toBe('car');
+    expect(moving('Bus', 12, 2.5)).toBe('car');
+    expect(moving('', 0.5, 0.3)).toBe('mouse');
+    expect(moving('Mouse', 1.5, 1)).toBe('mouse');
+    expect(moving('', 2, 2)).toBe('building');
+    expect(moving('Gate', 12, 1)).toBe('building');
+    expect(moving('', 5, 5)).toBe('building');
+  });
+
+  it('that are mice stay small and low', () => {
+    const builder = new GeometryBuilder();
+    const mouse: SceneObstacle = { ...kHouse, name: 'Mouse', moving: true, height: 3, polygon: [[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]] };
+    expect(addObstacle(builder, mouse, paletteOf('light'))).toEqual([]);
+    const geometry = builder.build();
+    geometry.computeBoundingBox();
+    const { min, max } = geometry.boundingBox!;
+    expect(max.z).toBeLessThan(0.5);
+    expect(Math.min(min.x, min.y, min.z)).toBeGreaterThan(-0.1);
+    expect(Math.max(max.x - 0.6, max.y - 0.4)).toBeLessThan(0.1);
   });
 
   it('are cut at 3.2 m, with an edge line per side', () => {

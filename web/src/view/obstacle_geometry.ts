@@ -8,17 +8,32 @@ import type { Palette } from './palette';
 /** Nothing is drawn higher than this, so that streets stay visible [m]. */
 export const kCutHeight = 3.2;
 
-export type ObstacleLook = 'building' | 'hedge' | 'pillar' | 'fountain' | 'tree' | 'car';
+/** Sides of cars, and what is smaller than any [m]. */
+const kCar = { longLeast: 2.8, longMost: 7, wideLeast: 1.3, wideMost: 2.6 };
+const kSmall = 1.2;
+
+export type ObstacleLook = 'building' | 'hedge' | 'pillar' | 'fountain' | 'tree' | 'car' | 'mouse';
 
 /** How an obstacle is shown. */
 export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
   const name = obstacle.name.toLowerCase();
   const disc = (obstacle.radius ?? 0) > 0;
-  if (!disc && (obstacle.moving || /\b(car|coupe|van|bus|taxi|truck)\b/.test(name))) return 'car';
+  if (!disc && /\b(car|coupe|van|bus|taxi|truck|lorry)\b/.test(name)) return 'car';
+  if (!disc && /\b(mouse|mice|rat)\b/.test(name)) return 'mouse';
   if (disc && /tree|oak|pine|birch|linden|elm|maple|beech/.test(name)) return 'tree';
   if (!disc && name.includes('hedge')) return 'hedge';
   if (disc && name.includes('fountain')) return 'fountain';
-  return disc ? 'pillar' : 'building';
+  if (disc) return 'pillar';
+  return obstacle.moving ? lookBySize(outlineOf(obstacle)) : 'building';
+}
+
+/** Something that moves and has no telling name: what is as large as a car is one, what is tiny scurries. */
+function lookBySize(outline: readonly Point2[]): ObstacleLook {
+  const { length, width } = boxOf(outline);
+  const [long, short] = [2 * Math.max(length, width), 2 * Math.min(length, width)];
+  if (long < kSmall) return 'mouse';
+  const carLike = long >= kCar.longLeast && long <= kCar.longMost && short >= kCar.wideLeast && short <= kCar.wideMost;
+  return carLike ? 'car' : 'building';
 }
 
 /** An edge line of an obstacle [m]. */
@@ -31,6 +46,7 @@ export function addObstacle(builder: GeometryBuilder, obstacle: SceneObstacle, p
   if (look === 'fountain') return addFountain(builder, obstacle, palette);
   const outline = outlineOf(obstacle);
   if (outline.length < 3) return [];
+  if (look === 'mouse') return addMouse(builder, outline, height, palette);
   const walls = { pillar: palette.stone, hedge: palette.crown }[look as string] ?? palette.wall;
   const lids = { pillar: palette.stone, hedge: palette.crown }[look as string] ?? palette.roof;
   builder.prism(outline, 0, height, walls, lids);
@@ -98,6 +114,16 @@ function addBlob(builder: GeometryBuilder, centre: Vec3, radius: number, height:
       builder.triangle(a, c, d, colour);
     }
   }
+}
+
+/** A small animal: a body, and a head at its front end. */
+function addMouse(builder: GeometryBuilder, outline: readonly Point2[], height: number, palette: Palette): EdgeLine[] {
+  const { x, y, length, width, angle } = boxOf(outline);
+  const high = Math.min(height, 1.2 * Math.max(length, width)) / 2;
+  const at = (share: number): Vec3 => [x + share * length * Math.cos(angle), y + share * length * Math.sin(angle), high];
+  addBlob(builder, at(-0.3), 0.95 * Math.min(length, width), high, palette.stone, 5);
+  addBlob(builder, at(0.45), 0.55 * Math.min(length, width), 0.7 * high, palette.stone, 17);
+  return [];
 }
 
 /** Box round an outline whose longest side gives the direction: centre, half length, half width, angle [rad]. */

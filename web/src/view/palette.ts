@@ -1,6 +1,6 @@
 // The colours of the scene in both themes (the tests hold the contrasts).
 
-import type { Theme } from './studio_view';
+import type { Theme } from './studio_scene';
 
 export interface Palette {
   readonly ground: string;

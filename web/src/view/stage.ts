@@ -14,7 +14,7 @@ import { PlainGround } from './plain_ground';
 import type { Quality } from './quality';
 import type { ShadeUniforms } from './shade';
 import { Sun } from './sun';
-import type { ViewStats } from './studio_view';
+import type { ViewStats } from './studio_scene';
 import { WorldLayer } from './world_layer';
 
 /** Device px per CSS px are never more than this. */

@@ -1,10 +1,10 @@
 // The scene: everything that is drawn from the world's frames, and the camera that looks at it.
 
 import './view.css';
-import type { SceneFacts } from '../protocol/scene';
+import { isSameWorld, type SceneFacts } from '../protocol/scene';
 import { CameraController } from './camera_controller';
 import { BoundsBuilder } from './bounds_builder';
-import type { CameraControls, GroundPoint, Padding, ScreenPoint } from './camera_types';
+import type { GroundPoint, Padding, ScreenPoint } from './camera_types';
 import { ControlMarks } from './control_marks';
 import { CrowdState } from './crowd_state';
 import { contourLabels, type ContourLabel, type FieldScale, makeFieldPicture } from './field_picture';
@@ -14,81 +14,21 @@ import { GroupPicture } from './group_picture';
 import { type DraftControl, MarkLayer } from './mark_layer';
 import { surroundings } from './opening';
 import { accentOf, type Palette, paletteOf } from './palette';
-import { pickCharacter, pickHandle, pickMesh } from './picker';
+import { pickCharacter } from './picker';
 import { chooseQuality, rendererName } from './quality';
 import { chipTags, overlayTags, patchTags, type TagScene } from './scene_tags';
 import { Stage } from './stage';
+import type { Layers, StudioScene, Theme, ViewStats } from './studio_scene';
 import { TagLayer } from './tag_layer';
-
-export type Theme = 'light' | 'dark';
-
-export interface Layers {
-  readonly mesh: boolean;
-  readonly places: boolean;
-  readonly paths: boolean;
-}
-
-export interface ViewStats {
-  drawCalls: number;
-  triangles: number;
-  /** JavaScript time of the last frame [ms]. */
-  frameMs: number;
-  /** Frames rendered. */
-  frames: number;
-  /** Number of the server frame whose controls, meshes and places the last picture shows; 0 before the first.
-   * Characters run about a frame behind. */
-  shownFrame: number;
-}
-
-/** The contract; tools and panels hold no more than this. */
-export interface StudioScene {
-  readonly camera: CameraControls;
-  readonly stats: ViewStats;
-  /** Replaces the world; the next frame opens the view on the crowd. */
-  setScene(scene: SceneFacts): void;
-  setGroupMesh(mesh: GroupMeshView): void;
-  /** `receivedAt` by performance.now() [ms]. */
-  pushFrame(frame: FrameView, receivedAt: number): void;
-  /** Shows one field over the ground and greys all else; null takes it away. */
-  setOverlay(overlay: OverlayView | null): void;
-  setLayers(layers: Layers): void;
-  setTheme(theme: Theme): void;
-  setReducedMotion(reduced: boolean): void;
-  /** Greys the scene while the server is lost. */
-  setLost(lost: boolean): void;
-  /** The group whose panels are open (index into the scene's groups), or -1. */
-  setActiveGroup(index: number): void;
-  /** What panels cover; fits keep clear of it. */
-  setPadding(padding: Padding): void;
-  /** A ring under a finger in the very next frame; null lets it fade. A group of -1 means the camera. */
-  touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
-  /** Places of a formation to come (x, y pairs in the world), dashed; null takes them away. */
-  previewFormation(groupIndex: number, places: ArrayLike<number> | null): void;
-  /** A rubber band or lasso being drawn; null takes it away. */
-  previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
-  /** Client coordinates to the ground, with what stands there: nearest character within 0.6 m, group of the mesh. */
-  pick(clientX: number, clientY: number): Pick | null;
-  screenToWorld(at: ScreenPoint): GroundPoint | null;
-  worldToScreen(point: GroundPoint): ScreenPoint;
-  /** Fits crowd and paths between the panels. */
-  fitCrowd(): void;
-  /** CSS px that a metre on the ground takes in the middle of the view. */
-  pixelsPerMetre(): number;
-  dispose(): void;
-}
-
-export interface Pick {
-  readonly ground: GroundPoint;
-  /** Id of the nearest character, or -1. */
-  readonly character: number;
-  /** Index of the group whose mesh holds the point (within 48 px), or -1. */
-  readonly group: number;
-  /** A control whose handle catches the point (48 px), or null. */
-  readonly control: { readonly group: number; readonly control: number; readonly touch: number } | null;
-}
 
 /** Rendering goes on this long after the last change, for what settles [ms]. */
 const kSettle = 700;
+/** The answer to a finger comes within this time, or does not come [ms]. */
+const kEchoWait = 60;
+/** Between two looks whether the last picture is finished [ms]. */
+const kRetry = 3;
+/** The camera's way to another view takes so long [ms]. */
+const kGlide = 260;
 const kNoFrame: readonly MovingView[] = [];
 
 /** Draws the world once per display frame: controls and meshes of the newest frame, characters between the last two. */
@@ -102,7 +42,6 @@ export class StudioView implements StudioScene {
   private readonly timeline_ = new FrameTimeline();
   private readonly crowd_ = new CrowdState();
   private readonly groups_ = new GroupPicture();
-  private readonly previews_ = new Map<number, ArrayLike<number>>();
   private readonly observer_: ResizeObserver;
   private scene_: SceneFacts | null = null;
   private palette_: Palette = paletteOf('light');
@@ -111,7 +50,9 @@ export class StudioView implements StudioScene {
   private overlay_: OverlayView | null = null;
   private contours_: readonly ContourLabel[] = [];
   private fieldScale_: FieldScale | null = null;
-  private draft_: DraftControl | null = null;
+  private drafts_: readonly DraftControl[] = [];
+  /** A rubber band or lasso. */
+  private preview_: readonly DraftControl[] = [];
   private padding_: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
   private moving_: readonly MovingView[] = kNoFrame;
   private reduced_ = false;
@@ -120,6 +61,10 @@ export class StudioView implements StudioScene {
   private membersStale_ = true;
   /** The next picture answers a finger. */
   private urgent_ = false;
+  /** Where drawing is slow: until then only the answer to a finger may start a picture [ms]. */
+  private keptFreeUntil_ = 0;
+  private ringsStale_ = false;
+  private retry_ = 0;
   private touchEcho_ = 0;
   private last_ = 0;
   private activeUntil_ = 0;
@@ -143,17 +88,22 @@ export class StudioView implements StudioScene {
   }
 
   setScene(scene: SceneFacts): void {
+    const anew = !this.scene_ || !isSameWorld(this.scene_, scene);
     this.scene_ = scene;
+    this.crowd_.setClips(scene.clips.map((clip) => clip.name));
+    this.membersStale_ = true;
+    this.stage_.setScene(scene, this.palette_);
+    if (anew) this.openScene(scene);
+    this.wake();
+  }
+
+  private openScene(scene: SceneFacts): void {
     this.timeline_.clear();
     this.crowd_.clear();
-    this.crowd_.setClips(scene.clips.map((clip) => clip.name));
     this.groups_.clear();
-    this.previews_.clear();
     this.marks_.clear();
     this.moving_ = kNoFrame;
-    this.membersStale_ = true;
     this.opened_ = false;
-    this.stage_.setScene(scene, this.palette_);
     this.camera.setWorld(scene.box.min[0], scene.box.min[1], scene.box.max[0], scene.box.max[1]);
     this.camera.open();
     this.setOverlay(null);
@@ -173,10 +123,13 @@ export class StudioView implements StudioScene {
       this.membersStale_ = true;
     }
     this.timeline_.push(frame, receivedAt);
-    this.urgent_ ||= (frame.touchEcho ?? 0) > this.touchEcho_;
-    this.touchEcho_ = frame.touchEcho ?? 0;
-    // Where drawing is slow the answer to a finger does not wait for the display's next beat as well.
-    if (this.urgent_ && this.stage_.paced) this.draw(performance.now());
+    const echo = frame.touchEcho ?? 0;
+    if (this.stage_.paced && echo > this.touchEcho_) {
+      this.urgent_ = true;
+      this.keptFreeUntil_ = 0;
+      this.drawSoon();
+    }
+    this.touchEcho_ = echo;
   }
 
   setOverlay(overlay: OverlayView | null): void {
@@ -228,34 +181,32 @@ export class StudioView implements StudioScene {
   }
 
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void {
-    this.marks_.touch(id, world, groupIndex, performance.now());
-    this.urgent_ = true;
+    const now = performance.now();
+    // A ring that only moves comes with the picture that answers the finger.
+    this.ringsStale_ ||= !world || this.marks_.rings.get(id)?.lifted !== 0;
+    this.marks_.touch(id, world, groupIndex, now);
+    if (groupIndex >= 0 && world) this.keptFreeUntil_ = now + kEchoWait;
     this.wake();
   }
 
-  previewFormation(groupIndex: number, places: ArrayLike<number> | null): void {
-    if (places) this.previews_.set(groupIndex, places);
-    else this.previews_.delete(groupIndex);
+  showDrafts(drafts: readonly DraftControl[]): void {
+    this.drafts_ = drafts;
     this.wake();
+  }
+
+  setClient(client: number): void {
+    this.marks_.client = client;
   }
 
   previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void {
-    this.draft_ = points ? { group: groupIndex, points, closed } : null;
+    this.preview_ = points ? [{ group: groupIndex, points, closed, handles: [] }] : [];
     this.wake();
   }
 
-  pick(clientX: number, clientY: number): Pick | null {
+  pick(clientX: number, clientY: number): number {
     const bounds = this.canvas_.getBoundingClientRect();
-    const at = { x: clientX - bounds.left, y: clientY - bounds.top };
-    const ground = this.camera.screenToGround(at);
-    if (!ground) return null;
-    const index = pickCharacter(at, this.crowd_, this.camera);
-    return {
-      ground,
-      character: index < 0 ? -1 : this.crowd_.ids[index] ?? -1,
-      group: pickMesh(at, this.groups_.targets(), this.camera),
-      control: pickHandle(at, this.marks_.controls, this.camera),
-    };
+    const index = pickCharacter({ x: clientX - bounds.left, y: clientY - bounds.top }, this.crowd_, this.camera);
+    return index < 0 ? -1 : this.crowd_.ids[index] ?? -1;
   }
 
   screenToWorld(at: ScreenPoint): GroundPoint | null {
@@ -267,7 +218,12 @@ export class StudioView implements StudioScene {
   }
 
   fitCrowd(): void {
-    this.camera.glideFit(this.crowdPoints(), this.padding_, performance.now(), this.reduced_ ? 0 : 260);
+    this.camera.glideFit(this.crowdPoints(), this.padding_, performance.now(), this.reduced_ ? 0 : kGlide);
+  }
+
+  lookAt(point: GroundPoint): void {
+    this.camera.glideTo(point, this.padding_, performance.now(), this.reduced_ ? 0 : kGlide);
+    this.wake();
   }
 
   pixelsPerMetre(): number {
@@ -276,6 +232,7 @@ export class StudioView implements StudioScene {
 
   dispose(): void {
     cancelAnimationFrame(this.request_);
+    clearTimeout(this.retry_);
     this.observer_.disconnect();
     this.stage_.dispose();
     this.overlayRoot_.replaceChildren();
@@ -298,9 +255,27 @@ export class StudioView implements StudioScene {
     this.draw(now);
   }
 
+  /** Where drawing is slow the answer to a finger waits for the last picture only, not for the display's beat. */
+  private drawSoon(): void {
+    clearTimeout(this.retry_);
+    this.draw(performance.now());
+    if (this.urgent_) this.retry_ = window.setTimeout(() => this.drawSoon(), kRetry);
+  }
+
+  /** True where this picture would stand in the way of another; see GpuPace. */
+  private mustWait(now: number): boolean {
+    if (!this.stage_.paced) return false;
+    return this.stage_.busy(this.urgent_) || (!this.urgent_ && now < this.keptFreeUntil_);
+  }
+
   private draw(now: number): void {
     const start = performance.now();
-    if (!this.changed(now) || this.stage_.busy(this.urgent_)) return;
+    if (!this.changed(now)) return;
+    if (this.mustWait(now)) {
+      // The ring under a finger comes with the next beat all the same.
+      if (this.ringsStale_) this.showMarks(this.tagScene(now));
+      return;
+    }
     this.urgent_ = false;
     const dt = Math.min(0.1, Math.max(0, (now - this.last_) / 1000));
     this.last_ = now;
@@ -335,21 +310,37 @@ export class StudioView implements StudioScene {
   private show(now: number): void {
     const scene = this.scene_;
     const greyed = this.overlay_ !== null;
-    const colours = scene?.groups.map((group) => group.colour) ?? [];
+    const colours = this.colours();
     const accents = colours.map((colour) => (greyed ? this.palette_.grey : accentOf(this.palette_, colour)));
     if (this.membersStale_) this.dress(colours, greyed);
     this.groups_.showMeshes(this.stage_.meshes, this.layers_.mesh, accents);
-    this.groups_.showPlaces(this.stage_.rings, this.layers_.places, accents, this.previews_);
+    this.groups_.showPlaces(this.stage_.rings, this.layers_.places, accents, now);
     this.stage_.figures.update(this.camera.pixelsPerMetre());
     this.stage_.render(this.camera, this.stats);
-    const chosenGroup = this.chosenGroup();
-    const view: TagScene = {
-      camera: this.camera, palette: this.palette_, colours, now, moving: this.moving_, overlay: this.overlay_,
-      contours: this.contours_, chosenGroup,
-    };
-    this.markLayer_.draw(this.marks_, { ...view, paths: this.layers_.paths, greyed, draft: this.draft_ });
+    const view = this.tagScene(now);
+    this.showMarks(view);
     const tags = scene ? patchTags(scene, view) : [];
-    this.tagLayer_.show([...tags, ...chipTags(this.marks_, view), ...overlayTags(view)]);
+    const chips = chipTags(this.marks_, view);
+    // Also where no frame comes, as in a pause, they must go again.
+    if (chips.length > 0) this.wake();
+    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)]);
+  }
+
+  private showMarks(view: TagScene): void {
+    this.ringsStale_ = false;
+    const greyed = this.overlay_ !== null;
+    this.markLayer_.draw(this.marks_, { ...view, paths: this.layers_.paths, greyed, drafts: [...this.drafts_, ...this.preview_] });
+  }
+
+  private tagScene(now: number): TagScene {
+    return {
+      camera: this.camera, palette: this.palette_, colours: this.colours(), now, moving: this.moving_,
+      overlay: this.overlay_, contours: this.contours_, chosenGroup: this.chosenGroup(),
+    };
+  }
+
+  private colours(): readonly number[] {
+    return this.scene_?.groups.map((group) => group.colour) ?? [];
   }
 
   /** Gives figures their colours. */

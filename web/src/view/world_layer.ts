@@ -65,11 +65,6 @@ export class WorldLayer {
     this.floor_.visible = visible;
   }
 
-  /** True where something that stands on the ground can move. */
-  get moves(): boolean {
-    return this.moving_.size > 0;
-  }
-
   /** Places what moves, between two frames. */
   move(from: readonly MovingView[], to: readonly MovingView[], alpha: number): void {
     to.forEach((one, i) => {
@@ -113,9 +108,10 @@ export class WorldLayer {
   private clear(): void {
     this.group.traverse((object) => {
       if (object instanceof Mesh) (object as Mesh<BufferGeometry>).geometry.dispose();
+      // Trees and items keep their places in buffers of their own.
+      if (object instanceof InstancedMesh) object.dispose();
     });
     for (const lines of this.lines_) lines.dispose();
-    this.items_?.dispose();
     this.items_ = null;
     this.collectedKey_ = '';
     this.lines_ = [];

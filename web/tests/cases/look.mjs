@@ -13,7 +13,20 @@ async function serious(studio, state) {
   expect(bad.length === 0, `axe finds in the ${state}: ${told.join('; ')}`);
 }
 
+/** Names of what Tab stops at, from the scene on. */
+async function tabStops(studio) {
+  await studio.page.locator('#scene').focus();
+  const stops = [];
+  for (let i = 0; i < 24; ++i) {
+    await studio.page.keyboard.press('Tab');
+    stops.push(await studio.page.evaluate(() => document.activeElement.closest('[role="toolbar"]')?.ariaLabel ?? document.activeElement.ariaLabel));
+  }
+  return stops;
+}
+
 export async function accessible(studio) {
+  const stops = await tabStops(studio);
+  expect(stops.includes('Time and takes'), `Tab reaches the transport: ${[...new Set(stops)].join(', ')}`);
   await serious(studio, 'page');
   await studio.shot('page');
   await studio.page.keyboard.press('n');
@@ -32,8 +45,9 @@ export async function accessible(studio) {
   await studio.page.keyboard.press('Escape');
 }
 
-/** Targets of 44 px, nothing beyond the window, panels beside each other. */
+/** Targets of 44 px, in the transport of 48, nothing beyond the window, panels beside each other. */
 export async function layout(studio) {
+  await studio.shot('layout');
   const found = await studio.page.evaluate(() => {
     const visible = (node) => node.getClientRects().length > 0 && getComputedStyle(node).visibility === 'visible';
     const boxes = [...document.querySelectorAll('#ui button')].filter(visible).map((node) => ({ name: node.ariaLabel ?? node.textContent, box: node.getBoundingClientRect() }));
@@ -47,9 +61,12 @@ export async function layout(studio) {
       const apart = a.box.right <= b.box.left || b.box.right <= a.box.left || a.box.bottom <= b.box.top || b.box.bottom <= a.box.top;
       if (!apart) overlaps.push(`${a.name} / ${b.name}`);
     }));
-    return { small, outside, overlaps, scroll: document.documentElement.scrollWidth - innerWidth };
+    const transport = [...document.querySelectorAll('.transport button')].filter(visible).filter((node) => !node.closest('.take-list'))
+      .filter((node) => Math.min(node.getBoundingClientRect().width, node.getBoundingClientRect().height) < 47.9).map((node) => node.ariaLabel);
+    return { transport, small, outside, overlaps, scroll: document.documentElement.scrollWidth - innerWidth };
   });
   expect(found.small.length === 0, `targets under 44 px: ${found.small.join(', ')}`);
+  expect(found.transport.length === 0, `buttons of the transport under 48 px: ${found.transport.join(', ')}`);
   expect(found.outside.length === 0, `panels beyond the window: ${found.outside.join(', ')}`);
   expect(found.overlaps.length === 0, `panels over each other: ${found.overlaps.join(', ')}`);
   expect(found.scroll <= 0, `the page scrolls sideways by ${found.scroll} px`);

@@ -59,11 +59,11 @@ export async function mouseArea(studio) {
   const places = await studio.screen(loop);
   const { mouse, keyboard } = studio.page;
   await mouse.move(places[0].x, places[0].y);
-  await keyboard.down('Alt');
+  await keyboard.down('Control');
   await mouse.down();
   for (const at of places) await mouse.move(at.x, at.y, { steps: 2 });
   await mouse.up();
-  await keyboard.up('Alt');
+  await keyboard.up('Control');
   await studio.until('an area', () => globalThis.__muster.frame.groups[0].controls.some((one) => one.kind === 2));
   const area = controls(await studio.frame())[0];
   expectBetween(area.points.length, 3, 6, 'corners of the area');
@@ -74,7 +74,31 @@ export async function mouseArea(studio) {
   }, middle.x, 30000);
   await studio.shot('mouse-area');
   await studio.page.keyboard.press('Escape');
-  await studio.until('the release', () => globalThis.__muster.frame.groups[0].controls.every((one) => one.points.every((p) => !p.down)));
+  await studio.until('the end of it', () => globalThis.__muster.frame.groups[0].controls.length === 0);
+}
+
+/** P and Delete mean what the mouse has in hand, also where a pinned point lies where the drag began; Escape ends all. */
+export async function keysWhileDragging(studio) {
+  const list = vertices(await studio.frame());
+  const [pinned, dragged] = [extreme(list, -1, 0), extreme(list, 1, 0)];
+  const [first, from, to] = await studio.screen([pinned, dragged, shifted(dragged, 4, 1)]);
+  const { mouse, keyboard } = studio.page;
+  await mouse.dblclick(first.x, first.y);
+  await studio.until('a pinned point', () => globalThis.__muster.frame.groups[0].controls.some((one) => one.pinned));
+  await mouse.move(from.x, from.y);
+  await mouse.down();
+  await mouse.move(to.x, to.y, { steps: 8 });
+  await studio.until('the second control', () => globalThis.__muster.frame.groups[0].controls.length === 2);
+  await keyboard.press('p');
+  await studio.until('both pinned', () => globalThis.__muster.frame.groups[0].controls.every((one) => one.pinned));
+  await studio.shot('mouse-keys');
+  await keyboard.press('Delete');
+  await studio.until('its removal', () => globalThis.__muster.frame.groups[0].controls.length === 1);
+  const [left] = controls(await studio.frame());
+  expect(distance(left.points[0], pinned) < 1, 'the other one stays');
+  await mouse.up();
+  await keyboard.press('Escape');
+  await studio.until('the end of all', () => globalThis.__muster.frame.groups[0].controls.length === 0);
 }
 
 export async function mousePin(studio) {

@@ -4,10 +4,6 @@ export function expect(truth, what) {
   if (!truth) throw new Error(what);
 }
 
-export function expectNear(value, wanted, tolerance, what) {
-  expect(Math.abs(value - wanted) <= tolerance, `${what}: ${value} is not within ${tolerance} of ${wanted}`);
-}
-
 export function expectBetween(value, low, high, what) {
   expect(value >= low && value <= high, `${what}: ${value} is not between ${low} and ${high}`);
 }

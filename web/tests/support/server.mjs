@@ -9,8 +9,8 @@ export function programPath() {
   return process.env.MUSTER ?? `${root}build/release/muster`;
 }
 
-/** Starts the program on a free port from `port` on; resolves when it prints its address. */
-export async function startStudio({ scenario = `${root}web/tests/scenarios/hundred.json`, port = 18080 } = {}) {
+/** Starts the program on a free port from `port` on; resolves when it prints its address. Paths from the root. */
+export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json', port = 18080 } = {}) {
   const program = programPath();
   if (!existsSync(program)) throw new Error(`There is no ${program}: build it first, or name another by MUSTER=...`);
   const child = spawn(program, ['studio', scenario, '--port', String(port)], { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
@@ -35,5 +35,5 @@ export async function startStudio({ scenario = `${root}web/tests/scenarios/hundr
       child.kill('SIGINT');
       setTimeout(() => child.kill('SIGKILL'), 3000).unref();
     });
-  return { url, port: Number(new URL(url).port), stop, output: () => output };
+  return { url, port: Number(new URL(url).port), scenario, stop, output: () => output };
 }

@@ -11,6 +11,9 @@ export const SIZES = {
   landscape: { width: 1180, height: 820 },
   portrait: { width: 820, height: 1180 },
   phone: { width: 390, height: 844 },
+  narrow: { width: 360, height: 740 },
+  /** The desktop at 200 %. */
+  zoomed: { width: 640, height: 400 },
 };
 
 export class StudioPage {
@@ -77,7 +80,13 @@ export class StudioPage {
     return this.page.evaluate((list) => list.map((point) => globalThis.__muster.view.worldToScreen(point)), points);
   }
 
-  /** Fits the view to crowd and paths, then zooms out so that there is room to drag. */
+  /** Brings the crowd into view wherever an earlier case left it. */
+  async fit() {
+    await this.page.evaluate(() => globalThis.__muster.view.fitCrowd());
+    await this.wait(350);
+  }
+
+  /** Zooms out so that there is room to drag. */
   async makeRoom(factor = 0.62) {
     await this.page.evaluate((zoom) => {
       const { view } = globalThis.__muster;

@@ -1,4 +1,4 @@
-// Plane geometry of the tools, in world metres.
+// Plane geometry, for points on the ground [m] and on the screen [CSS px] alike.
 
 import type { GroundPoint } from '../view/camera_types';
 
@@ -40,7 +40,8 @@ export function insidePolygon(p: GroundPoint, polygon: readonly GroundPoint[]): 
   return inside;
 }
 
-export function centroid(points: readonly GroundPoint[]): GroundPoint {
+/** The mean of the points. */
+export function middleOf(points: readonly GroundPoint[]): GroundPoint {
   const sum = points.reduce((s, p) => ({ x: s.x + p.x, y: s.y + p.y }), { x: 0, y: 0 });
   const count = Math.max(1, points.length);
   return { x: sum.x / count, y: sum.y / count };

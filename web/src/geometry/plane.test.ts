@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { centroid, convexHull, distanceToSegment, insidePolygon, insideTriangle, pointsOf, turn } from './ground_geometry';
+import { middleOf, convexHull, distanceToSegment, insidePolygon, insideTriangle, pointsOf, turn } from './plane';
 
 const a = { x: 0, y: 0 };
 const b = { x: 4, y: 0 };
@@ -45,9 +45,9 @@ describe('convexHull', () => {
   });
 });
 
-describe('centroid and pointsOf', () => {
+describe('middleOf and pointsOf', () => {
   it('read pairs and average them', () => {
     expect(pointsOf([1, 2, 3, 4])).toEqual([{ x: 1, y: 2 }, { x: 3, y: 4 }]);
-    expect(centroid(pointsOf([0, 0, 4, 0, 4, 2, 0, 2]))).toEqual({ x: 2, y: 1 });
+    expect(middleOf(pointsOf([0, 0, 4, 0, 4, 2, 0, 2]))).toEqual({ x: 2, y: 1 });
   });
 });

@@ -1,0 +1,17 @@
+// Where on the ground a notice leads to.
+#pragma once
+
+#include <optional>
+
+#include "muster/base/vec2.h"
+#include "muster/session/protocol.h"
+#include "muster/world/command.h"
+
+namespace muster {
+
+/// Where a finger came down or a new control should stand; nothing for other commands.
+std::optional<Vec2> placeOf(const CommandBody& command);
+/// The same for a message, of its first finger that came down.
+std::optional<Vec2> placeOf(const protocol::ClientMessage& message);
+
+}  // namespace muster

@@ -1,0 +1,31 @@
+// @vitest-environment jsdom
+import { beforeEach, expect, it, vi } from 'vitest';
+import type { StudioActions } from './studio_actions';
+import { StudioStore } from './studio_state';
+import { TransportBar } from './transport_bar';
+
+let store: StudioStore;
+let root: HTMLElement;
+const leaveReplay = vi.fn();
+const toggleRecord = vi.fn();
+
+beforeEach(() => {
+  store = new StudioStore();
+  root = new TransportBar(store, { leaveReplay, toggleRecord } as unknown as StudioActions).root;
+  document.body.replaceChildren(root);
+});
+
+it('tells of a replay, does not record in it, and leaves it', () => {
+  const replay = root.querySelector<HTMLElement>('.replay')!;
+  const record = root.querySelector<HTMLButtonElement>('.record')!;
+  expect([replay.hidden, record.disabled]).toEqual([true, false]);
+  store.set({ replaying: true });
+  expect([replay.hidden, record.disabled]).toEqual([false, true]);
+  expect(replay.textContent).toContain('Replay');
+  record.click();
+  expect(toggleRecord).not.toHaveBeenCalled();
+  replay.querySelector('button')!.click();
+  expect(leaveReplay).toHaveBeenCalledTimes(1);
+  store.set({ replaying: false });
+  expect([replay.hidden, record.disabled]).toEqual([true, false]);
+});

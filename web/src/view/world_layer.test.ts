@@ -1,0 +1,28 @@
+import { Color, InstancedMesh } from 'three';
+import { expect, it } from 'vitest';
+import { parseScene } from '../protocol/scene';
+import { paletteOf } from './palette';
+import type { ShadeUniforms } from './shade';
+import { WorldLayer } from './world_layer';
+
+const scene = parseScene(JSON.stringify({
+  box: { min: [-9, -9], max: [9, 9] },
+  obstacles: [1, 2, 3].map((id) => ({ id, name: 'Tree', centre: [id, 0], radius: 0.3, height: 5, moving: false })),
+  items: [{ position: [0, 3], radius: 0.5 }],
+}));
+
+it('gives back the buffers of trees and items when the world is built anew', () => {
+  const shade: ShadeUniforms = { uShadowKeeps: { value: 0.7 }, uHatch: { value: new Color() } };
+  const layer = new WorldLayer(shade);
+  layer.build(scene, paletteOf('light'));
+  const instanced: InstancedMesh[] = [];
+  layer.group.traverse((object) => {
+    if (object instanceof InstancedMesh) instanced.push(object);
+  });
+  expect(instanced).toHaveLength(2);
+  let disposed = 0;
+  for (const mesh of instanced) mesh.addEventListener('dispose', () => (disposed += 1));
+  layer.build(scene, paletteOf('dark'));
+  expect(disposed).toBe(2);
+  layer.dispose();
+});
