@@ -58,6 +58,9 @@ void checkTake(const std::string& path, Finding& finding) {
     } else if (!take->finished) {
         finding.warnings.push_back("it was never finished: there is no end record");
     }
+    if (const std::uint32_t unmarked = take->steps() - take->markedSteps(); unmarked > 0) {
+        finding.warnings.push_back("its last " + std::to_string(unmarked) + " steps bear no hash");
+    }
 }
 
 Finding checkFile(const std::string& path) {

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "muster/scenario/scenario.h"
+#include "options.h"
 #include "report.h"
 
 namespace muster {
@@ -111,6 +112,7 @@ Result<WorldDef> makeScenario(const ImportOptions& options) {
 }
 
 int import(const ImportOptions& options) {
+    if (Status s = differentFiles({options.map}, {options.output}); !s.ok()) return reportFailure(s);
     const auto def = makeScenario(options);
     if (!def.ok()) return reportFailure(def.status());
     if (Status s = saveScenario(*def, options.output); !s.ok()) return reportFailure(s);
@@ -137,12 +139,12 @@ void addImportCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<ImportOptions>();
     command->add_option("MAP", options->map, "Map file.")->required();
     command->add_option("-o,--output", options->output, "Scenario file to write; the map is embedded.")->required();
-    command->add_option("--cell", options->metresPerCell, "Metres per map cell.")->check(CLI::Range(0.01, 1000.0));
+    command->add_option("--cell", options->metresPerCell, "Metres per map cell.")->check(numberIn(0.01, 1000.0));
     command->add_option("--count", options->count, "Characters; they start where there is most room.")
         ->check(CLI::Range(1, 100000));
     command->add_option("--ground", options->ground,
                         "Metres per ground cell; without it half a map cell, 0.25 to 0.5.")
-        ->check(CLI::Range(0.01, 100.0));
+        ->check(numberIn(0.01, 100.0));
     command->add_option("--credit", options->credit, "Whose data it is; goes into the scenario.");
     command->add_flag("--json", options->json, "One JSON value on standard output.");
     command->footer(

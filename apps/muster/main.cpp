@@ -1,10 +1,15 @@
 // muster: direct a crowd with your fingers.
 #include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
 
 #include "commands.h"
 
-int main(int argc, char** argv) {
-    using namespace muster;
+namespace muster {
+namespace {
+
+int run(int argc, char** argv) {
     CLI::App app("Muster directs crowds by formations that bend like cloth.", "muster");
     app.set_version_flag("--version", MUSTER_VERSION);
     app.require_subcommand(1);
@@ -29,4 +34,30 @@ int main(int argc, char** argv) {
         return kExitUsage;
     }
     return exitCode;
+}
+
+/// What is said must have been heard: a full disk behind standard output is a failure.
+bool allPrinted() {
+    std::cout.flush();
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+}
+
+int failed(const char* reason) {
+    std::fprintf(stderr, "muster: %s\n", reason);
+    return kExitFailure;
+}
+
+}  // namespace
+}  // namespace muster
+
+int main(int argc, char** argv) {
+    using namespace muster;
+    try {
+        const int code = run(argc, argv);
+        return allPrinted() || code != kExitOk ? code : failed("standard output cannot be written in full");
+    } catch (const std::bad_alloc&) {
+        return failed("the memory does not suffice");
+    } catch (const std::exception& error) {
+        return failed(error.what());
+    }
 }

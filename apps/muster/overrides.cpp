@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "muster/world/validation.h"
+
 namespace muster {
 
 void Overrides::addTo(CLI::App& command) {
@@ -12,7 +14,8 @@ void Overrides::addTo(CLI::App& command) {
         ->allow_extra_args(false);
 }
 
-Status Overrides::apply(Parameters& parameters) const {
+Status Overrides::apply(WorldDef& def) const {
+    Parameters& parameters = def.parameters;
     if (!preset.empty()) {
         const Parameters ours = *parameterPreset("muster"), papers = *parameterPreset("paper");
         const Parameters wanted = *parameterPreset(preset);
@@ -30,7 +33,8 @@ Status Overrides::apply(Parameters& parameters) const {
         }
         if (Status s = setParameter(parameters, setting.substr(0, equals), value); !s.ok()) return s.within("--set");
     }
-    return {};
+    if (preset.empty() && settings.empty()) return {};
+    return validateParameters(parameters, def.box).within(settings.empty() ? "--preset" : "--set");
 }
 
 }  // namespace muster

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "muster/world/parameters.h"
+#include "muster/world/world_def.h"
 
 namespace muster {
 
@@ -17,8 +17,9 @@ struct Overrides {
 
     /// Adds the options to a command.
     void addTo(CLI::App& command);
-    /// Applies preset, then settings. Only what the presets differ in is set by one. Fails naming the culprit.
-    Status apply(Parameters& parameters) const;
+    /// Applies preset, then settings. Only what the presets differ in is set by one. Fails naming the culprit, also
+    /// where the parameters contradict each other at the end.
+    Status apply(WorldDef& def) const;
 };
 
 }  // namespace muster

@@ -1,11 +1,14 @@
 // muster peers
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "commands.h"
 #include "muster/scenario/scenario.h"
+#include "muster/world/validation.h"
+#include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"
@@ -15,7 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::int32_t kLargestByDefault = 1000;
+constexpr std::size_t kLargestByDefault = 1000;
+constexpr double kLongest = 1e6;  // [s]
 
 struct PeersOptions {
     std::string file;
@@ -32,6 +36,10 @@ struct Scene {
     WorldDef def;
     double limit = 120.0;  ///< [s]
 };
+
+std::string sceneName(const std::string& file, const std::string& scene) {
+    return file + ": $.scenes." + scene;
+}
 
 bool readPoints(const Json& list, std::vector<Vec2>& points) {
     if (!list.is_array()) return false;
@@ -60,8 +68,8 @@ bool readObstacles(const Json& scene, WorldDef& def) {
 
 /// Explicit starts, slots as a formation that stands still: nothing may displace the slots.
 Result<Scene> readScene(const std::string& name, const Json& json, const PeersOptions& options) {
-    const auto bad = [&](const char* key, const char* expected) {
-        return Status(StatusCode::ParseError, options.file + ": $.scenes." + name + "." + key +
+    const auto bad = [&](const char* key, const std::string& expected) {
+        return Status(StatusCode::ParseError, sceneName(options.file, name) + "." + key +
                                                   ": found something else, expected " + expected);
     };
     Scene scene;
@@ -79,6 +87,9 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     if (!readObstacles(json, scene.def)) return bad("polygons_ccw or circles", "corners [x, y] or [x, y, radius]");
     if (!json.contains("T") || !json["T"].is_number()) return bad("T", "a number of seconds");
     scene.limit = json["T"].get<double>();
+    if (!(scene.limit > 0.0 && scene.limit <= kLongest)) return bad("T", "seconds, more than 0 and at most 1e6");
+    if (group.starts.empty() || group.starts.size() > static_cast<std::size_t>(kMaxCharacters))
+        return bad("start", "1 to " + std::to_string(kMaxCharacters) + " points");
     group.count = static_cast<std::int32_t>(group.starts.size());
     scene.def.name = name;
     scene.def.groups.push_back(std::move(group));
@@ -86,7 +97,8 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     scene.def.parameters.radius = 0.25;
     scene.def.parameters.maxSpeed = 2.0;
     scene.def.parameters.environmentField = 0.0;
-    if (Status s = options.overrides.apply(scene.def.parameters); !s.ok()) return s;
+    if (Status s = validateWorld(scene.def); !s.ok()) return s.within(sceneName(options.file, name));
+    if (Status s = options.overrides.apply(scene.def); !s.ok()) return s;
     return scene;
 }
 
@@ -100,17 +112,36 @@ Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
     std::vector<Scene> scenes;
     for (const auto& [name, body] : json["scenes"].items()) {
         if (!options.scene.empty() && name != options.scene) continue;
-        auto scene = readScene(name, body, options);
-        if (!scene.ok()) return scene.status();
-        if (options.scene.empty() && scene->def.groups[0].count > kLargestByDefault) {
-            std::fprintf(stderr, "muster: %s is left out: %d characters are too many for the exact plan; --scene %s runs it\n",
-                         name.c_str(), scene->def.groups[0].count, name.c_str());
+        const std::size_t count = body.is_object() && body.contains("start") ? body["start"].size() : 0;
+        if (options.scene.empty() && count > kLargestByDefault) {
+            std::fprintf(stderr, "muster: %s is left out: %zu characters are too many for the exact plan\n", name.c_str(),
+                         count);
             continue;
         }
+        auto scene = readScene(name, body, options);
+        if (!scene.ok()) return scene.status();
         scenes.push_back(std::move(scene).value());
     }
     if (!scenes.empty()) return scenes;
     return Status(StatusCode::NotFound, options.file + ": $.scenes: found no scene \"" + options.scene + "\"");
+}
+
+/// One CSV file per scene: PATH itself for one scene, else PATH-SCENE, its ending kept. What would not do in a file
+/// name becomes "-".
+std::vector<std::string> trajectoryFiles(const std::string& path, const std::vector<Scene>& scenes) {
+    if (path.empty() || scenes.size() == 1) return std::vector<std::string>(scenes.size(), path);
+    const std::filesystem::path whole(path);
+    std::vector<std::string> files;
+    for (const Scene& scene : scenes) {
+        std::string name = scene.name.substr(0, 100);
+        for (char& c : name) {
+            const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+            if (!plain) c = '-';
+        }
+        const std::string file = whole.stem().string() + "-" + name + whole.extension().string();
+        files.push_back((whole.parent_path() / file).string());
+    }
+    return files;
 }
 
 void printRow(const Scene& scene, const RunFigures& f) {
@@ -125,20 +156,24 @@ void printRow(const Scene& scene, const RunFigures& f) {
 int peers(const PeersOptions& options) {
     const auto scenes = readScenes(options);
     if (!scenes.ok()) return reportFailure(scenes.status());
+    const auto files = trajectoryFiles(options.trajectory, *scenes);
+    if (Status s = differentFiles({options.file}, files); !s.ok()) return reportFailure(s);
     Json results = Json::array();
     if (!options.json) {
         std::printf("| scene     |      n | 95 %%/100 %% [s]  | stuck | overlaps | deepest [%%] | swaps/n/s  | path ratio | step ms p50/p95/max |\n"
                     "|---|---|---|---|---|---|---|---|---|\n");
     }
-    for (const Scene& scene : *scenes) {
+    for (std::size_t i = 0; i < scenes->size(); ++i) {
+        const Scene& scene = (*scenes)[i];
         RunDef run;
         run.longest = scene.limit;
         run.threads = options.threads;
-        run.trajectoryPath = options.trajectory;
-        run.appendScene = &scene != &scenes->front();
+        run.trajectoryPath = files[i];
         run.label = scene.name;
-        const auto figures = runWorld(scene.def, {}, run);
-        if (!figures.ok()) return reportFailure(figures.status().within(scene.name));
+        auto world = World::create(scene.def, run.threads);
+        if (!world.ok()) return reportFailure(world.status().within(sceneName(options.file, scene.name)));
+        const auto figures = runWorld(*std::move(world), scene.def, {}, run);
+        if (!figures.ok()) return reportFailure(figures.status().within(sceneName(options.file, scene.name)));
         if (!options.json) printRow(scene, *figures);
         Json entry = {{"scene", scene.name}};
         const Json values = figuresJson(*figures);
@@ -161,7 +196,8 @@ void addPeersCommand(CLI::App& app, int& exitCode) {
     options->overrides.addTo(*command);
     command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")->check(CLI::Range(0, 256));
     command->add_option("--trajectory", options->trajectory,
-                        "Writes scene,t,id,x,y,place_x,place_y for every step into this CSV file.");
+                        "Writes t,id,x,y,place_x,place_y for every step into this CSV file; where several scenes run, "
+                        "each into a file of its own, whose name ends with that of the scene.");
     command->add_flag("--json", options->json, "One JSON array on standard output, an object per scene.");
     command->footer(
         "Radius 0.25 m, top speed 2 m/s, 60 steps a second; the potential field is off, since slots are fixed.\n"

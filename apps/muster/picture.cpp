@@ -9,6 +9,8 @@
 #include "muster/scenario/gestures.h"
 #include "muster/scenario/scenario.h"
 #include "muster/take/take.h"
+#include "muster/world/validation.h"
+#include "options.h"
 #include "overrides.h"
 #include "report.h"
 
@@ -26,6 +28,7 @@ struct PictureOptions {
     Overrides overrides;
     PictureDef def;
     std::vector<double> view;
+    int group = 0;
     bool json = false;
 };
 
@@ -43,7 +46,7 @@ Status loadSource(const PictureOptions& options, WorldDef& def, std::vector<Comm
         if (!loaded.ok()) return loaded.status();
         def = std::move(loaded).value();
     }
-    if (Status s = options.overrides.apply(def.parameters); !s.ok()) return s;
+    if (Status s = options.overrides.apply(def); !s.ok()) return s;
     if (options.gestures.empty()) return {};
     auto gestures = loadGestures(options.gestures, def.parameters.stepTime);
     if (!gestures.ok()) return gestures.status();
@@ -56,8 +59,24 @@ void addTrail(const World& world, std::vector<std::vector<Vec2>>& trails) {
     for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(world.characters().position[i]);
 }
 
+/// Fails where the group or place asked for does not exist at that moment.
+Status placeExists(const World& world, const PictureDef& picture) {
+    const auto range = [](const char* what, std::size_t found, std::size_t count) {
+        return invalidArgument(std::string(what) + ": found " + std::to_string(found) + ", expected " +
+                               (count == 0 ? "none, as there is none" : "0 to " + std::to_string(count - 1)));
+    };
+    const std::size_t groups = world.groupCount();
+    if (picture.group > 0 && picture.group >= groups) return range("--group", picture.group, groups);
+    if (picture.place < 0) return {};
+    const std::size_t places = groups == 0 ? 0 : world.group(picture.group).places->positions().size();
+    const auto place = static_cast<std::size_t>(picture.place);
+    return place < places ? Status() : range("--place", place, places);
+}
+
 int picture(const PictureOptions& options) {
+    if (Status s = differentFiles({options.source, options.gestures}, {options.output}); !s.ok()) return reportFailure(s);
     PictureDef picture = options.def;
+    picture.group = static_cast<std::size_t>(options.group);
     const auto layers = parseLayers(options.layers);
     if (!layers.ok()) return reportFailure(layers.status().within("--layers"));
     picture.layers = *layers;
@@ -69,6 +88,7 @@ int picture(const PictureOptions& options) {
     if (Status s = loadSource(options, def, commands); !s.ok()) return reportFailure(s);
     auto world = World::create(def);
     if (!world.ok()) return reportFailure(world.status().within(options.source));
+    printWarnings(def, options.source);
     for (const Command& command : commands) {
         if (Status s = world->submit(command); !s.ok()) return reportFailure(s.within(options.source));
     }
@@ -81,6 +101,7 @@ int picture(const PictureOptions& options) {
         if (world->stepCount() % every == 0 || world->stepCount() == steps) addTrail(*world, picture.trails);
         progress.show(static_cast<double>(world->stepCount()) / steps);
     }
+    if (Status s = placeExists(*world, picture); !s.ok()) return reportFailure(s);
     if (Status s = writePicture(*world, picture, options.output); !s.ok()) return reportFailure(s);
     if (options.json) printJsonValue({{"picture", options.output}, {"t", world->time()}, {"width", picture.width}});
     return kExitOk;
@@ -93,7 +114,7 @@ void addPictureCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<PictureOptions>();
     command->add_option("SOURCE", options->source, "Scenario or take file.")->required();
     command->add_option("-o,--output", options->output, "Picture to write: .png or .svg.")->required();
-    command->add_option("--at", options->at, "Moment [s].")->check(CLI::Range(0.0, 1e6));
+    command->add_option("--at", options->at, "Moment [s].")->check(numberIn(0.0, 1e6));
     command->add_option("--layers", options->layers,
                         "Some of patches, field, cost, density, obstacles, mesh, places, paths, characters, separated by "
                         "commas; without it all but field, cost and density.");
@@ -101,9 +122,11 @@ void addPictureCommand(CLI::App& app, int& exitCode) {
     options->overrides.addTo(*command);
     command->add_option("--width", options->def.width, "Pixels across.")->check(CLI::Range(64, 8192));
     command->add_option("--view", options->view, "What is shown: X0 Y0 X1 Y1 [m]; without it the whole world.")->expected(4);
-    command->add_option("--group", options->def.group, "Group (from 0) whose place the layer cost shows.");
-    command->add_option("--place", options->def.place, "Place (from 0) that the layer cost shows; without it that of the "
-                                                       "character with the longest way.");
+    command->add_option("--group", options->group, "Group (from 0) whose place the layer cost shows.")
+        ->check(CLI::Range(0, static_cast<int>(kMaxGroups)));
+    command->add_option("--place", options->def.place,
+                        "Place (from 0) that the layer cost shows; without it that of the character with the longest way.")
+        ->check(CLI::Range(0, kMaxCharacters));
     command->add_flag("--dark", options->def.dark, "Colours for dark surroundings.");
     command->add_flag("--json", options->json, "One JSON value on standard output.");
     command->footer(

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "muster/scenario/gestures.h"
 #include "muster/scenario/scenario.h"
+#include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"
@@ -21,16 +22,22 @@ struct PlayOptions {
 };
 
 int play(const PlayOptions& options) {
+    const RunDef& run = options.run;
+    if (Status s = differentFiles({options.scenario, options.gestures}, {run.takePath, run.trajectoryPath}); !s.ok())
+        return reportFailure(s);
     auto def = loadScenario(options.scenario);
     if (!def.ok()) return reportFailure(def.status());
-    if (Status s = options.overrides.apply(def->parameters); !s.ok()) return reportFailure(s);
+    if (Status s = options.overrides.apply(*def); !s.ok()) return reportFailure(s);
     std::vector<Command> commands;
     if (!options.gestures.empty()) {
         auto loaded = loadGestures(options.gestures, def->parameters.stepTime);
         if (!loaded.ok()) return reportFailure(loaded.status());
         commands = std::move(loaded).value();
     }
-    const auto figures = runWorld(*def, commands, options.run);
+    auto world = World::create(*def, run.threads);
+    if (!world.ok()) return reportFailure(world.status().within(options.scenario));
+    printWarnings(*def, options.scenario);
+    const auto figures = runWorld(*std::move(world), *def, commands, run);
     if (!figures.ok()) return reportFailure(figures.status());
     if (options.json) {
         printJsonValue(figuresJson(*figures));
@@ -50,7 +57,7 @@ void addPlayCommand(CLI::App& app, int& exitCode) {
     command->add_option("--seconds", options->run.seconds,
                         "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
                         "command.")
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(numberIn(0.0, 1e6));
     options->overrides.addTo(*command);
     command->add_option("--threads", options->run.threads, "Threads; 0 takes what the machine has. Results are the same.")
         ->check(CLI::Range(0, 256));

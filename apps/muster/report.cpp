@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "muster/base/hash.h"
+#include "muster/scenario/scenario.h"
 
 namespace muster {
 
@@ -72,6 +73,17 @@ void printJsonValue(const Json& value) {
 int reportFailure(const Status& status) {
     std::fprintf(stderr, "muster: %s\n", status.message().c_str());
     return kExitFailure;
+}
+
+void printWarnings(const WorldDef& def, const std::string& path) {
+    constexpr std::size_t kShown = 3, kCounted = 100;
+    const auto warnings = scenarioWarnings(def, kCounted);
+    for (std::size_t i = 0; i < warnings.size() && i < kShown; ++i)
+        std::fprintf(stderr, "muster: %s: warning: %s\n", path.c_str(), warnings[i].c_str());
+    if (warnings.size() > kShown) {
+        std::fprintf(stderr, "muster: %s: warning: and %zu more, which muster check lists\n", path.c_str(),
+                     warnings.size() - kShown);
+    }
 }
 
 Progress::Progress(std::string what) : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) != 0) {}

@@ -7,6 +7,7 @@
 #include "muster/base/status.h"
 #include "muster/base/stopwatch.h"
 #include "muster/world/metrics.h"
+#include "muster/world/world_def.h"
 
 namespace muster {
 
@@ -20,6 +21,8 @@ std::string timeText(double seconds);
 void printJsonValue(const nlohmann::ordered_json& value);
 /// One sentence on standard error; returns kExitFailure.
 int reportFailure(const Status& status);
+/// What is likely a mistake in a scenario, on standard error: the first few warnings, and how many more there are.
+void printWarnings(const WorldDef& def, const std::string& path);
 
 /// A line on standard error that is rewritten as long work goes on; silent where standard error is no terminal.
 class Progress {

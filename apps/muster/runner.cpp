@@ -11,6 +11,8 @@
 namespace muster {
 namespace {
 
+constexpr double kMostSteps = 4294967295.0;  // That a step's number can hold.
+
 /// True where nothing is left to do: no control still moves, places stand, and all have arrived.
 bool settled(const World& world, const RunMetrics& metrics) {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
@@ -39,8 +41,7 @@ struct Recorders {
             take.emplace(std::move(writer).value());
         }
         if (!run.trajectoryPath.empty()) {
-            auto writer = TrajectoryWriter::create(run.trajectoryPath, run.label,
-                                                   run.appendScene);
+            auto writer = TrajectoryWriter::create(run.trajectoryPath);
             if (!writer.ok()) return writer.status();
             trajectory.emplace(std::move(writer).value());
         }
@@ -60,14 +61,12 @@ struct Recorders {
 
 }  // namespace
 
-Result<RunFigures> runWorld(const WorldDef& def, const std::vector<Command>& commands, const RunDef& run) {
-    auto world = World::create(def, run.threads);
-    if (!world.ok()) return world.status();
+Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands, const RunDef& run) {
     Recorders recorders;
     if (Status s = recorders.open(def, run); !s.ok()) return s;
     std::uint32_t lastCommand = 0;
     for (const Command& command : commands) {
-        if (Status s = world->submit(command); !s.ok()) return s;
+        if (Status s = world.submit(command); !s.ok()) return s;
         if (recorders.take) {
             if (Status s = recorders.take->command(command); !s.ok()) return s;
         }
@@ -76,25 +75,25 @@ Result<RunFigures> runWorld(const WorldDef& def, const std::vector<Command>& com
     const double stepTime = def.parameters.stepTime;
     const bool open = run.seconds < 0.0;
     const double wanted = open ? lastCommand * stepTime + run.longest : run.seconds;
-    const auto steps = static_cast<std::uint32_t>(std::floor(wanted / stepTime + 0.5));
+    const auto steps = static_cast<std::uint32_t>(std::clamp(std::floor(wanted / stepTime + 0.5), 0.0, kMostSteps));
     const auto second = static_cast<std::uint32_t>(std::ceil(1.0 / stepTime));
-    RunMetrics metrics(*world);
+    RunMetrics metrics(world);
     Progress progress(run.label.empty() ? "simulating" : run.label);
-    if (Status s = recorders.observe(*world); !s.ok()) return s;
-    while (world->stepCount() < steps) {
-        world->step();
-        metrics.observe(*world);
-        if (Status s = recorders.observe(*world); !s.ok()) return s;
-        for (const Rejection& rejection : world->rejections()) {
+    if (Status s = recorders.observe(world); !s.ok()) return s;
+    while (world.stepCount() < steps) {
+        world.step();
+        metrics.observe(world);
+        if (Status s = recorders.observe(world); !s.ok()) return s;
+        for (const Rejection& rejection : world.rejections()) {
             std::fprintf(stderr, "muster: step %u: %s was refused: %s\n", rejection.command.step,
                          commandName(rejection.command), rejection.status.message().c_str());
         }
-        progress.show(static_cast<double>(world->stepCount()) / steps);
-        const bool due = open && world->stepCount() > lastCommand + 2 * second && world->stepCount() % (second / 2) == 0;
-        if (due && settled(*world, metrics)) break;
+        progress.show(static_cast<double>(world.stepCount()) / steps);
+        const bool due = open && world.stepCount() > lastCommand + 2 * second && world.stepCount() % (second / 2) == 0;
+        if (due && settled(world, metrics)) break;
     }
-    if (Status s = recorders.finish(*world); !s.ok()) return s;
-    return metrics.figures(*world);
+    if (Status s = recorders.finish(world); !s.ok()) return s;
+    return metrics.figures(world);
 }
 
 }  // namespace muster

@@ -13,14 +13,13 @@ namespace muster {
 struct RunDef {
     double seconds = -1.0;       ///< Simulated [s]; negative: until all have arrived and stand, at most `longest`.
     double longest = 120.0;      ///< After the last command [s].
-    std::int32_t threads = 1;    ///< As for World.
+    std::int32_t threads = 1;    ///< As for World::create.
     std::string takePath;        ///< Where the take goes; empty for none.
     std::string trajectoryPath;  ///< Where the CSV goes; empty for none.
-    bool appendScene = false;    ///< The CSV goes on, with a first column `scene`.
-    std::string label;           ///< Shown with the progress; the `scene` of the CSV.
+    std::string label;           ///< Shown with the progress.
 };
 
-/// Simulates and reports. Commands are submitted before the first step.
-Result<RunFigures> runWorld(const WorldDef& def, const std::vector<Command>& commands, const RunDef& run);
+/// Simulates a new world of that definition and reports. Commands are submitted before the first step.
+Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands, const RunDef& run);
 
 }  // namespace muster

@@ -35,8 +35,9 @@ void addStudioCommand(CLI::App& app, int& exitCode) {
     command->add_option("--threads", options->threads, "Threads of the simulation; 0 takes what the machine has.")
         ->check(CLI::Range(0, 256));
     command->add_flag("--open", options->openBrowser, "Opens the page in the desktop's browser.");
+    command->add_flag("--json", options->json, "One JSON value on standard output: address and port.");
     command->footer(
-        "Only this machine can connect. Ctrl+C ends it.\n"
+        "Only this machine can connect. Ctrl+C ends it; twice, at once. Recordings are kept in ./takes.\n"
         "Examples:\n"
         "  muster studio\n"
         "  muster studio woodland --port 9000 --open");

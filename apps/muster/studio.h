@@ -15,6 +15,7 @@ struct StudioOptions {
     std::string takesFolder = "takes";  ///< Where recordings are kept while they run; made when needed.
     int threads = 1;                 ///< Of the simulation; 0 takes what the machine has.
     bool openBrowser = false;        ///< Opens the page in the desktop's browser.
+    bool json = false;               ///< Tells address and port as one JSON value.
 };
 
 /// Serves until interrupted. Returns the program's exit code; failures are told on standard error.

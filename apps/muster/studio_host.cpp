@@ -1,29 +1,33 @@
 // The studio: one thread simulates, one serves; letters go between them.
-#include <spawn.h>
-#include <sys/wait.h>
-
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
 #include <map>
+#include <set>
 #include <thread>
 #include <variant>
 
+#include "browser.h"
 #include "mailbox.h"
 #include "muster/session/protocol.h"
 #include "muster/session/session.h"
+#include "report.h"
 #include "scenario_folder.h"
 #include "studio.h"
 #include "studio_server.h"
 #include "take_file.h"
-
-extern char** environ;
 
 namespace muster {
 namespace {
 
 constexpr std::size_t kMailboxBytes = std::size_t{128} << 20;  // A take and many messages.
 constexpr double kLongestWait = 0.25;                          // [s]
+constexpr int kExitInterrupted = 130;                          // As shells call it.
 
 // Letters to the simulation.
 struct Opened {
@@ -65,11 +69,27 @@ HttpAnswer sentence(int status, const std::string& words) {
 
 HttpAnswer failure(const Status& status) { return sentence(httpStatus(status.code()), status.message()); }
 
+bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
+    static const auto restart = protocol::encode(protocol::Transport{protocol::TransportAction::Restart});
+    return !bytes.empty() && (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart);
+}
+
+// To begin a world costs much and undoes all before it: of equal requests that wait, only the last is heard, so that
+// nobody keeps the simulation busy by repeating one.
+void dropRepeated(std::vector<Letter>& letters) {
+    std::set<std::vector<std::uint8_t>> seen;
+    for (auto letter = letters.rbegin(); letter != letters.rend(); ++letter) {
+        auto* received = std::get_if<Received>(&*letter);
+        if (received == nullptr || !beginsWorld(received->bytes)) continue;
+        if (!seen.insert(received->bytes).second) received->connection = 0;  // Nobody's.
+    }
+}
+
 // Owns the session and does what the letters ask, on the thread that calls run().
 class Simulation {
 public:
-    Simulation(Session session, Mailbox<Letter>& mailbox, StudioServer& server)
-        : session_(std::move(session)), mailbox_(mailbox), server_(server) {}
+    Simulation(Session session, Mailbox<Letter>& mailbox, StudioServer& server, const std::atomic<bool>& interrupted)
+        : session_(std::move(session)), mailbox_(mailbox), server_(server), interrupted_(interrupted) {}
 
     // Until interrupted.
     void run() {
@@ -82,7 +102,11 @@ public:
             // The world waits while nobody watches.
             if (!clients_.empty()) session_.elapse(std::chrono::duration<double>(now - last).count());
             last = now;
-            for (Letter& letter : letters) std::visit(*this, letter);
+            dropRepeated(letters);
+            for (Letter& letter : letters) {
+                if (interrupted_) break;
+                std::visit(*this, letter);
+            }
             if (!clients_.empty() && session_.stepDue()) session_.step();
             flush();
         }
@@ -118,7 +142,7 @@ public:
         if (!status.ok()) return letter.reply(failure(status));
         letter.reply(sentence(200, "The take is open."));
     }
-    void operator()(Interrupted&) { interrupted_ = true; }
+    void operator()(Interrupted&) {}  // It woke us.
 
 private:
     void flush() {
@@ -133,10 +157,37 @@ private:
     Mailbox<Letter>& mailbox_;
     StudioServer& server_;
     std::map<ConnectionId, std::uint32_t> clients_;
-    bool interrupted_ = false;
+    const std::atomic<bool>& interrupted_;
 };
 
-ServerEvents eventsTo(Mailbox<Letter>& mailbox) {
+// The server on its own thread, until this goes.
+class Serving {
+public:
+    Serving(StudioServer& server, const std::function<void()>& failed)
+        : server_(server), thread_([this, failed] { run(failed); }) {}
+    ~Serving() {
+        server_.stop();
+        thread_.join();
+    }
+    bool good() const { return good_; }
+
+private:
+    void run(const std::function<void()>& failed) {
+        try {
+            server_.run();
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "muster studio: the server ended: %s\n", error.what());
+            good_ = false;
+            failed();
+        }
+    }
+
+    StudioServer& server_;
+    std::atomic<bool> good_ = true;
+    std::thread thread_;  // Last: it uses the others.
+};
+
+ServerEvents eventsTo(Mailbox<Letter>& mailbox, std::atomic<bool>& interrupted) {
     ServerEvents events;
     events.opened = [&](ConnectionId id) { mailbox.post(Opened{id}); };
     events.received = [&](ConnectionId id, std::vector<std::uint8_t> bytes) {
@@ -153,18 +204,12 @@ ServerEvents eventsTo(Mailbox<Letter>& mailbox) {
         if (!mailbox.post(TakeSent{std::move(bytes), reply}, size))
             reply(sentence(503, "The simulation is busy."));
     };
-    events.interrupted = [&] { mailbox.post(Interrupted{}); };
+    events.interrupted = [&] {
+        // Who asks twice waits for nothing: recordings lose at most their end.
+        if (interrupted.exchange(true)) std::_Exit(kExitInterrupted);
+        mailbox.post(Interrupted{});
+    };
     return events;
-}
-
-void openBrowser(const std::string& address) {
-    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
-    std::string program = "xdg-open";
-    std::string argument = address;
-    char* arguments[] = {program.data(), argument.data(), nullptr};
-    pid_t child = 0;
-    if (posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ) != 0) return;
-    std::thread([child] { waitpid(child, nullptr, 0); }).detach();
 }
 
 // The scenario that is asked for, by name or path, else the folder's first.
@@ -184,6 +229,7 @@ Result<Session> makeSession(const StudioOptions& options) {
     if (!name.ok()) return name.status();
     const auto world = folder.load(name.value());
     if (!world.ok()) return world.status();
+    printWarnings(world.value(), name.value());
     SessionDef def;
     def.version = MUSTER_VERSION;
     def.threads = options.threads;
@@ -195,6 +241,21 @@ Result<Session> makeSession(const StudioOptions& options) {
     const Status status = session.load(name.value(), world.value());
     if (!status.ok()) return status.within(name.value());
     return session;
+}
+
+Status pageExists(const std::string& folder) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(folder + "/index.html", error)) return {};
+    return {StatusCode::NotFound,
+            folder + ": found no index.html, expected the built page; ./run builds it, --page names another folder"};
+}
+
+std::string tellAddress(int port, bool json) {
+    const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
+    if (json) printJsonValue({{"address", address}, {"port", port}});
+    else std::printf("Muster studio: %s\n", address.c_str());
+    std::fflush(stdout);
+    return address;
 }
 
 int failed(const Status& status) {
@@ -209,28 +270,33 @@ int runStudio(const StudioOptions& options) {
         return failed(invalidArgument("found the host '" + options.host +
                                       "', expected 127.0.0.1: only this machine may connect"));
     }
+    if (Status status = pageExists(options.pageFolder); !status.ok()) return failed(status);
     auto session = makeSession(options);
     if (!session.ok()) return failed(session.status());
     Mailbox<Letter> mailbox(kMailboxBytes);
+    std::atomic<bool> interrupted = false;
     ServerDef def;
     def.port = options.port;
     def.pageFolder = options.pageFolder;
     def.subprotocol = protocol::kSubprotocol;
-    def.events = eventsTo(mailbox);
+    def.events = eventsTo(mailbox, interrupted);
     auto server = StudioServer::listen(std::move(def));
     if (!server.ok()) return failed(server.status());
-    const std::string address = "http://127.0.0.1:" + std::to_string(server.value()->port()) + "/";
-    std::printf("Muster studio: %s\n", address.c_str());
-    std::fflush(stdout);
-    std::thread serving([&] { server.value()->run(); });
-    if (options.openBrowser) openBrowser(address);
-    Simulation(std::move(session).value(), mailbox, *server.value()).run();
-    server.value()->stop();
-    serving.join();
+    const std::string address = tellAddress(server.value()->port(), options.json);
+    bool served = true;
+    {
+        const Serving serving(*server.value(), [&] {
+            interrupted = true;
+            mailbox.post(Interrupted{});
+        });
+        if (options.openBrowser) openBrowser(address);
+        Simulation(std::move(session).value(), mailbox, *server.value(), interrupted).run();
+        served = serving.good();
+    }
     // Letters that came too late hold connections, which must go before the server.
     std::vector<Letter> late;
     mailbox.collect(0.0, late);
-    return 0;
+    return served ? 0 : 1;
 }
 
 }  // namespace muster

@@ -1,6 +1,8 @@
 // The only file that knows Boost.Beast: it takes 20 s and 0.8 GB to compile.
 #include "studio_server.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/asio/io_context.hpp>
@@ -42,6 +44,9 @@ double secondsNow() {
 }
 
 std::string text(beast::string_view view) { return {view.data(), view.size()}; }
+
+// Programs that we start (the browser) get no hold of our sockets.
+void keepToOurselves(int socket) { fcntl(socket, F_SETFD, FD_CLOEXEC); }
 
 }  // namespace
 
@@ -243,6 +248,15 @@ private:
         return request.count(http::field::origin) == 1 && server_.knownOrigin(text(request[http::field::origin]));
     }
 
+    // A take may be large: pages of others must not have it made, though they could not read it. Browsers say where
+    // a request comes from; programs of this machine need not.
+    bool takeKnown() const {
+        const Request& request = parser_->get();
+        const std::string site = text(request["Sec-Fetch-Site"]);
+        if (!site.empty() && site != "same-origin" && site != "none") return false;
+        return request.count(http::field::origin) == 0 || originKnown();
+    }
+
     void post() {
         if (text(parser_->get().target()) != kTakePath) return refuse(404, "Nothing can be sent here.");
         if (!originKnown()) return refuse(403, "Unknown origin.");
@@ -259,7 +273,7 @@ private:
 
     void get() {
         const std::string target = text(parser_->get().target());
-        if (target == kTakePath) return server_.def.events.takeAsked(reply());
+        if (target == kTakePath) return takeKnown() ? server_.def.events.takeAsked(reply()) : refuse(403, "Unknown origin.");
         HttpAnswer answer;
         if (target == kHealthPath) {
             answer.type = "application/json";
@@ -345,6 +359,7 @@ Status StudioServer::Impl::open() {
         Error error;
         const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), static_cast<unsigned short>(candidate));
         acceptor.open(endpoint.protocol(), error);
+        if (!error) keepToOurselves(acceptor.native_handle());
         if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
         if (!error) acceptor.bind(endpoint, error);
         if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
@@ -365,6 +380,7 @@ void StudioServer::Impl::accept() {
         if (!acceptor.is_open()) return;
         if (!error && connections < def.limits.connections) {
             Error ignored;
+            keepToOurselves(socket.native_handle());
             socket.set_option(tcp::no_delay(true), ignored);
             std::make_shared<HttpConnection>(*this, std::move(socket))->start();
         }
@@ -374,7 +390,9 @@ void StudioServer::Impl::accept() {
 
 void StudioServer::Impl::awaitSignal() {
     signals.async_wait([this](Error error, int) {
-        if (!error) def.events.interrupted();
+        if (error) return;
+        def.events.interrupted();
+        awaitSignal();
     });
 }
 

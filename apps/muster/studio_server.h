@@ -49,7 +49,7 @@ struct ServerEvents {
     std::function<void(ConnectionId)> closed;
     std::function<void(HttpReply)> takeAsked;
     std::function<void(std::vector<std::uint8_t>, HttpReply)> takeSent;
-    std::function<void()> interrupted;  ///< Ctrl+C or a request to end.
+    std::function<void()> interrupted;  ///< Ctrl+C or a request to end; each time.
 };
 
 /// What a server is made from.

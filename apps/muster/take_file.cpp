@@ -62,7 +62,7 @@ Result<std::unique_ptr<TakeSink>> openTakeFile(const std::string& folder, const 
     const std::string stem = folder + "/" + safe.substr(0, 60) + "-" + stampNow();
     for (int attempt = 1; attempt < 100; ++attempt) {
         const std::string path = stem + (attempt == 1 ? "" : "-" + std::to_string(attempt)) + ".take";
-        if (File file{std::fopen(path.c_str(), "wbx")})
+        if (File file{std::fopen(path.c_str(), "wbxe")})
             return std::unique_ptr<TakeSink>(new TakeFile(std::move(file), path));
         if (errno != EEXIST) return failed(path);
     }

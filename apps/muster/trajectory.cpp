@@ -2,11 +2,11 @@
 
 namespace muster {
 
-Result<TrajectoryWriter> TrajectoryWriter::create(const std::string& path, const std::string& scene, bool append) {
-    std::FILE* file = std::fopen(path.c_str(), append ? "ab" : "wb");
+Result<TrajectoryWriter> TrajectoryWriter::create(const std::string& path) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
     if (file == nullptr) return Status(StatusCode::IoError, path + ": cannot be written");
-    TrajectoryWriter writer(file, path, scene.empty() ? "" : scene + ",");
-    if (!append) std::fprintf(file, "%st,id,x,y,place_x,place_y\n", scene.empty() ? "" : "scene,");
+    TrajectoryWriter writer(file, path);
+    std::fprintf(file, "t,id,x,y,place_x,place_y\n");
     return writer;
 }
 
@@ -16,7 +16,7 @@ void TrajectoryWriter::add(const World& world) {
         const Vec2 p = characters.position[i];
         const auto& places = world.group(characters.group[i]).places->positions();
         const auto place = static_cast<std::size_t>(characters.place[i]);
-        std::fprintf(file_.get(), "%s%.9g,%u,%.9g,%.9g,", prefix_.c_str(), world.time(), characters.id[i], p.x, p.y);
+        std::fprintf(file_.get(), "%.9g,%u,%.9g,%.9g,", world.time(), characters.id[i], p.x, p.y);
         if (characters.place[i] >= 0 && place < places.size()) {
             std::fprintf(file_.get(), "%.9g,%.9g\n", places[place].x, places[place].y);
         } else {

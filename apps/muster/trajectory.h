@@ -13,9 +13,8 @@ namespace muster {
 /// Writes `t,id,x,y,place_x,place_y`, one line per character and step; the place is empty for the unmatched.
 class TrajectoryWriter {
 public:
-    /// Opens the file and writes the header. With a `scene` a first column holds it, and an existing file goes on
-    /// where `append` is set. Fails with IoError.
-    static Result<TrajectoryWriter> create(const std::string& path, const std::string& scene, bool append);
+    /// Makes the file and writes the header. Fails with IoError.
+    static Result<TrajectoryWriter> create(const std::string& path);
     /// Adds a line per character.
     void add(const World& world);
     /// Closes the file. Fails with IoError where anything was not written.
@@ -25,12 +24,10 @@ private:
     struct CloseFile {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    TrajectoryWriter(std::FILE* file, std::string path, std::string prefix)
-        : file_(file), path_(std::move(path)), prefix_(std::move(prefix)) {}
+    TrajectoryWriter(std::FILE* file, std::string path) : file_(file), path_(std::move(path)) {}
 
     std::unique_ptr<std::FILE, CloseFile> file_;
     std::string path_;
-    std::string prefix_;
 };
 
 }  // namespace muster

@@ -85,7 +85,7 @@ void describePath(Visitor& v, TimedPath& path) {
             Need::Required);
         inner.flag("loop", path.loop, "Starts again after the last waypoint; else it stays there.");
     };
-    if (Visitor::kReading || Visitor::kSchema || !path.still()) {
+    if (Visitor::kReading || Visitor::kSchema || !path.still() || path.loop) {
         v.object("path", "Moves it, linearly from waypoint to waypoint.", put);
     }
 }
@@ -121,7 +121,7 @@ void describePatch(Visitor& v, PatchDef& patch, const std::vector<std::string>& 
 
 template <class Visitor>
 void describeGroup(Visitor& v, GroupDef& group) {
-    v.text("name", group.name, "Shown on its chip.");
+    v.text("name", group.name, "Shown on its chip.", Need::Optional, GroupDef{}.name);
     v.whole("count", group.count, {1.0, kMaxCharacters}, "Characters.");
     v.objectOrKind("formation", "Kind and spacing, or the kind alone.",
                    [&](auto& inner) { describeFormation(inner, group.formation); });

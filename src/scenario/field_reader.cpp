@@ -81,7 +81,7 @@ void FieldReader::finish() {
     }
 }
 
-void FieldReader::text(std::string_view key, std::string& value, const char*, Need need) {
+void FieldReader::text(std::string_view key, std::string& value, const char*, Need need, std::string_view) {
     const Json* found = find(key, need);
     if (found == nullptr) return;
     if (!found->is_string()) return fail(key, describeJson(*found), "a text");

@@ -26,7 +26,8 @@ void FieldSchema::set(std::string_view key, Json schema, std::string_view about,
     if (need == Need::Required) (*schema_)["required"].push_back(std::string(key));
 }
 
-void FieldSchema::text(std::string_view key, const std::string& value, const char* about, Need need) {
+void FieldSchema::text(std::string_view key, const std::string& value, const char* about, Need need,
+                       std::string_view) {
     Json schema = {{"type", "string"}};
     if (need == Need::Optional) schema["default"] = value;
     set(key, std::move(schema), about, need);

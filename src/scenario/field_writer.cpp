@@ -2,8 +2,9 @@
 
 namespace muster {
 
-void FieldWriter::text(std::string_view key, const std::string& value, const char*, Need need) {
-    if (!value.empty() || need == Need::Required) set(key, value);
+void FieldWriter::text(std::string_view key, const std::string& value, const char*, Need need,
+                       std::string_view fallback) {
+    if (!value.empty() || !fallback.empty() || need == Need::Required) set(key, value);
 }
 
 void FieldWriter::number(std::string_view key, double value, const NumberRange& range, std::string_view, Need) {

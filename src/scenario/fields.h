@@ -35,7 +35,9 @@ public:
     static constexpr bool kReading = true;  ///< Values are being read.
     static constexpr bool kSchema = false;  ///< Not a schema.
 
-    void text(std::string_view key, std::string& value, const char* about, Need need = Need::Optional);
+    /// `fallback` is what the text is where the key is left out.
+    void text(std::string_view key, std::string& value, const char* about, Need need = Need::Optional,
+              std::string_view fallback = {});
     void number(std::string_view key, double& value, const NumberRange& range, std::string_view about,
                 Need need = Need::Optional);
     /// A number that may be left out: the value stays negative then.
@@ -120,7 +122,8 @@ private:
     std::vector<std::string_view> known_;  // Keys asked for.
 };
 
-/// Puts fields into one JSON object. Empty texts and lists, and negative optional numbers, are left out.
+/// Puts fields into one JSON object. Empty lists, negative optional numbers, and texts that are empty where leaving
+/// them out makes them so, are left out.
 class FieldWriter {
 public:
     explicit FieldWriter(Json& object) : object_(&object) { *object_ = Json::object(); }
@@ -128,7 +131,8 @@ public:
     static constexpr bool kReading = false;  ///< Nothing is read.
     static constexpr bool kSchema = false;   ///< Not a schema.
 
-    void text(std::string_view key, const std::string& value, const char* about, Need need = Need::Optional);
+    void text(std::string_view key, const std::string& value, const char* about, Need need = Need::Optional,
+              std::string_view fallback = {});
     void number(std::string_view key, double value, const NumberRange& range, std::string_view about,
                 Need need = Need::Optional);
     void optionalNumber(std::string_view key, double value, const NumberRange& range, const char* about);
@@ -187,7 +191,8 @@ public:
     static constexpr bool kReading = false;  ///< Nothing is read.
     static constexpr bool kSchema = true;    ///< A schema.
 
-    void text(std::string_view key, const std::string& value, const char* about, Need need = Need::Optional);
+    void text(std::string_view key, const std::string& value, const char* about, Need need = Need::Optional,
+              std::string_view fallback = {});
     void number(std::string_view key, double value, const NumberRange& range, std::string_view about,
                 Need need = Need::Optional);
     void optionalNumber(std::string_view key, double value, const NumberRange& range, const char* about);

@@ -240,4 +240,8 @@ std::string writeGestures(std::span<const Command> commands, double stepTime) {
     return printJson(json);
 }
 
+Status saveGestures(std::span<const Command> commands, double stepTime, const std::string& path) {
+    return writeTextFile(path, writeGestures(commands, stepTime));
+}
+
 }  // namespace muster

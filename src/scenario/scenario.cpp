@@ -56,7 +56,7 @@ void describePreset(Visitor& v, Parameters& parameters) {
 template <class Visitor>
 void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
     describeHead(v);
-    v.text("name", def.name, "Shown in the studio.");
+    v.text("name", def.name, "Shown in the studio.", Need::Optional, WorldDef{}.name);
     v.text("description", def.description, "One or two sentences.");
     v.text("credit", def.credit, "Whose data it uses.");
     if (describeMap(v, def.map, folder) && def.map) def.box = mapBox(*def.map);
@@ -70,7 +70,7 @@ void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
            [](auto& item, ObstacleDef& obstacle) { describeObstacle(item, obstacle); });
     v.list("patches", def.patches, kMaxObstacles, "Ground that asks for another motion.",
            [&](auto& item, PatchDef& patch) { describePatch(item, patch, motions); });
-    v.list("groups", def.groups, 1000, "Crowds, each with one mesh.",
+    v.list("groups", def.groups, kMaxGroups, "Crowds, each with one mesh.",
            [](auto& item, GroupDef& group) { describeGroup(item, group); });
     const std::size_t groups = def.groups.size();
     v.list("checkpoints", def.checkpoints, kMaxObstacles, "Spots that change the formation of a group.",
@@ -137,7 +137,9 @@ Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceN
     if (!failure.empty()) return Status(StatusCode::ParseError, sourceName + ": " + failure);
     Status valid = clipNamesDiffer(def);
     if (valid.ok()) valid = validateWorld(def);
-    if (!valid.ok()) return Status(valid.code(), sourceName + ": $." + valid.message());
+    // "obstacles[3]: ..." is a path; "parameter cost.alpha is ..." and the like are not.
+    const char* path = valid.message().rfind("parameter", 0) == 0 ? ": $.parameters: " : ": $.";
+    if (!valid.ok()) return Status(valid.code(), sourceName + path + valid.message());
     return def;
 }
 
@@ -150,7 +152,10 @@ std::string writeScenario(const WorldDef& def) {
 }
 
 Status saveScenario(const WorldDef& def, const std::string& path) {
-    const std::string text = writeScenario(def);
+    return writeTextFile(path, writeScenario(def));
+}
+
+Status writeTextFile(const std::string& path, std::string_view text) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
     if (file == nullptr) return {StatusCode::IoError, path + ": cannot be written"};
     const bool wrote = std::fwrite(text.data(), 1, text.size(), file) == text.size();

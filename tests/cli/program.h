@@ -24,14 +24,18 @@ struct Outcome {
     long errorLines() const { return std::count(error.begin(), error.end(), '\n'); }
 };
 
-/// A folder of its own for the files of one test run.
+/// A folder of its own for the files of one test run; gone afterwards.
 inline std::filesystem::path workFolder() {
-    static const std::filesystem::path folder = [] {
-        auto path = std::filesystem::temp_directory_path() / ("muster_cli_test_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(path);
-        return path;
-    }();
-    return folder;
+    struct Folder {
+        std::filesystem::path path = std::filesystem::temp_directory_path() / ("muster_cli_test_" + std::to_string(::getpid()));
+        Folder() { std::filesystem::create_directories(path); }
+        ~Folder() {
+            std::error_code ignored;
+            std::filesystem::remove_all(path, ignored);
+        }
+    };
+    static const Folder folder;
+    return folder.path;
 }
 
 inline std::string slurp(const std::filesystem::path& path) {
@@ -48,11 +52,11 @@ inline std::string put(const std::string& name, const std::string& text) {
     return path.string();
 }
 
-/// Runs `muster ARGUMENTS` (a shell fragment) in the source folder.
-inline Outcome runProgram(const std::string& arguments) {
+/// Runs `muster ARGUMENTS` (a shell fragment) in the source folder; `before` is done by the shell first.
+inline Outcome runProgram(const std::string& arguments, const std::string& before = "true") {
     const auto out = workFolder() / "stdout", error = workFolder() / "stderr";
-    const std::string command = "cd '" MUSTER_SOURCE_DIR "' && '" MUSTER_PROGRAM "' " + arguments + " >'" + out.string() +
-                                "' 2>'" + error.string() + "' </dev/null";
+    const std::string command = "cd '" MUSTER_SOURCE_DIR "' && { " + before + "; '" MUSTER_PROGRAM "' " + arguments + "; } >'" +
+                                out.string() + "' 2>'" + error.string() + "' </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(error)};
 }

@@ -59,7 +59,8 @@ TEST_CASE("a wrong command line gives one sentence and 2") {
              "", "dance", "play", "play a b", "play --seconds", "play x --seconds -3", "play x --seconds soon",
              "play x --plan fast", "play x --preset rubens", "play x --threads -1", "play x --nonsense", "replay", "check",
              "import x", "import x -o y --cell 0", "import x -o y --count 0", "picture x", "picture x -o y --width 3",
-             "peers", "studio --port 99999", "studio --page /nowhere"}) {
+             "play x --seconds nan", "import x -o y --ground nan", "import x -o y --cell inf", "picture x -o y --at nan",
+             "picture x -o y --at -1", "picture x -o y --group -1", "picture x -o y --place -1", "peers", "studio --port 99999", "studio --page /nowhere"}) {
         CAPTURE(line);
         const Outcome outcome = runProgram(line);
         CHECK(outcome.code == 2);
@@ -86,7 +87,10 @@ TEST_CASE("bad input gives one sentence and 1") {
              "replay /nowhere.take", "replay '" + take + "'", "replay " + fine, "check '" + bad + "'", "check '" + take + "'",
              "import /nowhere.map -o x.json", "import '" + map + "' -o '" + path("x.json") + "'",
              "import '" + blocked + "' -o '" + path("x.json") + "'", "picture " + fine + "-o x.jpeg", "picture " + fine + "--view 1 1 1 1 -o x.png",
-             "picture " + fine + "-o /nowhere/x.png", "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
+             "picture " + fine + "-o /nowhere/x.png", "picture " + fine + "--group 1 -o '" + path("x.png") + "'",
+             "picture " + fine + "--place 700 -o '" + path("x.png") + "'", "play " + fine + "--set density.max=0.5",
+             "picture " + fine + "--set cost.alpha=0 --set cost.beta=0 -o '" + path("x.png") + "'",
+             "peers '" + scenes + "' --set density.max=0.5", "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
              "peers '" + scenes + "'", "peers " + fine, "peers /work/nothing.json"}) {
         CAPTURE(line);
         const Outcome outcome = runProgram(line);
@@ -241,11 +245,119 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(list[0]["arrived100_s"].get<double>() < 8.0);
     CHECK(list[0]["path_ratio"].get<double>() < 1.1);
     CHECK(list[1]["arrived100_s"].get<double>() < 2.0);
-    const std::string csv = slurp(path("peers.csv"));
-    CHECK(csv.rfind("scene,t,id,x,y,place_x,place_y\nA,0,1,0,0.4,", 0) == 0);
-    CHECK(csv.find("\nB,0,1,0,0,") != std::string::npos);
+    // A file for each scene; with one scene alone the file itself.
+    CHECK(!std::filesystem::exists(path("peers.csv")));
+    CHECK(slurp(path("peers-A.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0.4,", 0) == 0);
+    CHECK(slurp(path("peers-B.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0,", 0) == 0);
+    REQUIRE(runProgram("peers '" + scenes + "' --scene B --trajectory '" + path("peers.csv") + "'").code == 0);
+    CHECK(slurp(path("peers.csv")) == slurp(path("peers-B.csv")));
     const Outcome one = runProgram("peers '" + scenes + "' --scene B");
     CHECK(one.code == 0);
     CHECK(one.out.find("| B ") != std::string::npos);
     CHECK(runProgram("peers '" + scenes + "' --scene C").code == 1);
+}
+
+TEST_CASE("peers: what a scene may not hold is named by file and scene") {
+    const auto run = [](const std::string& limit, const std::string& world, const std::string& more) {
+        return runProgram("peers '" + put("odd.scenes.json", R"({"scenes":{"Odd":{"T":)" + limit + R"(,"world":)" + world +
+                                              R"(,"start":[[0,0]],"slots":[[2,0]])" + more + "}}}") + "'");
+    };
+    CHECK(run("2", "[-3,-5,12,5]", "").code == 0);
+    const std::vector<Outcome> bad = {
+        run("-5", "[-3,-5,12,5]", ""),          run("0", "[-3,-5,12,5]", ""),   run("1e300", "[-3,-5,12,5]", ""),
+        run("2", "[0,0,900000,900000]", ""),    run("2", "[5,5,0,0]", ""),      run("2", "[-3,-5,12,5]", R"(,"circles":[[3,0,-1]])"),
+        run("2", "[-3,-5,12,5]", R"(,"polygons_ccw":[[[0,0],[1,1],[1,0],[0,1]]])")};
+    for (const Outcome& outcome : bad) {
+        CHECK(outcome.code == 1);
+        CHECK(outcome.errorLines() == 1);
+        CHECK(outcome.error.find("odd.scenes.json: $.scenes.Odd") != std::string::npos);
+    }
+}
+
+TEST_CASE("a take's touches become a gestures file that gives the same run") {
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
+    const std::string common = "play '" + small + "' --seconds 4 --json --gestures '";
+    const Json first = json(runProgram(common + drag + "' --take '" + path("g.take") + "'"));
+    REQUIRE(runProgram("replay '" + path("g.take") + "' --gestures '" + path("again.json") + "'").code == 0);
+    const Json again = json(runProgram(common + path("again.json") + "'"));
+    CHECK(again["hash"] == first["hash"]);
+    CHECK(json(runProgram("play '" + small + "' --seconds 4 --json"))["hash"] != first["hash"]);
+    CHECK(runProgram("check '" + path("again.json") + "'").code == 0);
+}
+
+TEST_CASE("no file is written that is read, and none twice") {
+    const std::string small = put("self.json", kSmall), drag = put("self_drag.json", kDrag);
+    const std::string play = "play '" + small + "' --seconds 0.1 ";
+    std::filesystem::remove(path("link.json"));
+    std::filesystem::create_symlink(small, path("link.json"));
+    REQUIRE(runProgram(play + "--take '" + path("self.take") + "'").code == 0);
+    for (const std::string& line : std::vector<std::string>{
+             play + "--take '" + small + "'", play + "--trajectory '" + small + "'", play + "--take '" + path("link.json") + "'",
+             play + "--gestures '" + drag + "' --take '" + drag + "'",
+             play + "--take '" + path("new.x") + "' --trajectory '" + path("./new.x") + "'",
+             "picture '" + small + "' -o '" + small + "'", "import '" + small + "' -o '" + small + "'",
+             "replay '" + path("self.take") + "' --gestures '" + path("self.take") + "'",
+             "peers '" + small + "' --trajectory '" + small + "'"}) {
+        CAPTURE(line);
+        const Outcome outcome = runProgram(line);
+        CHECK(outcome.code == 1);
+        CHECK(outcome.errorLines() == 1);
+    }
+    CHECK(slurp(small) == kSmall);
+    CHECK(slurp(drag) == kDrag);
+    CHECK(!std::filesystem::exists(path("new.x")));
+    CHECK(runProgram("replay '" + path("self.take") + "'").code == 0);
+}
+
+TEST_CASE("what cannot be told is a failure") {
+    const std::string small = put("small.json", kSmall);
+    for (const std::string& line : std::vector<std::string>{"play '" + small + "' --seconds 0.1", "play '" + small + "' --seconds 0.1 --json",
+                                                            "check '" + small + "'", "check --schema", "--help", "play --help"}) {
+        CAPTURE(line);
+        const Outcome outcome = runProgram(line + " >/dev/full");
+        CHECK(outcome.code == 1);
+        CHECK(outcome.error == "muster: standard output cannot be written in full\n");
+    }
+}
+
+TEST_CASE("a world too large for the memory gives one sentence and 1") {
+#if defined(__SANITIZE_ADDRESS__)
+    MESSAGE("skipped: the sanitizer needs the memory itself");
+#else
+    const std::string vast = put("vast.json", R"({"format":"muster-scenario","version":1,"box":[[0,0],[1000,1000]],"cell":0.25,
+        "groups":[{"count":1,"position":[500,500]}]})");
+    const Outcome outcome = runProgram("play '" + vast + "' --seconds 0.1", "ulimit -v 100000");
+    CHECK(outcome.code == 1);
+    CHECK(outcome.error == "muster: the memory does not suffice\n");
+#endif
+}
+
+TEST_CASE("likely mistakes are told on standard error, and change nothing") {
+    const std::string scenario = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],
+        "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]},{"polygon":[[0.8,-1],[1.5,-1],[1.5,1],[0.8,1]]}],
+        "groups":[{"count":4,"position":[-3,0]}]})";
+    const std::string narrow = put("narrow_gap.json", scenario);
+    for (const std::string& line : std::vector<std::string>{"play '" + narrow + "' --seconds 0.1 --json",
+                                                            "picture '" + narrow + "' -o '" + path("narrow.png") + "'"}) {
+        const Outcome outcome = runProgram(line);
+        CHECK(outcome.code == 0);
+        CHECK(outcome.errorLines() == 1);
+        CHECK(outcome.error.find("narrow_gap.json: warning: the gap between") != std::string::npos);
+        CHECK(outcome.error.find("0.30 m") != std::string::npos);
+    }
+}
+
+TEST_CASE("names in other letters are drawn as far as the font goes") {
+    const std::string named = put("named.json", "{\"format\":\"muster-scenario\",\"version\":1,\"box\":[[-6,-5],[6,5]],\"cell\":0.5,"
+        "\"patches\":[{\"name\":\"Flu\xc3\x9f \xe6\xb3\xb3\",\"polygon\":[[-5,-4],[5,-4],[5,4],[-5,4]],\"motion\":\"swim\"}],"
+        "\"groups\":[{\"count\":4,\"position\":[-3,0]}]}");
+    const std::string plain = put("plain.json", "{\"format\":\"muster-scenario\",\"version\":1,\"box\":[[-6,-5],[6,5]],\"cell\":0.5,"
+        "\"patches\":[{\"name\":\"Flus ?\",\"polygon\":[[-5,-4],[5,-4],[5,4],[-5,4]],\"motion\":\"swim\"}],"
+        "\"groups\":[{\"count\":4,\"position\":[-3,0]}]}");
+    const auto picture = [](const std::string& file) {
+        REQUIRE(runProgram("picture '" + file + "' -o '" + path("named.png") + "'").code == 0);
+        return slurp(path("named.png"));
+    };
+    const bool same = picture(named) == picture(plain);
+    CHECK(same);
 }

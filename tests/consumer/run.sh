@@ -11,4 +11,17 @@ cmake --build "$work/build"
 "$work/build/consumer"
 test -x "$work/prefix/bin/muster"
 "$work/prefix/bin/muster" --version
+# What is installed finds its scenarios and, where it was built, its page.
+cd "$work"
+if [ -f "$root/web/dist/index.html" ]; then
+    "$work/prefix/bin/muster" studio --port 18980 --json >"$work/address" &
+    studio=$!
+    for _ in $(seq 50); do [ -s "$work/address" ] && break; sleep 0.1; done
+    kill -TERM "$studio"
+    wait "$studio"
+    grep -q '"address": "http://127.0.0.1:' "$work/address"
+else
+    echo "skipped: the installed studio, as the page is not built"
+fi
+"$work/prefix/bin/muster" check "$work/prefix/share/muster/scenarios/open.json"
 echo "1 passed, 0 failed"

@@ -19,5 +19,7 @@ Result<std::vector<Command>> loadGestures(const std::string& path, double stepTi
 Result<std::vector<Command>> parseGestures(std::string_view text, const std::string& sourceName, double stepTime);
 /// Any command log as a gestures file: reading it gives the same commands, numbered anew per client.
 std::string writeGestures(std::span<const Command> commands, double stepTime);
+/// Writes that text to a file. Fails with IoError.
+Status saveGestures(std::span<const Command> commands, double stepTime, const std::string& path);
 
 }  // namespace muster

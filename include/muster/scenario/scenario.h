@@ -32,5 +32,7 @@ std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most 
 
 /// Whole file as bytes. Fails with IoError, or LimitExceeded beyond `limit` bytes.
 Result<std::string> readTextFile(const std::string& path, std::size_t limit = kMaxScenarioBytes);
+/// Makes or replaces a file. Fails with IoError.
+Status writeTextFile(const std::string& path, std::string_view text);
 
 }  // namespace muster

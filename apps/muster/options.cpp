@@ -1,0 +1,50 @@
+#include "options.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace muster {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool sameFile(const std::string& a, const std::string& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error)) return true;
+    // Files that are still to be made have nothing but their names.
+    std::error_code first, second;
+    const fs::path left = fs::weakly_canonical(a, first), right = fs::weakly_canonical(b, second);
+    return !first && !second && left == right;
+}
+
+}  // namespace
+
+CLI::Validator numberIn(double low, double high) {
+    char range[64];
+    std::snprintf(range, sizeof(range), "[%g - %g]", low, high);
+    const auto check = [low, high, name = std::string(range)](std::string& text) -> std::string {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        if (end != text.c_str() && *end == '\0' && value >= low && value <= high) return {};
+        return "found " + text + ", expected a number in " + name;
+    };
+    return CLI::Validator(check, range);
+}
+
+Status differentFiles(const std::vector<std::string>& read, const std::vector<std::string>& written) {
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        if (written[i].empty()) continue;
+        for (const std::string& other : read) {
+            if (!other.empty() && sameFile(written[i], other))
+                return invalidArgument(written[i] + ": is read as well, expected another file to write");
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!written[j].empty() && sameFile(written[i], written[j]))
+                return invalidArgument(written[i] + ": would be written twice, expected different files");
+        }
+    }
+    return {};
+}
+
+}  // namespace muster
