@@ -51,8 +51,10 @@ void Contacts::leaveForGood(double radius, const Environment& environment, std::
         if (!inside.contains(p) || environment.distanceToObstacle(p, radius) < radius) p = environment.pushOut(p, radius);
 }
 
-ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) const {
+// Pairs are found anew: corrections may have brought together who was far apart before.
+ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) {
     ContactReport result;
+    neighbours_.findPairs(positions, diameter, pairs_);
     for (const NearPair pair : pairs_) {
         const double d = distance(positions[static_cast<std::size_t>(pair.a)], positions[static_cast<std::size_t>(pair.b)]);
         const double share = (diameter - d) / diameter;
@@ -62,18 +64,35 @@ ContactReport Contacts::report(double diameter, std::span<const Vec2> positions)
     return result;
 }
 
-ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions) {
-    const double diameter = 2.0 * def.radius;
+// Notes who is near whom and near an obstacle, and where they are.
+void Contacts::look(double radius, const Environment& environment, std::span<const Vec2> positions) {
+    const double diameter = 2.0 * radius;
     neighbours_.findPairs(positions, diameter * (1.0 + kPairMargin), pairs_);
     nearObstacle_.clear();
-    const double watch = def.radius + diameter;
+    const double watch = radius + diameter;
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (environment.distanceToObstacle(positions[i], watch) < watch)
             nearObstacle_.push_back(static_cast<std::int32_t>(i));
+    seenAt_.assign(positions.begin(), positions.end());
+}
+
+// True where somebody was pushed so far that others than those noted may be near.
+bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const {
+    const double most = 0.5 * kPairMargin * diameter;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (lengthSquared(positions[i] - seenAt_[i]) > most * most) return true;
+    return false;
+}
+
+ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions) {
+    const double diameter = 2.0 * def.radius;
+    look(def.radius, environment, positions);
     for (std::int32_t round = 0; round < def.iterations; ++round) {
         const double pairs = separatePairs(diameter, positions);
         const double walls = leaveObstacles(def.radius, environment, positions);
-        if (std::max(pairs, walls) < kSettled * diameter) break;
+        const bool anew = outdated(diameter, positions);
+        if (!anew && std::max(pairs, walls) < kSettled * diameter) break;
+        if (anew) look(def.radius, environment, positions);
     }
     leaveForGood(def.radius, environment, positions);
     return report(diameter, positions);

@@ -11,14 +11,16 @@ public:
 
     void run(double dt) {
         const GroundSample ground = environment_.ground(characters_.position[i_]);
+        const std::uint32_t before = characters_.patch[i_];
         characters_.motionTime[i_] += dt;
-        const bool samePatch = ground.patch.value == characters_.patch[i_];
-        const bool sameMotion = ground.motion == groundMotion();
-        if (!samePatch && (characters_.patch[i_] == 0 || ground.patch.value == 0 || !sameMotion)) change(ground);
-        // From one patch to another of the same motion nothing changes: together they are one patch.
+        if (ground.patch.value != before) {
+            // From one patch to another of the same motion nothing changes: together they are one patch.
+            if (before == 0 || ground.patch.value == 0 || ground.motion != groundMotion()) change(ground);
+            else if (characters_.phase[i_] == MotionPhase::Locked) characters_.lastSingle[i_] = ground.patch.value;
+        }
         characters_.patch[i_] = ground.patch.value;
         endTransition(ground);
-        rearm(ground);
+        rearm();
     }
 
 private:
@@ -26,8 +28,13 @@ private:
         return environment_.def().clips[static_cast<std::size_t>(motion)];
     }
 
-    // The motion of the patch it was in; 0 in the open, even while a transition out still plays.
-    std::int32_t groundMotion() const { return characters_.patch[i_] == 0 ? 0 : characters_.motion[i_]; }
+    // The motion of the patch it was in, even while a transition out of another still plays; 0 in the open.
+    std::int32_t groundMotion() const {
+        if (characters_.patch[i_] == 0) return 0;
+        if (characters_.phase[i_] != MotionPhase::Leaving) return characters_.motion[i_];
+        const PatchDef* patch = environment_.patch(PatchId{characters_.patch[i_]});
+        return patch != nullptr ? patch->motion : characters_.motion[i_];
+    }
 
     void tell(MotionChange what, std::uint32_t value) {
         events_.push_back({what, static_cast<std::int32_t>(i_), value});
@@ -39,36 +46,43 @@ private:
         characters_.motionTime[i_] = 0.0;
     }
 
+    bool hasTransition(std::int32_t motion) const { return clip(motion).cyclic && clip(motion).transitionTime > 0.0; }
+
+    void start(std::int32_t motion, MotionPhase phase) {
+        begin(motion, phase);
+        tell(MotionChange::TransitionStart, static_cast<std::uint32_t>(motion));
+    }
+
     void change(const GroundSample& ground) {
-        if (characters_.patch[i_] != 0) leave(ground);
-        if (ground.patch.value != 0) enter(ground);
-    }
-
-    void leave(const GroundSample& ground) {
+        if (characters_.patch[i_] != 0) tell(MotionChange::LeavePatch, characters_.patch[i_]);
+        if (ground.patch.value != 0) tell(MotionChange::EnterPatch, ground.patch.value);
+        const MotionPhase phase = characters_.phase[i_];
         const std::int32_t motion = characters_.motion[i_];
-        tell(MotionChange::LeavePatch, characters_.patch[i_]);
-        if (ground.patch.value == 0 && clip(motion).cyclic && clip(motion).transitionTime > 0.0) {
-            begin(motion, MotionPhase::Leaving);
-            tell(MotionChange::TransitionStart, static_cast<std::uint32_t>(motion));
-        } else {
-            begin(0, MotionPhase::Steady);
-        }
+        const bool single = ground.patch.value != 0 && !clip(ground.motion).cyclic;
+        // A transition out plays to its end before another motion; back in the same it ends, and a single step waits
+        // for nothing.
+        const bool back = ground.patch.value != 0 && ground.motion == motion;
+        if (phase == MotionPhase::Leaving && !back && !single) return;
+        if (phase == MotionPhase::Entering || phase == MotionPhase::Leaving)
+            tell(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
+        const bool leaves = phase != MotionPhase::Leaving && characters_.patch[i_] != 0 && hasTransition(motion);
+        if (single) step(ground);
+        else if (leaves) start(motion, MotionPhase::Leaving);
+        else arrive(ground);
     }
 
-    void enter(const GroundSample& ground) {
-        const ClipFacts& facts = clip(ground.motion);
-        tell(MotionChange::EnterPatch, ground.patch.value);
-        if (!facts.cyclic) {
-            const bool again = characters_.lastSingle[i_] == ground.patch.value;
-            begin(ground.motion, MotionPhase::Locked);
-            if (!again) tell(MotionChange::SingleStep, static_cast<std::uint32_t>(ground.motion));
-            characters_.lastSingle[i_] = ground.patch.value;
-        } else if (facts.transitionTime > 0.0) {
-            begin(ground.motion, MotionPhase::Entering);
-            tell(MotionChange::TransitionStart, static_cast<std::uint32_t>(ground.motion));
-        } else {
-            begin(ground.motion, MotionPhase::Steady);
-        }
+    // Takes up the motion of the ground, which is cyclic.
+    void arrive(const GroundSample& ground) {
+        if (ground.patch.value != 0 && hasTransition(ground.motion)) start(ground.motion, MotionPhase::Entering);
+        else begin(ground.motion, MotionPhase::Steady);
+    }
+
+    void step(const GroundSample& ground) {
+        const std::uint32_t last = characters_.lastSingle[i_];
+        const bool again = last == ground.patch.value || environment_.onePatch(PatchId{last}, ground.patch);
+        begin(ground.motion, MotionPhase::Locked);
+        if (!again) tell(MotionChange::SingleStep, static_cast<std::uint32_t>(ground.motion));
+        characters_.lastSingle[i_] = ground.patch.value;
     }
 
     void endTransition(const GroundSample& ground) {
@@ -77,12 +91,13 @@ private:
         const std::int32_t motion = characters_.motion[i_];
         if (characters_.motionTime[i_] < clip(motion).transitionTime) return;
         tell(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
-        begin(ground.patch.value == 0 ? 0 : motion, MotionPhase::Steady);
+        if (phase == MotionPhase::Leaving) arrive(ground);
+        else begin(motion, MotionPhase::Steady);
     }
 
     // motionTime runs from the moment the single-step patch was left.
-    void rearm(const GroundSample& ground) {
-        if (characters_.lastSingle[i_] == 0 || ground.patch.value == characters_.lastSingle[i_]) return;
+    void rearm() {
+        if (characters_.lastSingle[i_] == 0 || characters_.phase[i_] == MotionPhase::Locked) return;
         if (characters_.motionTime[i_] >= kRearmTime) characters_.lastSingle[i_] = 0;
     }
 

@@ -1,4 +1,5 @@
 // Gaps between obstacles that are too narrow (paper section 5: at least a character's diameter).
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,14 +10,18 @@ namespace {
 
 constexpr double kTouching = 1e-9;  // [m]
 
-// The nearest points of two pieces.
+// How near two pieces come. Where they face each other along a stretch, its first and last middle found.
 struct Span {
-    Vec2 a, b;
+    Vec2 first, last;
     double width = std::numeric_limits<double>::infinity();
+
+    Vec2 middle() const { return 0.5 * (first + last); }
 };
 
 void offer(Span& span, Vec2 a, Vec2 b, double width) {
-    if (width < span.width) span = {a, b, width};
+    const Vec2 middle = 0.5 * (a + b);
+    if (width < span.width - kTouching) span = {middle, middle, width};
+    else if (width <= span.width + kTouching) span.last = middle;
 }
 
 // From the disc or the corners of `one` to the surface of `other`; `swapped` keeps a and b apart.
@@ -50,6 +55,71 @@ bool boxesMeet(const Box& a, const Box& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
+// The gap between a piece and one side of the box; infinitely wide where the piece lies across or beyond it.
+Span spanToSide(const ObstaclePiece& piece, const Box& bounds, const Box& box, int side) {
+    const bool alongX = side < 2;
+    const double edge = side == 0 ? box.min.x : side == 1 ? box.max.x : side == 2 ? box.min.y : box.max.y;
+    const double outward = side % 2 == 0 ? -1.0 : 1.0;
+    const double reached = side == 0 ? bounds.min.x : side == 1 ? bounds.max.x : side == 2 ? bounds.min.y : bounds.max.y;
+    Span span;
+    const double width = (edge - reached) * outward;
+    const auto tip = [&](Vec2 p) { offer(span, p, alongX ? Vec2{edge, p.y} : Vec2{p.x, edge}, width); };
+    if (width <= 0.0) return span;
+    if (piece.corners.empty()) tip(piece.centre + (alongX ? Vec2{outward, 0.0} : Vec2{0.0, outward}) * piece.radius);
+    for (const Vec2 p : piece.corners)
+        if ((alongX ? p.x : p.y) == reached) tip(p);
+    return span;
+}
+
+// By obstacles, edges last, the narrowest first.
+bool comesFirst(const NarrowGap& x, const NarrowGap& y) {
+    if (!x.b != !y.b) return static_cast<bool>(x.b);
+    if (x.a != y.a) return x.a < y.a;
+    if (x.b != y.b) return x.b < y.b;
+    if (x.width != y.width) return x.width < y.width;
+    return x.where.x != y.where.x ? x.where.x < y.where.x : x.where.y < y.where.y;
+}
+
+// Collects gaps of an environment.
+class GapSearch {
+public:
+    GapSearch(const Environment& environment, const PieceIndex& index, double width)
+        : environment_(environment), pieces_(environment.pieces()), bounds_(index.bounds), width_(width) {}
+
+    void look(std::int32_t one, std::int32_t other) {
+        const ObstaclePiece& a = pieces_[std::min(one, other)];
+        const ObstaclePiece& b = pieces_[std::max(one, other)];
+        add(a.obstacle, b.obstacle, spanBetween(a, b));
+    }
+    void lookAtSides(std::int32_t one) {
+        const ObstaclePiece& piece = pieces_[one];
+        for (int side = 0; side < 4; ++side) add(piece.obstacle, {}, spanToSide(piece, bounds_[one], environment_.def().box, side));
+    }
+    // One gap per pair of obstacles.
+    std::vector<NarrowGap> take(std::int32_t most) {
+        std::sort(gaps_.begin(), gaps_.end(), comesFirst);
+        const auto samePair = [](const NarrowGap& x, const NarrowGap& y) { return x.a == y.a && x.b == y.b; };
+        gaps_.erase(std::unique(gaps_.begin(), gaps_.end(), samePair), gaps_.end());
+        if (static_cast<std::int64_t>(gaps_.size()) > most) gaps_.resize(static_cast<std::size_t>(std::max(most, 0)));
+        return std::move(gaps_);
+    }
+
+private:
+    void add(ObstacleId a, ObstacleId b, const Span& span) {
+        if (!(span.width < width_) || span.width <= kTouching) return;
+        const Vec2 middle = span.middle();
+        // Where something else fills the space between, there is no gap.
+        if (!environment_.def().box.contains(middle) || environment_.distanceToObstacle(middle, width_) <= kTouching) return;
+        gaps_.push_back({a, b, middle, span.width});
+    }
+
+    const Environment& environment_;
+    std::span<const ObstaclePiece> pieces_;
+    const std::vector<Box>& bounds_;
+    double width_;
+    std::vector<NarrowGap> gaps_;
+};
+
 }  // namespace
 
 std::vector<NarrowGap> Environment::narrowGaps(double width, std::int32_t most) const {
@@ -61,32 +131,14 @@ std::vector<NarrowGap> Environment::narrowGaps(double width, std::int32_t most) 
         const double x = s.index.bounds[a].min.x, y = s.index.bounds[b].min.x;
         return x != y ? x < y : a < b;
     });
-    std::vector<NarrowGap> gaps;
+    GapSearch search(*this, s.index, width);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Box around = s.index.bounds[order[i]].grown(width);
-        for (std::size_t k = i + 1; k < order.size() && s.index.bounds[order[k]].min.x <= around.max.x; ++k) {
-            if (!boxesMeet(around, s.index.bounds[order[k]])) continue;
-            const ObstaclePiece& a = s.pieces[std::min(order[i], order[k])];
-            const ObstaclePiece& b = s.pieces[std::max(order[i], order[k])];
-            if (a.obstacle == b.obstacle) continue;
-            const Span span = spanBetween(a, b);
-            if (span.width < width) gaps.push_back({a.obstacle, b.obstacle, 0.5 * (span.a + span.b), span.width});
-        }
+        for (std::size_t k = i + 1; k < order.size() && s.index.bounds[order[k]].min.x <= around.max.x; ++k)
+            if (boxesMeet(around, s.index.bounds[order[k]])) search.look(order[i], order[k]);
+        search.lookAtSides(order[i]);
     }
-    // One gap per pair of obstacles, the narrowest; none where any of their parts touch.
-    std::sort(gaps.begin(), gaps.end(), [](const NarrowGap& x, const NarrowGap& y) {
-        if (x.a != y.a) return x.a < y.a;
-        if (x.b != y.b) return x.b < y.b;
-        if (x.width != y.width) return x.width < y.width;
-        return x.where.x != y.where.x ? x.where.x < y.where.x : x.where.y < y.where.y;
-    });
-    std::vector<NarrowGap> result;
-    for (std::size_t i = 0; i < gaps.size() && static_cast<std::int32_t>(result.size()) < most; ++i) {
-        if (i > 0 && gaps[i].a == gaps[i - 1].a && gaps[i].b == gaps[i - 1].b) continue;
-        // Where a third obstacle fills the space between, there is no gap.
-        if (gaps[i].width > kTouching && s.distanceTo(gaps[i].where, width) > kTouching) result.push_back(gaps[i]);
-    }
-    return result;
+    return search.take(most);
 }
 
 }  // namespace muster

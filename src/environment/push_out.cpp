@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "environment/environment_state.h"
-#include "environment/nearest_cell.h"
+#include "muster/base/grid_search.h"
 
 namespace muster {
 namespace {

@@ -1,9 +1,10 @@
 // What Environment answers about points and lines.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "environment/environment_state.h"
-#include "environment/nearest_cell.h"
+#include "muster/base/grid_search.h"
 #include "environment/path_search.h"
 
 namespace muster {
@@ -18,6 +19,17 @@ bool insideConvex(const Polygon& corners, Vec2 p) {
     }
     return true;
 }
+
+// True where an edge of `a` has all of `b` on its outer side.
+bool edgeParts(const Polygon& a, const Polygon& b) {
+    for (std::size_t i = 0, j = a.size() - 1; i < a.size(); j = i++) {
+        const auto beyond = [&](Vec2 p) { return cross(a[i] - a[j], p - a[j]) < 0.0; };
+        if (std::all_of(b.begin(), b.end(), beyond)) return true;
+    }
+    return false;
+}
+
+bool convexMeet(const Polygon& a, const Polygon& b) { return !edgeParts(a, b) && !edgeParts(b, a); }
 
 }  // namespace
 
@@ -94,6 +106,21 @@ GroundSample Environment::ground(Vec2 p) const {
     }
     if (ruler < 0) return {};
     return {s.patchIds[ruler], s.patches[ruler].def.motion, s.patches[ruler].speed};
+}
+
+bool Environment::onePatch(PatchId a, PatchId b) const {
+    impl_->ensure();
+    const Impl& s = *impl_;
+    const PatchDef* one = patch(a);
+    const PatchDef* other = patch(b);
+    if (one == nullptr || other == nullptr || one->motion != other->motion) return false;
+    if (a == b) return true;
+    for (const PatchPiece& p : s.patchPieces) {
+        if (s.patchIds[p.patch] != a) continue;
+        for (const PatchPiece& q : s.patchPieces)
+            if (s.patchIds[q.patch] == b && convexMeet(p.corners, q.corners)) return true;
+    }
+    return false;
 }
 
 double Environment::distanceToObstacle(Vec2 p, double limit) const {

@@ -1,5 +1,7 @@
 #include "environment/region_labels.h"
 
+#include "muster/base/grid_search.h"
+
 namespace muster {
 
 void RegionLabels::clear() {
@@ -21,31 +23,11 @@ std::span<const std::int32_t> RegionLabels::labels(const Grid& grid, std::span<c
 }
 
 void RegionLabels::flood(const Grid& grid, std::span<const float> clearance, Entry& entry) {
-    constexpr std::int32_t kBlocked = -1, kUnseen = -2;
+    constexpr std::int32_t kBlocked = -1;
     const std::int32_t count = grid.count();
     entry.label.resize(static_cast<std::size_t>(count));
-    for (std::int32_t i = 0; i < count; ++i) entry.label[i] = clearance[i] >= entry.radius ? kUnseen : kBlocked;
-    std::int32_t label = 0;
-    for (std::int32_t first = 0; first < count; ++first) {
-        if (entry.label[first] != kUnseen) continue;
-        entry.label[first] = label;
-        queue_.assign(1, first);
-        const auto reach = [&](std::int32_t i) {
-            if (entry.label[i] != kUnseen) return;
-            entry.label[i] = label;
-            queue_.push_back(i);
-        };
-        while (!queue_.empty()) {
-            const std::int32_t i = queue_.back();
-            queue_.pop_back();
-            const Cell c = grid.at(i);
-            if (c.x > 0) reach(i - 1);
-            if (c.x + 1 < grid.width) reach(i + 1);
-            if (c.y > 0) reach(i - grid.width);
-            if (c.y + 1 < grid.height) reach(i + grid.width);
-        }
-        ++label;
-    }
+    for (std::int32_t i = 0; i < count; ++i) entry.label[i] = clearance[i] >= entry.radius ? kUnseenRegion : kBlocked;
+    labelRegions(grid, entry.label, queue_);
 }
 
 }  // namespace muster

@@ -354,32 +354,6 @@ Status ArapSolver::solve(std::span<const Vec2> hardTargets, std::span<const Vec2
     return {};
 }
 
-Result<std::vector<Vec2>> deformAsRigidAsPossible(const TriangleMesh& rest, std::span<const std::int32_t> hard,
-                                                  std::span<const Vec2> targets) {
-    ArapSolver solver;
-    Status status = solver.setMesh(rest);
-    if (status.ok()) status = solver.setConstraints(hard, {});
-    std::vector<Vec2> vertices;
-    if (status.ok()) status = solver.solve(targets, {}, vertices);
-    if (!status.ok()) return status;
-    return vertices;
-}
-
-double arapEnergy(const TriangleMesh& rest, std::span<const Vec2> vertices) {
-    MUSTER_ASSERT(vertices.size() == rest.vertices.size());
-    double sum = 0.0;
-    for (const Triangle& t : rest.triangles) {
-        const auto from = corners(t, rest.vertices);
-        const auto to = corners(t, vertices);
-        const Vec2 rotation = bestRotation(from, to);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            sum += lengthSquared((to[next] - to[k]) - times(rotation, from[next] - from[k]));
-        }
-    }
-    return sum;
-}
-
 Pose bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices) {
     MUSTER_ASSERT(rest.size() == vertices.size());
     Pose pose;

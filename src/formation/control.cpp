@@ -10,6 +10,7 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kMaxControls = 64;           // On one mesh.
+constexpr double kLatest = 0.5;                    // Touches arrive at most this long after their stamps [s].
 constexpr std::int32_t kMaxFingersPerClient = 32;  // Down at once on one mesh.
 
 ControlKind kindFor(std::size_t points) {
@@ -158,8 +159,7 @@ bool ControlSet::touchMove(const ControlDef& def, std::uint32_t client, std::uin
     return true;
 }
 
-bool ControlSet::touchUp(const ControlDef&, std::uint32_t client, std::uint32_t touch, double time) {
-    if (!std::isfinite(time)) return false;
+bool ControlSet::touchUp(std::uint32_t client, std::uint32_t touch) {
     ControlPoint* point = findFinger(controls_, client, touch);
     if (point == nullptr) return false;
     point->down = false;
@@ -178,7 +178,7 @@ bool ControlSet::touchCancel(std::uint32_t client, std::uint32_t touch) {
     return false;
 }
 
-void ControlSet::releaseClient(std::uint32_t client, double) {
+void ControlSet::releaseClient(std::uint32_t client) {
     for (Control& control : controls_) {
         if (control.client != client) continue;
         for (ControlPoint& point : control.points) point.down = false;
@@ -209,7 +209,9 @@ bool ControlSet::advance(const ControlDef& def, double dt, double now, double pa
     std::erase_if(controls_, ended);
     const double reach = std::isfinite(pace) ? def.maxSpeed * std::clamp(pace, 0.0, 1.0) * dt : 0.0;
     for (Control& control : controls_) {
-        if (now - control.began > def.window) control.open = false;
+        if (control.closes < 0.0) control.closes = now + def.window + kLatest;
+        if (now > control.closes) control.open = false;
+        control.clock = std::min(control.clock, now);
         const double until = std::max(control.clock, std::min(now, control.clock + def.clockRate * dt));
         double reached = until;
         for (const ControlPoint& point : control.points)

@@ -18,8 +18,8 @@ Status check(const FormationDef& def, std::int32_t count) {
         return invalidArgument("found count " + std::to_string(count) + ", expected 1 to " + std::to_string(kMostPlaces));
     if (!(def.spacing > 1e-6 && def.spacing < 1e6))
         return invalidArgument("found spacing " + std::to_string(def.spacing) + ", expected more than 0 and less than 1e6 m");
-    if (!(def.opening > 0.0 && def.opening < 6.0))
-        return invalidArgument("found opening " + std::to_string(def.opening) + ", expected between 0 and 6 rad");
+    if (!(def.opening > 0.0 && def.opening <= 6.0))
+        return invalidArgument("found opening " + std::to_string(def.opening) + ", expected more than 0 and at most 6 rad");
     return {};
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 // Slowest decay of a residual [m/s]: it ends in finite time instead of fading for ever.
 constexpr double kLeastDecay = 0.05;
+constexpr double kFarthest = 1e9;  // Of any vertex that is read [m].
 
 bool goodPose(const Pose& pose) {
     const Rotation& r = pose.rotation;
@@ -25,7 +26,8 @@ Status checkPlaces(const Formation& formation) {
         const double sum = place.weight[0] + place.weight[1] + place.weight[2];
         const bool good = place.triangle >= 0 &&
                           static_cast<std::size_t>(place.triangle) < formation.mesh.triangles.size() &&
-                          std::fabs(sum - 1.0) < 1e-6;
+                          std::fabs(sum - 1.0) < 1e-6 && std::fabs(place.weight[0]) < 1e3 &&
+                          std::fabs(place.weight[1]) < 1e3;
         if (!good) return invalidArgument("place " + std::to_string(k) + " does not lie on the mesh");
     }
     return {};
@@ -44,7 +46,10 @@ bool FormationMesh::consistent() const {
     for (const Triangle& t : formation_.mesh.triangles)
         for (const std::int32_t v : t)
             if (v < 0 || static_cast<std::size_t>(v) >= n) return false;
-    return goodPose(pose_) && checkPlaces(formation_).ok();
+    for (const auto* points : {&formation_.mesh.vertices, &user_, &final_, &displacement_, &residual_})
+        for (const Vec2 p : *points)
+            if (!(std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest)) return false;
+    return goodPose(pose_) && checkPlaces(formation_).ok() && ArapSolver().setMesh(formation_.mesh).ok();
 }
 
 Status FormationMesh::reset(const Formation& formation, const Pose& pose) {

@@ -8,74 +8,26 @@
 namespace muster {
 namespace {
 
-// Chooses cells that cover the points: as small as `least`, yet not many more than there are points.
-void chooseCells(const std::vector<Vec2>& points, double least, SpacingMemory& memory) {
-    Box box{points.front(), points.front()};
-    for (const Vec2 p : points) {
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-    }
-    const double most = 8.0 * static_cast<double>(points.size()) + 64.0;
-    memory.cell = least;
-    while ((box.width() / memory.cell + 1.0) * (box.height() / memory.cell + 1.0) > most) memory.cell *= 1.5;
-    memory.origin = box.min;
-    memory.columns = static_cast<std::int32_t>(box.width() / memory.cell) + 1;
-    memory.rows = static_cast<std::int32_t>(box.height() / memory.cell) + 1;
-}
-
-std::int32_t column(const SpacingMemory& memory, double x) {
-    return static_cast<std::int32_t>(std::clamp((x - memory.origin.x) / memory.cell, -1.0, memory.columns + 0.5) + 1.0) - 1;
-}
-std::int32_t row(const SpacingMemory& memory, double y) {
-    return static_cast<std::int32_t>(std::clamp((y - memory.origin.y) / memory.cell, -1.0, memory.rows + 0.5) + 1.0) - 1;
-}
-
-// Counting sort; points of one cell stay in ascending order.
-void sortIntoCells(const std::vector<Vec2>& points, double cell, SpacingMemory& memory) {
-    if (points.empty()) {
-        memory.columns = memory.rows = 0;
-        return;
-    }
-    chooseCells(points, cell, memory);
-    memory.start.reserve(9 * points.size() + 256);  // Whatever cells are chosen: no growth later.
-    memory.start.assign(static_cast<std::size_t>(memory.columns) * static_cast<std::size_t>(memory.rows) + 1, 0);
-    memory.cellOf.resize(points.size());
-    memory.item.resize(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const std::int32_t x = std::min(column(memory, points[k].x), memory.columns - 1);
-        const std::int32_t y = std::min(row(memory, points[k].y), memory.rows - 1);
-        memory.cellOf[k] = y * memory.columns + x;
-        ++memory.start[static_cast<std::size_t>(memory.cellOf[k])];
-    }
-    std::int32_t sum = 0;
-    for (std::int32_t& s : memory.start) sum += s, s = sum;
-    for (std::size_t k = points.size(); k-- > 0;)
-        memory.item[static_cast<std::size_t>(--memory.start[static_cast<std::size_t>(memory.cellOf[k])])] =
-            static_cast<std::int32_t>(k);
-}
-
 // Calls visit(point) for the points in the cells of row `y` from column `left` to `right`.
 template <class Visit>
-void forRow(const SpacingMemory& memory, std::int32_t left, std::int32_t right, std::int32_t y, Visit visit) {
+void forRow(const CellList& cells, std::int32_t left, std::int32_t right, std::int32_t y, Visit visit) {
+    const Grid& grid = cells.grid();
     left = std::max(left, 0);
-    right = std::min(right, memory.columns - 1);
-    if (y < 0 || y >= memory.rows || left > right) return;
-    const auto first = static_cast<std::size_t>(memory.start[static_cast<std::size_t>(y * memory.columns + left)]);
-    const auto end = static_cast<std::size_t>(memory.start[static_cast<std::size_t>(y * memory.columns + right) + 1]);
-    for (std::size_t n = first; n < end; ++n) visit(static_cast<std::size_t>(memory.item[n]));
+    right = std::min(right, grid.width - 1);
+    if (y < 0 || y >= grid.height || left > right) return;
+    for (const std::int32_t k : cells.within(grid.index({left, y}), grid.index({right, y}))) visit(static_cast<std::size_t>(k));
 }
 
 // Calls visit(low, high) for every pair nearer than `apart` of which one point passes `looksAt`, each
 // once, in a fixed order.
 template <class LooksAt, class Visit>
 void forClosePairs(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, LooksAt looksAt, Visit visit) {
-    sortIntoCells(points, apart, memory);
+    memory.cells.sort(points, apart);
     for (std::size_t one = 0; one < points.size(); ++one) {
         if (!looksAt(one)) continue;
-        const std::int32_t x = memory.cellOf[one] % memory.columns;
-        const std::int32_t y = memory.cellOf[one] / memory.columns;
-        for (std::int32_t r = y - 1; r <= y + 1; ++r) {
-            forRow(memory, x - 1, x + 1, r, [&](std::size_t other) {
+        const Cell cell = memory.cells.grid().at(memory.cells.cellOf(one));
+        for (std::int32_t r = cell.y - 1; r <= cell.y + 1; ++r) {
+            forRow(memory.cells, cell.x - 1, cell.x + 1, r, [&](std::size_t other) {
                 // Of a pair that both look, the higher one visits.
                 if (other == one || (other > one && looksAt(other))) return;
                 if (lengthSquared(points[one] - points[other]) < apart * apart)
@@ -123,7 +75,7 @@ void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& mem
 
 NearSearch::NearSearch(const std::vector<Vec2>& points, double apart, SpacingMemory& memory)
     : apart_(apart), memory_(memory) {
-    sortIntoCells(points, apart, memory);
+    memory.cells.sort(points, apart);
     memory_.push.clear();
 }
 
@@ -131,11 +83,10 @@ bool NearSearch::occupied(Vec2 spot, const std::vector<std::uint8_t>& fit, const
     const double limit = apart_ * apart_;
     for (const Vec2 p : memory_.push)
         if (lengthSquared(p - spot) < limit) return true;
-    const std::int32_t x = column(memory_, spot.x);
-    const std::int32_t y = row(memory_, spot.y);
+    const Cell cell = memory_.cells.grid().cellOf(spot);
     bool found = false;
-    for (std::int32_t r = y - 1; r <= y + 1 && !found; ++r) {
-        forRow(memory_, x - 1, x + 1, r, [&](std::size_t k) {
+    for (std::int32_t r = cell.y - 1; r <= cell.y + 1 && !found; ++r) {
+        forRow(memory_.cells, cell.x - 1, cell.x + 1, r, [&](std::size_t k) {
             found = found || (fit[k] == 1 && lengthSquared(points[k] - spot) < limit);
         });
     }

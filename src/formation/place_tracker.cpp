@@ -1,6 +1,7 @@
 #include "muster/formation/place_tracker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "formation/place_goals.h"
 #include "formation/place_spacing.h"
@@ -13,6 +14,22 @@ constexpr std::int32_t kPathsPerStep = 8;  // Searches for a way round, so that 
 constexpr double kReplanDistance = 1.0;    // A goal that moved farther asks for a new way [m].
 
 }  // namespace
+
+// What was read must fit together, and numbers be such that steps stay finite.
+bool PlaceTracker::consistent() const {
+    const auto sane = [](Vec2 p) { return std::fabs(p.x) <= 1e10 && std::fabs(p.y) <= 1e10; };
+    const std::size_t n = position_.size();
+    if (velocity_.size() != n || fit_.size() != n) return false;
+    for (std::size_t k = 0; k < n; ++k)
+        if (!sane(position_[k]) || !sane(velocity_[k]) || fit_[k] > 1) return false;
+    std::int32_t last = -1;
+    for (const Detour& detour : detours_) {
+        if (detour.place <= last || static_cast<std::size_t>(detour.place) >= n || !sane(detour.goal)) return false;
+        if (!std::all_of(detour.way.begin(), detour.way.end(), sane)) return false;
+        last = detour.place;
+    }
+    return true;
+}
 
 void PlaceTracker::findGoals(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                              std::int32_t region) {

@@ -107,7 +107,7 @@ void ExactPlan::keepIncumbents(PlanResult& result) {
     powered_ = cost_;
     for (std::int32_t i = 0; i < pending_.characters(); ++i) {
         const std::int32_t j = pending_.incumbent(i);
-        if (j < 0 || pending_.supplyOf(i) <= 0.0) continue;
+        if (j < 0 || !pending_.usable(j) || pending_.supplyOf(i) <= 0.0) continue;
         const std::size_t k = pairIndex(i, j, pending_.places());
         cost_[k] = pending_.pairCost(i, j);
         if (cost_[k] < kInfinite) powered_[k] = power(cost_[k], pending_.def().exponent);

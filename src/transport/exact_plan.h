@@ -22,9 +22,16 @@ public:
     void steer(std::span<const Vec2> characters, std::span<const std::int32_t> place, std::span<const Vec2> placesNow,
                const Environment& environment, double direct, std::span<Vec2> direction,
                std::span<double> cost) const override;
+    std::int32_t waitingPlace(std::int32_t character) const override {
+        const bool known = finished_.valid() && character >= 0 && character < finished_.characters();
+        return known ? finished_.waitingPlace(character) : -1;
+    }
     double costAt(std::int32_t place, Vec2 p) const override;
     void save(Writer& archive) const override;
     bool load(Reader& archive, ThreadPool& pool) override;
+    bool suits(std::size_t characters, std::size_t places, const Grid& grid) const override {
+        return pending_.suits(characters, places, grid) && finished_.suits(characters, places, grid);
+    }
     void hash(Hasher& archive) const override;
 
 private:

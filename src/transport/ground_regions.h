@@ -20,7 +20,6 @@ public:
     Vec2 standing(Vec2 p) const;
 
 private:
-    void flood(std::int32_t start, std::int32_t label);
     std::int32_t nearestFree(Vec2 p) const;
 
     Grid grid_;

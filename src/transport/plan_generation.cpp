@@ -66,15 +66,37 @@ void PlanGeneration::prepare() {
     // Fields beyond the number of places keep their memory for later.
     if (fields_.size() < places_.size()) fields_.resize(places_.size());
     known_.assign(places_.size(), 0);
+    setWaiting();
     setReach();
 }
 
-// Places that nobody holds may be anybody's.
+// True where its incumbent place is one that it can take and come to.
+bool PlanGeneration::holds(std::int32_t character) const {
+    const std::int32_t j = incumbent_[character];
+    return j >= 0 && usable(j) && supplyOf(character) > 0.0 && characterRegion_[character] == placeRegion_[j];
+}
+
+void PlanGeneration::setWaiting() {
+    waits_.assign(characters_.size(), -1);
+    for (std::int32_t i = 0; i < characters(); ++i) {
+        if (holds(i) || characterRegion_[i] < 0) continue;
+        double nearest = kInfinite;
+        for (std::int32_t j = 0; j < places(); ++j) {
+            if (!usable(j) || placeRegion_[j] != characterRegion_[i]) continue;
+            const double d = lengthSquared(places_[j] - characters_[i]);
+            if (d >= nearest) continue;
+            nearest = d;
+            waits_[i] = j;
+        }
+    }
+}
+
+// Places that nobody holds may be anybody's; one that is cut off holds none.
 void PlanGeneration::setReach() {
     reach_.assign(places_.size(), -1.0);
     for (std::int32_t i = 0; i < characters(); ++i) {
         const std::int32_t j = incumbent_[i];
-        if (j >= 0) reach_[j] = std::max(reach_[j], kReachFactor * distance(characters_[i], places_[j]) + kReachMore);
+        if (holds(i)) reach_[j] = std::max(reach_[j], kReachFactor * distance(characters_[i], places_[j]) + kReachMore);
     }
     for (std::int32_t j = 0; j < places(); ++j) {
         double farthest = 0.0;
@@ -86,7 +108,7 @@ void PlanGeneration::setReach() {
 
 bool PlanGeneration::met(std::int32_t character, std::int32_t place) const {
     if (characterRegion_[character] != placeRegion_[place] || supplyOf(character) <= 0.0) return false;
-    if (incumbent_[character] == place) return true;
+    if (incumbent_[character] == place || waits_[character] == place) return true;
     return def_.reassign && (wide_[place] > 0 || distance(characters_[character], places_[place]) <= reach_[place]);
 }
 
@@ -109,7 +131,7 @@ void PlanGeneration::widen(std::span<const std::int32_t> places, ThreadPool& poo
 // The front stops when it has met all who might take the place; without them there is no front.
 void PlanGeneration::solveOne(std::int32_t place, FieldWorker& worker) {
     worker.targets.clear();
-    if (placeRegion_[place] < 0 || (def_.reassign && demandOf(place) <= 0.0)) return;
+    if (placeRegion_[place] < 0 || !usable(place) || (def_.reassign && demandOf(place) <= 0.0)) return;
     for (std::int32_t i = 0; i < characters(); ++i)
         if (met(i, place)) worker.targets.push_back(standing_[i]);
     if (worker.targets.empty()) return;

@@ -32,6 +32,10 @@ public:
     /// Solves the fields of places [solved(), end).
     void solve(std::int32_t end, ThreadPool& pool, std::vector<FieldWorker>& workers);
 
+    /// True where it is empty, or for so many characters and places on this ground.
+    bool suits(std::size_t characters, std::size_t places, const Grid& grid) const {
+        return !valid_ || (characters_.size() == characters && places_.size() == places && cost_.grid == grid);
+    }
     bool valid() const { return valid_; }                   ///< Holds frozen inputs.
     const PlanDef& def() const { return def_; }             ///< As frozen.
     std::int32_t characters() const { return static_cast<std::int32_t>(characters_.size()); }  ///< Number of them.
@@ -48,6 +52,9 @@ public:
     std::int32_t incumbent(std::int32_t character) const { return incumbent_[character]; }   ///< -1 for none.
     /// The field of a place, or null where none was needed or it is not solved yet.
     const CostField* field(std::int32_t place) const;
+    /// The nearest place that somebody can take on the ground of a character that holds none; -1 for all others. It
+    /// waits there while it stays unmatched.
+    std::int32_t waitingPlace(std::int32_t character) const { return waits_[character]; }
     /// True where the place's front goes on until it meets the character, so that the pair's cost is known.
     bool met(std::int32_t character, std::int32_t place) const;
     /// Cost from a character to a place, infinite where there is no way; a lower bound where the front did not go so far.
@@ -64,6 +71,8 @@ public:
 
 private:
     void prepare();
+    bool holds(std::int32_t character) const;
+    void setWaiting();
     void setReach();
     void setWide(const PlanGeneration& former);
     void solveOne(std::int32_t place, FieldWorker& worker);
@@ -82,6 +91,7 @@ private:
     std::int32_t solved_ = 0;
     std::vector<std::uint8_t> wide_;  // Per place: its front goes to all characters, for so many plans yet.
     // Caches.
+    std::vector<std::int32_t> waits_; // Per character: where it waits if it stays unmatched.
     std::vector<double> reach_;       // Per place: its front goes to characters this near [m].
     GroundRegions regions_;
     std::vector<Vec2> standing_;      // Characters, off the walls that contacts may press them into.

@@ -69,7 +69,7 @@ struct Validator {
     Status operator()(const SetFormation& c) const { return validateFormation(c.formation); }
     Status operator()(const SetCount& c) const {
         if (c.count >= 1 && c.count <= kMaxCharacters) return {};
-        return invalidArgument("count is " + std::to_string(c.count) + ", expected 1 to 100000");
+        return invalidArgument("count is " + std::to_string(c.count) + ", expected 1 to " + std::to_string(kMaxCharacters));
     }
     Status operator()(const SetPose& c) const {
         return std::fabs(c.angle) <= 1e6 ? place(c.position) : invalidArgument("angle is not in [-1e6, 1e6] rad");

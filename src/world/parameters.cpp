@@ -2,13 +2,18 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "muster/environment/environment.h"
+#include "world/number_text.h"
 
 namespace muster {
 namespace {
 
 using P = Parameters;
+
+// Clearance is known up to its limit only, and a place asks for the radius and its own clearance.
+constexpr double kMaxRadius = 0.5 * Environment::kClearanceLimit;
 
 constexpr auto kTable = std::to_array<ParameterInfo>({
     {"time.step", "s", 1.0 / 240.0, 1.0 / 20.0, "Simulated time of one step.", &P::stepTime},
@@ -34,7 +39,7 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
     {"mesh.morphSpeed", "m/s", 0.01, 100.0, "Top vertex speed while relaxing or changing formation.",
      &P::morphSpeed},
     {"place.speed", "m/s", 0.01, 100.0, "Top speed of travelling places in the open.", &P::placeSpeed},
-    {"place.clearance", "m", 0.0, 10.0, "Kept between a place and obstacles beyond the characters' radius.",
+    {"place.clearance", "m", 0.0, kMaxRadius, "Kept between a place and obstacles beyond the characters' radius.",
      &P::placeClearance},
     {"cost.alpha", "1", 0.0, 1000.0, "Weight of path length in the unit cost.", &P::alpha},
     {"cost.beta", "1", 0.0, 1000.0, "Weight of time in the unit cost.", &P::beta},
@@ -62,7 +67,7 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
      "A change of places must lower the objective of those it concerns by more than this share.",
      &P::thresholdShare},
     {"plan.geodesic", "switch", 0.0, 1.0, "Costs by the cost field; else straight-line distances.", &P::geodesic},
-    {"character.radius", "m", 0.05, 5.0, "Radius of a character.", &P::radius},
+    {"character.radius", "m", 0.05, kMaxRadius, "Radius of a character.", &P::radius},
     {"character.maxSpeed", "m/s", 0.01, 50.0, "Top speed of a character in the open.", &P::maxSpeed},
     {"character.acceleration", "m/s^2", 0.01, 1000.0, "Top acceleration of a character.", &P::acceleration},
     {"character.velocityGain", "1/s", 0.0, 60.0, "Gain of the controller on the error of velocity.",
@@ -77,13 +82,6 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
     {"contact.iterations", "count", 1.0, 100.0, "Rounds that resolve contacts in a step.", &P::contactIterations},
 });
 
-/// A number as people write it.
-std::string text(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof(buffer), "%.6g", value);
-    return buffer;
-}
-
 bool isWhole(const ParameterInfo& info) {
     return info.unit == "switch" || info.unit == "mode" || info.unit == "steps" || info.unit == "count";
 }
@@ -97,13 +95,13 @@ std::span<const ParameterInfo> parameterTable() {
 Status setParameter(Parameters& parameters, std::string_view name, double value) {
     for (const ParameterInfo& info : kTable) {
         if (info.name != name) continue;
-        const std::string range = "[" + text(info.minimum) + ", " + text(info.maximum) + "]";
+        const std::string range = std::string("[").append(numberText(info.minimum)) + ", " + numberText(info.maximum) + "]";
         if (!(value >= info.minimum && value <= info.maximum)) {
-            return invalidArgument("parameter " + std::string(name) + " is " + text(value) + ", expected a number in " +
+            return invalidArgument("parameter " + std::string(name) + " is " + numberText(value) + ", expected a number in " +
                                    range + " " + std::string(info.unit));
         }
         if (isWhole(info) && value != std::floor(value)) {
-            return invalidArgument("parameter " + std::string(name) + " is " + text(value) +
+            return invalidArgument("parameter " + std::string(name) + " is " + numberText(value) +
                                    ", expected a whole number in " + range);
         }
         parameters.*info.member = value;

@@ -1,34 +1,31 @@
 #include "muster/world/validation.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "world/number_text.h"
 
 namespace muster {
 namespace {
 
-std::string text(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof(buffer), "%.6g", value);
-    return buffer;
-}
+constexpr double kMostCells = 16e6;  // Of a grid.
 
 /// Fails unless `low` <= value <= `high`.
 Status inRange(const char* what, double value, double low, double high) {
     if (value >= low && value <= high) return {};
-    return invalidArgument(std::string(what) + " is " + text(value) + ", expected a number in [" + text(low) + ", " +
-                           text(high) + "]");
+    return invalidArgument(std::string(what) + " is " + numberText(value) + ", expected a number in [" + numberText(low) + ", " +
+                           numberText(high) + "]");
 }
 
 Status isPlace(const char* what, Vec2 p) {
     if (std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate) return {};
-    return invalidArgument(std::string(what) + " (" + text(p.x) + ", " + text(p.y) +
+    return invalidArgument(std::string(what) + " (" + numberText(p.x) + ", " + numberText(p.y) +
                            ") is not finite or farther than 1e6 m from the origin");
 }
 
 Status arePlaces(const char* what, std::span<const Vec2> points) {
     if (points.size() > static_cast<std::size_t>(kMaxCharacters)) {
         return {StatusCode::LimitExceeded, std::string(what) + " has " + std::to_string(points.size()) +
-                                               " points, at most 100000 are allowed"};
+                                               " points, at most " + std::to_string(kMaxCharacters) + " are allowed"};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (Status s = isPlace(what, points[i]); !s.ok()) return s.within("point " + std::to_string(i));
@@ -72,12 +69,6 @@ Status first(std::initializer_list<Status> checks) {
     return {};
 }
 
-Status isClip(const ClipFacts& clip) {
-    return first({isText("name", clip.name), isText("file", clip.file), inRange("speed", clip.speed, 0.01, 100.0),
-                  inRange("length", clip.length, 0.0, 1e4), inRange("duration", clip.duration, 0.0, 1e4),
-                  inRange("transitionTime", clip.transitionTime, 0.0, 100.0)});
-}
-
 Status validateGround(const WorldDef& def) {
     if (Status s = first({isText("name", def.name), isText("description", def.description),
                           isText("credit", def.credit), isPlace("box", def.box.min), isPlace("box", def.box.max),
@@ -88,12 +79,12 @@ Status validateGround(const WorldDef& def) {
     if (def.seed > 9007199254740991ull) return invalidArgument("seed is above 2^53 - 1");
     if (!(def.box.width() > 0.0 && def.box.height() > 0.0)) return invalidArgument("box is empty");
     const double cells = std::ceil(def.box.width() / def.cell) * std::ceil(def.box.height() / def.cell);
-    if (cells > 16e6) {
-        return {StatusCode::LimitExceeded, "box has " + text(cells) + " cells, at most 16 million are allowed"};
+    if (cells > kMostCells) {
+        return {StatusCode::LimitExceeded, "box has " + numberText(cells) + " cells, at most 16 million are allowed"};
     }
     if (def.clips.empty() || def.clips.size() > 1000) return invalidArgument("clips: expected 1 to 1000");
     for (std::size_t i = 0; i < def.clips.size(); ++i) {
-        if (Status s = isClip(def.clips[i]); !s.ok()) return s.within("clips[" + std::to_string(i) + "]");
+        if (Status s = validateClip(def.clips[i]); !s.ok()) return s.within("clips[" + std::to_string(i) + "]");
     }
     if (def.map) {
         const MapGround& map = *def.map;
@@ -120,19 +111,59 @@ Status each(const char* name, const List& list, std::size_t most, Check check) {
     return {};
 }
 
-Status isParameters(const Parameters& parameters) {
+/// Costs of a metre that fast marching is made for; patches and clips may be 0.01 to 100 times as fast as running.
+Status isCost(const Parameters& p) {
+    constexpr double kLeastCost = 0.01, kMostCost = 1e8, kSlowest = 0.01;
+    if (p.alpha + p.beta < kLeastCost) {
+        return invalidArgument("parameters cost.alpha and cost.beta add up to " + numberText(p.alpha + p.beta) +
+                               ", expected at least " + numberText(kLeastCost));
+    }
+    const double most = (p.alpha + p.beta + p.gamma * p.discomfortGain) / (p.minSpeed * kSlowest);
+    if (most <= kMostCost) return {};
+    return invalidArgument("parameters cost.alpha, cost.beta, cost.gamma, discomfort.gain and cost.minSpeed let a metre cost " +
+                           numberText(most) + ", expected at most " + numberText(kMostCost));
+}
+
+}  // namespace
+
+Status validateParameters(const Parameters& parameters, const Box& box) {
     Parameters scratch;
     for (const ParameterInfo& info : parameterTable()) {
         if (Status s = setParameter(scratch, info.name, parameters.*info.member); !s.ok()) return s;
     }
     if (parameters.densityMax <= parameters.densityMin) {
-        return invalidArgument("parameter density.max is not above density.min");
+        return invalidArgument("parameter density.max is " + numberText(parameters.densityMax) +
+                               ", expected a number above density.min, " + numberText(parameters.densityMin));
     }
-    if (parameters.alpha + parameters.beta <= 0.0) return invalidArgument("parameters cost.alpha and cost.beta are both 0");
-    return {};
+    const double cells = (box.width() / parameters.densityCell + 1.0) * (box.height() / parameters.densityCell + 1.0);
+    if (!(cells <= kMostCells)) {
+        return {StatusCode::LimitExceeded, "parameter density.cell makes " + numberText(cells) +
+                                               " density cells, at most 16 million are allowed"};
+    }
+    return isCost(parameters);
 }
 
-}  // namespace
+Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t groups) {
+    return first({isPlace("position", checkpoint.position), inRange("radius", checkpoint.radius, 0.01, 1e4),
+                  inRange("group", checkpoint.group, -1, static_cast<double>(groups) - 1),
+                  validateFormation(checkpoint.formation)});
+}
+
+Status validateItem(const ItemDef& item) {
+    return first({isPlace("position", item.position), inRange("radius", item.radius, 0.01, 1e4)});
+}
+
+Status validateClip(const ClipFacts& clip) {
+    return first({isText("name", clip.name), isText("file", clip.file), inRange("speed", clip.speed, 0.01, 100.0),
+                  inRange("length", clip.length, 0.0, 1e4), inRange("duration", clip.duration, 0.0, 1e4),
+                  inRange("transitionTime", clip.transitionTime, 0.0, 100.0)});
+}
+
+Status validateTotal(std::int64_t characters) {
+    if (characters <= kMaxCharacters) return {};
+    return {StatusCode::LimitExceeded, "the groups would hold " + std::to_string(characters) +
+                                           " characters, a world holds at most " + std::to_string(kMaxCharacters)};
+}
 
 Status validateFormation(const FormationDef& formation) {
     if (formation.kind > FormationKind::Points) return invalidArgument("formation kind is not known");
@@ -203,27 +234,16 @@ Status validateGroup(const GroupDef& group) {
 Status validateWorld(const WorldDef& def) {
     if (Status s = validateGround(def); !s.ok()) return s;
     const auto motions = static_cast<std::int32_t>(def.clips.size());
-    const auto groups = static_cast<std::int32_t>(def.groups.size());
     std::int64_t characters = 0;
     for (const GroupDef& group : def.groups) characters += group.count;
-    if (characters > kMaxCharacters) {
-        return {StatusCode::LimitExceeded, "groups hold " + std::to_string(characters) + " characters, at most " +
-                                               std::to_string(kMaxCharacters) + " are allowed"};
-    }
+    if (Status s = validateTotal(characters); !s.ok()) return s;
     return first({each("obstacles", def.obstacles, kMaxObstacles, validateObstacle),
                   each("patches", def.patches, kMaxObstacles,
                        [&](const PatchDef& patch) { return validatePatch(patch, motions); }),
-                  each("groups", def.groups, 1000, validateGroup),
+                  each("groups", def.groups, kMaxGroups, validateGroup),
                   each("checkpoints", def.checkpoints, kMaxObstacles,
-                       [&](const FormationCheckpointDef& c) {
-                           return first({isPlace("position", c.position), inRange("radius", c.radius, 0.01, 1e4),
-                                         inRange("group", c.group, -1, groups - 1), validateFormation(c.formation)});
-                       }),
-                  each("items", def.items, kMaxObstacles,
-                       [](const ItemDef& item) {
-                           return first({isPlace("position", item.position), inRange("radius", item.radius, 0.01, 1e4)});
-                       }),
-                  isParameters(def.parameters)});
+                       [&](const FormationCheckpointDef& c) { return validateCheckpoint(c, def.groups.size()); }),
+                  each("items", def.items, kMaxObstacles, validateItem), validateParameters(def.parameters, def.box)});
 }
 
 }  // namespace muster

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 
+#include "muster/world/validation.h"
 #include "world/world_state.h"
 
 namespace muster {
 namespace {
 
 constexpr std::uint32_t kSnapshotMagic = 0x4d535031;  // "MSP1"
-
-std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> orderOf(const Command& command) {
-    return {command.step, command.client, command.sequence};
-}
 
 void archive(Writer& writer, Environment& environment) { environment.save(writer); }
 void archive(Hasher& hasher, Environment& environment) { environment.hash(hasher); }
@@ -101,7 +97,7 @@ void World::Impl::visit(Archive& ar) {
     archive(ar, environment);
     ar(characters);
     archive(ar, queue);
-    ar(checkpoints, checkpointState, items, collected, random, stepCount, lastCommandStep, nextCharacter, nextGroup);
+    ar(checkpoints, checkpointGroups, checkpointState, items, collected, random, stepCount, lastCommandStep, nextCharacter, nextGroup);
     if constexpr (Archive::kReading)
         if (!ar.ok()) return;
     archiveGroups(ar, groups, *pool);
@@ -119,6 +115,7 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const WorldDef& def, std::int32_t threads) {
+    if (const Status valid = validateWorld(def); !valid.ok()) return valid;
     EnvironmentDef ground;
     ground.box = def.box;
     ground.cell = def.cell;
@@ -136,8 +133,11 @@ Result<World> World::create(const WorldDef& def, std::int32_t threads) {
     const Status grounded = addGround(*impl, def);
     if (!grounded.ok()) return grounded;
     impl->environment.setTime(0.0);
-    impl->density = DensityField(def.box, {def.parameters.densityCell, def.parameters.densityLambda});
+    impl->makeDensity();
     impl->checkpoints = def.checkpoints;
+    // Groups are numbered from 1 in this order.
+    for (const FormationCheckpointDef& checkpoint : def.checkpoints)
+        impl->checkpointGroups.push_back(GroupId{static_cast<std::uint32_t>(checkpoint.group + 1)});
     impl->items = def.items;
     impl->collected.assign(def.items.size(), 0);
     for (std::size_t i = 0; i < def.groups.size(); ++i) {
@@ -153,8 +153,7 @@ Status World::submit(const Command& command) {
     if (command.step < impl_->stepCount)
         return invalidArgument(std::string(commandName(command)) + ": found step " + std::to_string(command.step) +
                                ", expected " + std::to_string(impl_->stepCount) + " or later");
-    const auto at = std::upper_bound(impl_->queue.begin(), impl_->queue.end(), command,
-                                     [](const Command& a, const Command& b) { return orderOf(a) < orderOf(b); });
+    const auto at = std::upper_bound(impl_->queue.begin(), impl_->queue.end(), command, comesBefore);
     impl_->queue.insert(at, command);
     return {};
 }
@@ -183,11 +182,9 @@ Result<World> World::restore(std::span<const std::uint8_t> snapshot, std::int32_
     impl->visit(reader);
     if (!reader.ok() || reader.remaining() != 0)
         return Status(StatusCode::ParseError, "snapshot: found torn or foreign data, expected a whole world");
-    for (const std::uint32_t group : impl->characters.group)
-        if (group >= impl->groups.size()) return Status(StatusCode::ParseError, "snapshot: a character names no group");
-    const Parameters& p = impl->parameters;
-    impl->density = DensityField(impl->environment.def().box, {p.densityCell, p.densityLambda});
-    impl->refreshMembers();
+    if (const Status fits = impl->checkState(); !fits.ok())
+        return Status(StatusCode::ParseError, "snapshot: " + fits.message() + ", expected a world as it was saved");
+    impl->makeDensity();
     return World(std::move(impl));
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "muster/base/maths.h"
+#include "muster/world/validation.h"
 #include "world/world_state.h"
 
 namespace muster {
@@ -25,7 +26,7 @@ public:
         if (touch.group && group == nullptr) return notFound("group", touch.group.value);
         if (group == nullptr) return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
         return refused(group->controls.touchDown(world_.controlDef(), command_.client, touch.touch, touch.position,
-                                                 stamp(touch.time), group->mesh.formation().mesh, group->mesh.finalMesh(),
+                                                 touch.time, group->mesh.formation().mesh, group->mesh.finalMesh(),
                                                  group->mesh.userMesh()),
                        "touch " + std::to_string(touch.touch) + " is down already, or its vertex is held");
     }
@@ -35,9 +36,7 @@ public:
         });
     }
     Status operator()(const TouchUp& touch) {
-        return eachSet(touch.touch, [&](ControlSet& set) {
-            return set.touchUp(world_.controlDef(), command_.client, touch.touch, stamp(touch.time));
-        });
+        return eachSet(touch.touch, [&](ControlSet& set) { return set.touchUp(command_.client, touch.touch); });
     }
     Status operator()(const TouchCancel& touch) {
         return eachSet(touch.touch, [&](ControlSet& set) { return set.touchCancel(command_.client, touch.touch); });
@@ -61,7 +60,7 @@ public:
         return group->controls.remove(remove.control) ? Status{} : notFound("control", remove.control.value);
     }
     Status operator()(const ReleaseClient&) {
-        for (Group& group : world_.groups) group.controls.releaseClient(command_.client, world_.time());
+        for (Group& group : world_.groups) group.controls.releaseClient(command_.client);
         return {};
     }
     Status operator()(const SetFormation& set) {
@@ -72,8 +71,8 @@ public:
     Status operator()(const SetCount& set) {
         Group* group = world_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
-        if (set.count < 1 || set.count > 100000)
-            return invalidArgument("found count " + std::to_string(set.count) + ", expected 1 to 100000");
+        const Status total = validateTotal(static_cast<std::int64_t>(world_.characters.size()) - group->def.count + set.count);
+        if (!total.ok()) return total;
         const Status changed = world_.changeFormation(*group, group->def.formation, set.count);
         if (changed.ok()) world_.setCount(*group, set.count);
         return changed;
@@ -100,14 +99,19 @@ public:
     Status operator()(const RemovePatch& remove) { return world_.environment.removePatch(remove.id); }
     Status operator()(const SetParameter& set) {
         if (set.name == "time.step") return invalidArgument("parameter 'time.step' stands for the life of a world");
-        const Status status = setParameter(world_.parameters, set.name, set.value);
+        Parameters next = world_.parameters;
+        Status status = setParameter(next, set.name, set.value);
+        if (status.ok()) status = validateParameters(next, world_.environment.def().box);
         if (!status.ok()) return status;
-        world_.environment.setFieldDefaults(world_.parameters.fieldRange, world_.parameters.fieldStrength);
+        world_.parameters = next;
+        world_.environment.setFieldDefaults(next.fieldRange, next.fieldStrength);
+        if (set.name == "density.cell" || set.name == "density.lambda") world_.makeDensity();
         return status;
     }
 
 private:
-    // Time stamps never lie in the world's future, nor before its beginning.
+    // What is drawn never lies in the world's future. (Stamps of touches that come down may, where it is paused: they tell
+    // which came down together.)
     double stamp(double time) const { return std::clamp(time, 0.0, world_.time()); }
 
     // The group whose final mesh lies nearest within reach; ties go to the lower id.

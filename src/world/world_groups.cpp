@@ -3,13 +3,11 @@
 #include <string>
 
 #include "muster/base/maths.h"
+#include "muster/world/validation.h"
 #include "world/world_state.h"
 
 namespace muster {
 namespace {
-
-constexpr std::size_t kMaxGroups = 200;        // Group indices travel as bytes.
-constexpr std::size_t kMaxCharacters = 200000;
 
 Pose poseOf(Vec2 position, double angle) { return {position, {cosine(angle), sine(angle)}}; }
 
@@ -88,10 +86,11 @@ std::int32_t World::Impl::regionOf(const Group& group) {
 Status World::Impl::addGroup(const GroupDef& def) {
     if (groups.size() >= kMaxGroups)
         return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(kMaxGroups) + " groups"};
-    if (def.count < 1 || characters.size() + static_cast<std::size_t>(def.count) > kMaxCharacters)
+    const Status total = validateTotal(static_cast<std::int64_t>(characters.size()) + def.count);
+    if (!total.ok()) return total.within("group '" + def.name + "'");
+    if (def.count < 1)
         return invalidArgument("group '" + def.name + "': found count " + std::to_string(def.count) +
-                               ", expected at least 1 and at most " + std::to_string(kMaxCharacters) +
-                               " characters in the world");
+                               ", expected at least 1");
     if (!def.starts.empty() && def.starts.size() != static_cast<std::size_t>(def.count))
         return invalidArgument("group '" + def.name + "': found " + std::to_string(def.starts.size()) +
                                " starts, expected one for each of its " + std::to_string(def.count) + " characters");
@@ -150,6 +149,7 @@ Status World::Impl::changeFormation(Group& group, const FormationDef& def, std::
     group.places.reset(placeDef(), memory.targets, environment, regionOf(group));
     group.planNow = true;
     group.assigned = false;
+    group.kept.clear();
     ++group.formationVersion;
     for (const std::int32_t i : group.members) characters.place[static_cast<std::size_t>(i)] = -1;
     return {};

@@ -3,6 +3,10 @@
 
 namespace muster {
 
+void World::Impl::makeDensity() {
+    density = DensityField(environment.def().box, {parameters.densityCell, parameters.densityLambda});
+}
+
 ControlDef World::Impl::controlDef() const {
     ControlDef def;
     def.window = parameters.touchWindow;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "muster/base/archive.h"
@@ -27,6 +28,8 @@ struct Group {
     std::uint32_t formationVersion = 1;
     bool planNow = true;      ///< The next plan is made whole in one step, without incumbents.
     bool assigned = false;    ///< A first assignment stands (for plans made once).
+    bool reassigns = true;    ///< The pending plan may change places.
+    std::vector<std::int32_t> kept;  ///< Place of each member by the last plan that could change them.
     std::int32_t slice = 0;   ///< Shares of the pending plan done.
     std::int32_t slices = 1;  ///< Shares it was cut into.
     std::vector<std::int32_t> members;  // Cache: indices of its characters, ascending.
@@ -35,7 +38,7 @@ struct Group {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, meanLag, formationVersion, planNow, assigned,
-                slice, slices);
+                reassigns, kept, slice, slices);
     }
 };
 
@@ -57,6 +60,11 @@ struct StepMemory {
     PlanResult planResult;
 };
 
+/// The order in which commands are applied.
+inline bool comesBefore(const Command& a, const Command& b) {
+    return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
+}
+
 /// Everything a world is.
 struct World::Impl {
     // State.
@@ -66,6 +74,7 @@ struct World::Impl {
     std::vector<Group> groups;
     std::vector<Command> queue;  ///< Ordered by (step, client, sequence).
     std::vector<FormationCheckpointDef> checkpoints;
+    std::vector<GroupId> checkpointGroups;       ///< Whom each concerns; 0 for any.
     std::vector<std::uint8_t> checkpointState;  ///< groups x checkpoints: bit 0 inside now, bit 1 used.
     std::vector<ItemDef> items;
     std::vector<std::uint8_t> collected;
@@ -127,6 +136,13 @@ struct World::Impl {
     void collectItems();
     void meetCheckpoints();
     void measureLag();
+
+    // What follows from parameters alone (world_parameters.cpp).
+    void makeDensity();
+
+    // Whether what was read from a snapshot can go on; brings the lists of members up to date (world_restore.cpp).
+    Status checkState();
+    Status checkQueueAndMarks() const;
 
     // Views of the parameters.
     ControlDef controlDef() const;

@@ -93,11 +93,16 @@ void World::Impl::startPlan(Group& group) {
     for (std::size_t k = 0; k < group.members.size(); ++k) {
         const auto i = static_cast<std::size_t>(group.members[k]);
         memory.groupPositions.push_back(characters.position[i]);
-        const bool own = mode == PlanMode::Fixed && k < group.places.positions().size();
-        memory.groupPlaces.push_back(own ? static_cast<std::int32_t>(k) : characters.place[i]);
+        memory.groupPlaces.push_back(characters.place[i]);
     }
     PlanDef def = planDef();
-    def.reassign = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
+    group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
+    def.reassign = group.reassigns;
+    // Who lost a kept place because it did not fit has a claim to it.
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        if (mode == PlanMode::Fixed) memory.groupPlaces[k] = static_cast<std::int32_t>(k);
+        else if (!group.reassigns && k < group.kept.size()) memory.groupPlaces[k] = group.kept[k];
+    }
     PlanInput input;
     input.characters = memory.groupPositions;
     input.places = group.places.positions();
@@ -119,6 +124,7 @@ void World::Impl::finishPlan(Group& group) {
     group.gapBound = memory.planResult.gapBound;
     memory.groupPlaces.assign(group.members.size(), -1);
     for (const Flow& flow : memory.planResult.flows) memory.groupPlaces[static_cast<std::size_t>(flow.character)] = flow.place;
+    if (group.reassigns) group.kept = memory.groupPlaces;
     for (std::size_t k = 0; k < group.members.size(); ++k) {
         const auto i = static_cast<std::size_t>(group.members[k]);
         const std::int32_t place = memory.groupPlaces[k];
@@ -172,15 +178,12 @@ void World::Impl::steerGroup(Group& group) {
 void World::Impl::directTheUnmatched(Group& group) {
     for (std::size_t k = 0; k < group.members.size(); ++k) {
         if (memory.groupPlaces[k] >= 0) continue;
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < group.places.positions().size(); ++j) {
-            if (group.places.fit()[j] == 0) continue;
-            const double d = distance(group.places.positions()[j], memory.groupPositions[k]);
-            if (d >= nearest) continue;
-            nearest = d;
-            memory.groupPlaces[k] = static_cast<std::int32_t>(j);
-        }
-        if (nearest < kUnmatchedReach) memory.groupPlaces[k] = -1;
+        const std::int32_t place = group.plan->waitingPlace(static_cast<std::int32_t>(k));
+        if (place < 0) continue;
+        const Vec2 position = memory.groupPositions[k];
+        const Vec2 there = group.places.positions()[static_cast<std::size_t>(place)];
+        const bool beside = distance(position, there) < kUnmatchedReach && environment.clearLine(position, there, 0.0);
+        if (!beside) memory.groupPlaces[k] = place;
     }
 }
 
@@ -245,8 +248,8 @@ void World::Impl::meetCheckpoints() {
     for (std::size_t c = 0; c < checkpoints.size(); ++c) {
         const FormationCheckpointDef& checkpoint = checkpoints[c];
         for (std::size_t g = 0; g < groups.size(); ++g) {
-            if (checkpoint.group >= 0 && static_cast<std::size_t>(checkpoint.group) != g) continue;
             Group& group = groups[g];
+            if (checkpointGroups[c] && checkpointGroups[c] != group.id) continue;
             std::uint8_t& state = checkpointState[g * checkpoints.size() + c];
             const bool inside = distance(group.mesh.pose().position, checkpoint.position) <= checkpoint.radius;
             const bool comes = inside && (state & 1) == 0 && !(checkpoint.once && (state & 2) != 0);

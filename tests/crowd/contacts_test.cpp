@@ -71,3 +71,22 @@ TEST_CASE("overlaps are reported when there is no room to part") {
     CHECK(report.worstPenetration > 0.1);
     for (const Vec2 p : positions) CHECK(isFinite(p));
 }
+
+TEST_CASE("who is pushed into one that stood apart is parted from him, and what is left is seen") {
+    Environment environment = room(10);
+    ObstacleDef wall;
+    wall.polygon = {{-3, -3}, {0.15, -3}, {0.15, 3}, {-3, 3}};
+    REQUIRE(environment.addObstacle(wall).ok());
+    environment.setTime(0.0);
+    std::vector<Vec2> positions{{0.05, 0}, {0.72, 0}};  // The wall pushes the one 0.35 m towards the other.
+    Contacts contacts;
+    const ContactReport parted = contacts.resolve({0.25, 8}, environment, positions);
+    CHECK(distance(positions[0], positions[1]) > 0.495);
+    CHECK(parted.overlapPairs == 0);
+    positions = {{0.05, 0}, {0.72, 0}};
+    const ContactReport seen = contacts.resolve({0.25, 1}, environment, positions);  // One round does not part them.
+    const double share = 1.0 - distance(positions[0], positions[1]) / 0.5;
+    REQUIRE(share > 0.1);
+    CHECK(seen.overlapPairs == 1);
+    CHECK(seen.worstPenetration == doctest::Approx(share));
+}

@@ -243,7 +243,7 @@ TEST_CASE("region labels equal a flood in row-major order; nearest cells equal a
     CHECK(open.region({9, 9}, 0.3) == -1);
 }
 
-TEST_CASE("narrow gaps are found by width, and only between different obstacles") {
+TEST_CASE("narrow gaps between obstacles are found by width") {
     Environment environment = emptyWorld(20.0, 0.5);
     REQUIRE(environment.addObstacle(rectangle({0, 0}, {2, 2})).ok());
     REQUIRE(environment.addObstacle(rectangle({2.3, 0}, {4, 2})).ok());
@@ -267,4 +267,56 @@ TEST_CASE("narrow gaps are found by width, and only between different obstacles"
     // A third obstacle that fills the gap.
     REQUIRE(environment.addObstacle(rectangle({1.5, -1}, {2.5, 3})).ok());
     for (const NarrowGap& gap : environment.narrowGaps(0.35)) CHECK(!(gap.a == ObstacleId{1} && gap.b == ObstacleId{2}));
+}
+
+TEST_CASE("narrow gaps within one obstacle, to the edge of the world, and beside where two touch") {
+    Environment slot = emptyWorld(8.0, 0.5);
+    ObstacleDef fork;
+    fork.polygon = {{-2, -2}, {2, -2}, {2, 2}, {0.15, 2}, {0.15, -1}, {-0.15, -1}, {-0.15, 2}, {-2, 2}};
+    REQUIRE(slot.addObstacle(fork).ok());
+    auto gaps = slot.narrowGaps(0.5);
+    REQUIRE(gaps.size() == 1);
+    CHECK(gaps[0].a == gaps[0].b);
+    CHECK(gaps[0].width == doctest::Approx(0.3));
+    CHECK(gaps[0].where.x == doctest::Approx(0.0));
+    CHECK(slot.narrowGaps(0.29).empty());
+
+    Environment edge = emptyWorld(8.0, 0.5);
+    const Box box = edge.def().box;
+    REQUIRE(edge.addObstacle(rectangle({box.min.x + 0.3, 0}, {box.min.x + 2, 1})).ok());
+    REQUIRE(edge.addObstacle(disc({0, box.max.y - 1.2}, 1.0)).ok());
+    REQUIRE(edge.addObstacle(rectangle({1, box.min.y}, {2, box.min.y + 1})).ok());  // Touches it.
+    REQUIRE(edge.addObstacle(rectangle({box.max.x - 1, 0}, {box.max.x + 1, 1})).ok());  // Lies across it.
+    gaps = edge.narrowGaps(0.5);
+    REQUIRE(gaps.size() == 2);
+    CHECK(gaps[0].a == ObstacleId{1});
+    CHECK(!gaps[0].b);
+    CHECK(gaps[0].width == doctest::Approx(0.3));
+    CHECK(gaps[0].where.x == doctest::Approx(box.min.x + 0.15));
+    CHECK(gaps[1].a == ObstacleId{2});
+    CHECK(gaps[1].width == doctest::Approx(0.2));
+    CHECK(distance(gaps[1].where, {0, box.max.y - 0.1}) < 1e-9);
+
+    Environment slit = emptyWorld(10.0, 0.5);
+    REQUIRE(slit.addObstacle(rectangle({0, 0}, {4, 1})).ok());
+    ObstacleDef hook;
+    hook.polygon = {{0, 1}, {0.5, 1}, {0.5, 1.3}, {4, 1.3}, {4, 3}, {0, 3}};
+    REQUIRE(slit.addObstacle(hook).ok());
+    gaps = slit.narrowGaps(0.5);
+    REQUIRE(gaps.size() == 1);
+    CHECK(gaps[0].a == ObstacleId{1});
+    CHECK(gaps[0].b == ObstacleId{2});
+    CHECK(gaps[0].width == doctest::Approx(0.3));
+    CHECK(gaps[0].where.y == doctest::Approx(1.15));
+}
+
+TEST_CASE("an obstacle without a slot has no gap within, however many parts it has") {
+    Environment environment = emptyWorld(10.0, 0.5);
+    ObstacleDef star;
+    for (int k = 0; k < 24; ++k) {
+        const double angle = k * 0.2617993877991494;
+        star.polygon.push_back(Vec2{std::cos(angle), std::sin(angle)} * (k % 2 == 0 ? 3.0 : 2.4));
+    }
+    REQUIRE(environment.addObstacle(star).ok());
+    CHECK(environment.narrowGaps(0.2).empty());
 }

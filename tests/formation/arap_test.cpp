@@ -9,9 +9,11 @@
 #include <new>
 
 #include "muster/base/maths.h"
+#include "formation/arap_oracle.h"
 #include "muster/base/random.h"
 
 using namespace muster;
+using namespace muster::test;
 
 namespace {
 

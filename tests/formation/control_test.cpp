@@ -195,7 +195,7 @@ TEST_CASE("pinned controls stay, cancelled and removed ones go") {
     CHECK(s.controls.controls()[0].id.value > id.value);
     CHECK(s.controls.remove(s.controls.controls()[0].id));
     REQUIRE(s.down(5, {3, 3}));
-    s.controls.releaseClient(1, s.time);
+    s.controls.releaseClient(1);
     s.step();
     CHECK(s.controls.controls().empty());
 }
@@ -336,4 +336,34 @@ TEST_CASE("random fingers never break anything") {
         }
         s.step(random.uniform());
     }
+}
+
+TEST_CASE("stamps decide who joins, however late the touch arrives") {
+    Stage s;
+    s.controlDef.window = 0.15;
+    const double began = s.time;
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, began, s.mesh.formation().mesh, s.mesh.userMesh()));
+    s.run(0.4);  // The second finger came down 0.14 s after the first, but its message took long.
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, began + 0.14, s.mesh.formation().mesh, s.mesh.userMesh()));
+    CHECK(s.controls.controls().size() == 1);
+    // The third came down later than the window, and arrives in the same step.
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, began + 0.16, s.mesh.formation().mesh, s.mesh.userMesh()));
+    CHECK(s.controls.controls().size() == 2);
+    // Long after, a stamp proves nothing.
+    s.run(1.0);
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 4, {3, -3}, began + 0.1, s.mesh.formation().mesh, s.mesh.userMesh()));
+    CHECK(s.controls.controls().size() == 3);
+}
+
+TEST_CASE("stamps ahead of a paused world tell touches apart, and the drawing begins now") {
+    Stage s;
+    const double now = s.time;
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, now, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, now + 3.0, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, now + 3.1, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(s.controls.controls().size() == 2);
+    CHECK(s.controls.controls()[0].kind == ControlKind::Point);
+    CHECK(s.controls.controls()[1].kind == ControlKind::Line);
+    s.step();
+    CHECK(s.controls.controls()[1].clock <= s.time);
 }

@@ -30,7 +30,7 @@ struct Stage {
     bool move(std::uint32_t touch, Vec2 p, std::uint32_t client = 1) {
         return controls.touchMove(controlDef, client, touch, p, time);
     }
-    bool up(std::uint32_t touch, std::uint32_t client = 1) { return controls.touchUp(controlDef, client, touch, time); }
+    bool up(std::uint32_t touch, std::uint32_t client = 1) { return controls.touchUp(client, touch); }
 
     /// One step; returns the fastest vertex [m/s].
     double step(double pace = 1.0) {

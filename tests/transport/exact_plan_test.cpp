@@ -275,3 +275,38 @@ TEST_CASE("bad input is refused by name and changes nothing") {
     muster::ThreadPool pool(1);
     CHECK(plan->finish(pool, result).message() == "no plan is under way");
 }
+
+TEST_CASE("a place whose holder is cut off goes to somebody else at once") {
+    // The holder is a step away behind a wall, the other far off.
+    OwnedInput input = onLine({-2.5, 14}, {1}, {0, -1});
+    input.cost = muster_test::evenGround({{-16, -2}, {16, 2}}, 0.25);
+    muster_test::addWall(input.cost, {{-1.5, -2}, {-0.5, 2}});
+    PlanResult result;
+    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
+    CHECK(placesOf(result, 2) == Places{-1, 0});
+}
+
+TEST_CASE("kept places that nobody may take are not kept") {
+    OwnedInput input = onLine({1, 2}, {1, 2}, {0, 1});
+    input.usable = {0, 1};
+    PlanDef def = definition(2.0, 0.0);
+    def.reassign = false;
+    PlanResult result;
+    REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, result).ok());
+    CHECK(placesOf(result, 2) == Places{-1, 1});
+}
+
+TEST_CASE("the unmatched wait at the nearest place they can come to, and its field reaches them") {
+    OwnedInput input = onLine({1, 2, 12, -6}, {1, 2, 4}, {0, 1, -1, -1});
+    input.usable = {1, 1, 0};
+    input.cost = muster_test::evenGround({{-16, -2}, {16, 2}}, 0.25);
+    muster_test::addWall(input.cost, {{-3.5, -2}, {-2.5, 2}});
+    const auto plan = muster::makeExactPlan();
+    PlanResult result;
+    REQUIRE(planAtOnce(*plan, definition(2.0, 0.1), input, result).ok());
+    CHECK(placesOf(result, 4) == Places{0, 1, -1, -1});
+    CHECK(plan->waitingPlace(0) == -1);
+    CHECK(plan->waitingPlace(2) == 1);
+    CHECK(plan->waitingPlace(3) == -1);  // Behind the wall there is none.
+    CHECK(plan->costAt(1, {12, 0}) == doctest::Approx(10.0).epsilon(0.02));
+}

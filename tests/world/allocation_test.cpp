@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "muster/crowd/neighbours.h"
 #include "scenes.h"
 
 namespace {
@@ -82,4 +83,19 @@ TEST_CASE("60 steps of two groups on patches, with items and checkpoints, alloca
     def.groups.push_back(second);
     World world = World::create(def).value();
     CHECK(allocationsOf(world) == 0);
+}
+
+TEST_CASE("looking for neighbours allocates nothing more when a crowd spreads, however far") {
+    Random random(3);
+    std::vector<Vec2> positions;
+    for (int k = 0; k < 60; ++k) positions.push_back({random.uniform(0, 3), random.uniform(0, 3)});
+    NeighbourGrid grid;
+    std::vector<NearPair> pairs;
+    grid.findPairs(positions, 0.65, pairs);
+    const long before = allocations;
+    for (int k = 0; k < 20; ++k) {
+        for (Vec2& p : positions) p = {p.x * 1.5, p.y * 1.2};
+        grid.findPairs(positions, 0.65, pairs);
+    }
+    CHECK(allocations == before);
 }

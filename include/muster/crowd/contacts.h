@@ -32,11 +32,14 @@ private:
     double separatePairs(double diameter, std::span<Vec2> positions) const;
     double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const;
     void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const;
-    ContactReport report(double diameter, std::span<const Vec2> positions) const;
+    ContactReport report(double diameter, std::span<const Vec2> positions);
+    void look(double radius, const Environment& environment, std::span<const Vec2> positions);
+    bool outdated(double diameter, std::span<const Vec2> positions) const;
 
     NeighbourGrid neighbours_;
     std::vector<NearPair> pairs_;
     std::vector<std::int32_t> nearObstacle_;
+    std::vector<Vec2> seenAt_;  // Where pairs and obstacles were looked for.
 };
 
 }  // namespace muster

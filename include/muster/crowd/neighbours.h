@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "muster/base/grid.h"
+#include "muster/base/cell_list.h"
 
 namespace muster {
 
@@ -23,12 +23,7 @@ public:
     void findPairs(std::span<const Vec2> positions, double reach, std::vector<NearPair>& pairs);
 
 private:
-    void sortIntoCells(std::span<const Vec2> positions, double reach);
-
-    Grid grid_;
-    std::vector<std::int32_t> cellStart_;
-    std::vector<std::int32_t> cellOf_;
-    std::vector<std::int32_t> order_;
+    CellList cells_;
 };
 
 }  // namespace muster

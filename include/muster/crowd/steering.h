@@ -18,7 +18,7 @@ struct SteeringDef {
     double velocityGain = 12.0;      ///< Derivative gain of the PD controller [1/s] > 0.
     double positionGain = 3.0;      ///< Proportional gain near the place [1/s] > 0.
     double directReach = 1.5;       ///< Within it of the place the PD controller aims at the place itself [m].
-    double separationGain = 1.0;    ///< Sidestep before contact [1/s] >= 0.
+    double separationGain = 1.0;    ///< Sidestep before contact [m/s] >= 0.
     double separationReach = 0.15;  ///< Gap between two bodies below which they sidestep [m] >= 0.
 };
 
@@ -32,7 +32,7 @@ struct SteeringInput {
 /// Computes next velocities and headings from the frozen present.
 class Steering {
 public:
-    /// Reads `now`, writes next velocity and heading (one per character) and the ground's travel speed.
+    /// Reads `now`, writes next velocity and heading (one per character).
     void run(const SteeringDef& def, const Characters& now, const SteeringInput& input, const Environment& environment,
              double dt, std::span<Vec2> velocity, std::span<Vec2> heading);
 

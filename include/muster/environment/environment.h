@@ -36,10 +36,10 @@ struct GroundSample {
     double travelSpeed = 1.0;  ///< Relative to running > 0.
 };
 
-/// Two obstacles with a gap between them that is too narrow.
+/// A gap that is too narrow: between two obstacles, two parts of one, or an obstacle and the edge of the world.
 struct NarrowGap {
     ObstacleId a;        ///< One.
-    ObstacleId b;        ///< The other.
+    ObstacleId b;        ///< The other; the same for a slot within one obstacle, none for the edge of the world.
     Vec2 where;          ///< Middle of the gap [m].
     double width = 0.0;  ///< [m]
 };
@@ -107,6 +107,8 @@ public:
 
     /// What lies under `p` (exact polygons, not cells).
     GroundSample ground(Vec2 p) const;
+    /// True where both patches are of one motion and overlap as they stand now, so that they count as one (SPEC C1).
+    bool onePatch(PatchId a, PatchId b) const;
     /// Distance from `p` to the nearest obstacle surface [m], negative inside, `limit` where farther.
     double distanceToObstacle(Vec2 p, double limit = kClearanceLimit) const;
     /// Calls `visit(piece)` in ascending order for every piece whose surface may be within `radius` of `p`.
@@ -135,8 +137,9 @@ public:
     /// by the nearest free cell; the way to a goal that is not free ends in that cell.
     std::vector<Vec2> findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells = 200000) const;
 
-    /// Pairs of obstacles (parts of one obstacle never count) nearer to each other than `width` [m]
-    /// but not touching, at most `most`.
+    /// Gaps narrower than `width` [m], at most `most`: for each pair of obstacles the narrowest between convex parts that
+    /// do not touch and have nothing between them, within one obstacle likewise, and to the edge of the world. Ordered by
+    /// obstacles, edges last.
     std::vector<NarrowGap> narrowGaps(double width, std::int32_t most = 100) const;
 
     /// Writes the definitions, ids and clock.

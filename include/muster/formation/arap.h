@@ -44,14 +44,6 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// One call for the easy case: no state kept.
-Result<std::vector<Vec2>> deformAsRigidAsPossible(const TriangleMesh& rest, std::span<const std::int32_t> hard,
-                                                  std::span<const Vec2> targets);
-
-/// The as-rigid-as-possible energy: over triangles, the squared edge differences to the best rotation
-/// of the rest triangle [m^2].
-double arapEnergy(const TriangleMesh& rest, std::span<const Vec2> vertices);
-
 /// The rigid placement of `rest` that best fits `vertices` (least squares, equal weights).
 Pose bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices);
 

@@ -47,8 +47,9 @@ struct Control {
     ControlKind kind = ControlKind::Point;
     std::uint32_t client = 0;  ///< Who touches.
     bool pinned = false;       ///< Stays where its path ends.
-    bool open = true;          ///< Others may still join within the window.
-    double began = 0.0;        ///< Time of the first touch [s].
+    bool open = true;          ///< Others may still join, if their stamps lie within the window.
+    double closes = -1.0;      ///< When it stops being open [s]; negative until its first step.
+    double began = 0.0;        ///< Stamp of the first touch [s]; ahead of the world's time where it was paused.
     double clock = 0.0;        ///< Drawing time reached along the paths [s].
     std::vector<ControlPoint> points;
     std::vector<MeshPoint> supplementary;  ///< Points held softly.
@@ -57,7 +58,7 @@ struct Control {
     /// Lets an archive read or write the control.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(id, kind, client, pinned, open, began, clock, points, supplementary, weights);
+        archive(id, kind, client, pinned, open, closes, began, clock, points, supplementary, weights);
     }
 };
 
@@ -90,11 +91,11 @@ public:
     /// unknown finger or a number that is not finite.
     bool touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position, double time);
     /// The finger lifts: the path stays to be followed. False for an unknown finger.
-    bool touchUp(const ControlDef& def, std::uint32_t client, std::uint32_t touch, double time);
+    bool touchUp(std::uint32_t client, std::uint32_t touch);
     /// Ends the control that this finger belongs to at once, dropping the path still ahead.
     bool touchCancel(std::uint32_t client, std::uint32_t touch);
     /// Lifts every finger of a client that has gone.
-    void releaseClient(std::uint32_t client, double time);
+    void releaseClient(std::uint32_t client);
     /// Keeps a control where its path ends, or lets it go. False for an unknown id.
     bool setPinned(ControlId id, bool pinned);
     /// Ends a control. False for an unknown id.

@@ -28,7 +28,7 @@ Result<FormationKind> formationKind(std::string_view name);
 struct FormationDef {
     FormationKind kind = FormationKind::Square;
     double spacing = 1.0;        ///< Distance between neighbouring places [m] > 0.
-    double opening = 1.2;        ///< Full angle of Pacman's mouth or the crescent's gap [rad] in (0, 6).
+    double opening = 1.2;        ///< Full angle of Pacman's mouth or the crescent's gap [rad] in (0, 6].
     PolygonWithHoles outline;    ///< For Outline, any size.
     std::vector<Vec2> points;    ///< For Points: places in the local frame [m]; kept in order.
 

@@ -5,20 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "muster/base/cell_list.h"
 #include "muster/environment/environment.h"
 
 namespace muster {
 
 /// Working memory of a search for pairs of points that lie too near to each other: points by cells.
 struct SpacingMemory {
-    Vec2 origin;                       ///< Lower left corner of the cells [m].
-    double cell = 1.0;                 ///< Edge of a cell [m], at least the distance looked for.
-    std::int32_t columns = 1;          ///< Cells side by side.
-    std::int32_t rows = 1;             ///< Cells one above the other.
-    std::vector<std::int32_t> start;   ///< Of each cell in `item`, and the end.
-    std::vector<std::int32_t> item;    ///< Points, cell by cell in ascending order.
-    std::vector<std::int32_t> cellOf;  ///< Of each point.
-    std::vector<Vec2> push;            ///< Of each point [m].
+    CellList cells;          ///< The points, in cells at least as large as the distance looked for.
+    std::vector<Vec2> push;  ///< Of each point [m].
 };
 
 /// How places travel.
@@ -53,6 +48,8 @@ public:
     template <class Archive>
     void visit(Archive& archive) {
         archive(position_, velocity_, fit_, detours_, turn_);
+        if constexpr (Archive::kReading)
+            if (!consistent()) archive.fail();
     }
 
 private:
@@ -71,6 +68,7 @@ private:
 
     class Mover;  // One step's travel.
 
+    bool consistent() const;
     void findGoals(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                    std::int32_t region);
     void findWays(const PlaceDef& def, const Environment& environment);

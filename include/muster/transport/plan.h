@@ -20,7 +20,7 @@ struct PlanDef {
     double threshold = 0.1;  ///< A change of places (one cycle or path of exchanges) is committed only where it lowers the objective by more [cost^p] >= 0.
     double thresholdShare = 0.01;  ///< ... and by more than this share of the objective of those it concerns >= 0.
     bool geodesic = true;    ///< Costs by the cost field; else straight-line distances (ways still follow the field).
-    bool reassign = true;    ///< False keeps every incumbent place (assigned once, fixed places): only ways are planned.
+    bool reassign = true;    ///< False keeps every incumbent place that may be taken (assigned once, fixed places): only ways are planned.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
@@ -78,6 +78,9 @@ public:
                        std::span<const Vec2> placesNow, const Environment& environment, double direct,
                        std::span<Vec2> direction, std::span<double> cost) const = 0;
 
+    /// The place beside which a character waits while it stays unmatched, by the last finished plan: the nearest that
+    /// somebody can take among those it can come to. -1 for none, and for those that held a place when it was started.
+    virtual std::int32_t waitingPlace(std::int32_t character) const = 0;
     /// Cost to place `place` from `p` by the last finished plan, for pictures; infinite where unknown.
     virtual double costAt(std::int32_t place, Vec2 p) const = 0;
 
@@ -85,6 +88,8 @@ public:
     virtual void save(Writer& archive) const = 0;
     /// Reads what save() wrote, and makes the fields anew. False where it does not fit.
     virtual bool load(Reader& archive, ThreadPool& pool) = 0;
+    /// True where the plan under way and the last finished one are for so many characters and places on this ground.
+    virtual bool suits(std::size_t characters, std::size_t places, const Grid& grid) const = 0;
     /// Adds what save() writes to a hash, less the cells of unit costs: these follow from the state that was
     /// hashed at the step of start().
     virtual void hash(Hasher& archive) const = 0;

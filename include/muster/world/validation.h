@@ -5,8 +5,9 @@
 
 namespace muster {
 
-inline constexpr std::int32_t kMaxCharacters = 100000;  ///< Of one group.
-inline constexpr std::size_t kMaxCorners = 20000;       ///< Of one polygon, and points of one formation or path.
+inline constexpr std::int32_t kMaxCharacters = 5000;    ///< Of a world: the exact plan keeps costs for every pair.
+inline constexpr std::size_t kMaxGroups = 200;          ///< Of a world: their indices travel as bytes.
+inline constexpr std::size_t kMaxCorners = 10000;       ///< Of one polygon, and waypoints of one path.
 inline constexpr std::size_t kMaxObstacles = 20000;     ///< Of a scenario; patches, items likewise.
 inline constexpr std::size_t kMaxText = 4096;           ///< Bytes of a name or description.
 inline constexpr double kMaxCoordinate = 1e6;           ///< Of any position [m].
@@ -17,6 +18,16 @@ Status validateFormation(const FormationDef& formation);
 Status validateObstacle(const ObstacleDef& obstacle);
 /// InvalidArgument where the shape, path, motion or speed is bad. `motions` is the number of known clips.
 Status validatePatch(const PatchDef& patch, std::int32_t motions);
+/// InvalidArgument where a parameter is out of its range or contradicts others, in a world of this box.
+Status validateParameters(const Parameters& parameters, const Box& box);
+/// InvalidArgument where a checkpoint for one of so many groups is bad.
+Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t groups);
+/// InvalidArgument where an item is bad.
+Status validateItem(const ItemDef& item);
+/// InvalidArgument where a clip's text or number is bad.
+Status validateClip(const ClipFacts& clip);
+/// LimitExceeded where a world would hold more characters than it can.
+Status validateTotal(std::int64_t characters);
 /// InvalidArgument where the count, pose, starts or formation is bad.
 Status validateGroup(const GroupDef& group);
 /// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").

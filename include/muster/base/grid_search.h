@@ -1,9 +1,11 @@
-// Search for the nearest cell with a property.
+// Searches on grids: the nearest cell with a property, connected regions.
 #pragma once
 
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "muster/base/grid.h"
 
@@ -44,6 +46,35 @@ std::optional<Cell> nearestCellWhere(const Grid& grid, Vec2 p, const Accept& acc
     }
     if (best < 0) return {};
     return grid.at(best);
+}
+
+/// Numbers the connected parts of a grid from 0, in row-major order of their first cells; steps go to the four
+/// neighbours. `labels` holds kUnseenRegion for cells to be numbered and anything else for the others. Returns the
+/// number of parts; `stack` is working memory.
+inline constexpr std::int32_t kUnseenRegion = -2;
+inline std::int32_t labelRegions(const Grid& grid, std::span<std::int32_t> labels, std::vector<std::int32_t>& stack) {
+    std::int32_t count = 0;
+    const auto take = [&](std::int32_t k) {
+        if (labels[k] != kUnseenRegion) return;
+        labels[k] = count;
+        stack.push_back(k);
+    };
+    for (std::int32_t first = 0; first < grid.count(); ++first) {
+        if (labels[first] != kUnseenRegion) continue;
+        stack.clear();
+        take(first);
+        while (!stack.empty()) {
+            const std::int32_t k = stack.back();
+            stack.pop_back();
+            const Cell c = grid.at(k);
+            if (c.x > 0) take(k - 1);
+            if (c.x + 1 < grid.width) take(k + 1);
+            if (c.y > 0) take(k - grid.width);
+            if (c.y + 1 < grid.height) take(k + grid.width);
+        }
+        ++count;
+    }
+    return count;
 }
 
 }  // namespace muster

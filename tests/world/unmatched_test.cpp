@@ -1,0 +1,61 @@
+// More characters than places: who finds none comes to the mesh all the same and waits beside it.
+#include <doctest.h>
+
+#include <algorithm>
+
+#include "scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+TEST_CASE("one who finds no place and stands behind a wall comes round it to the others") {
+    WorldDef def;
+    def.box = {{-20, -12}, {20, 12}};
+    // A dead end with room for some, and a wall before the last character.
+    def.obstacles = {block(5, 0.5, 20, 12), block(5, -12, 20, -0.5), block(-9, -8, -8, 8)};
+    GroupDef group;
+    group.count = 40;
+    group.position = {16, 0};
+    for (int i = 0; i < 39; ++i) group.starts.push_back({(i % 6) * 0.8, -3 + (i / 6) * 0.8});
+    group.starts.push_back({-14, 0});
+    def.groups = {group};
+    World world = World::create(def).value();
+    for (int s = 0; s < 25 * 60; ++s) world.step();
+    const Characters& c = world.characters();
+    const auto unmatched = std::count(c.place.begin(), c.place.end(), -1);
+    REQUIRE(unmatched > 3);
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        CAPTURE(i);
+        if (c.place[i] < 0) CHECK(c.position[i].x > 0.0);
+    }
+    CHECK(c.position[39].x > 0.0);
+}
+
+TEST_CASE("kept places that do not fit are nobody's, and their holders' again when they fit") {
+    for (const double mode : {1.0, 2.0}) {
+        CAPTURE(mode);
+        WorldDef def;
+        def.box = {{-4, -2}, {4, 2}};
+        def.parameters.planMode = mode;
+        GroupDef group;
+        group.count = 12;
+        group.formation.spacing = 0.9;
+        def.groups = {group};
+        World world = World::create(def).value();
+        world.step();
+        const auto first = world.characters().place;
+        CHECK(std::count(first.begin(), first.end(), -1) == 0);
+        std::uint32_t sequence = 0;
+        REQUIRE(give(world, sequence, AddObstacle{block(-4, -2, 3.2, 2)}).ok());  // A strip is left.
+        for (int s = 0; s < 40; ++s) world.step();
+        const auto& fit = world.group(0).places->fit();
+        const auto room = std::count(fit.begin(), fit.end(), 1);
+        REQUIRE(room < 12);
+        const auto crowded = world.characters().place;
+        CHECK(std::count(crowded.begin(), crowded.end(), -1) == 12 - room);
+        world = World::restore(world.snapshot()).value();
+        REQUIRE(give(world, sequence, RemoveObstacle{world.environment().obstacleIds()[0]}).ok());
+        for (int s = 0; s < 60; ++s) world.step();
+        CHECK(world.characters().place == first);
+    }
+}
