@@ -17,6 +17,7 @@ constexpr float kFar = 6.0f;
 // Where a wall hides a root, ways bend within this many cells.
 constexpr std::int32_t kNearHiding = 2;
 constexpr int kBendTries = 3;
+constexpr float kBesideBend = 6.0f;
 
 // The middle of a rounded corner between two points at its wall, a root as good as the points themselves; false where
 // the straight way between them runs outside. The corner is an arc that touches the walls' lines through both points,
@@ -186,8 +187,11 @@ bool Front::bendAt(std::int32_t hiding, FrontCell to, float x, float y, float un
         const FrontCell from = at(grid_.at(cell));
         Root bent = target;
         place(from, bent.x, bent.y);
+        // Farther off the way lies beside the one that was clear as far as here.
+        const float apart = std::sqrt((x - bent.x) * (x - bent.x) + (y - bent.y) * (y - bent.y));
+        const float share = std::min(1.0f, kBesideBend / std::max(apart, 1.0f));
         std::int32_t ignored = 0;
-        if (sight_.look(x, y, bent, ignored) == Ray::Clear) {
+        if (sight_.look(bent.x + share * (x - bent.x), bent.y + share * (y - bent.y), bent, ignored) == Ray::Clear) {
             put(to, tentative_[to.node], value, rootAt(from));
             return true;
         }
