@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "muster/scenario/scenario.h"
+#include "muster/world/validation.h"
 #include "options.h"
 #include "report.h"
 
@@ -141,7 +142,7 @@ void addImportCommand(CLI::App& app, int& exitCode) {
     command->add_option("-o,--output", options->output, "Scenario file to write; the map is embedded.")->required();
     command->add_option("--cell", options->metresPerCell, "Metres per map cell.")->check(numberIn(0.01, 1000.0));
     command->add_option("--count", options->count, "Characters; they start where there is most room.")
-        ->check(CLI::Range(1, 100000));
+        ->check(CLI::Range(1, kMaxCharacters));
     command->add_option("--ground", options->ground,
                         "Metres per ground cell; without it half a map cell, 0.25 to 0.5.")
         ->check(numberIn(0.01, 100.0));
