@@ -88,7 +88,9 @@ void FrameBuilder::observe(const World& world) {
     swapSum_ += swaps;
     swapSum_ -= slot;
     slot = swaps;
-    slowestStep_ = std::max(slowestStep_, world.stageTimes().total);
+    const double took = world.stageTimes().total;
+    slowestStep_ = stepsTold_ ? took : std::max(slowestStep_, took);
+    stepsTold_ = false;
 }
 
 void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
@@ -139,7 +141,7 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     fillMoving(world.environment(), frame.moving);
     frame.collected.assign(world.collected().begin(), world.collected().end());
     frame.stepMs = narrow(slowestStep_);
-    slowestStep_ = world.stageTimes().total;
+    stepsTold_ = true;
     frame.lagP95 = narrow(lagP95(world));
     const double seconds = static_cast<double>(std::min(observed_, kSwapWindow)) * world.parameters().stepTime;
     const double shares = seconds * static_cast<double>(world.characters().size());

@@ -31,7 +31,8 @@ private:
     std::vector<std::uint8_t> groups_;
     std::uint32_t idsVersion_ = 0;
     std::vector<float> lags_;           // Working memory.
-    double slowestStep_ = 0.0;          // Since the last build [ms].
+    double slowestStep_ = 0.0;   // Of the steps that the next frame tells of, or the last told of [ms].
+    bool stepsTold_ = true;      // A frame has told of them.
 };
 
 /// Topology of a group's mesh.

@@ -97,23 +97,9 @@ export class StudioPage {
 
   /** Begins the world anew and lets it play. */
   async restart() {
-    await this.page.evaluate(
-      () =>
-        new Promise((resolve, reject) => {
-          const { client, frame } = globalThis.__muster;
-          const timer = setTimeout(() => reject(new Error('the world did not restart in 15 s')), 15000);
-          let last = frame.step;
-          const end = client.on('frame', (news) => {
-            if (news.frame.step < last) {
-              clearTimeout(timer);
-              end();
-              resolve();
-            }
-            last = news.frame.step;
-          });
-          client.send({ type: 'Transport', action: 3 });
-        }),
-    );
+    const revision = await this.page.evaluate(() => globalThis.__muster.frame.sceneRevision);
+    await this.send({ type: 'Transport', action: 3 });
+    await this.until('the world anew', (before) => globalThis.__muster.frame.sceneRevision > before, revision);
     await this.send({ type: 'Transport', action: 0 });
     await this.send({ type: 'SetSpeed', factor: 1 });
   }
