@@ -39,10 +39,11 @@ public:
 
 private:
     friend class EikonalSolver;
-    // Numbers of different roots.
+    /// Numbers of different roots.
     struct Roots {
         std::int32_t number[4];
         int count = 0;
+        /// Where the number stands among them; -1 where it does not.
         int find(std::int32_t wanted) const {
             for (int k = 0; k < count; ++k)
                 if (number[k] == wanted) return k;
