@@ -48,10 +48,12 @@ std::optional<Cell> nearestCellWhere(const Grid& grid, Vec2 p, const Accept& acc
     return grid.at(best);
 }
 
+/// What labelRegions() is given for cells to be numbered.
+inline constexpr std::int32_t kUnseenRegion = -2;
+
 /// Numbers the connected parts of a grid from 0, in row-major order of their first cells; steps go to the four
 /// neighbours. `labels` holds kUnseenRegion for cells to be numbered and anything else for the others. Returns the
 /// number of parts; `stack` is working memory.
-inline constexpr std::int32_t kUnseenRegion = -2;
 inline std::int32_t labelRegions(const Grid& grid, std::span<std::int32_t> labels, std::vector<std::int32_t>& stack) {
     std::int32_t count = 0;
     const auto take = [&](std::int32_t k) {
