@@ -91,7 +91,7 @@ TEST_CASE("bad input gives one sentence and 1") {
              "picture " + fine + "--place 700 -o '" + path("x.png") + "'", "play " + fine + "--set density.max=0.5",
              "picture " + fine + "--set cost.alpha=0 --set cost.beta=0 -o '" + path("x.png") + "'",
              "peers '" + scenes + "' --set density.max=0.5", "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
-             "peers '" + scenes + "'", "peers " + fine, "peers /work/nothing.json"}) {
+             "peers '" + scenes + "'", "peers " + fine, "peers /nowhere/nothing.json"}) {
         CAPTURE(line);
         const Outcome outcome = runProgram(line);
         CHECK(outcome.code == 1);
