@@ -1,6 +1,7 @@
 // The worker owns the connection: it decodes, acknowledges, and hands the newest frame to the page.
 
 import { SUBPROTOCOL, decodeServer, encodeClient, type ClientMessage, type Frame } from '../protocol/messages';
+import { problem } from '../protocol/problem';
 import { Connection, type Socket, type Timers } from './connection';
 import { FrameGate } from './frame_gate';
 import type { FromWorker, ToWorker } from './link_messages';
@@ -66,7 +67,7 @@ class LinkWorker {
       else post({ kind: 'message', message });
     } catch (error) {
       const text = `The page could not read a message of the server: ${String(error)}`;
-      post({ kind: 'message', message: { type: 'Notice', level: 2, code: 'decode', text, hasPlace: false, x: 0, y: 0 } });
+      post({ kind: 'message', message: problem('decode', text) });
     }
   }
 

@@ -1,9 +1,9 @@
 // Carries out what panels and keys ask for.
 
 import { OverlayKind, TransportAction } from '../protocol/messages';
+import { problem } from '../protocol/problem';
 import type { MessageSender } from '../engine/studio_client';
 import type { GroundPoint } from '../view/camera_types';
-import { problem } from './notices';
 import type { StudioActions } from './studio_actions';
 import type { LayerState, StudioStore } from './studio_state';
 import { downloadTake, openTake } from './takes';

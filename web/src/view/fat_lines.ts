@@ -4,6 +4,7 @@ import {
   Color, DynamicDrawUsage, GreaterDepth, InstancedBufferAttribute, InstancedBufferGeometry, BufferAttribute,
   LessEqualDepth, LinearSRGBColorSpace, Mesh, ShaderMaterial, Vector2,
 } from 'three';
+import { forgetInstances } from './instances';
 
 const kVertex = `
 attribute vec3 from;
@@ -124,8 +125,7 @@ export class FatLines {
     this.tints_ = new Float32Array(4 * this.capacity_);
     this.along_ = new Float32Array(2 * this.capacity_);
     const geometry = this.mesh.geometry;
-    // three.js keeps the count of instances that it first saw, and their buffers, until the geometry goes.
-    geometry.dispose();
+    forgetInstances(geometry);
     const own = (array: Float32Array, size: number): InstancedBufferAttribute => {
       const attribute = new InstancedBufferAttribute(array, size);
       attribute.setUsage(DynamicDrawUsage);

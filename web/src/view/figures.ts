@@ -7,6 +7,7 @@ import {
 import type { CrowdState } from './crowd_state';
 import { makeFigureGeometry } from './figure_geometry';
 import { kFigureColour, kFigurePose } from './figure_shader';
+import { forgetInstances } from './instances';
 import { accentOf, type Palette } from './palette';
 import { lightPlainFigures, plainFigureMaterial } from './plain_material';
 import type { Quality } from './quality';
@@ -114,8 +115,7 @@ export class Figures {
     }
     const place = instanced(state.placement, 4, true);
     for (const geometry of [this.bodies.geometry, this.discs.geometry]) {
-      // three.js keeps the count of instances that it first saw, and their buffers, until the geometry goes.
-      geometry.dispose();
+      forgetInstances(geometry);
       geometry.setAttribute('aPlace', place);
     }
     const pose = instanced(state.pose, 4, true);

@@ -1,6 +1,7 @@
 // Rings on the ground, all in one draw: places (whole, dashed for those to come, crossed where nobody fits).
 
 import { BufferAttribute, Color, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, LinearSRGBColorSpace, Mesh, ShaderMaterial } from 'three';
+import { forgetInstances } from './instances';
 
 /** How a ring is drawn. */
 export const kRing = { whole: 0, dashed: 1, crossed: 2 } as const;
@@ -80,8 +81,7 @@ export class InstancedRings {
     this.capacity_ = Math.ceil(count * 1.3) + 16;
     this.rings_ = new Float32Array(4 * this.capacity_);
     this.tints_ = new Float32Array(4 * this.capacity_);
-    // three.js keeps the count of instances that it first saw, and their buffers, until the geometry goes.
-    this.mesh.geometry.dispose();
+    forgetInstances(this.mesh.geometry);
     for (const [name, array] of [['ring', this.rings_], ['tint', this.tints_]] as const) {
       const attribute = new InstancedBufferAttribute(array, 4);
       attribute.setUsage(DynamicDrawUsage);
