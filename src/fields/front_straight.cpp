@@ -137,16 +137,16 @@ bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     const Ray ray = sees(to, x, y, number);
     if (ray == Ray::Clear) {
         put(to, tentative_[to.node], straight, number);
-    } else if (bends(from.cell)) {
-        bend(from, to, old);
-    } else if (ray == Ray::Wall && hiding_ >= 0 && (root_[to.node] <= 0 || sight_.wall(from.cell) != 0) && bendAt(hiding_, to, x, y, root.unit, old)) {
         return true;
-    } else if (sight_.wall(from.cell) != 0) {
-        bend(from, to, old);
-    } else {
-        // Hidden: by other ground, or in the shadow of a wall whose corner will offer better to nearly all.
-        return false;
     }
+    const bool atWall = sight_.wall(from.cell) != 0;
+    if (!bends(from.cell)) {
+        const bool bendsThere = ray == Ray::Wall && hiding_ >= 0 && (root_[to.node] <= 0 || atWall);
+        if (bendsThere && bendAt(hiding_, to, x, y, root.unit, old)) return true;
+        // Hidden: by other ground, or in the shadow of a wall whose corner will offer better to nearly all.
+        if (!atWall) return false;
+    }
+    bend(from, to, old);
     return true;
 }
 

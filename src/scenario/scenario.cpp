@@ -137,9 +137,7 @@ Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceN
     if (!failure.empty()) return Status(StatusCode::ParseError, sourceName + ": " + failure);
     Status valid = clipNamesDiffer(def);
     if (valid.ok()) valid = validateWorld(def);
-    // "obstacles[3]: ..." is a path; "parameter cost.alpha is ..." and the like are not.
-    const char* path = valid.message().rfind("parameter", 0) == 0 ? ": $.parameters: " : ": $.";
-    if (!valid.ok()) return Status(valid.code(), sourceName + path + valid.message());
+    if (!valid.ok()) return Status(valid.code(), sourceName + ": $." + valid.message());
     return def;
 }
 

@@ -8,11 +8,12 @@ namespace {
 
 std::optional<Vec2> finite(Vec2 place) { return isFinite(place) ? std::optional<Vec2>(place) : std::nullopt; }
 
-std::optional<Vec2> middle(const std::vector<double>& xs, const std::vector<double>& ys) {
-    const std::size_t count = std::min(xs.size(), ys.size());
+// The mean of pointAt(0) to pointAt(count - 1).
+template <class PointAt>
+std::optional<Vec2> middle(std::size_t count, PointAt pointAt) {
     if (count == 0) return std::nullopt;
     Vec2 sum{0.0, 0.0};
-    for (std::size_t i = 0; i < count; ++i) sum += Vec2{xs[i], ys[i]};
+    for (std::size_t i = 0; i < count; ++i) sum += pointAt(i);
     return finite(sum / static_cast<double>(count));
 }
 
@@ -21,14 +22,14 @@ std::optional<Vec2> middle(const std::vector<double>& xs, const std::vector<doub
 std::optional<Vec2> placeOf(const CommandBody& command) {
     if (const auto* touch = std::get_if<TouchDown>(&command)) return finite(touch->position);
     const auto* add = std::get_if<AddControl>(&command);
-    if (add == nullptr || add->positions.empty()) return std::nullopt;
-    Vec2 sum{0.0, 0.0};
-    for (const Vec2 position : add->positions) sum += position;
-    return finite(sum / static_cast<double>(add->positions.size()));
+    if (add == nullptr) return std::nullopt;
+    return middle(add->positions.size(), [&](std::size_t i) { return add->positions[i]; });
 }
 
 std::optional<Vec2> placeOf(const protocol::ClientMessage& message) {
-    if (const auto* add = std::get_if<protocol::AddControl>(&message)) return middle(add->xs, add->ys);
+    if (const auto* add = std::get_if<protocol::AddControl>(&message)) {
+        return middle(std::min(add->xs.size(), add->ys.size()), [&](std::size_t i) { return Vec2{add->xs[i], add->ys[i]}; });
+    }
     const auto* touches = std::get_if<protocol::Touches>(&message);
     if (touches == nullptr) return std::nullopt;
     for (const protocol::TouchEvent& event : touches->events)

@@ -243,7 +243,8 @@ Status validateWorld(const WorldDef& def) {
                   each("groups", def.groups, kMaxGroups, validateGroup),
                   each("checkpoints", def.checkpoints, kMaxObstacles,
                        [&](const FormationCheckpointDef& c) { return validateCheckpoint(c, def.groups.size()); }),
-                  each("items", def.items, kMaxObstacles, validateItem), validateParameters(def.parameters, def.box)});
+                  each("items", def.items, kMaxObstacles, validateItem), 
+                  validateParameters(def.parameters, def.box).within("parameters")});
 }
 
 }  // namespace muster
