@@ -73,7 +73,10 @@ void drawWorld(DebugDraw& draw, const World& world, const PictureDef& def) {
     if (shows(Layer::Patches)) drawPatchTags(pen);
 }
 
-Status writePicture(const World& world, const PictureDef& def, const std::string& path) {
+namespace {
+
+/// What is to be seen, or why it cannot be.
+Result<Box> viewOf(const World& world, const PictureDef& def) {
     if (def.width < 64 || def.width > 8192) {
         return invalidArgument("found a width of " + std::to_string(def.width) + " pixels, expected 64 to 8192");
     }
@@ -81,10 +84,26 @@ Status writePicture(const World& world, const PictureDef& def, const std::string
     if (!(view.width() > 0.0 && view.height() > 0.0 && view.height() * def.width < 8192.0 * view.width())) {
         return invalidArgument("found an empty view or one too high for its width, expected a box");
     }
+    return view;
+}
+
+}  // namespace
+
+Result<std::string> svgPicture(const World& world, const PictureDef& def) {
+    const auto view = viewOf(world, def);
+    if (!view.ok()) return view.status();
+    const auto draw = makeSvgDraw(*view, def.width, Theme::of(def.dark).ground);
+    drawWorld(*draw, world, def);
+    return draw->document();
+}
+
+Status writePicture(const World& world, const PictureDef& def, const std::string& path) {
+    const auto view = viewOf(world, def);
+    if (!view.ok()) return view.status();
     const Colour ground = Theme::of(def.dark).ground;
     std::unique_ptr<DebugDraw> draw;
-    if (endsWith(path, ".png")) draw = makePngDraw(view, def.width, ground);
-    if (endsWith(path, ".svg")) draw = makeSvgDraw(view, def.width, ground);
+    if (endsWith(path, ".png")) draw = makePngDraw(*view, def.width, ground);
+    if (endsWith(path, ".svg")) draw = makeSvgDraw(*view, def.width, ground);
     if (!draw) return invalidArgument(path + ": found another ending, expected .png or .svg");
     drawWorld(*draw, world, def);
     return draw->write(path);

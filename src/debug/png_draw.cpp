@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "debug/canvas.h"
 #include "debug/letters.h"
@@ -60,13 +59,9 @@ public:
     }
     double pixel() const override { return 1.0 / scale_; }
     Box view() const override { return view_; }
-    Status write(const std::string& path) const override {
+    std::string document() const override {
         const auto png = encodePng(canvas_.width(), canvas_.height(), 3, canvas_.bytes());
-        std::FILE* file = std::fopen(path.c_str(), "wb");
-        if (file == nullptr) return {StatusCode::IoError, path + ": cannot be written"};
-        const bool wrote = std::fwrite(png.data(), 1, png.size(), file) == png.size();
-        const bool closed = std::fclose(file) == 0;
-        return wrote && closed ? Status() : Status(StatusCode::IoError, path + ": cannot be written in full");
+        return {png.begin(), png.end()};
     }
 
 private:
@@ -90,11 +85,6 @@ private:
 };
 
 }  // namespace
-
-void DebugDraw::polygon(std::span<const Vec2> corners, Colour fill, const Stroke& stroke) {
-    const std::vector<std::vector<Vec2>> loops{{corners.begin(), corners.end()}};
-    area(loops, fill, stroke);
-}
 
 std::unique_ptr<DebugDraw> makePngDraw(const Box& view, std::int32_t width, Colour ground) {
     return std::make_unique<PngDraw>(view, width, ground);

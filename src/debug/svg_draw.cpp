@@ -91,18 +91,13 @@ public:
     }
     double pixel() const override { return 1.0 / scale_; }
     Box view() const override { return view_; }
-    Status write(const std::string& path) const override {
+    std::string document() const override {
         const std::string size = number(width_) + "\" height=\"" + number(height_);
-        const std::string document = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size +
-                                     "\" viewBox=\"0 0 " + number(width_) + " " + number(height_) +
-                                     "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" stroke-linecap=\"round\" "
-                                     "stroke-linejoin=\"round\">\n" +
-                                     body_ + "</svg>\n";
-        std::FILE* file = std::fopen(path.c_str(), "wb");
-        if (file == nullptr) return {StatusCode::IoError, path + ": cannot be written"};
-        const bool wrote = std::fwrite(document.data(), 1, document.size(), file) == document.size();
-        const bool closed = std::fclose(file) == 0;
-        return wrote && closed ? Status() : Status(StatusCode::IoError, path + ": cannot be written in full");
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " + number(width_) + " " +
+               number(height_) +
+               "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" stroke-linecap=\"round\" "
+               "stroke-linejoin=\"round\">\n" +
+               body_ + "</svg>\n";
     }
 
 private:

@@ -56,7 +56,7 @@ public:
     }
     double pixel() const override { return view_.width() / 1280.0; }
     Box view() const override { return view_; }
-    Status write(const std::string&) const override { return {}; }
+    std::string document() const override { return {}; }
 
     std::vector<Shape> shapes;
 

@@ -58,8 +58,11 @@ public:
     virtual double pixel() const = 0;
     /// What the picture shows [m].
     virtual Box view() const = 0;
-    /// Writes the file. Fails with IoError.
-    virtual Status write(const std::string& path) const = 0;
+    /// The whole file as bytes: an SVG document, or a PNG picture.
+    virtual std::string document() const = 0;
+
+    /// Writes document() into a file. Fails with IoError.
+    Status write(const std::string& path) const;
 
     /// One polygon.
     void polygon(std::span<const Vec2> corners, Colour fill, const Stroke& stroke);

@@ -44,6 +44,8 @@ struct PictureDef {
 
 /// Draws a world.
 void drawWorld(DebugDraw& draw, const World& world, const PictureDef& def);
+/// A world as an SVG document, to stand in another document. Fails with InvalidArgument.
+Result<std::string> svgPicture(const World& world, const PictureDef& def);
 /// Draws a world into a .png or .svg file, by the ending of its name. Fails with InvalidArgument or IoError.
 Status writePicture(const World& world, const PictureDef& def, const std::string& path);
 
