@@ -41,6 +41,10 @@ void checkScenario(const WorldDef& def, const std::string& path, Finding& findin
         finding.summary += ", a map of " + std::to_string(def.map->grid.width) + " x " +
                            std::to_string(def.map->grid.height) + " cells";
     }
+    const auto gestures = loadScenarioGestures(path, def);
+    finding.status = gestures.ok() ? Status() : gestures.status();
+    if (!gestures.ok()) return;
+    if (!def.gestures.empty()) finding.summary += ", gestures of " + std::to_string(gestures->size()) + " events";
     const auto world = World::create(def);
     finding.status = world.ok() ? Status() : world.status().within(path);
     if (world.ok()) finding.warnings = scenarioWarnings(def);

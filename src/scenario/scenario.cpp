@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "scenario/describe.h"
+#include "scenario/gestures_field.h"
 #include "scenario/map_field.h"
 
 namespace muster {
@@ -59,6 +60,7 @@ void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
     v.text("name", def.name, "Shown in the studio.", Need::Optional, WorldDef{}.name);
     v.text("description", def.description, "One or two sentences.");
     v.text("credit", def.credit, "Whose data it uses.");
+    describeGestures(v, def.gestures);
     if (describeMap(v, def.map, folder) && def.map) def.box = mapBox(*def.map);
     describeBox(v, def.box);
     v.number("cell", def.cell, {0.01, 100.0, "m"}, "Edge of a ground cell.");
@@ -80,11 +82,6 @@ void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
     describePreset(v, def.parameters);
     v.object("parameters", "Every number that may be changed.",
              [&](auto& inner) { describeParameters(inner, def.parameters); });
-}
-
-std::string folderOf(const std::string& path) {
-    const std::size_t slash = path.find_last_of("/\\");
-    return slash == std::string::npos ? "." : path.substr(0, slash + 1);
 }
 
 Status clipNamesDiffer(const WorldDef& def) {

@@ -71,7 +71,8 @@ Status first(std::initializer_list<Status> checks) {
 
 Status validateGround(const WorldDef& def) {
     if (Status s = first({isText("name", def.name), isText("description", def.description),
-                          isText("credit", def.credit), isPlace("box", def.box.min), isPlace("box", def.box.max),
+                          isText("credit", def.credit), isText("gestures", def.gestures),
+                          isPlace("box", def.box.min), isPlace("box", def.box.max),
                           inRange("cell", def.cell, 0.01, 100.0)});
         !s.ok()) {
         return s;

@@ -166,6 +166,13 @@ TEST_CASE("check names each kind of file, and says in a warning what may go wron
     REQUIRE(list[3]["warnings"].size() == 1);
     CHECK(list[3]["warnings"][0].get<std::string>().find("torn") != std::string::npos);
     CHECK(list[4]["warnings"].size() == 1);
+    const std::string carrier = put("carrier.json", R"({"format":"muster-scenario","version":1,"gestures":"carried.json"})");
+    const Outcome missing = runProgram("check '" + carrier + "'");
+    CHECK(missing.code == 1);
+    CHECK(missing.errorLines() == 1);
+    CHECK(missing.error.find("carrier.json: $.gestures: ") != std::string::npos);
+    put("carried.json", R"({"format":"muster-gestures","version":1,"events":[{"t":1,"kind":"up","touch":3}]})");
+    CHECK(runProgram("check '" + carrier + "'").out.find("gestures of 1 events") != std::string::npos);
     const Outcome text = runProgram("check " + scenario());
     CHECK(text.code == 0);
     CHECK(text.out.find("a good scenario") != std::string::npos);

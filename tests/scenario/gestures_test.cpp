@@ -103,6 +103,32 @@ TEST_CASE("mistakes are named") {
     CHECK(!parseGestures(R"({"format":"muster-scenario","version":1,"events":[]})", "G", kStep).ok());
 }
 
+TEST_CASE("a scenario's gestures lie in its folder or below, and are read for its step time") {
+    const auto folder = std::filesystem::temp_directory_path() / "muster_scenario_gestures_test";
+    std::filesystem::create_directories(folder / "touches");
+    const std::string scenario = (folder / "s.json").string();
+    REQUIRE(writeTextFile((folder / "touches/a.json").string(),
+                          R"({"format":"muster-gestures","version":1,"events":[{"t":1,"kind":"up","touch":3}]})")
+                .ok());
+    WorldDef def;
+    def.parameters.stepTime = 0.25;
+    CHECK(loadScenarioGestures(scenario, def)->empty());
+    def.gestures = "touches/a.json";
+    const auto commands = loadScenarioGestures(scenario, def);
+    REQUIRE_MESSAGE(commands.ok(), commands.status().message());
+    REQUIRE(commands->size() == 1);
+    CHECK(commands->front().step == 4);
+    def.gestures = "touches/..named.json";
+    auto failed = loadScenarioGestures(scenario, def);
+    CHECK(failed.status().code() == StatusCode::IoError);
+    CHECK(failed.status().message().rfind(scenario + ": $.gestures: ", 0) == 0);
+    def.gestures = "touches/../touches/a.json";
+    failed = loadScenarioGestures(scenario, def);
+    CHECK(failed.status().code() == StatusCode::InvalidArgument);
+    CHECK(failed.status().message().find("$.gestures: found the text") != std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("shipped gestures are good, one file per scenario") {
     int count = 0;
     const std::string folder = std::string(MUSTER_SOURCE_DIR) + "/scenarios/gestures";

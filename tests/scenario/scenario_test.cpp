@@ -18,7 +18,7 @@ const std::string kFolder = std::string(MUSTER_SOURCE_DIR) + "/scenarios";
 /// All members of a definition as bytes, for comparisons bit for bit.
 std::vector<std::uint8_t> bytesOf(WorldDef def) {
     Writer w;
-    w(def.name, def.description, def.credit, def.box.min, def.box.max, def.cell, def.seed, def.clips, def.obstacles,
+    w(def.name, def.description, def.credit, def.gestures, def.box.min, def.box.max, def.cell, def.seed, def.clips, def.obstacles,
       def.patches, def.map, def.groups, def.checkpoints, def.items);
     for (const ParameterInfo& info : parameterTable()) w(def.parameters.*info.member);
     return w.take();
@@ -30,6 +30,7 @@ WorldDef richDef() {
     def.name = "Rich \"quoted\" \\ \n \xc3\xa9";
     def.description = "All of it.";
     def.credit = "Nobody";
+    def.gestures = "touches/by hand.json";
     def.box = {{-1.0 / 3.0, -0.1}, {31.7, 20.000000000000004}};
     def.cell = 0.1 + 0.2;
     def.seed = 9007199254740991ull;
@@ -141,7 +142,7 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
     };
     for (int round = 0; round < 400; ++round) {
         WorldDef def;
-        def.name = word(), def.description = word(), def.credit = word();
+        def.name = word(), def.description = word(), def.credit = word(), def.gestures = word();
         for (std::size_t i = 0; i < def.clips.size(); ++i) def.clips[i].file = word();
         if (coin()) def.clips[2].name = "";
         for (std::uint32_t i = random.below(3); i > 0; --i) {
@@ -229,6 +230,9 @@ TEST_CASE("every failure names file, path, what was found and what was expected"
     says(R"("map":{"rows":["..","."]})", "$.map.rows[1]:");
     says(R"("map":{"file":"nowhere.map"})", "$.map.file:");
     says(R"("seed":-1)", "$.seed:");
+    says(R"("gestures":7)", "$.gestures:");
+    for (const char* outside : {"/a.json", "../a.json", "a/../../b.json", "a/..", "..", R"(a\\..\\b.json)"})
+        says(std::string(R"("gestures":")") + outside + "\"", "$.gestures:");
     CHECK(failureOf("[]").find("F.json: $: found an array") == 0);
     CHECK(failureOf("{}").find("no \"format\"") != std::string::npos);
     CHECK(failureOf(R"({"format":"muster-scenario","version":2})").find("$.version") != std::string::npos);

@@ -8,6 +8,7 @@
 
 #include "muster/base/status.h"
 #include "muster/world/command.h"
+#include "muster/world/world_def.h"
 
 namespace muster {
 
@@ -17,6 +18,9 @@ namespace muster {
 Result<std::vector<Command>> loadGestures(const std::string& path, double stepTime);
 /// The same from text.
 Result<std::vector<Command>> parseGestures(std::string_view text, const std::string& sourceName, double stepTime);
+/// The touches that a scenario read from `scenarioPath` carries: its gestures file, which lies in the scenario's folder
+/// or below, for a world of its step time. Empty where it carries none. Fails as loadGestures does, naming the scenario.
+Result<std::vector<Command>> loadScenarioGestures(const std::string& scenarioPath, const WorldDef& def);
 /// Any command log as a gestures file: reading it gives the same commands, numbered anew per client.
 std::string writeGestures(std::span<const Command> commands, double stepTime);
 /// Writes that text to a file. Fails with IoError.

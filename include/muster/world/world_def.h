@@ -74,6 +74,8 @@ struct WorldDef {
     std::string name = "Untitled";                    ///< Shown in the studio.
     std::string description;                          ///< One or two sentences.
     std::string credit;                               ///< Whose data it uses; may be empty.
+    std::string gestures;                             ///< File of the touches that belong to it, beside the scenario;
+                                                      ///< empty for none. A World takes no notice of it.
     Box box{{-16, -16}, {16, 16}};                    ///< [m]
     double cell = 0.25;                               ///< Edge of a ground cell [m] > 0.
     std::uint64_t seed = 1;                           ///< Of all random numbers.
