@@ -10,7 +10,7 @@ enum ExitCode : int {
     kExitOk = 0,
     kExitFailure = 1,        ///< A file is bad or something went wrong; one sentence on standard error.
     kExitUsage = 2,          ///< The command line is wrong.
-    kExitNotReproduced = 3,  ///< A replay gave another hash.
+    kExitNotReproduced = 3,  ///< A replay gave another hash, or a criterion failed.
 };
 
 void addStudioCommand(CLI::App& app, int& exitCode);
@@ -20,5 +20,6 @@ void addCheckCommand(CLI::App& app, int& exitCode);
 void addImportCommand(CLI::App& app, int& exitCode);
 void addPictureCommand(CLI::App& app, int& exitCode);
 void addPeersCommand(CLI::App& app, int& exitCode);
+void addReproduceCommand(CLI::App& app, int& exitCode);
 
 }  // namespace muster

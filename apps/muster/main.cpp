@@ -15,7 +15,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 done, 1 failure (one sentence on standard error), 2 wrong command line,\n"
-        "3 a replay was not reproduced.\n"
+        "3 not reproduced: a replay, or a criterion of the paper's experiments.\n"
         "`muster COMMAND --help` shows the options of a command, with examples.");
     int exitCode = kExitOk;
     addStudioCommand(app, exitCode);
@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
     addImportCommand(app, exitCode);
     addPictureCommand(app, exitCode);
     addPeersCommand(app, exitCode);
+    addReproduceCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -92,12 +92,12 @@ Progress::~Progress() {
     if (shown_) std::fprintf(stderr, "\r\033[K");
 }
 
-void Progress::show(double share) {
+void Progress::show(double share, const std::string& detail) {
     const double now = watch_.milliseconds();
     if (!terminal_ || now < 1000.0 || now - last_ < 250.0) return;
     last_ = now;
     shown_ = true;
-    std::fprintf(stderr, "\r\033[K%s %3.0f %%", what_.c_str(), 100.0 * share);
+    std::fprintf(stderr, "\r\033[K%s %3.0f %%%s%s", what_.c_str(), 100.0 * share, detail.empty() ? "" : "  ", detail.c_str());
 }
 
 }  // namespace muster

@@ -32,8 +32,8 @@ public:
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    /// Shows the share that is done, at most a few times a second and not within the first second.
-    void show(double share);
+    /// Shows the share that is done and what is done just now, at most a few times a second and not within the first second.
+    void show(double share, const std::string& detail = {});
 
 private:
     std::string what_;

@@ -13,22 +13,6 @@ namespace {
 
 constexpr double kMostSteps = 4294967295.0;  // That a step's number can hold.
 
-/// True where nothing is left to do: no control still moves, places stand, and all have arrived.
-bool settled(const World& world, const RunMetrics& metrics) {
-    for (std::size_t g = 0; g < world.groupCount(); ++g) {
-        const GroupView group = world.group(g);
-        for (const Control& control : group.controls->controls()) {
-            for (const ControlPoint& point : control.points) {
-                if (!point.path.empty() || (!point.down && !control.pinned)) return false;
-            }
-        }
-        for (Vec2 v : group.places->velocities()) {
-            if (length(v) > 0.01) return false;
-        }
-    }
-    return metrics.figures(world, false).arrived100 >= 0.0;
-}
-
 /// What is written while a world runs.
 struct Recorders {
     std::optional<TakeWriter> take;
@@ -90,7 +74,7 @@ Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<
         }
         progress.show(static_cast<double>(world.stepCount()) / steps);
         const bool due = open && world.stepCount() > lastCommand + 2 * second && world.stepCount() % (second / 2) == 0;
-        if (due && settled(world, metrics)) break;
+        if (due && metrics.settled(world)) break;
     }
     if (Status s = recorders.finish(world); !s.ok()) return s;
     return metrics.figures(world);

@@ -1,29 +1,10 @@
 // muster studio
 #include "studio.h"
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "commands.h"
+#include "folders.h"
 
 namespace muster {
-namespace {
-
-/// The first of these folders that exists, looked for from here and from the program's place; else the first.
-std::string findFolder(const std::vector<std::string>& names) {
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    for (const std::string& name : names) {
-        for (const std::filesystem::path& base : {std::filesystem::path("."), program, program / "../.."}) {
-            if (std::filesystem::is_directory(base / name, error)) return (base / name).lexically_normal().string();
-        }
-    }
-    return names.front();
-}
-
-}  // namespace
-
 void addStudioCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("studio", "Serves the studio: steer a crowd in your browser.");
     auto options = std::make_shared<StudioOptions>();
@@ -42,9 +23,7 @@ void addStudioCommand(CLI::App& app, int& exitCode) {
         "  muster studio\n"
         "  muster studio woodland --port 9000 --open");
     command->callback([options, &exitCode] {
-        if (options->scenarioFolder.empty()) {
-            options->scenarioFolder = findFolder({"scenarios", "../share/muster/scenarios"});
-        }
+        if (options->scenarioFolder.empty()) options->scenarioFolder = scenariosFolder();
         if (options->pageFolder.empty()) options->pageFolder = findFolder({"web/dist", "../share/muster/web"});
         exitCode = runStudio(*options);
     });

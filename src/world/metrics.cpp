@@ -170,4 +170,21 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
     return figures;
 }
 
+bool RunMetrics::settled(const World& world) const {
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        const GroupView group = world.group(g);
+        for (const Control& control : group.controls->controls()) {
+            for (const ControlPoint& point : control.points) {
+                if (!point.path.empty() || (!point.down && !control.pinned)) return false;
+            }
+        }
+        for (Vec2 v : group.places->velocities()) {
+            if (length(v) > 0.01) return false;
+        }
+    }
+    RunFigures figures;
+    arrivals(world, figures);
+    return figures.arrived100 >= 0.0;
+}
+
 }  // namespace muster

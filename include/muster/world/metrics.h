@@ -40,6 +40,9 @@ public:
     /// The figures so far. The path ratio needs one cost field per place, so it can be left out (-1).
     RunFigures figures(const World& world, bool withPathRatio = true) const;
 
+    /// True where nothing is left to do: no control still moves, places stand, and all have arrived.
+    bool settled(const World& world) const;
+
 private:
     void follow(const Characters& characters);
     void watchArrivals(const World& world);

@@ -1,0 +1,61 @@
+// X2 (paper fig. 3): a line control at the left and an area control at the right of one mesh.
+#include "experiments/catalogue.h"
+#include "experiments/distortion.h"
+#include "muster/experiments/trial.h"
+
+namespace muster {
+namespace {
+
+class HalvesExperiment final : public Experiment {
+public:
+    ExperimentText text() const override {
+        return {"X2", "A line and an area on one mesh",
+                "Figure 3: a line control at the left of a square and an area control at its right. The left half bends, the "
+                "right half keeps its shape.",
+                "A square of 64 in the open. Two touches on the left edge begin together and make a line; four touches on the "
+                "right half begin together later and make an area. The line is turned and drawn away while the area is "
+                "turned the other way. Measured when all fingers have come to rest and still hold: the mean over each "
+                "half of |F - R|, the distance of each triangle's deformation from a rotation.",
+                "x02-line-and-area",
+                "Seeds shift where people stand at first. The mesh hears of them only through the opposing force, so the "
+                "figures hardly vary: what is tested is the control, not the crowd."};
+    }
+    std::vector<Arm> arms() const override { return {{"both", "Line and area"}}; }
+    std::vector<FigureInfo> figures() const override {
+        return {{"left", "mean distortion of the left half", "", 4},
+                {"right", "mean distortion of the right half", "", 4},
+                {"ratio", "left over right", "", 1},
+                {"energy", "as-rigid-as-possible energy", "m²", 3}};
+    }
+    Result<RunSample> run(const RunRequest& request) const override {
+        auto trial = Trial::open(request, {.scenario = "x02-line-and-area"});
+        if (!trial.ok()) return trial.status();
+        if (Status s = trial->start(); !s.ok()) return s;
+        trial->runUntil(1.0);
+        trial->shoot("at rest");
+        trial->runUntil(2.6);
+        trial->shoot("line and area take hold");
+        trial->runUntil(trial->gesturesEnd() - 0.5);
+        trial->shoot("all fingers at rest");
+        const FormationMesh& mesh = *trial->world().group(0).mesh;
+        RunSample sample;
+        const double left = meanDistortion(mesh.formation().mesh, mesh.userMesh(), true);
+        const double right = meanDistortion(mesh.formation().mesh, mesh.userMesh(), false);
+        sample.figures = {{"left", left}, {"right", right}, {"ratio", left / right},
+                          {"energy", arapEnergy(mesh.formation().mesh, mesh.userMesh())}};
+        trial->runUntil(trial->gesturesEnd() + 4.0);
+        trial->shoot("let go: relaxed to a square");
+        trial->report(sample);
+        return sample;
+    }
+    void judge(const Samples& samples, Judge& judge) const override {
+        judge.require("mean distortion of the left half over that of the right half", "muster",
+                      samples.values("both", "muster", "ratio"), Aggregate::Median, Comparison::AtLeast, 5.0);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> makeHalvesExperiment() { return std::make_unique<HalvesExperiment>(); }
+
+}  // namespace muster
