@@ -4,7 +4,10 @@ namespace muster {
 
 std::vector<std::unique_ptr<Experiment>> paperExperiments() {
     std::vector<std::unique_ptr<Experiment>> all;
+    all.push_back(makeControlsExperiment());
     all.push_back(makeHalvesExperiment());
+    all.push_back(makeWoodlandExperiment());
+    all.push_back(makeShapesExperiment());
     return all;
 }
 

@@ -53,7 +53,7 @@ std::vector<Job> jobsOf(const Experiments& experiments, const ReproduceDef& def,
         for (std::size_t e = 0; e < experiments.size(); ++e) {
             if (experiments[e]->timed() != timed) continue;
             for (const Arm& arm : experiments[e]->arms())
-                jobs.push_back({e, {arm, static_cast<std::uint64_t>(seed), seed == 1, def.folder}, {}});
+                jobs.push_back({e, {arm, static_cast<std::uint64_t>(seed), seed == 1, def.folder, def.settings}, {}});
         }
     }
     return jobs;

@@ -38,8 +38,9 @@ Result<Trial> Trial::open(const RunRequest& request, const TrialDef& def) {
     trial.def_ = std::move(loaded).value();
     Parameters& parameters = trial.def_.parameters;
     if (Status s = usePreset(request.arm.preset, parameters); !s.ok()) return s.within(path);
-    for (const auto& [name, value] : def.settings)
-        if (Status s = setParameter(parameters, name, value); !s.ok()) return s.within(path);
+    for (const auto* settings : {&request.settings, &def.settings})
+        for (const auto& [name, value] : *settings)
+            if (Status s = setParameter(parameters, name, value); !s.ok()) return s.within(path);
     trial.def_.seed = request.seed;
     for (GroupDef& group : trial.def_.groups) group.jitter = def.jitter;
     if (def.gestures) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "muster/base/status.h"
@@ -60,6 +61,7 @@ struct RunRequest {
     std::uint64_t seed = 1;   ///< From 1.
     bool film = false;        ///< Pictures are wanted.
     std::string folder;       ///< Folder of the paper's scenarios.
+    std::vector<std::pair<std::string, double>> settings = {};  ///< Parameters by name, instead of the scenario's.
 };
 
 /// An experiment. Stateless: runs of one experiment go on side by side in several threads.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "muster/base/status.h"
@@ -17,6 +18,7 @@ struct ReproduceDef {
     std::int32_t seeds = 10;               ///< Runs of each arm, 1 to 1,000.
     std::int32_t threads = 0;              ///< Runs side by side; 0 takes what the machine has. Changes no result.
     std::string folder;                    ///< Of the paper's scenarios.
+    std::vector<std::pair<std::string, double>> settings = {};  ///< Parameters by name; what an arm sets itself stays.
 };
 
 /// An experiment as it came out.

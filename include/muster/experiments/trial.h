@@ -20,7 +20,7 @@ namespace muster {
 struct TrialDef {
     std::string scenario;  ///< File under the paper's folder without ".json".
     double jitter = 0.15;  ///< Starts are moved by up to this, by the seed [m] >= 0.
-    std::vector<std::pair<std::string, double>> settings;  ///< Parameters by name, set after the preset.
+    std::vector<std::pair<std::string, double>> settings = {};  ///< Parameters by name, set after the preset.
     bool gestures = true;  ///< With the touches that the scenario carries.
 };
 
