@@ -6,13 +6,13 @@
 
 #include "commands.h"
 #include "muster/debug/picture.h"
-#include "muster/scenario/gestures.h"
 #include "muster/scenario/scenario.h"
 #include "muster/take/take.h"
 #include "muster/world/validation.h"
 #include "options.h"
 #include "overrides.h"
 #include "report.h"
+#include "touches.h"
 
 namespace muster {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kTrailPeriod = 0.2;  // [s]
 
 struct PictureOptions {
     std::string source;
-    std::string gestures;
+    Touches touches;
     double at = 0.0;
     std::string layers;
     std::string output;
@@ -41,17 +41,21 @@ Status loadSource(const PictureOptions& options, WorldDef& def, std::vector<Comm
         if (!take.ok()) return take.status();
         def = std::move(take->def);
         commands = std::move(take->commands);
+        if (options.touches.demo) {
+            return invalidArgument("--demo: " + options.source + " is a take, expected a scenario that carries gestures");
+        }
     } else {
         auto loaded = loadScenario(options.source);
         if (!loaded.ok()) return loaded.status();
         def = std::move(loaded).value();
     }
     if (Status s = options.overrides.apply(def); !s.ok()) return s;
-    if (options.gestures.empty()) return {};
-    auto gestures = loadGestures(options.gestures, def.parameters.stepTime);
-    if (!gestures.ok()) return gestures.status();
-    commands = std::move(gestures).value();
-    return {};
+    if (!options.touches.demo && options.touches.gestures.empty()) return {};
+    auto loaded = options.touches.load(options.source, def);
+    if (!loaded.ok()) return loaded.status();
+    commands = std::move(loaded).value();
+    const auto gestures = options.touches.file(options.source, def);
+    return differentFiles({*gestures}, {options.output});
 }
 
 void addTrail(const World& world, std::vector<std::vector<Vec2>>& trails) {
@@ -74,7 +78,7 @@ Status placeExists(const World& world, const PictureDef& picture) {
 }
 
 int picture(const PictureOptions& options) {
-    if (Status s = differentFiles({options.source, options.gestures}, {options.output}); !s.ok()) return reportFailure(s);
+    if (Status s = differentFiles({options.source}, {options.output}); !s.ok()) return reportFailure(s);
     PictureDef picture = options.def;
     picture.group = static_cast<std::size_t>(options.group);
     const auto layers = parseLayers(options.layers);
@@ -118,7 +122,7 @@ void addPictureCommand(CLI::App& app, int& exitCode) {
     command->add_option("--layers", options->layers,
                         "Some of patches, field, cost, density, obstacles, mesh, places, paths, characters, separated by "
                         "commas; without it all but field, cost and density.");
-    command->add_option("--gestures", options->gestures, "Touches to give to a scenario.");
+    options->touches.addTo(*command);
     options->overrides.addTo(*command);
     command->add_option("--width", options->def.width, "Pixels across.")->check(CLI::Range(64, 8192));
     command->add_option("--view", options->view, "What is shown: X0 Y0 X1 Y1 [m]; without it the whole world.")->expected(4);
@@ -131,7 +135,7 @@ void addPictureCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--json", options->json, "One JSON value on standard output.");
     command->footer(
         "Examples:\n"
-        "  muster picture scenarios/woodland.json --gestures scenarios/gestures/woodland.json --at 12 -o woodland.png\n"
+        "  muster picture scenarios/woodland.json --demo --at 12 -o woodland.png\n"
         "  muster picture scenarios/block.json --layers cost,obstacles,characters -o block.svg");
     command->callback([options, &exitCode] { exitCode = picture(*options); });
 }

@@ -3,19 +3,19 @@
 #include <vector>
 
 #include "commands.h"
-#include "muster/scenario/gestures.h"
 #include "muster/scenario/scenario.h"
 #include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"
+#include "touches.h"
 
 namespace muster {
 namespace {
 
 struct PlayOptions {
     std::string scenario;
-    std::string gestures;
+    Touches touches;
     Overrides overrides;
     RunDef run;
     bool json = false;
@@ -23,21 +23,19 @@ struct PlayOptions {
 
 int play(const PlayOptions& options) {
     const RunDef& run = options.run;
-    if (Status s = differentFiles({options.scenario, options.gestures}, {run.takePath, run.trajectoryPath}); !s.ok())
-        return reportFailure(s);
     auto def = loadScenario(options.scenario);
     if (!def.ok()) return reportFailure(def.status());
     if (Status s = options.overrides.apply(*def); !s.ok()) return reportFailure(s);
-    std::vector<Command> commands;
-    if (!options.gestures.empty()) {
-        auto loaded = loadGestures(options.gestures, def->parameters.stepTime);
-        if (!loaded.ok()) return reportFailure(loaded.status());
-        commands = std::move(loaded).value();
-    }
+    const auto gestures = options.touches.file(options.scenario, *def);
+    if (!gestures.ok()) return reportFailure(gestures.status());
+    if (Status s = differentFiles({options.scenario, *gestures}, {run.takePath, run.trajectoryPath}); !s.ok())
+        return reportFailure(s);
+    const auto commands = options.touches.load(options.scenario, *def);
+    if (!commands.ok()) return reportFailure(commands.status());
     auto world = World::create(*def, run.threads);
     if (!world.ok()) return reportFailure(world.status().within(options.scenario));
     printWarnings(*def, options.scenario);
-    const auto figures = runWorld(*std::move(world), *def, commands, run);
+    const auto figures = runWorld(*std::move(world), *def, *commands, run);
     if (!figures.ok()) return reportFailure(figures.status());
     if (options.json) {
         printJsonValue(figuresJson(*figures));
@@ -53,7 +51,7 @@ void addPlayCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("play", "Simulates a scenario without a window and reports figures.");
     auto options = std::make_shared<PlayOptions>();
     command->add_option("SCENARIO", options->scenario, "Scenario file.")->required();
-    command->add_option("--gestures", options->gestures, "Touches to give, as JSON; without it nobody touches.");
+    options->touches.addTo(*command);
     command->add_option("--seconds", options->run.seconds,
                         "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
                         "command.")
@@ -67,7 +65,7 @@ void addPlayCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--json", options->json, "One JSON value on standard output.");
     command->footer(
         "Examples:\n"
-        "  muster play scenarios/block.json --gestures scenarios/gestures/block.json\n"
+        "  muster play scenarios/block.json --demo\n"
         "  muster play scenarios/open.json --seconds 10 --set character.maxSpeed=1.5 --json\n"
         "  muster play scenarios/cars.json --gestures scenarios/gestures/cars.json --take cars.take");
     command->callback([options, &exitCode] { exitCode = play(*options); });

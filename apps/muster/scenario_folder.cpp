@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "muster/scenario/gestures.h"
 #include "muster/scenario/scenario.h"
 
 namespace muster {
@@ -17,27 +18,56 @@ ScenarioEntry describe(const std::string& name, const WorldDef& def) {
     return entry;
 }
 
+/// Scenarios lie beside folders with what belongs to them.
+bool holdsScenarios(const std::string& name) {
+    return name != "gestures" && name != "schema" && name.front() != '.';
+}
+
+Status notFound(const std::string& name) {
+    return {StatusCode::NotFound, "no scenario is called '" + name + "'"};
+}
+
 }  // namespace
 
 ScenarioFolder ScenarioFolder::scan(const std::string& folder) {
-    std::vector<std::string> found;
-    std::error_code error;
-    for (const auto& file : fs::directory_iterator(folder, error)) {
-        if (file.path().extension() == ".json" && file.is_regular_file(error)) found.push_back(file.path().string());
+    std::vector<std::string> inner;
+    std::error_code error, ignored;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (entry->is_directory(ignored) && holdsScenarios(name)) inner.push_back(name);
     }
-    std::sort(found.begin(), found.end());
+    std::sort(inner.begin(), inner.end());
     ScenarioFolder scenarios;
-    for (const std::string& path : found) {
-        const auto added = scenarios.add(path);
-        if (!added.ok()) std::fprintf(stderr, "muster studio: %s\n", added.status().message().c_str());
-    }
+    scenarios.addFolder(folder, "");
+    for (const std::string& name : inner) scenarios.addFolder((fs::path(folder) / name).string(), name + "/");
     return scenarios;
 }
 
+void ScenarioFolder::addFolder(const std::string& folder, const std::string& prefix) {
+    std::vector<std::string> found;
+    std::error_code error, ignored;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        if (entry->path().extension() == ".json" && entry->is_regular_file(ignored)) found.push_back(entry->path().string());
+    }
+    std::sort(found.begin(), found.end());
+    for (const std::string& path : found) {
+        const Status added = addAs(prefix + fs::path(path).stem().string(), path);
+        if (!added.ok()) std::fprintf(stderr, "muster studio: %s\n", added.message().c_str());
+    }
+}
+
 Result<std::string> ScenarioFolder::add(const std::string& path) {
+    std::error_code error;
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+        if (fs::equivalent(paths_[i], path, error)) return entries_[i].name;
+    const std::string name = fs::path(path).stem().string();
+    if (Status s = addAs(name, path); !s.ok()) return s;
+    return name;
+}
+
+Status ScenarioFolder::addAs(const std::string& name, const std::string& path) {
     const auto def = loadScenario(path);
     if (!def.ok()) return def.status();
-    const std::string name = fs::path(path).stem().string();
     const ScenarioEntry entry = describe(name, def.value());
     const auto same = std::find_if(entries_.begin(), entries_.end(),
                                    [&](const ScenarioEntry& other) { return other.name == name; });
@@ -48,7 +78,7 @@ Result<std::string> ScenarioFolder::add(const std::string& path) {
         entries_.push_back(entry);
         paths_.push_back(path);
     }
-    return name;
+    return {};
 }
 
 std::string ScenarioFolder::first() const {
@@ -56,15 +86,22 @@ std::string ScenarioFolder::first() const {
     return entries_.empty() ? std::string() : entries_.front().name;
 }
 
-bool ScenarioFolder::has(const std::string& name) const {
-    return std::any_of(entries_.begin(), entries_.end(),
-                       [&](const ScenarioEntry& entry) { return entry.name == name; });
+bool ScenarioFolder::has(const std::string& name) const { return pathOf(name) != nullptr; }
+
+const std::string* ScenarioFolder::pathOf(const std::string& name) const {
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        if (entries_[i].name == name) return &paths_[i];
+    return nullptr;
 }
 
 Result<WorldDef> ScenarioFolder::load(const std::string& name) const {
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-        if (entries_[i].name == name) return loadScenario(paths_[i]);
-    return Status(StatusCode::NotFound, "no scenario is called '" + name + "'");
+    const std::string* path = pathOf(name);
+    return path != nullptr ? loadScenario(*path) : notFound(name);
+}
+
+Result<std::vector<Command>> ScenarioFolder::gestures(const std::string& name, const WorldDef& def) const {
+    const std::string* path = pathOf(name);
+    return path != nullptr ? loadScenarioGestures(*path, def) : notFound(name);
 }
 
 }  // namespace muster

@@ -71,7 +71,8 @@ HttpAnswer failure(const Status& status) { return sentence(httpStatus(status.cod
 
 bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
     static const auto restart = protocol::encode(protocol::Transport{protocol::TransportAction::Restart});
-    return !bytes.empty() && (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart);
+    static const auto demonstrate = protocol::encode(protocol::Transport{protocol::TransportAction::Demonstrate});
+    return !bytes.empty() && (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart || bytes == demonstrate);
 }
 
 // To begin a world costs much and undoes all before it: of equal requests that wait, only the last is heard, so that
@@ -235,6 +236,7 @@ Result<Session> makeSession(const StudioOptions& options) {
     def.threads = options.threads;
     def.scenarios = folder.entries();
     def.loadScenario = [folder](const std::string& wanted) { return folder.load(wanted); };
+    def.loadGestures = [folder](const std::string& of, const WorldDef& begun) { return folder.gestures(of, begun); };
     if (!options.takesFolder.empty())
         def.openSink = [takes = options.takesFolder](const std::string& of) { return openTakeFile(takes, of); };
     Session session(std::move(def));

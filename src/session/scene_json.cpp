@@ -108,13 +108,14 @@ Json parameters(const World& world) {
 
 }  // namespace
 
-std::string buildSceneJson(const std::string& name, const WorldDef& def, const World& world) {
+std::string buildSceneJson(const std::string& name, const WorldDef& def, const World& world, bool demonstration) {
     const Environment& environment = world.environment();
     Json scene;
     scene["name"] = name;
     scene["title"] = def.name;
     scene["description"] = def.description;
     scene["credit"] = def.credit;
+    scene["demonstration"] = demonstration;
     scene["box"] = Json{{"min", point(environment.def().box.min)}, {"max", point(environment.def().box.max)}};
     scene["cell"] = environment.def().cell;
     scene["radius"] = world.parameters().radius;

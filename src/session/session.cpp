@@ -31,6 +31,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     if (take) replay.emplace(std::move(*take));
     else log.begin(worldDef, def.limits.takeBytes);
     toldFull = false;
+    demonstratedUntil = 0;
     waitingCommands = 0;
     singleSteps = 0;
     pacer.reset();
@@ -62,6 +63,27 @@ Status Session::Impl::restart() {
     std::optional<Take> take;
     if (replay) take = replay->take();
     return begin(name, worldDef, std::move(take));
+}
+
+// All touches are given before the first step, as a run of the gestures gives them: what waits is part of the hash.
+Status Session::Impl::demonstrate() {
+    if (!world) return {StatusCode::NotFound, "there is no world yet"};
+    if (replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to watch its demonstration"};
+    if (!canDemonstrate()) return {StatusCode::NotFound, "the scenario carries no touches to watch"};
+    const auto commands = def.loadGestures(name, worldDef);
+    if (!commands.ok()) return commands.status();
+    for (const Command& command : *commands) {
+        if (command.client >= 1 && command.client <= kLastDemonstrator) continue;
+        return invalidArgument(worldDef.gestures + ": found the client " + std::to_string(command.client) +
+                               ", expected 1 to " + std::to_string(kLastDemonstrator) + " to be watched");
+    }
+    if (Status s = begin(name, worldDef, std::nullopt); !s.ok()) return s;
+    for (const Command& command : *commands) {
+        if (Status s = world->submit(command); !s.ok()) return s.within(worldDef.gestures);
+        log.command(command);
+        demonstratedUntil = std::max(demonstratedUntil, command.step + 1);
+    }
+    return {};
 }
 
 Status Session::load(const std::string& name, const WorldDef& def) { return impl_->begin(name, def, std::nullopt); }
@@ -110,6 +132,7 @@ void Session::finish() { impl_->stopRecording(); }
 const World* Session::world() const { return impl_->world ? &*impl_->world : nullptr; }
 bool Session::playing() const { return impl_->playing; }
 bool Session::replaying() const { return impl_->replay.has_value(); }
+bool Session::demonstrating() const { return impl_->demonstrating(); }
 
 // ---- Recording ----
 
@@ -238,7 +261,7 @@ void Session::Impl::refreshScene() {
     ++sceneRevision;
     protocol::Scene scene;
     scene.revision = sceneRevision;
-    scene.json = buildSceneJson(name, worldDef, *world);
+    scene.json = buildSceneJson(name, worldDef, *world, canDemonstrate());
     sceneBytes = protocol::encode(scene);
     touchState();
 }

@@ -98,6 +98,7 @@ void Session::Impl::sendFrame(SessionClient& client) {
         frame.speed = static_cast<float>(speed);
         frame.recordedSeconds = recordedFrom < 0.0 ? -1.0f : static_cast<float>(world->time() - recordedFrom);
         frame.replaying = replay.has_value();
+        frame.demonstrating = demonstrating();
         frame.sceneRevision = sceneRevision;
         frameState = state;
     }

@@ -136,6 +136,7 @@ public:
                 session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
                 break;
             case protocol::TransportAction::Restart: return session_.restart();
+            case protocol::TransportAction::Demonstrate: return session_.demonstrate();
         }
         session_.pacer.reset();
         session_.touchState();

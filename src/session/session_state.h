@@ -55,6 +55,10 @@ struct Session::Impl {
     // Worlds (session.cpp).
     Status begin(const std::string& worldName, const WorldDef& worldDef, std::optional<Take> take);
     Status restart();
+    Status demonstrate();
+    /// The scenario carries touches that can be watched now.
+    bool canDemonstrate() const { return !replay && !worldDef.gestures.empty() && def.loadGestures; }
+    bool demonstrating() const { return world && world->stepCount() < demonstratedUntil; }
     void stepOnce();
     void replayEnded();
     void reportRejections();
@@ -83,13 +87,14 @@ struct Session::Impl {
 
     SessionDef def;
     std::map<std::uint32_t, SessionClient> clients;  // By number.
-    std::uint32_t lastClient = 0;
+    std::uint32_t lastClient = kLastDemonstrator;
 
     std::string name;                  // Of the scenario.
     WorldDef worldDef;
     std::string warning;               // What is likely a mistake in it; empty for nothing.
     std::optional<World> world;
     std::optional<Replayer> replay;
+    std::uint32_t demonstratedUntil = 0;  // The step after the demonstration's last touch; 0 for none.
     TakeLog log;
     bool toldFull = false;
     std::size_t waitingCommands = 0;   // Submitted since the last step.

@@ -178,6 +178,37 @@ TEST_CASE("check names each kind of file, and says in a warning what may go wron
     CHECK(text.out.find("a good scenario") != std::string::npos);
 }
 
+TEST_CASE("--demo gives the touches that the scenario carries, and no others") {
+    const std::string carried = put("demo_touches.json", slurp(gestures().substr(1, gestures().size() - 2)));
+    const std::string text = slurp(scenario().substr(1, scenario().size() - 2));
+    const std::string demo = put("demo.json", text.substr(0, text.size() - 1) + R"(,"gestures":"demo_touches.json"})");
+    const Outcome shown = runProgram("play '" + demo + "' --demo --seconds 2 --json");
+    REQUIRE_MESSAGE(shown.code == 0, shown.error);
+    CHECK(json(shown)["hash"] == hashOf(""));
+    CHECK(json(runProgram("play '" + demo + "' --seconds 2 --json"))["hash"] != hashOf(""));
+    const std::string take = path("demo.take"), svg = path("demo.svg");
+    REQUIRE(runProgram("play '" + demo + "' --demo --seconds 1 --take '" + take + "'").code == 0);
+    REQUIRE(runProgram("picture '" + demo + "' --at 1 -o '" + svg + "'").code == 0);
+    const std::string still = slurp(svg);
+    REQUIRE(runProgram("picture '" + demo + "' --demo --at 1 -o '" + svg + "'").code == 0);
+    CHECK(slurp(svg) != still);
+
+    const auto refused = [](const std::string& line, const std::string& words) {
+        const Outcome outcome = runProgram(line);
+        CAPTURE(line);
+        CHECK(outcome.code == 1);
+        CHECK(outcome.errorLines() == 1);
+        CHECK_MESSAGE(outcome.error.find(words) != std::string::npos, outcome.error);
+    };
+    refused("play " + scenario() + " --demo", "carries no gestures");
+    refused("picture " + scenario() + " --demo -o '" + svg + "'", "carries no gestures");
+    refused("picture '" + take + "' --demo -o '" + svg + "'", "is a take");
+    refused("play '" + demo + "' --demo --take '" + carried + "'", "is read as well");
+    refused("picture '" + demo + "' --demo -o '" + carried + "'", "is read as well");
+    std::filesystem::remove(carried);
+    refused("play '" + demo + "' --demo", "demo.json: $.gestures: ");
+}
+
 TEST_CASE("maps that are none are refused by line, others keep size, scale and credit") {
     const auto import = [](const std::string& text, const std::string& options) {
         return runProgram("import '" + put("o.map", text) + "' -o '" + path("o_map.json") + "' --json " + options);

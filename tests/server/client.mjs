@@ -63,7 +63,7 @@ export class RawSocket {
       Connection: 'Upgrade',
       'Sec-WebSocket-Key': randomBytes(16).toString('base64'),
       'Sec-WebSocket-Version': '13',
-      'Sec-WebSocket-Protocol': 'muster.v2',
+      'Sec-WebSocket-Protocol': 'muster.v3',
       ...headers,
     };
     const lines = Object.entries(all).filter(([, value]) => value !== null).map(([name, value]) => `${name}: ${value}\r\n`);
@@ -204,4 +204,38 @@ export function ack(frame) {
 /** Step of a Frame message. */
 export function stepOf(bytes) {
   return bytes.readUInt32LE(5);
+}
+
+/** LoadScenario. */
+export function load(name) {
+  const text = Buffer.from(name);
+  const length = Buffer.alloc(4);
+  length.writeUInt32LE(text.length);
+  return Buffer.concat([Buffer.from([10]), length, text]);
+}
+
+/** Whether a Frame message says that a demonstration runs: behind number, frame, step, time, playing, speed,
+ * recordedSeconds and replaying. */
+export function demonstrates(bytes) {
+  return bytes[1 + 4 + 4 + 8 + 1 + 4 + 4 + 1] === 1;
+}
+
+/** Names of the scenarios in a Welcome message. */
+export function scenarioNames(bytes) {
+  let at = 5;
+  const text = () => {
+    const end = at + 4 + bytes.readUInt32LE(at);
+    const value = bytes.subarray(at + 4, end).toString();
+    at = end;
+    return value;
+  };
+  text();  // The version.
+  const names = [];
+  let left = bytes.readUInt32LE(at);
+  for (at += 4; left > 0; --left, at += 4) {
+    names.push(text());
+    text();
+    text();
+  }
+  return names;
 }

@@ -6,6 +6,7 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileS
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { demonstrationTests } from './demonstration.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
 import { RawSocket, ack, dial, exchange, hello, ping, request, stepOf } from './client.mjs';
@@ -135,10 +136,10 @@ await test('exact Origin of WebSockets', async () => {
 });
 
 await test('subprotocol', async () => {
-  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': 'other, muster.v2' });
-  check(two.status === 101 && /sec-websocket-protocol: muster\.v2/i.test(two.head), 'one of two');
+  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': 'other, muster.v3' });
+  check(two.status === 101 && /sec-websocket-protocol: muster\.v3/i.test(two.head), 'one of two');
   two.close();
-  for (const name of [null, 'muster.v1', 'muster', 'muster.v2x']) {
+  for (const name of [null, 'muster.v1', 'muster', 'muster.v3x']) {
     check((await RawSocket.open(port, { 'Sec-WebSocket-Protocol': name })).status === 400, `subprotocol ${name}`);
   }
   check((await RawSocket.open(port, {}, '/other')).status === 404, 'path');
@@ -259,6 +260,8 @@ await test('a client that neither acknowledges nor reads does not slow another',
   stalled.close();
   lively.close();
 });
+
+await demonstrationTests({ test, check, client, get, program, place });
 
 let take = null;
 await test('GET /take gives the whole take', async () => {

@@ -29,6 +29,7 @@ protocol::Frame sampleFrame() {
     frame.step = 42;
     frame.time = 0.7;
     frame.playing = true;
+    frame.demonstrating = true;
     frame.speed = 1.0f;
     frame.recordedSeconds = -1.0f;
     frame.sceneRevision = 3;

@@ -12,8 +12,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 2;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v2";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 3;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v3";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -28,7 +28,7 @@ enum class TouchPhase : std::uint8_t { Down, Move, Up, Cancel };
 /// Values of a field, as one byte.
 enum class ControlKind : std::uint8_t { Point, Line, Area };
 /// Values of a field, as one byte.
-enum class TransportAction : std::uint8_t { Play, Pause, SingleStep, Restart };
+enum class TransportAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate };
 /// Values of a field, as one byte.
 enum class OverlayKind : std::uint8_t { None, Field, Cost, Density };
 /// Values of a field, as one byte.
@@ -57,7 +57,7 @@ struct TouchEvent {
 
 /// A scenario that the server can load.
 struct ScenarioInfo {
-    std::string name;  ///< file name without .json
+    std::string name;  ///< file name without .json, after its folder's name and a slash
     std::string title;
     std::string description;
     std::uint32_t characters = 0;
@@ -260,7 +260,7 @@ struct SetParameter {
     }
 };
 
-/// Play, pause, one step, or from the start.
+/// Play, pause, one step, from the start, or from the start with the touches that the scenario carries.
 struct Transport {
     static constexpr std::uint8_t kNumber = 8;  ///< First byte of the message.
     TransportAction action = TransportAction::Play;
@@ -269,7 +269,7 @@ struct Transport {
     template <class Archive>
     void visit(Archive& archive) {
         archive(action);
-        checkEnum(archive, action, 4);
+        checkEnum(archive, action, 5);
     }
 };
 
@@ -402,6 +402,7 @@ struct Frame {
     float speed = 0.0f;
     float recordedSeconds = 0.0f;  ///< negative: not recording
     bool replaying = false;
+    bool demonstrating = false;  ///< touches that the scenario carries are still to come
     double touchEcho = 0.0;  ///< newest page clock among touches that this frame shows; 0 for none
     std::uint32_t sceneRevision = 0;
     std::vector<std::uint32_t> ids;  ///< of characters; empty where unchanged since the last frame sent
@@ -422,9 +423,9 @@ struct Frame {
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(frame, step, time, playing, speed, recordedSeconds, replaying, touchEcho, sceneRevision,
-                ids, group, x, y, heading, motion, phase, groups, moving, collected, stepMs, lagP95,
-                swapsPerSecond, events);
+        archive(frame, step, time, playing, speed, recordedSeconds, replaying, demonstrating, touchEcho,
+                sceneRevision, ids, group, x, y, heading, motion, phase, groups, moving, collected, stepMs,
+                lagP95, swapsPerSecond, events);
     }
 };
 

@@ -15,6 +15,10 @@
 
 namespace muster {
 
+/// Clients up to this number are those of gestures: a demonstration's touches keep their numbers, so that it gives the
+/// same hashes as a run of its gestures. Who connects gets a higher one.
+inline constexpr std::uint32_t kLastDemonstrator = 1000;
+
 /// Bounds of what clients may ask for; anything beyond gets a Notice and changes nothing.
 struct SessionLimits {
     double touchesPerSecond = 5000.0;             ///< Touch events of one client, on average; as many at once.
@@ -52,6 +56,8 @@ struct SessionDef {
     std::vector<ScenarioEntry> scenarios;  ///< In the order of the picker.
     /// Reads one of them. Null where there is nothing to load from.
     std::function<Result<WorldDef>(const std::string& name)> loadScenario;
+    /// Reads the touches that a scenario of that name and definition carries. Null where there are none to watch.
+    std::function<Result<std::vector<Command>>(const std::string& name, const WorldDef& def)> loadGestures;
     /// Begins a file for a recording of that scenario. Null keeps recordings in memory only.
     std::function<Result<std::unique_ptr<TakeSink>>(const std::string& name)> openSink;
     std::int32_t threads = 1;              ///< Of the world, as for ThreadPool.
@@ -111,6 +117,8 @@ public:
     bool playing() const;
     /// True while a take is replayed.
     bool replaying() const;
+    /// True while touches that the scenario carries are still to come.
+    bool demonstrating() const;
 
     struct Impl;  ///< Private.
 

@@ -87,7 +87,7 @@ describe('the bytes', () => {
   });
 
   it('are refused with unknown numbers, flags, enumerations and impossible lengths', () => {
-    for (const bytes of [[99], [8, 4], [11, 2], [1, 255, 255, 255, 255], [0, 255, 255, 255, 255]]) {
+    for (const bytes of [[99], [8, 5], [11, 2], [1, 255, 255, 255, 255], [0, 255, 255, 255, 255]]) {
       expect(() => decodeClient(Uint8Array.from(bytes).buffer)).toThrow(ProtocolError);
     }
   });
@@ -99,6 +99,7 @@ describe('a frame of the server', () => {
     expect(frame.type).toBe('Frame');
     expect([frame.frame, frame.step, frame.time]).toEqual([7, 42, 0.7]);
     expect([frame.playing, frame.recordedSeconds, frame.sceneRevision]).toEqual([true, -1, 3]);
+    expect([frame.replaying, frame.demonstrating]).toEqual([false, true]);
     expect(frame.ids).toEqual(Uint32Array.of(1, 2));
     expect(frame.group).toEqual(Uint8Array.of(0, 1));
     expect(frame.x).toEqual(Float32Array.of(0.5, -1.25));

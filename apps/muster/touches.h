@@ -1,0 +1,27 @@
+// Which touches a world is given: those of a file, or those that its scenario carries.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "muster/base/status.h"
+#include "muster/world/command.h"
+#include "muster/world/world_def.h"
+
+namespace muster {
+
+/// --gestures and --demo.
+struct Touches {
+    std::string gestures;  ///< File; empty for none.
+    bool demo = false;     ///< The scenario's own.
+
+    /// Adds the options to a command.
+    void addTo(CLI::App& command);
+    /// The file that they come from, empty for none. Fails where the scenario should carry some and carries none.
+    Result<std::string> file(const std::string& scenarioPath, const WorldDef& def) const;
+    /// The touches, for a world of that definition. Fails as file() and loadGestures() do.
+    Result<std::vector<Command>> load(const std::string& scenarioPath, const WorldDef& def) const;
+};
+
+}  // namespace muster
