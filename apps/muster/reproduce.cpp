@@ -1,6 +1,11 @@
 // muster reproduce
-#include <cmath>
+#include <unistd.h>
+
+#include <cctype>
+#include <chrono>
 #include <cstdio>
+#include <ctime>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,61 +18,94 @@
 namespace muster {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ReproduceOptions {
     ReproduceDef def;
     std::string out = "reproduction";
     bool json = false;
 };
 
-std::string numberText(double value) {
-    if (std::isnan(value)) return "-";
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.4g", value);
+/// The names of experiments, in their order.
+std::vector<std::string> experimentIds() {
+    std::vector<std::string> ids;
+    for (const auto& experiment : paperExperiments()) ids.push_back(experiment->text().id);
+    return ids;
+}
+
+CLI::Validator knownExperiment() {
+    const auto check = [](const std::string& wanted) {
+        std::string known;
+        for (const std::string& id : experimentIds()) {
+            if (CLI::detail::to_lower(id) == CLI::detail::to_lower(wanted)) return std::string();
+            known += (known.empty() ? "" : ", ") + id;
+        }
+        return "found \"" + wanted.substr(0, 40) + "\", expected some of " + known;
+    };
+    return CLI::Validator(check, "");
+}
+
+/// The day and minute, in the time that is everywhere the same.
+std::string now() {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm parts{};
+    gmtime_r(&seconds, &parts);
+    char text[64];
+    std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &parts);
     return text;
 }
 
-void printVerdicts(const Reproduction& reproduction) {
-    for (const ExperimentResult& experiment : reproduction.experiments) {
-        std::printf("%s  %s\n", experiment.text.id.c_str(), experiment.text.title.c_str());
-        for (const Verdict& v : experiment.verdicts) {
-            const char* word = v.pass ? "pass" : v.binding ? "FAIL" : "no";
-            std::printf("  %-4s  %-6s  %s: %s%s%s (%s to %s over %d), %s %s\n", word, v.preset.c_str(), v.criterion.c_str(),
-                        numberText(v.value).c_str(), v.unit.empty() ? "" : " ", v.unit.c_str(), numberText(v.low).c_str(),
-                        numberText(v.high).c_str(), v.seeds, v.comparison == Comparison::AtLeast ? "at least" : "at most",
-                        numberText(v.threshold).c_str());
-        }
+/// Makes the folder and sees that the report can be written, before the long work that it is to hold.
+Status prepareFolder(const std::string& folder) {
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+        return {StatusCode::IoError, folder + ": found a file, expected a folder or a name that is free"};
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder, error)) return {StatusCode::IoError, folder + ": cannot be made a folder"};
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) return {StatusCode::IoError, folder + ": nothing can be written into this folder"};
+    for (const char* name : {"index.html", "results.json", "summary.md"}) {
+        const std::string path = folder + "/" + name;
+        if (fs::exists(path, error) && (!fs::is_regular_file(path, error) || ::access(path.c_str(), W_OK) != 0))
+            return {StatusCode::IoError, path + ": cannot be written"};
     }
+    return {};
 }
 
-int countFailed(const Reproduction& reproduction, int& judged) {
-    int failed = 0;
-    for (const ExperimentResult& experiment : reproduction.experiments) {
-        for (const Verdict& v : experiment.verdicts) {
-            if (!v.binding) continue;
-            ++judged;
-            failed += v.pass ? 0 : 1;
-        }
+/// On a terminal a line that is rewritten; in a log a line per experiment when it is complete.
+class ReproduceWatch {
+public:
+    void operator()(const ReproduceProgress& p) {
+        bar_.show(static_cast<double>(p.done) / p.of,
+                  std::to_string(p.done) + " of " + std::to_string(p.of) + " runs  " + p.experiment + " " + p.arm);
+        if (terminal_ || p.experimentDone < p.experimentOf) return;
+        std::fprintf(stderr, "%-3s  %s: %d runs complete, %d of %d in all\n", p.experiment.c_str(), p.title.c_str(), p.experimentOf,
+                     p.done, p.of);
     }
-    return failed;
+
+private:
+    Progress bar_{"reproducing"};
+    bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+Result<Reproduction> runAll(const ReproduceDef& def) {
+    ReproduceWatch watch;
+    return reproduce(def, [&](const ReproduceProgress& progress) { watch(progress); });
 }
 
 int runReproduce(ReproduceOptions options) {
     if (options.def.folder.empty()) options.def.folder = scenariosFolder() + "/paper";
-    Progress bar("reproducing");
-    const auto progress = [&](std::int32_t done, std::int32_t of, const std::string& what) {
-        bar.show(static_cast<double>(done) / of, what);
-    };
-    const auto reproduction = reproduce(options.def, progress);
+    if (Status s = checkReproduce(options.def); !s.ok()) return reportFailure(s);
+    if (Status s = prepareFolder(options.out); !s.ok()) return reportFailure(s);
+    const std::string when = now();
+    auto reproduction = runAll(options.def);
     if (!reproduction.ok()) return reportFailure(reproduction.status());
+    reproduction->version = MUSTER_VERSION;
+    reproduction->when = when;
     if (Status s = writeReport(*reproduction, options.out); !s.ok()) return reportFailure(s);
-    int judged = 0;
-    const int failed = countFailed(*reproduction, judged);
     if (options.json) {
         std::printf("%s", resultsJson(*reproduction).c_str());
     } else {
-        printVerdicts(*reproduction);
-        std::printf("%d of %d criteria hold; %.0f s; %s/index.html\n", judged - failed, judged, reproduction->seconds,
-                    options.out.c_str());
+        std::printf("%s%s\n", summaryText(*reproduction).c_str(), (fs::path(options.out) / "index.html").string().c_str());
     }
     return reproduction->passed() ? kExitOk : kExitNotReproduced;
 }
@@ -77,13 +115,14 @@ int runReproduce(ReproduceOptions options) {
 void addReproduceCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("reproduce", "Runs the paper's experiments and writes a report.");
     auto options = std::make_shared<ReproduceOptions>();
-    command->add_option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.");
+    command->add_option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.")->check(knownExperiment());
     command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")->check(CLI::Range(1, 1000));
-    command->add_option("--out", options->out, "Folder for index.html, results.json, summary.md and the film strips.");
+    command->add_option("--out", options->out, "Folder for index.html, results.json, summary.md and the film strips.")
+        ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "found no name, expected a folder" : ""; }, ""));
     command->add_option("--threads", options->def.threads, "Runs side by side; 0 takes what the machine has. Results are the same.")
         ->check(CLI::Range(0, 256));
     command->add_option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
-    command->add_flag("--json", options->json, "results.json on standard output as well.");
+    command->add_flag("--json", options->json, "results.json on standard output in place of the table.");
     command->footer(
         "The exit code is 3 where a criterion of the preset muster fails.\n"
         "Examples:\n"

@@ -1,7 +1,9 @@
 #include "muster/experiments/reproduce.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 
@@ -46,18 +48,58 @@ Result<Experiments> choose(const std::vector<std::string>& wanted) {
     return chosen;
 }
 
-/// The long ones of each experiment first would need their times; seeds outermost spreads every experiment evenly.
+/// All runs. The first seed of every experiment goes first, so that what cannot be run is found early; then experiment
+/// by experiment, so that each is complete as soon as can be.
 std::vector<Job> jobsOf(const Experiments& experiments, const ReproduceDef& def, bool timed) {
     std::vector<Job> jobs;
-    for (std::int32_t seed = 1; seed <= def.seeds; ++seed) {
-        for (std::size_t e = 0; e < experiments.size(); ++e) {
-            if (experiments[e]->timed() != timed) continue;
+    const auto add = [&](std::size_t e, std::int32_t from, std::int32_t to) {
+        if (experiments[e]->timed() != timed) return;
+        for (std::int32_t seed = from; seed <= to; ++seed)
             for (const Arm& arm : experiments[e]->arms())
                 jobs.push_back({e, {arm, static_cast<std::uint64_t>(seed), seed == 1, def.folder, def.settings}, {}});
-        }
-    }
+    };
+    for (std::size_t e = 0; e < experiments.size(); ++e) add(e, 1, 1);
+    for (std::size_t e = 0; e < experiments.size(); ++e) add(e, 2, def.seeds);
     return jobs;
 }
+
+using Watch = std::function<void(const ReproduceProgress&)>;
+
+/// Makes the runs and tells how far it is. Once a run has failed no other begins.
+class Runner {
+public:
+    Runner(const Experiments& experiments, const ReproduceDef& def, const Watch& watch)
+        : experiments_(experiments), def_(def), watch_(watch), done_(experiments.size(), 0) {
+        for (const auto& experiment : experiments_) all_ += runsOf(*experiment);
+    }
+
+    void make(Job& job) {
+        if (failed_) return;
+        const Experiment& experiment = *experiments_[job.experiment];
+        job.sample = experiment.run(job.request);
+        if (!job.sample->ok()) failed_ = true;
+        const std::lock_guard lock(mutex_);
+        ++doneInAll_;
+        ++done_[job.experiment];
+        const ExperimentText text = experiment.text();
+        if (watch_ && !failed_)
+            watch_({doneInAll_, all_, text.id, text.title, job.request.arm.title, done_[job.experiment], runsOf(experiment)});
+    }
+
+private:
+    std::int32_t runsOf(const Experiment& experiment) const {
+        return static_cast<std::int32_t>(experiment.arms().size()) * def_.seeds;
+    }
+
+    const Experiments& experiments_;
+    const ReproduceDef& def_;
+    const Watch& watch_;
+    std::mutex mutex_;
+    std::vector<std::int32_t> done_;  // By experiment.
+    std::int32_t doneInAll_ = 0;
+    std::int32_t all_ = 0;
+    std::atomic<bool> failed_ = false;
+};
 
 ExperimentResult summarise(const Experiment& experiment, std::size_t seeds, Samples samples) {
     ExperimentResult result;
@@ -81,37 +123,41 @@ bool Reproduction::passed() const {
     return true;
 }
 
-Result<Reproduction> reproduce(const ReproduceDef& def,
-                               const std::function<void(std::int32_t, std::int32_t, const std::string&)>& progress) {
+Status checkReproduce(const ReproduceDef& def) {
     if (def.seeds < 1 || def.seeds > 1000)
         return invalidArgument("found " + std::to_string(def.seeds) + " seeds, expected 1 to 1000");
     auto chosen = choose(def.experiments);
     if (!chosen.ok()) return chosen.status();
-    const Experiments& experiments = *chosen;
+    std::error_code error;
+    if (!std::filesystem::is_directory(def.folder, error))
+        return {StatusCode::NotFound, def.folder + ": found no such folder, expected the one with the paper's scenarios"};
+    for (const auto& experiment : *chosen) {
+        const ExperimentText text = experiment->text();
+        const std::string path = def.folder + "/" + text.scenario + ".json";
+        if (!text.scenario.empty() && !std::filesystem::is_regular_file(path, error))
+            return {StatusCode::NotFound, path + ": found no such file, expected the scenario of " + text.id};
+    }
+    return {};
+}
+
+Result<Reproduction> reproduce(const ReproduceDef& def, const std::function<void(const ReproduceProgress&)>& progress) {
+    if (Status s = checkReproduce(def); !s.ok()) return s;
+    const Experiments experiments = std::move(choose(def.experiments)).value();
     const Stopwatch watch;
     std::vector<Job> jobs = jobsOf(experiments, def, false), timed = jobsOf(experiments, def, true);
-    const auto total = static_cast<std::int32_t>(jobs.size() + timed.size());
-    std::mutex mutex;
-    std::int32_t done = 0;
-    const auto make = [&](Job& job) {
-        const Experiment& experiment = *experiments[job.experiment];
-        job.sample = experiment.run(job.request);
-        const std::lock_guard lock(mutex);
-        if (progress) progress(++done, total, experiment.text().id + " " + job.request.arm.title);
-    };
+    Runner runner(experiments, def, progress);
     ThreadPool pool(def.threads);
     pool.run(static_cast<std::int32_t>(jobs.size()),
-             [&](std::int32_t item, std::int32_t) { make(jobs[static_cast<std::size_t>(item)]); });
-    for (Job& job : timed) make(job);
+             [&](std::int32_t item, std::int32_t) { runner.make(jobs[static_cast<std::size_t>(item)]); });
+    for (Job& job : timed) runner.make(job);
 
+    for (const std::vector<Job>* list : {&jobs, &timed})
+        for (const Job& job : *list)
+            if (job.sample && !job.sample->ok()) return job.sample->status().within(experiments[job.experiment]->text().id);
     std::vector<Samples> samples(experiments.size());
-    for (std::vector<Job>* list : {&jobs, &timed}) {
-        for (Job& job : *list) {
-            const std::string id = experiments[job.experiment]->text().id;
-            if (!job.sample->ok()) return job.sample->status().within(id);
+    for (std::vector<Job>* list : {&jobs, &timed})
+        for (Job& job : *list)
             samples[job.experiment].add(job.request.arm.id, job.request.arm.preset, std::move(*job.sample).value());
-        }
-    }
     Reproduction result;
     result.seeds = def.seeds;
     for (std::size_t e = 0; e < experiments.size(); ++e)
