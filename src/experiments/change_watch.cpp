@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kReach = 0.5;       // Of "arrived" [m].
+constexpr double kStandReach = 0.1;  // Of "stood" [m].
 constexpr double kStandFor = 1.0;    // Of "arrived" [s].
 constexpr double kStuckMove = 0.25;  // Of "stuck" [m].
 constexpr double kStuckFor = 5.0;    // Of "stuck" [s].
@@ -43,6 +44,7 @@ void ChangeWatch::begin(const World& world) {
     running_.time = lastTime_;
     running_.bottleneck = bottleneckWalk(last_, group.places->goals());
     reachedAt_.assign(last_.size(), kInfinity);
+    stoodAt_ = reachedAt_;
     movedAt_.assign(last_.size(), lastTime_);
     spot_ = last_;
     watching_ = true;
@@ -59,9 +61,10 @@ void ChangeWatch::observe(const World& world) {
     const Characters& c = world.characters();
     for (std::size_t i = 0, k = 0; watching_ && i < c.size(); ++i) {
         if (c.group[i] != group_) continue;
-        const bool there = c.place[i] >= 0 && distance(c.position[i], group.places->positions()[static_cast<std::size_t>(
-                                                                          c.place[i])]) <= kReach;
-        reachedAt_[k] = !there ? kInfinity : std::min(reachedAt_[k], world.time());
+        const auto place = static_cast<std::size_t>(c.place[i]);
+        const double away = c.place[i] < 0 ? kInfinity : distance(c.position[i], group.places->positions()[place]);
+        reachedAt_[k] = away > kReach ? kInfinity : std::min(reachedAt_[k], world.time());
+        stoodAt_[k] = away > kStandReach ? kInfinity : std::min(stoodAt_[k], world.time());
         if (distance(c.position[i], spot_[k]) >= kStuckMove) {
             spot_[k] = c.position[i];
             movedAt_[k] = world.time();
@@ -74,14 +77,18 @@ void ChangeWatch::observe(const World& world) {
 
 FormationChangeRecord ChangeWatch::judged() const {
     FormationChangeRecord record = running_;
-    std::vector<double> moments;
-    for (std::size_t k = 0; k < reachedAt_.size(); ++k) {
-        const bool arrived = lastTime_ - reachedAt_[k] >= kStandFor - 1e-9;
-        moments.push_back(arrived ? reachedAt_[k] - record.time : kInfinity);
-        if (!arrived && lastTime_ - movedAt_[k] >= kStuckFor) ++record.stuck;
-    }
-    record.arrived95 = quantile(moments, 0.95);
-    record.arrived100 = quantile(moments, 1.0);
+    const auto moments = [&](const std::vector<double>& since) {
+        std::vector<double> found;
+        for (const double at : since)
+            found.push_back(lastTime_ - at >= kStandFor - 1e-9 ? at - record.time : kInfinity);
+        return found;
+    };
+    const std::vector<double> arrived = moments(reachedAt_);
+    for (std::size_t k = 0; k < arrived.size(); ++k)
+        if (arrived[k] == kInfinity && lastTime_ - movedAt_[k] >= kStuckFor) ++record.stuck;
+    record.arrived95 = quantile(arrived, 0.95);
+    record.arrived100 = quantile(arrived, 1.0);
+    record.stood95 = quantile(moments(stoodAt_), 0.95);
     return record;
 }
 

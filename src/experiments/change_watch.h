@@ -15,8 +15,12 @@ struct FormationChangeRecord {
     double bottleneck = 0.0;  ///< Least longest straight walk from where everybody stood to the new places [m].
     double arrived95 = 0.0;   ///< From the change until 95 % have arrived (SPEC 8) [s]; NaN where they never did.
     double arrived100 = 0.0;  ///< The same of all.
+    double stood95 = 0.0;     ///< As arrived95, within a tenth of a metre.
     std::int32_t stuck = 0;   ///< Not arrived when the watch on this change ended, and still for its last 5 s.
-    double ratio(double speed) const { return arrived95 / (bottleneck / speed); }  ///< Against walking at that speed.
+    /// arrived95 over the time that the bottleneck takes at `speed` [m/s].
+    double ratio(double speed) const { return arrived95 / (bottleneck / speed); }
+    /// stood95 over it.
+    double strictRatio(double speed) const { return stood95 / (bottleneck / speed); }
 };
 
 /// Observes one group of a world from its first step on.
@@ -41,6 +45,7 @@ private:
     FormationChangeRecord running_;
     bool watching_ = false;
     std::vector<double> reachedAt_;       // Since when it is within reach of its place [s]; infinite outside.
+    std::vector<double> stoodAt_;         // Since when it is within the shorter reach.
     std::vector<double> movedAt_;         // When it last left the spot below [s].
     std::vector<Vec2> spot_;
     std::vector<FormationChangeRecord> done_;

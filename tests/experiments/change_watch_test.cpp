@@ -49,6 +49,8 @@ TEST_CASE("a change is timed from the step that makes it until the character is 
     CHECK(changes[0].arrived95 > 3.5 / 2.0);
     CHECK(changes[0].arrived95 < 3.5 / 2.0 + 0.4);
     CHECK(changes[0].arrived100 == changes[0].arrived95);
+    CHECK(changes[0].stood95 > 3.9 / 2.0);
+    CHECK(changes[0].stood95 < changes[0].arrived95 + 0.8);
     CHECK(changes[0].ratio(2.0) == doctest::Approx(changes[0].arrived95 / 2.0).epsilon(0.01));
     CHECK(changes[0].stuck == 0);
 }
