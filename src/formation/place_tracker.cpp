@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kSpacingRounds = 8;          // Of moving targets apart.
 constexpr std::int32_t kPathsPerStep = 8;  // Searches for a way round, so that the cost of a step is bounded.
+constexpr double kGrazed = 0.1;            // Who gets on by less than this share of a step is blocked.
 constexpr double kReplanDistance = 1.0;    // A goal that moved farther asks for a new way [m].
 
 }  // namespace
@@ -109,8 +110,8 @@ private:
         bool blocked = false;
         while (reach > 0.0 && passed < detour.way.size()) {
             const Vec2 corner = detour.way[passed];
-            const Vec2 next = stepTowards(position, corner, reach);
-            blocked = !environment_.clearLine(position, next, radius_);
+            Vec2 next = stepTowards(position, corner, reach);
+            blocked = !environment_.clearLine(position, next, radius_) && !graze(position, next, reach);
             if (blocked) break;
             reach -= distance(position, next);
             position = next;
@@ -121,6 +122,12 @@ private:
         // Its goal is forgotten, so that a place at the end of its way asks again until it is served.
         if (detour.way.empty()) detour.goal = position + Vec2{1e9, 0.0};
         return blocked || detour.way.empty() ? Need::Way : Need::KeepsDetour;
+    }
+
+    // Ways lead from cell to cell, and between two free cells an obstacle may stand out by a few centimetres: along it.
+    bool graze(Vec2 position, Vec2& next, double reach) const {
+        next = stepTowards(position, environment_.pushOut(next, def_.radius), reach);
+        return distance(position, next) > kGrazed * reach && environment_.clearLine(position, next, radius_);
     }
 
     // Until it is its turn to find a way, a place goes as far as the straight line lets it.

@@ -126,6 +126,30 @@ TEST_CASE("a place goes round a wall that its target jumped across") {
     CHECK(way < 1.06 * taut);
 }
 
+TEST_CASE("a way between free cells that a trunk stands into is walked along the trunk") {
+    // The cells (2.875, 2.125) and (3.125, 2.125) are free, the line between them comes within 0.245 m of the trunk.
+    for (const double trunk : {1.63, 1.64, 1.65, 1.66}) {
+        Environment environment = emptyWorld();
+        ObstacleDef tree;
+        tree.centre = {2.98, trunk};
+        tree.radius = 0.25;
+        REQUIRE(environment.addObstacle(tree).ok());
+        environment.setTime(0.0);
+        PlaceTracker places;
+        places.reset({}, std::vector<Vec2>{{2.5, 2.04}}, environment, -1);
+        const std::vector<Vec2> target{{6.0, 0.9}};
+        Vec2 last = places.positions()[0];
+        for (int k = 0; k < 240; ++k) {
+            places.advance({}, target, environment, -1, kStep);
+            const Vec2 now = places.positions()[0];
+            CHECK(distance(now, last) <= 2.0 * kStep + 1e-9);
+            CHECK(environment.distanceToObstacle(now) > 0.247);
+            last = now;
+        }
+        CHECK(distance(last, target[0]) < 1e-9);
+    }
+}
+
 TEST_CASE("places stay in the region of their group") {
     Environment environment = emptyWorld(8.0);
     REQUIRE(environment.addObstacle(box({-0.5, -8}, {0.5, 8})).ok());
