@@ -7,6 +7,7 @@ std::vector<std::unique_ptr<Experiment>> paperExperiments() {
     all.push_back(makeControlsExperiment());
     all.push_back(makeHalvesExperiment());
     all.push_back(makeWoodlandExperiment());
+    all.push_back(makeCourseExperiment());
     all.push_back(makeShapesExperiment());
     return all;
 }
