@@ -1,5 +1,6 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
+import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
@@ -38,6 +39,7 @@ const CASES = [
   ['overlay after a loss', overlays.overlayAfterLoss, ['desktop', 'phone'], { scenario: 'scenarios/block.json' }],
   ['scenario picker', scenarios.scenarioPicker, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['every scenario', scenarios.everyScenario, ['desktop'], { scenario: 'scenarios/open.json' }],
+  ['demonstration', demonstration.demonstration, [...TABLETS, 'phone', 'narrow', 'zoomed', 'wide'], { scenario: 'scenarios/open.json' }],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],

@@ -60,11 +60,13 @@ export interface SceneCheckpoint {
 }
 
 export interface SceneFacts {
-  /** File name without .json. */
+  /** File name without .json; in folders FOLDER/NAME. */
   readonly name: string;
   readonly title: string;
   readonly description: string;
   readonly credit: string;
+  /** There are touches to watch. */
+  readonly demonstration: boolean;
   readonly box: SceneBox;
   /** Edge of a ground cell. */
   readonly cell: number;
@@ -94,6 +96,7 @@ export function parseScene(json: string): SceneFacts {
     title: facts.title ?? facts.name ?? '',
     description: facts.description ?? '',
     credit: facts.credit ?? '',
+    demonstration: facts.demonstration ?? false,
     box: facts.box,
     cell: facts.cell ?? 0.25,
     radius: facts.radius ?? 0.25,

@@ -15,7 +15,7 @@ const scene = parseScene(JSON.stringify({
 function frame(group: number[], groups: number[] = [4, 9]): Frame {
   const part = {
     type: 'Frame', group: Uint8Array.from(group), x: new Float32Array(3), groups: groups.map((id) => ({ id, controls: [] })),
-    playing: true, speed: 2, recordedSeconds: 1.5, stepMs: 6, lagP95: 0.8, swapsPerSecond: 0.1, replaying: false,
+    playing: true, speed: 2, recordedSeconds: 1.5, stepMs: 6, lagP95: 0.8, swapsPerSecond: 0.1, replaying: false, demonstrating: true,
   };
   return part as unknown as Frame;
 }
@@ -41,6 +41,7 @@ describe('FrameReader', () => {
     const change = reader.change(frame([0, 0, 0], [4]), { ...initialState, active: 1 });
     expect(change.active).toBe(0);
     expect(change.recorded).toBe(1.5);
+    expect(change.demonstrating).toBe(true);
   });
   it('remembers the scenario that was steered through a replay', () => {
     const reader = new FrameReader();

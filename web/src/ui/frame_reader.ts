@@ -57,6 +57,7 @@ export class FrameReader {
       active: Math.min(state.active, Math.max(0, groups.length - 1)),
       playing: frame.playing,
       replaying: frame.replaying,
+      demonstrating: frame.demonstrating,
       lastLive: frame.replaying ? state.lastLive : state.scenario,
       speed: frame.speed,
       recorded: frame.recordedSeconds,

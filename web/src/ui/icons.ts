@@ -15,6 +15,7 @@ const SHAPES = {
   restart: '<path d="M4.1 11.2a6.1 6.1 0 1 0 1.5-5.1L3.6 8 M3.4 4v4.2h4.2"/>',
   play: '<path d="M6.5 4.2v11.6L16 10Z" fill="currentColor" stroke-linejoin="round"/>',
   pause: '<path d="M7 4.5v11 M13 4.5v11" stroke-width="3.4"/>',
+  watch: '<path d="M1.8 10S4.6 4.9 10 4.9 18.2 10 18.2 10 15.4 15.1 10 15.1 1.8 10 1.8 10Z"/><circle cx="10" cy="10" r="2.3" fill="currentColor"/>',
   step: '<path d="M4.5 4.5v11L12.8 10Z M16 4v12" stroke-linejoin="round"/>',
   takes: '<rect x="2.2" y="4.2" width="15.6" height="11.6" rx="2.4"/><path d="M8.4 7.4v5.2l4.4-2.6Z" fill="currentColor" stroke-width=".8"/>',
   layers: '<path d="m10 2.8 7.4 3.9L10 10.6 2.6 6.7Z M2.6 10.2 10 14.1l7.4-3.9 M2.6 13.6 10 17.4l7.4-3.8"/>',

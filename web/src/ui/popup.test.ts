@@ -30,6 +30,10 @@ describe('Popup', () => {
     popup.open();
     press('ArrowDown');
     expect(document.activeElement!.textContent).toBe('a');
+    press('End');
+    expect(document.activeElement!.textContent).toBe('b');
+    press('Home');
+    expect(document.activeElement!.textContent).toBe('a');
     press('Escape');
     expect(popup.isOpen).toBe(false);
     expect(document.activeElement).toBe(button);

@@ -59,10 +59,17 @@ export class Popup {
     if (event.key === 'Tab') this.close(false);
     const items = this.items();
     const at = items.indexOf(document.activeElement as HTMLElement);
-    const move = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;
-    if (move === 0 || at < 0) return;
+    const next = this.nextIndex(event.key, at, items.length);
+    if (next === null || at < 0) return;
     event.preventDefault();
     event.stopPropagation();
-    items[(at + move + items.length) % items.length]!.focus();
+    items[next]!.focus();
+  }
+
+  private nextIndex(key: string, at: number, count: number): number | null {
+    if (key === 'ArrowDown') return (at + 1) % count;
+    if (key === 'ArrowUp') return (at + count - 1) % count;
+    if (key === 'Home') return 0;
+    return key === 'End' ? count - 1 : null;
   }
 }

@@ -1,10 +1,11 @@
-// Top left: the scenario's title, and a list of all with descriptions and counts.
+// Top left: the scenario's title, and a list of all with descriptions and counts, under the titles of their folders.
 
 import type { ScenarioInfo } from '../protocol/messages';
 import { element, setText } from './dom';
 import { formatCount } from './formatters';
 import { icon, logo } from './icons';
 import { Popup } from './popup';
+import { groupScenarios, type ScenarioGroup } from './scenario_groups';
 import type { StudioActions } from './studio_actions';
 import type { StudioState, StudioStore } from './studio_state';
 
@@ -26,9 +27,17 @@ export class ScenarioPicker {
   }
 
   private fill(state: StudioState): void {
-    const items = state.scenarios.map((info) => this.item(info, info.name === state.scenario));
+    const groups = groupScenarios(state.scenarios).flatMap((group, index) => this.group(group, index, state.scenario));
     const credit = state.credit ? [element('p', { class: 'credit secondary' }, state.credit)] : [];
-    this.list.replaceChildren(...items, ...credit);
+    this.list.replaceChildren(...groups, ...credit);
+  }
+
+  private group({ title, scenarios }: ScenarioGroup, index: number, current: string): HTMLElement[] {
+    const items = scenarios.map((info) => this.item(info, info.name === current));
+    if (!title) return items;
+    const id = `scenario-group-${index}`;
+    const heading = element('div', { class: 'scenario-heading', id }, title);
+    return [element('div', { class: 'scenario-group', role: 'group', 'aria-labelledby': id }, heading, ...items)];
   }
 
   private item(info: ScenarioInfo, current: boolean): HTMLButtonElement {

@@ -7,6 +7,8 @@ export interface StudioActions {
   togglePlay(): void;
   singleStep(): void;
   restart(): void;
+  /** From the start, with the touches that the scenario carries; back to the plain start where they run. */
+  toggleDemonstration(): void;
   /** To the next of the usual speeds; backwards where `back`. */
   nextSpeed(back?: boolean): void;
   toggleRecord(): void;

@@ -21,6 +21,7 @@ import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import { fieldScale } from '../view/field_picture';
 import type { StudioScene } from '../view/studio_scene';
 import { ControlWatch, KIND_NAMES, type ControlNews } from './control_watch';
+import { DemonstrationWatch } from './demonstration_watch';
 import { returnFocus } from './focus_return';
 import { FormationWatch } from './formation_watch';
 import { formatClock } from './formatters';
@@ -42,6 +43,7 @@ export class StudioApp {
   private readonly reader = new FrameReader();
   private readonly watch = new ControlWatch();
   private readonly formations = new FormationWatch();
+  private readonly demonstrations = new DemonstrationWatch();
   private readonly drafts: Drafts;
   private readonly hitTest = new FormationHitTest();
   private readonly controller: StudioController;
@@ -187,9 +189,8 @@ export class StudioApp {
     client.on('notice', (notice) => this.noticed(notice));
   }
 
-  private greeted({ client, scenarios }: Welcome): void {
+  private greeted({ scenarios }: Welcome): void {
     this.store.set({ scenarios });
-    this.view.setClient(client);
     this.controller.askOverlayAgain();
   }
 
@@ -216,7 +217,8 @@ export class StudioApp {
     try {
       const scene = parseScene(message.json);
       this.reader.setScene(scene);
-      this.store.set({ title: scene.title, scenario: scene.name, credit: scene.credit, loaded: true });
+      const { title, name, credit, demonstration } = scene;
+      this.store.set({ title, scenario: name, credit, demonstration, loaded: true });
       const before = this.scene;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       if (before && sceneKey(before) === sceneKey(scene)) return;
@@ -243,6 +245,8 @@ export class StudioApp {
     this.chooser.observe(frame);
     this.keys.observe(frame);
     this.controls.observe(frame);
+    // Whose touches a take has, they are nobody's now.
+    this.view.setClient(frame.replaying ? 0 : this.client.clientId);
     this.view.pushFrame(frame, receivedAt);
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
@@ -252,6 +256,8 @@ export class StudioApp {
     for (const { name, formation } of this.formations.observe(this.store.state.groups, frame.step)) {
       this.shell.live.say(`${name}: ${formation}`);
     }
+    const news = this.demonstrations.observe(frame.demonstrating);
+    if (news) this.shell.live.say(news);
   }
 
   private announce(news: ControlNews): void {

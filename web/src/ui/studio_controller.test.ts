@@ -93,6 +93,16 @@ describe('StudioController', () => {
     controller.toggleRecord();
     expect(sent).toEqual([{ type: 'Record', on: true }]);
   });
+  it('watches what the scenario carries, and goes back to the plain start', () => {
+    controller.toggleDemonstration();
+    expect(sent).toEqual([]);
+    expect(said).toEqual(['There is nothing to watch here']);
+    store.set({ demonstration: true });
+    controller.toggleDemonstration();
+    store.set({ demonstrating: true });
+    controller.toggleDemonstration();
+    expect(sent.map((one) => one.type === 'Transport' && one.action)).toEqual([TransportAction.Demonstrate, TransportAction.Restart]);
+  });
   it('shows the spot of a message, where it has one', () => {
     controller.showNoticePlace();
     store.set({ notice: { type: 'Notice', level: 1, code: 'rejected', text: '', hasPlace: true, x: 3, y: -2 } });

@@ -53,6 +53,13 @@ export class StudioController implements StudioActions {
     this.say('Back to the start');
   }
 
+  toggleDemonstration(): void {
+    const { demonstration, demonstrating } = this.store.state;
+    if (demonstrating) return this.restart();
+    if (!demonstration) return this.say('There is nothing to watch here');
+    this.client.send({ type: 'Transport', action: TransportAction.Demonstrate });
+  }
+
   nextSpeed(back = false): void {
     const factor = nextSpeed(this.store.state.speed, back);
     this.client.send({ type: 'SetSpeed', factor });

@@ -48,6 +48,7 @@ function timeKeys(actions: StudioActions): Shortcut[] {
     { keys: '.', does: 'single step', group: 'Time', match: ['.'], repeats: true, run: () => actions.singleStep() },
     { keys: '< >', does: 'slower, faster', group: 'Time', match: ['<', '>'], run: (event) => actions.nextSpeed(event.key === '<') },
     { keys: 'R', does: 'records a take, and stops', group: 'Time', match: ['r'], run: () => actions.toggleRecord() },
+    { keys: 'W', does: 'watches what the scenario shows, and stops', group: 'Time', match: ['w'], run: () => actions.toggleDemonstration() },
     { keys: 'Home', does: 'restart', group: 'Time', match: ['Home'], sceneOnly: true, run: () => actions.restart() },
   ];
 }

@@ -58,6 +58,10 @@ export interface StudioState {
   readonly ramp: RampScale | null;
   readonly playing: boolean;
   readonly replaying: boolean;
+  /** The scenario carries touches to watch. */
+  readonly demonstration: boolean;
+  /** They are being given. */
+  readonly demonstrating: boolean;
   /** The scenario that was last steered, not replayed. */
   readonly lastLive: string;
   readonly speed: number;
@@ -93,6 +97,8 @@ export const initialState: StudioState = {
   ramp: null,
   playing: false,
   replaying: false,
+  demonstration: false,
+  demonstrating: false,
   lastLive: '',
   speed: 1,
   recorded: -1,

@@ -10,7 +10,7 @@ export class ToolbarFocus {
   constructor(private readonly root: HTMLElement, store: StudioStore) {
     root.addEventListener('keydown', (event) => this.moved(event));
     root.addEventListener('focusin', (event) => this.enter(event.target as HTMLElement));
-    store.watch(['layout', 'link', 'replaying'], () => this.refresh());
+    store.watch(['layout', 'link', 'replaying', 'demonstration'], () => this.refresh());
   }
 
   /** After buttons came, went or were hidden. */

@@ -8,10 +8,11 @@ let store: StudioStore;
 let root: HTMLElement;
 const leaveReplay = vi.fn();
 const toggleRecord = vi.fn();
+const toggleDemonstration = vi.fn();
 
 beforeEach(() => {
   store = new StudioStore();
-  root = new TransportBar(store, { leaveReplay, toggleRecord } as unknown as StudioActions).root;
+  root = new TransportBar(store, { leaveReplay, toggleRecord, toggleDemonstration } as unknown as StudioActions).root;
   document.body.replaceChildren(root);
 });
 
@@ -28,4 +29,18 @@ it('tells of a replay, does not record in it, and leaves it', () => {
   expect(leaveReplay).toHaveBeenCalledTimes(1);
   store.set({ replaying: false });
   expect([replay.hidden, record.disabled]).toEqual([true, false]);
+});
+
+it('offers to watch only where there is something, and shows that it runs', () => {
+  const watch = root.querySelector<HTMLButtonElement>('.watch')!;
+  expect(watch.hidden).toBe(true);
+  store.set({ demonstration: true });
+  expect([watch.hidden, watch.getAttribute('aria-pressed'), watch.tabIndex]).toEqual([false, 'false', -1]);
+  watch.click();
+  expect(toggleDemonstration).toHaveBeenCalledTimes(1);
+  store.set({ demonstrating: true });
+  expect(watch.getAttribute('aria-pressed')).toBe('true');
+  expect(watch.getAttribute('data-tip')).toContain('back to the start');
+  store.set({ demonstration: false, demonstrating: false });
+  expect([watch.hidden, watch.getAttribute('aria-pressed')]).toEqual([true, 'false']);
 });

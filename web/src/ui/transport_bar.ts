@@ -1,4 +1,5 @@
-// Time: restart, play or pause, single step, speed, record and takes; during a replay the way out of it.
+// Time: restart, play or pause, single step, speed, what there is to watch, record and takes; during a replay the way
+// out of it.
 
 import { element, setAttribute, setPressed, setText } from './dom';
 import { formatClock, formatSpeed } from './formatters';
@@ -16,6 +17,7 @@ export class TransportBar {
   private readonly record: HTMLButtonElement;
   private readonly restart: HTMLButtonElement;
   private readonly step: HTMLButtonElement;
+  private readonly watch: HTMLButtonElement;
   private readonly takes: HTMLButtonElement;
   private readonly replay = element('span', { class: 'replay' });
   private readonly takeList = element('div', { class: 'take-list panel', role: 'group', 'aria-label': 'Takes' });
@@ -28,6 +30,7 @@ export class TransportBar {
     this.step = toolButton({ icon: 'step', label: 'Single step', iconOnly: true, key: '.', className: 'step', act: () => actions.singleStep() });
     this.speed = element('button', { type: 'button', class: 'speed', 'data-tip': 'Speed', 'data-key': '> <' });
     this.speed.addEventListener('click', (event) => actions.nextSpeed(event.shiftKey));
+    this.watch = toolButton({ icon: 'watch', label: 'Watch', key: 'W', className: 'watch', pressed: false, act: () => actions.toggleDemonstration() });
     this.record = element('button', { type: 'button', class: 'record', 'aria-pressed': 'false', 'data-tip': 'Record a take', 'data-key': 'R' }, recordDot(), this.recordLabel);
     this.record.addEventListener('click', () => actions.toggleRecord());
     this.takes = toolButton({ icon: 'takes', label: 'Takes', iconOnly: true, className: 'takes', tip: 'Download or open a take' });
@@ -36,8 +39,8 @@ export class TransportBar {
     this.replay.append(element('strong', { class: 'replay-label' }, 'Replay'), leave);
     const divider = element('span', { class: 'divider' });
     const takes = element('span', { class: 'takes-holder' }, this.takes, this.takeList);
-    this.root.append(this.restart, this.play, this.step, this.speed, divider, this.record, takes, this.replay, this.file);
-    store.watch(['playing', 'speed', 'recorded', 'replaying', 'link'], (state) => this.show(state));
+    this.root.append(this.restart, this.play, this.step, this.speed, divider, this.watch, this.record, takes, this.replay, this.file);
+    store.watch(['playing', 'speed', 'recorded', 'replaying', 'demonstration', 'demonstrating', 'link'], (state) => this.show(state));
     new ToolbarFocus(this.root, store);
   }
 
@@ -83,5 +86,8 @@ export class TransportBar {
     setAttribute(this.record, 'aria-label', recording ? 'Stop recording' : 'Record');
     this.record.disabled = state.replaying;
     this.replay.hidden = !state.replaying;
+    this.watch.hidden = !state.demonstration;
+    setPressed(this.watch, state.demonstrating);
+    setAttribute(this.watch, 'data-tip', state.demonstrating ? 'Stop: back to the start' : 'Watch the touches that belong to this scenario');
   }
 }

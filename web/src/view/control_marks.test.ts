@@ -64,4 +64,21 @@ describe('ControlMarks', () => {
     marks.touch(8, null, 0, 20);
     expect(marks.fingerOf(3, 8)).toBeNull();
   });
+
+  it('gives rings to the fingers of others, at the end of what they drew, until they faded', () => {
+    const marks = new ControlMarks();
+    marks.client = 3;
+    const made = madeControl(1, 1, [[0, 0], [4, 0]]);
+    const [first, second] = made.points;
+    const theirs = { ...made, client: 1, points: [{ ...first!, path: [1, 0, 2, 1] }, { ...second!, down: false }] };
+    marks.update(groupsOf([theirs, { ...made, id: 2, client: 3 }]), 100);
+    expect([...marks.others]).toEqual([['1:1', { at: { x: 2, y: 1 }, group: 0, since: 100, lifted: 0 }]]);
+    marks.update(groupsOf([{ ...theirs, points: [first!] }]), 120);
+    expect(marks.others.get('1:1')).toMatchObject({ at: { x: 0, y: 0 }, since: 100 });
+    marks.update(groupsOf([]), 200);
+    expect(marks.others.get('1:1')?.lifted).toBe(200);
+    marks.update(groupsOf([]), 200 + marks.fade + 1);
+    expect(marks.others.size).toBe(0);
+    expect(marks.rings.size).toBe(0);
+  });
 });

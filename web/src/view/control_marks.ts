@@ -30,7 +30,9 @@ const kFadeReduced = 80;
 export class ControlMarks {
   /** By touch, where the ring is a finger's that draws. */
   readonly rings = new Map<number, TouchRing>();
-  /** Our number at the server: only our touches have rings. */
+  /** Of all others' fingers, by client and touch: where the server heard of them last. */
+  readonly others = new Map<string, TouchRing>();
+  /** Our number at the server: our own rings come before it hears of them. */
   client = 0;
   private shown_ = new Map<string, ShownControl>();
   private reduced_ = false;
@@ -50,21 +52,14 @@ export class ControlMarks {
 
   clear(): void {
     this.rings.clear();
+    this.others.clear();
     this.shown_.clear();
   }
 
   touch(id: number, at: GroundPoint | null, group: number, now: number): void {
     const ring = this.rings.get(id);
-    if (!at) {
-      if (ring && ring.lifted === 0) ring.lifted = now;
-      return;
-    }
-    if (ring && ring.lifted === 0) {
-      ring.at = at;
-      ring.group = group;
-    } else {
-      this.rings.set(id, { at, group, since: now, lifted: 0 });
-    }
+    if (at) putRing(this.rings, id, at, group, now);
+    else if (ring && ring.lifted === 0) ring.lifted = now;
   }
 
   /** Where the finger of this touch is now; null where it is another client's, or lifted. */
@@ -75,7 +70,9 @@ export class ControlMarks {
 
   /** Takes the controls of the newest frame: what is under a finger waits for no other. */
   update(groups: readonly GroupView[], now: number): void {
-    for (const [id, ring] of this.rings) if (ring.lifted > 0 && now - ring.lifted > this.fade) this.rings.delete(id);
+    this.forgetLifted(this.rings, now);
+    this.followOthers(groups, now);
+    this.forgetLifted(this.others, now);
     const next = new Map<string, ShownControl>();
     groups.forEach((group, index) => {
       for (const control of group.controls) {
@@ -100,6 +97,26 @@ export class ControlMarks {
     this.shown_ = next;
   }
 
+  private forgetLifted<Key>(rings: Map<Key, TouchRing>, now: number): void {
+    for (const [key, ring] of rings) if (ring.lifted > 0 && now - ring.lifted > this.fade) rings.delete(key);
+  }
+
+  private followOthers(groups: readonly GroupView[], now: number): void {
+    const down = new Set<string>();
+    groups.forEach((group, index) => {
+      for (const control of group.controls) {
+        if (control.client === this.client) continue;
+        for (const point of control.points) {
+          if (!point.down) continue;
+          const key = `${control.client}:${point.touch}`;
+          down.add(key);
+          putRing(this.others, key, fingerOf(point), index, now);
+        }
+      }
+    });
+    for (const [key, ring] of this.others) if (ring.lifted === 0 && !down.has(key)) ring.lifted = now;
+  }
+
   /** 0 to 1 of an appearance that began at `since` and takes `duration` [ms]. */
   grown(since: number, now: number, duration: number): number {
     if (this.reduced_) return 1;
@@ -110,4 +127,21 @@ export class ControlMarks {
   left(ended: number, now: number): number {
     return ended === 0 ? 1 : Math.max(0, 1 - (now - ended) / this.fade);
   }
+}
+
+/** A ring moves with its finger; one whose finger had lifted begins anew. */
+function putRing<Key>(rings: Map<Key, TouchRing>, key: Key, at: GroundPoint, group: number, now: number): void {
+  const ring = rings.get(key);
+  if (ring && ring.lifted === 0) {
+    ring.at = at;
+    ring.group = group;
+  } else {
+    rings.set(key, { at, group, since: now, lifted: 0 });
+  }
+}
+
+/** Where the finger that holds a point is: at the end of what it drew. */
+function fingerOf({ x, y, path }: ControlView['points'][number]): GroundPoint {
+  const end = path.length - 2;
+  return end < 0 ? { x, y } : { x: path[end] ?? x, y: path[end + 1] ?? y };
 }

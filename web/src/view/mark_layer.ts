@@ -95,7 +95,7 @@ export class MarkLayer {
       addAll(control.supplementary);
       if (scene.paths) for (const point of control.points) addAll(point.path);
     }
-    for (const ring of marks.rings.values()) add(ring.at.x, ring.at.y);
+    for (const ring of [...marks.rings.values(), ...marks.others.values()]) add(ring.at.x, ring.at.y);
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
     return extent;
@@ -212,7 +212,7 @@ export class MarkLayer {
   }
 
   private drawRings(marks: ControlMarks, scene: MarkScene): void {
-    for (const ring of marks.rings.values()) {
+    for (const ring of [...marks.rings.values(), ...marks.others.values()]) {
       this.painter_.alpha = marks.left(ring.lifted, scene.now) * (ring.group < 0 ? 0.6 : 1);
       const size = 0.55 + 0.45 * marks.grown(ring.since, scene.now, 90);
       this.painter_.ring(scene.camera.worldToScreen(ring.at.x, ring.at.y), this.coloursOf(ring.group, scene), size);

@@ -53,7 +53,7 @@ export async function layout(studio) {
     const boxes = [...document.querySelectorAll('#ui button')].filter(visible).map((node) => ({ name: node.ariaLabel ?? node.textContent, box: node.getBoundingClientRect() }));
     const small = boxes.filter(({ box }) => box.width < 43.9 || box.height < 43.9).map(({ name }) => name);
     const panels = [...document.querySelectorAll('#ui .panel, #ui .sheet')].filter(visible)
-      .filter((node) => getComputedStyle(node).position === 'absolute' && node.parentElement.closest('.panel') === null)
+      .filter((node) => getComputedStyle(node).position !== 'static' && node.parentElement.closest('.panel') === null)
       .map((node) => ({ name: node.className, box: node.getBoundingClientRect() }));
     const outside = panels.filter(({ box }) => box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5).map(({ name }) => name);
     const overlaps = [];

@@ -36,7 +36,7 @@ export async function everyScenario(studio) {
       return state.scenario === id && frame.sceneRevision > 0 && frame.x.length === n;
     }, [name, characters]);
     await studio.wait(1200);
-    await studio.shot(`scenario-${name}`);
+    await studio.shot(`scenario-${name.replace('/', '-')}`);
     const calls = await drawCalls(studio);
     console.log(`measured: ${name}: ${calls} draws`);
     expect(calls > 0 && calls <= MOST_DRAWS, `${name} takes ${calls} draws, at most ${MOST_DRAWS} allowed`);

@@ -7,6 +7,7 @@ const shots = fileURLToPath(new URL('../../test-results/', import.meta.url));
 mkdirSync(shots, { recursive: true });
 
 export const SIZES = {
+  wide: { width: 1440, height: 900 },
   desktop: { width: 1280, height: 800 },
   landscape: { width: 1180, height: 820 },
   portrait: { width: 820, height: 1180 },
