@@ -80,6 +80,14 @@ double Axis::place(double value) const {
     return std::log(value / low) / std::log(high / low);
 }
 
+std::size_t labelStride(const Axis& axis, double length, double letterWidth) {
+    std::size_t longest = 1;
+    for (const Tick& tick : axis.ticks) longest = std::max(longest, letters(tick.label));
+    const double needed = letterWidth * (static_cast<double>(longest) + 1.5);
+    const double room = length / std::max<double>(1.0, static_cast<double>(axis.ticks.size()) - 1.0);
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(needed / room - 1e-9)));
+}
+
 Axis makeAxis(double low, double high, bool logarithmic, bool whole) {
     low = std::clamp(low, -kLargest, kLargest);
     high = std::clamp(high, low, kLargest);

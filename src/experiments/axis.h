@@ -23,6 +23,10 @@ struct Axis {
     double place(double value) const;
 };
 
+/// Every how many ticks are labelled, so that labels of letters `letterWidth` wide fit side by side on an axis of that
+/// length, both in the same unit.
+std::size_t labelStride(const Axis& axis, double length, double letterWidth);
+
 /// The axis that shows low to high. A linear one begins with 0 where that costs at most half of it; `whole` asks for
 /// ticks at whole numbers. A logarithmic one needs low > 0, else it becomes linear.
 Axis makeAxis(double low, double high, bool logarithmic, bool whole = false);

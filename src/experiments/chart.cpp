@@ -60,9 +60,11 @@ std::string drawAxes(const Frame& frame, const ChartDef& chart) {
         const double y = frame.py(tick.value);
         out += rule(frame.left, y, right, y, "grid", "#DDD8CF") + text(frame.left - 7.0, y + 4.0, "end", tick.label);
     }
-    for (const Tick& tick : frame.x.ticks) {
-        const double x = frame.px(tick.value);
-        out += rule(x, bottom, x, bottom + 5.0, "axis", "#545C66") + text(x, bottom + 19.0, "middle", tick.label);
+    const std::size_t stride = labelStride(frame.x, right - frame.left, kLetterWidth);
+    for (std::size_t k = 0; k < frame.x.ticks.size(); ++k) {
+        const double x = frame.px(frame.x.ticks[k].value);
+        out += rule(x, bottom, x, bottom + 5.0, "axis", "#545C66");
+        if (k % stride == 0) out += text(x, bottom + 19.0, "middle", frame.x.ticks[k].label);
     }
     out += rule(frame.left, bottom, right, bottom, "axis", "#545C66");
     const std::string logX = chart.logX ? " (log)" : "", logY = chart.logY ? " (log)" : "";

@@ -106,21 +106,28 @@ std::string chapterHead(const ExperimentResult& experiment) {
 
 std::string films(const ExperimentResult& experiment) {
     std::string html;
+    std::size_t longest = 0;
     for (const Arm& arm : experiment.arms) {
         const std::vector<RunSample>& runs = experiment.samples.runs(arm.id, arm.preset);
-        if (!runs.empty() && !runs.front().film.empty()) html += filmOf(experiment, arm, runs.front().film);
+        if (runs.empty() || runs.front().film.empty()) continue;
+        html += filmOf(experiment, arm, runs.front().film);
+        longest = std::max(longest, runs.front().film.size());
     }
-    return html.empty() ? html : "<p class=\"help\">Pictures of the run with seed 1.</p>\n" + html;
+    if (html.empty()) return html;
+    // Short films stand beside each other, so that arms can be compared.
+    const std::string kind = longest <= 2 ? " n" + std::to_string(longest) : "";
+    return "<p class=\"help\">Pictures of the run with seed 1.</p>\n<div class=\"films" + kind + "\">\n" + html + "</div>\n";
 }
 
 std::string stripPlots(const ExperimentResult& experiment) {
     std::string html;
-    std::vector<std::string> alike;
+    std::vector<std::string> alike, never;
     for (const FigureInfo& figure : experiment.figures) {
         const StripPlotDef plot = plotOf(experiment, figure);
         if (plot.rows.empty()) continue;
+        const bool any = std::any_of(plot.rows.begin(), plot.rows.end(), [](const StripRow& row) { return !row.values.empty(); });
         if (!varies(plot)) {
-            alike.push_back(figure.title);
+            (any ? alike : never).push_back(figure.title);
             continue;
         }
         html += "<figure class=\"plot\"><figcaption>" + escaped(figure.title) +
@@ -128,14 +135,15 @@ std::string stripPlots(const ExperimentResult& experiment) {
                 "</figure>\n";
     }
     if (!html.empty()) html = "<p class=\"help\">A mark is a seed, the bar the median; hollow marks are of the preset paper.</p>\n<div class=\"plots\">\n" + html + "</div>\n";
+    if (!never.empty()) html += "<p class=\"help\">Without a value in any run: " + escaped(joined(never)) + ".</p>\n";
     if (!alike.empty()) html += "<p class=\"help\">Not plotted, because all runs gave one value: " + escaped(joined(alike)) + ".</p>\n";
     return html;
 }
 
 std::string chapter(const ExperimentResult& experiment, std::int32_t seeds) {
-    return "<article class=\"chapter\" id=\"" + anchorOf(experiment) + "\">\n" + chapterHead(experiment) + "<div class=\"words\">\n" +
-           section("What the paper shows", paragraphs(experiment.text.paper)) + section("Our scene", paragraphs(experiment.text.scene)) +
-           "</div>\n" + section("Film", films(experiment)) + section("Criteria", criteriaTable(experiment, seeds)) +
+    return "<article class=\"chapter\" id=\"" + anchorOf(experiment) + "\">\n" + chapterHead(experiment) + "<div class=\"pair\">\n<div>" +
+           section("What the paper shows", paragraphs(experiment.text.paper)) + "</div>\n<div>" +
+           section("Our scene", paragraphs(experiment.text.scene)) + "</div>\n</div>\n" + section("Film", films(experiment)) + section("Criteria", criteriaTable(experiment, seeds)) +
            section("Findings", experiment.text.findings.empty() ? "" : "<div class=\"words\">" + paragraphs(experiment.text.findings) + "</div>\n") +
            section("Figures over the seeds", figuresTables(experiment, seeds)) + stripPlots(experiment) +
            section("Charts", chartsOf(experiment)) + section("See it again", "<div class=\"again\">" + again(experiment, seeds) + "</div>\n") +

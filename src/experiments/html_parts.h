@@ -35,7 +35,7 @@ std::string anchorOf(const ExperimentResult& experiment);
 std::string requirementText(const Verdict& verdict);
 /// "36 s", or that there is none, as text.
 std::string verdictValueText(const Verdict& verdict);
-/// "34 to 36 over 10 seeds", as text.
+/// "34 to 36, 10 seeds", as text; names seeds without a value.
 std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds);
 /// "Transport (paper)", as text: the preset is named where it is not "muster".
 std::string armTitle(const Arm& arm);

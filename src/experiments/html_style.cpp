@@ -29,6 +29,8 @@ a:focus-visible{outline:2px solid var(--ink);outline-offset:2px}
 code,pre{font:13px/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaVu Sans Mono",monospace}
 pre{margin:0 0 12px;padding:8px 12px;background:var(--panel);border:1px solid var(--line);border-radius:8px;white-space:pre-wrap;overflow-wrap:anywhere}
 .words{max-width:72ch}
+.pair{display:grid;grid-template-columns:1fr 1fr;gap:0 48px}
+.pair>div{max-width:72ch}
 .lede,.help,.unit,.none{color:var(--ink2)}
 .lede{max-width:76ch}
 .help{font-size:13px;line-height:18px;max-width:80ch}
@@ -69,8 +71,9 @@ td b{font-weight:600}
 .summary tr:not(.first) td.name{line-height:0;font-size:0}
 .summary tr.aside td{color:var(--ink2)}
 .summary tr.aside td b{font-weight:450}
-.criteria td.words{width:36%}
-.criteria td small{display:block}
+.criteria td.words{width:34%}
+.criteria td:nth-child(2){width:19%}
+.criteria td small{display:block;white-space:normal}
 .sign{font-weight:600}
 .sign.fail{border:1.5px solid;border-radius:6px;padding:0 5px;margin-left:-6px}
 .sign.aside{font-weight:450}
@@ -83,6 +86,8 @@ td b{font-weight:600}
 .hashes td,.hashes th{padding-right:28px}
 .scroll{overflow-x:auto;margin:0 0 8px}
 figure{margin:0;break-inside:avoid}
+.films.n1,.films.n2{display:grid;gap:0 16px;grid-template-columns:repeat(auto-fill,minmax(min(270px,100%),1fr))}
+.films.n2{grid-template-columns:repeat(auto-fill,minmax(min(540px,100%),1fr))}
 .frames{display:grid;gap:16px;margin:0 0 8px}
 .frames.c1{grid-template-columns:minmax(0,440px)}
 .frames.c2{grid-template-columns:repeat(2,minmax(0,440px))}
@@ -104,6 +109,7 @@ figcaption{font-size:13px;line-height:18px;margin-top:6px}
 
 constexpr const char* kNarrow = R"css(
 @media (max-width:900px){
+.pair{grid-template-columns:1fr}
 .frames.c3,.frames.c4{grid-template-columns:repeat(2,minmax(0,1fr))}
 }
 @media screen and (max-width:640px){
@@ -115,13 +121,10 @@ h1{font-size:25px}
 .stack,.stack tbody,.stack tr,.stack td{display:block;width:auto}
 .stack thead{display:none}
 .stack tr{border-bottom:1px solid var(--edge);padding:10px 0}
-.stack td,.stack .criteria td.words{border:0;padding:2px 0;display:grid;grid-template-columns:6.5em 1fr;column-gap:12px;width:auto}
-.criteria td.words{width:auto}
+.stack td,.criteria td.words,.criteria td:nth-child(2){border:0;padding:2px 0;display:grid;grid-template-columns:6.5em 1fr;column-gap:12px;width:auto}
 .stack td::before{content:attr(data-label);color:var(--ink2);font-size:12px;line-height:20px;font-weight:500}
 .stack td>*{justify-self:start}
-.stack td small,.stack td b{grid-column:2}
-.stack td .sign{grid-column:2}
-.stack td a{grid-column:2}
+.stack td>*{grid-column:2}
 .summary tr:not(.first) td.name{display:none}
 .stack td small{white-space:normal}
 .sign.fail{margin-left:0}
@@ -152,13 +155,15 @@ th,td{padding:3pt 8pt 3pt 0}
 .figures th:first-child{min-width:0}
 .figures .number{min-width:0}
 .scroll{overflow:visible}
-#summary{break-before:page}
+h2,.help,.headline,.verdict{break-after:avoid}
+.criteria,.figures,.hashes{break-inside:avoid}
+.films.n1,.films.n2{display:block}
 .chapter{break-before:page;border:0;margin:0;padding:0}
 .words{max-width:none}
 .frames,.frames.c1,.frames.c2,.frames.c3,.frames.c4{gap:8pt}
-.frames.c3,.frames.c4{grid-template-columns:repeat(3,minmax(0,1fr))}
-.frames.c1,.frames.c2{grid-template-columns:repeat(2,minmax(0,1fr))}
+.frames.c1,.frames.c2,.frames.c3,.frames.c4{grid-template-columns:repeat(3,minmax(0,1fr))}
 .plots{grid-template-columns:repeat(2,1fr);gap:12pt 18pt}
+.plot figcaption{font-size:9pt}
 .chart{max-width:none}
 pre{padding:3pt 6pt;margin-bottom:6pt}
 .again{break-inside:avoid}

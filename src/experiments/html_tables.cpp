@@ -42,8 +42,10 @@ std::string figureCell(const ExperimentResult& experiment, const Arm& arm, const
     if (values.empty()) return cell(armTitle(arm), "<span class=\"missing\">" + missingWord(figure.unit) + "</span>", "number");
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const std::string lowText = fixedNumber(*low, figure.decimals), highText = fixedNumber(*high, figure.decimals);
-    std::string content = "<b>" + fixedNumber(median(values), figure.decimals) + "</b>";
-    if (*low != *high) content += " " + small(lowText == highText ? "all nearly alike" : lowText + " to " + highText);
+    const double middle = median(values);
+    const bool between = figure.decimals <= 0 && std::isfinite(middle) && middle != std::floor(middle);
+    std::string content = "<b>" + fixedNumber(middle, between ? 1 : figure.decimals) + "</b>";
+    if (*low != *high) content += " " + small(lowText == highText ? plainNumber(*low) + " to " + plainNumber(*high) : lowText + " to " + highText);
     if (values.size() < runs.size()) {
         content += " <small class=\"missing\">" + missingWord(figure.unit) + " in " + std::to_string(runs.size() - values.size()) +
                    " of " + std::to_string(runs.size()) + "</small>";
@@ -99,7 +101,7 @@ std::string criteriaTable(const ExperimentResult& experiment, std::int32_t seeds
         for (std::size_t p = 0; p < presets.size(); ++p) {
             const Verdict* verdict = row.byPreset[p];
             html += verdict == nullptr ? cell(presets[p], "<span class=\"none\">not judged</span>")
-                                       : cell(presets[p], resultSign(*verdict) + " <b>" + escaped(verdictValueText(*verdict)) + "</b> " +
+                                       : cell(presets[p], "<span>" + resultSign(*verdict) + " <b>" + escaped(verdictValueText(*verdict)) + "</b></span> " +
                                                               small(verdictRangeText(*verdict, seeds)));
         }
         html += "</tr>\n";

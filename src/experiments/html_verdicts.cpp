@@ -95,12 +95,14 @@ std::string verdictValueText(const Verdict& verdict) {
 }
 
 std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds) {
-    const auto known = static_cast<std::size_t>(verdict.seeds);
-    const std::string rests = verdict.seeds < seeds ? std::to_string(verdict.seeds) + " of " + counted(static_cast<std::size_t>(seeds), "seed", "seeds")
-                                                    : counted(known, "seed", "seeds");
-    if (verdict.seeds == 0) return rests;
+    const std::string all = counted(static_cast<std::size_t>(std::max(seeds, verdict.seeds)), "seed", "seeds");
+    if (verdict.seeds == 0) return "in none of " + all;
     const std::string low = judgedNumber(verdict.low, verdict.threshold), high = judgedNumber(verdict.high, verdict.threshold);
-    return (low == high ? low : low + " to " + high) + ", " + rests;
+    const std::string range = low == high ? low : low + " to " + high;
+    if (verdict.seeds < seeds)
+        return range + ", " + missingWord(verdict.unit) + " in " + std::to_string(seeds - verdict.seeds) + " of " + all;
+    if (seeds == 1) return all;
+    return low == high ? "the same in " + all : range + ", " + all;
 }
 
 std::string armTitle(const Arm& arm) {

@@ -11,8 +11,9 @@
 namespace muster {
 namespace {
 
-constexpr double kWidth = 360.0, kLeft = 12.0, kRight = 24.0;
+constexpr double kWidth = 360.0, kLeft = 20.0, kRight = 24.0;
 constexpr double kTitleHeight = 17.0, kLane = 30.0, kRowGap = 6.0, kAxisHeight = 26.0;
+constexpr double kLetterWidth = 6.9;
 constexpr double kRadius = 3.6;
 constexpr double kBeside = 6.4;  // Marks closer than this are put above each other ...
 constexpr double kRise = 3.7;    // ... by so much at a time.
@@ -61,7 +62,7 @@ std::string drawRow(const StripRow& row, const Axis& axis, double y) {
     std::sort(finite.begin(), finite.end());
     for (const double value : finite) xs.push_back(across(axis, value));
     const std::string note = notes(row, finite.size());
-    std::string out = text(kLeft, y + 12.0, "start", row.title + (note.empty() ? "" : ": " + note), "label");
+    std::string out = text(0.0, y + 12.0, "start", row.title + (note.empty() ? "" : ": " + note), "label");
     const double middle = y + kTitleHeight + 0.5 * kLane;
     for (const Tick& tick : axis.ticks)
         out += upright(across(axis, tick.value), middle - 15.0, middle + 15.0, "grid", "#DDD8CF", 1.0);
@@ -92,8 +93,9 @@ std::string stripPlot(const StripPlotDef& plot) {
     const Axis axis = axisOf(all, false, plot.whole);
     const double bottom = (kTitleHeight + kLane + kRowGap) * static_cast<double>(plot.rows.size());
     std::string body;
-    for (const Tick& tick : axis.ticks)
-        body += text(across(axis, tick.value), bottom + 14.0, "middle", tick.label);
+    const std::size_t stride = labelStride(axis, kWidth - kLeft - kRight, kLetterWidth);
+    for (std::size_t k = 0; k < axis.ticks.size(); k += stride)
+        body += text(across(axis, axis.ticks[k].value), bottom + 14.0, "middle", axis.ticks[k].label);
     double y = 0.0;
     for (const StripRow& row : plot.rows) {
         body += drawRow(row, axis, y);
