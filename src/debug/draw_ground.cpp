@@ -124,6 +124,19 @@ void drawPatches(const Pen& pen) {
     }
 }
 
+/// What lies there to be collected; once it is, a ring stays.
+void drawItems(const Pen& pen) {
+    const auto items = pen.world.items();
+    const auto collected = pen.world.collected();
+    const Colour colour = pen.theme.accents[1];
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        const bool there = collected[k] == 0;
+        pen.draw.disc(items[k].position, items[k].radius, faded(colour, there ? 0.25 : 0.0),
+                      pen.stroke(faded(colour, there ? 0.9 : 0.35), 1.4));
+        if (there) pen.draw.disc(items[k].position, 0.5 * items[k].radius, colour, {});
+    }
+}
+
 /// One tag per name, at the upper edge of the first patch that bears it.
 void drawPatchTags(const Pen& pen) {
     const Environment& environment = pen.world.environment();

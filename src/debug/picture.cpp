@@ -63,6 +63,7 @@ void drawWorld(DebugDraw& draw, const World& world, const PictureDef& def) {
     if (shows(Layer::Patches)) drawPatches(pen);
     if (shows(Layer::Field)) drawPotentialField(pen);
     if (shows(Layer::Density)) drawDensity(pen);
+    if (shows(Layer::Patches)) drawItems(pen);
     if (shows(Layer::Obstacles)) drawObstacles(pen);
     if (shows(Layer::Mesh)) drawMeshes(pen);
     if (shows(Layer::Places)) drawPlaces(pen);

@@ -50,6 +50,7 @@ void drawGroundLines(const Pen& pen);
 void drawObstacles(const Pen& pen);
 void drawPatches(const Pen& pen);
 void drawPatchTags(const Pen& pen);
+void drawItems(const Pen& pen);
 void drawMeshes(const Pen& pen);
 void drawPlaces(const Pen& pen);
 void drawTrails(const Pen& pen);

@@ -111,6 +111,22 @@ TEST_CASE("patches: their polygon, their floor and their name") {
     CHECK(countOf(shapes, Kind::Line) > 5);  // Waves.
 }
 
+TEST_CASE("items: filled while they lie there, a ring once they are collected") {
+    WorldDef def = sceneDef();
+    def.patches.clear();
+    def.items = {{{6, -5}, 0.4}, {{-6, 0}, 0.5}};  // The second lies in the crowd.
+    const World world = sceneWorld(def);
+    REQUIRE(world.collected()[0] == 0);
+    REQUIRE(world.collected()[1] == 1);
+    const auto shapes = layerOf(world, "patches");
+    REQUIRE(countOf(shapes, Kind::Disc) == 3);
+    for (const Shape& shape : shapes) {
+        const bool first = shape.loops[0][0] == Vec2{6, -5};
+        CHECK((first || shape.loops[0][0] == Vec2{-6, 0}));
+        CHECK((shape.fill.opacity > 0.0) == first);
+    }
+}
+
 TEST_CASE("characters: a disc where each stands, pointing where it faces") {
     const World world = sceneWorld();
     const auto shapes = layerOf(world, "characters");
