@@ -8,6 +8,7 @@
 
 #include "muster/base/archive.h"
 #include "muster/base/random.h"
+#include "muster/scenario/gestures.h"
 
 using namespace muster;
 
@@ -322,7 +323,10 @@ TEST_CASE("warnings tell of narrow gaps and bad starts") {
 
 TEST_CASE("every shipped scenario is good and has no warnings") {
     int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    std::vector<std::filesystem::directory_entry> files;
+    for (const std::string& folder : {kFolder, kFolder + "/paper"})
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry);
+    for (const auto& entry : files) {
         if (entry.path().extension() != ".json") continue;
         CAPTURE(entry.path().string());
         const auto def = loadScenario(entry.path().string());
@@ -330,6 +334,9 @@ TEST_CASE("every shipped scenario is good and has no warnings") {
         ++count;
         CHECK(!def->description.empty());
         CHECK(def->groups.size() >= 1);
+        const auto gestures = loadScenarioGestures(entry.path().string(), *def);
+        REQUIRE_MESSAGE(gestures.ok(), gestures.status().message());
+        CHECK_MESSAGE(!gestures->empty(), "carries no gestures");
         for (const std::string& warning : scenarioWarnings(*def)) CHECK_MESSAGE(false, warning);
     }
     CHECK(count >= 6);

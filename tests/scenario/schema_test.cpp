@@ -59,8 +59,10 @@ TEST_CASE("every parameter stands in the schema with its default, range and unit
 
 TEST_CASE("shipped scenarios and written ones keep to the schema") {
     const Json rules = schema();
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(MUSTER_SOURCE_DIR) + "/scenarios")) {
-        if (entry.path().extension() != ".json") continue;
+    const std::string folder = std::string(MUSTER_SOURCE_DIR) + "/scenarios";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        const std::string holder = entry.path().parent_path().filename().string();
+        if (entry.path().extension() != ".json" || holder == "gestures" || holder == "schema") continue;
         const auto json = parseJson(*readTextFile(entry.path().string()), entry.path().string());
         REQUIRE(json.ok());
         CHECK(testing::breaks(rules, *json) == "");
