@@ -21,6 +21,7 @@ import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import { fieldScale } from '../view/field_picture';
 import type { StudioScene } from '../view/studio_scene';
 import { ControlWatch, KIND_NAMES, type ControlNews } from './control_watch';
+import { DemonstrationCamera } from './demonstration_camera';
 import { DemonstrationWatch } from './demonstration_watch';
 import { returnFocus } from './focus_return';
 import { FormationWatch } from './formation_watch';
@@ -44,6 +45,7 @@ export class StudioApp {
   private readonly watch = new ControlWatch();
   private readonly formations = new FormationWatch();
   private readonly demonstrations = new DemonstrationWatch();
+  private readonly guide: DemonstrationCamera;
   private readonly drafts: Drafts;
   private readonly hitTest = new FormationHitTest();
   private readonly controller: StudioController;
@@ -69,6 +71,7 @@ export class StudioApp {
     const camera = new CameraGesture(view.camera);
     const orbit = new OrbitGesture(view.camera);
     this.chooser = new ToolChooser({ scene: view, hitTest: this.hitTest, editor, camera, orbit, controls: this.controls });
+    this.guide = new DemonstrationCamera(view, () => this.fit());
     this.keys = new CrowdKeys(view, this.controls, this.chooser, () => this.middle(), say);
     const shortcuts = this.shortcuts();
     this.shell = new StudioShell(page, this.store, this.controller, shortcuts);
@@ -82,11 +85,15 @@ export class StudioApp {
   }
 
   private shortcuts() {
-    const { keys, controller, store } = this;
+    const { keys, controller, store, guide } = this;
+    const byHand = (act: () => void): void => {
+      guide.release();
+      act();
+    };
     return studioShortcuts(controller, {
-      arrow: (key, long) => keys.arrow(key, long),
-      zoom: (factor) => keys.zoom(factor),
-      turn: (radians) => keys.turn(radians),
+      arrow: (key, long) => byHand(() => keys.arrow(key, long)),
+      zoom: (factor) => byHand(() => keys.zoom(factor)),
+      turn: (radians) => byHand(() => keys.turn(radians)),
       grabOrDrop: () => keys.grabOrDrop(store.state.active),
       letGo: () => keys.letGo(),
       togglePin: () => keys.togglePin(),
@@ -108,6 +115,9 @@ export class StudioApp {
     });
     for (const type of ['pointerdown', 'pointermove', 'pointerup', 'pointerleave'] as const) {
       this.canvas.addEventListener(type, (event) => this.keys.pointed(event));
+    }
+    for (const type of ['pointerdown', 'wheel'] as const) {
+      this.canvas.addEventListener(type, () => this.guide.release(), { passive: true });
     }
   }
 
@@ -234,6 +244,7 @@ export class StudioApp {
   private forgetWorld(): void {
     this.forgetTouches();
     this.formations.clear();
+    this.guide.forget();
     this.store.set({ active: 0, notice: null });
   }
 
@@ -248,6 +259,8 @@ export class StudioApp {
     // Whose touches a take has, they are nobody's now.
     this.view.setClient(frame.replaying ? 0 : this.client.clientId);
     this.view.pushFrame(frame, receivedAt);
+    const { clientWidth, clientHeight } = this.canvas;
+    this.guide.observe(frame, clientWidth, clientHeight, () => this.shell.padding());
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
     this.store.set(this.reader.change(frame, this.store.state));

@@ -64,6 +64,7 @@ export async function demonstration(studio) {
     const walked = start.filter(({ x, y }, i) => Math.hypot(frame.x[i] - x, frame.y[i] - y) > 1);
     return walked.length > start.length / 2;
   }, crowd(before), 30000);
+  await staysInView(studio);
   await tap(studio, watchButton(studio));
   await studio.until('the plain start', () => {
     const { frame } = globalThis.__muster;
@@ -73,6 +74,26 @@ export async function demonstration(studio) {
   const after = crowd(await studio.frame());
   const farthest = Math.max(...crowd(before).map((p, i) => distance(p, after[i])));
   expect(farthest < 0.5, `pressed again all stand at the start: ${farthest} m`);
+  expect((await shareInView(studio)) > 0.95, 'and the view is back there');
+}
+
+/** The camera goes along with the crowd: far into its way most of it is still to be seen. */
+async function staysInView(studio) {
+  await studio.send({ type: 'SetSpeed', factor: 4 });
+  await studio.until('eleven seconds of it', () => globalThis.__muster.frame.time > 11, null, 60000);
+  await studio.send({ type: 'SetSpeed', factor: 1 });
+  await studio.wait(500);
+  await studio.shot('watching-on');
+  const share = await shareInView(studio);
+  expect(share > 0.8, `${share} of the crowd is in view`);
+}
+
+function shareInView(studio) {
+  return studio.page.evaluate(() => {
+    const { frame, view } = globalThis.__muster;
+    const at = Array.from(frame.x, (x, i) => view.worldToScreen({ x, y: frame.y[i] }));
+    return at.filter((p) => p.x > 0 && p.y > 0 && p.x < innerWidth && p.y < innerHeight).length / at.length;
+  });
 }
 
 /** In the page: whether the canvas of marks has paint where the handles stand. */

@@ -1,0 +1,80 @@
+// While a demonstration runs the camera goes along with the crowd, until somebody takes the scene in hand.
+
+import type { CameraControls, Padding, ScreenPoint } from '../view/camera_types';
+
+/** The crowd's middle may wander in this share of the ground between the panels. */
+const kFree = 0.5;
+/** Share of what it is beyond that one frame makes good. */
+const kEase = 0.06;
+
+export interface CameraHost {
+  readonly camera: Pick<CameraControls, 'panBy'>;
+  worldToScreen(point: { x: number; y: number }): ScreenPoint;
+}
+
+/** What it reads of a frame. */
+export interface WatchedFrame {
+  readonly step: number;
+  readonly demonstrating: boolean;
+  readonly x: ArrayLike<number>;
+  readonly y: ArrayLike<number>;
+}
+
+export class DemonstrationCamera {
+  private follows = false;
+  /** The camera went along and nobody has moved it since. */
+  private away = false;
+  private running = false;
+  private step = 0;
+
+  /** `fit` brings the whole crowd into view. */
+  constructor(private readonly host: CameraHost, private readonly fit: () => void) {}
+
+  /** Somebody uses the scene: it stays as it is. */
+  release(): void {
+    this.follows = false;
+    this.away = false;
+  }
+
+  /** Another world: its view opens by itself. */
+  forget(): void {
+    this.release();
+    this.running = false;
+    this.step = 0;
+  }
+
+  /** For each frame; the size is the canvas's [CSS px]. */
+  observe(frame: WatchedFrame, width: number, height: number, padding: () => Padding): void {
+    if (frame.step < this.step && this.away) {
+      // All stand at the start again.
+      this.away = false;
+      this.fit();
+    }
+    if (frame.demonstrating && !this.running) this.follows = true;
+    this.running = frame.demonstrating;
+    this.step = frame.step;
+    if (this.running && this.follows && frame.x.length > 0) this.goAlong(frame, width, height, padding());
+  }
+
+  private goAlong(frame: WatchedFrame, width: number, height: number, padding: Padding): void {
+    const at = this.host.worldToScreen({ x: mean(frame.x), y: mean(frame.y) });
+    const dx = beyond(at.x, padding.left, width - padding.right);
+    const dy = beyond(at.y, padding.top, height - padding.bottom);
+    if (dx === 0 && dy === 0) return;
+    this.away = true;
+    this.host.camera.panBy(-kEase * dx, -kEase * dy);
+  }
+}
+
+function mean(list: ArrayLike<number>): number {
+  let sum = 0;
+  for (let i = 0; i < list.length; ++i) sum += list[i] ?? 0;
+  return sum / list.length;
+}
+
+/** By how much a value is beyond the free share in the middle of a range. */
+function beyond(value: number, low: number, high: number): number {
+  const middle = (low + high) / 2;
+  const room = (kFree * Math.max(0, high - low)) / 2;
+  return value > middle + room ? value - middle - room : value < middle - room ? value - middle + room : 0;
+}
