@@ -78,7 +78,7 @@ public:
         bar_.show(static_cast<double>(p.done) / p.of,
                   std::to_string(p.done) + " of " + std::to_string(p.of) + " runs  " + p.experiment + " " + p.arm);
         if (terminal_ || p.experimentDone < p.experimentOf) return;
-        std::fprintf(stderr, "%-3s  %s: %d runs complete, %d of %d in all\n", p.experiment.c_str(), p.title.c_str(), p.experimentOf,
+        std::fprintf(stderr, "%-3s  %s: complete, %d of %d runs in all\n", p.experiment.c_str(), p.title.c_str(),
                      p.done, p.of);
     }
 
