@@ -17,13 +17,13 @@ beforeEach(() => {
 
 it('stands while the crowd is in the middle, then moves it back softly', () => {
   observe(frame(1, 500));
-  observe(frame(2, 690));
+  observe(frame(2, 610));
   expect(panBy).not.toHaveBeenCalled();
   observe(frame(3, 800));
-  expect(panBy.mock.calls[0]![0]).toBeCloseTo(-6);
+  expect(panBy.mock.calls[0]![0]).toBeCloseTo(-14.4);
   expect(panBy.mock.calls[0]![1]).toBeCloseTo(0);
   observe(frame(4, 200));
-  expect(panBy.mock.calls[1]![0]).toBeCloseTo(6);
+  expect(panBy.mock.calls[1]![0]).toBeCloseTo(14.4);
 });
 
 it('leaves the camera alone without a demonstration, and once somebody uses the scene', () => {

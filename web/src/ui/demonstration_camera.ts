@@ -3,9 +3,9 @@
 import type { CameraControls, Padding, ScreenPoint } from '../view/camera_types';
 
 /** The crowd's middle may wander in this share of the ground between the panels. */
-const kFree = 0.5;
+const kFree = 0.3;
 /** Share of what it is beyond that one frame makes good. */
-const kEase = 0.06;
+const kEase = 0.08;
 
 export interface CameraHost {
   readonly camera: Pick<CameraControls, 'panBy'>;
