@@ -68,7 +68,7 @@ struct ControlDef {
     double checkpointSpacing = 0.5;  ///< Along a drawn path [m] > 0.
     double maxSpeed = 1.6;           ///< Bound on control points [m/s] > 0.
     double clockRate = 4.0;          ///< Bound on drawing seconds per second when catching up >= 1.
-    double softWeight = 2.0;         ///< Of supplementary points > 0.
+    double softWeight = 6.0;         ///< Of supplementary points > 0.
     double sampleSpacing = 1.0;      ///< Between supplementary points [m] > 0.
 };
 

@@ -17,7 +17,7 @@ struct Parameters {
     double checkpointSpacing = 0.5;
     double controlSpeed = 1.6;
     double clockRate = 4.0;
-    double softWeight = 2.0;
+    double softWeight = 6.0;
     double opposingForce = 1.0;
     double opposingGain = 0.35;
     // Mesh layer (SPEC M2-M5).
