@@ -7,8 +7,11 @@ std::vector<std::unique_ptr<Experiment>> paperExperiments() {
     all.push_back(makeControlsExperiment());
     all.push_back(makeHalvesExperiment());
     all.push_back(makeWoodlandExperiment());
+    all.push_back(makeTrafficExperiment());
     all.push_back(makeCourseExperiment());
     all.push_back(makeShapesExperiment());
+    all.push_back(makePacmanExperiment());
+    all.push_back(makeScaleExperiment());
     return all;
 }
 

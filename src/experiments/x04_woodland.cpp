@@ -3,6 +3,7 @@
 
 #include "experiments/catalogue.h"
 #include "experiments/ground_watch.h"
+#include "experiments/hand_jitter.h"
 #include "muster/experiments/trial.h"
 
 namespace muster {
@@ -13,6 +14,7 @@ constexpr MotionId kDuck = 2;
 constexpr double kWoodBegins = -10.7;  // All branches hang between these [m].
 constexpr double kWoodEnds = 11.7;
 constexpr double kJitter = 1.5;        // Starts: so far from their places that they are not forgotten at once [m].
+constexpr double kHand = 0.5;      // How far the hand draws aside [m].
 constexpr double kLongest = 60.0;      // After the last gesture [s].
 
 class WoodlandExperiment final : public Experiment {
@@ -90,24 +92,28 @@ Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
     auto trial = Trial::open(request, {.scenario = "x04-woodland", .jitter = kJitter});
     if (!trial.ok()) return trial.status();
     if (request.arm.id == "bare") trial->def().patches.clear();
+    jitterHand(trial->commands(), request.seed, kHand);
     if (Status s = trial->start(); !s.ok()) return s;
-    trial->picture().view = Box{{-18.0, -9.0}, {18.0, 9.0}};
     GroundWatch ground(trial->world());
     Crossing crossing;
     Between between;
+    const auto shoot = [&](double x, const char* caption) {
+        trial->picture().view = Box{{x - 9.0, -7.0}, {x + 9.0, 7.0}};
+        trial->shoot(caption);
+    };
     const auto watch = [&] {
         ground.observe(trial->world());
         crossing.observe(trial->world());
         between.observe(trial->world());
     };
     trial->runUntil(4.0, watch);
-    trial->shoot("the square comes to the wood");
+    shoot(-10.0, "the square comes to the wood");
     trial->runUntil(13.0, watch);
-    trial->shoot("among the trunks, ducking; the mesh gets ahead");
+    shoot(-4.0, "among the trunks, ducking; the mesh gets ahead");
     trial->runUntil(25.0, watch);
-    trial->shoot("the first are nearly through");
+    shoot(7.0, "the first are nearly through");
     trial->runUntilSettled(kLongest, watch);
-    trial->shoot("all through, a square again");
+    shoot(12.5, "all through, a square again");
     RunSample sample;
     trial->report(sample);
     sample.figures["through"] = crossing.through;

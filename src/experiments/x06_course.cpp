@@ -6,6 +6,7 @@
 #include "experiments/catalogue.h"
 #include "experiments/encounter_watch.h"
 #include "experiments/ground_watch.h"
+#include "experiments/hand_jitter.h"
 #include "muster/experiments/trial.h"
 
 namespace muster {
@@ -15,6 +16,7 @@ constexpr MotionId kCrawl = 3, kSwim = 4, kJump = 5, kClimb = 6;
 constexpr std::array kTerrains{kClimb, kJump, kCrawl, kSwim};
 constexpr double kFinish = 23.5;   // Behind the pool [m].
 constexpr double kJitter = 1.0;    // Starts: so far from their places that they are not forgotten at once [m].
+constexpr double kHand = 0.4;      // How far the hand draws aside [m].
 constexpr double kLongest = 60.0;  // After the last gesture [s].
 
 class CourseExperiment final : public Experiment {
@@ -152,6 +154,7 @@ struct Watch {
 Result<RunSample> CourseExperiment::run(const RunRequest& request) const {
     auto trial = Trial::open(request, {.scenario = "x06-course", .jitter = kJitter});
     if (!trial.ok()) return trial.status();
+    jitterHand(trial->commands(), request.seed, kHand);
     if (Status s = trial->start(); !s.ok()) return s;
     Watch watch(trial->world());
     std::size_t next = 0;
