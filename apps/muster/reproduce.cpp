@@ -62,7 +62,8 @@ Status prepareFolder(const std::string& folder) {
         return {StatusCode::IoError, folder + ": found a file, expected a folder or a name that is free"};
     fs::create_directories(folder, error);
     if (!fs::is_directory(folder, error)) return {StatusCode::IoError, folder + ": cannot be made a folder"};
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) return {StatusCode::IoError, folder + ": nothing can be written into this folder"};
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        return {StatusCode::IoError, folder + ": nothing can be written into this folder"};
     for (const char* name : {"index.html", "results.json", "summary.md"}) {
         const std::string path = folder + "/" + name;
         if (fs::exists(path, error) && (!fs::is_regular_file(path, error) || ::access(path.c_str(), W_OK) != 0))
@@ -105,7 +106,8 @@ int runReproduce(ReproduceOptions options) {
     if (options.json) {
         std::printf("%s", resultsJson(*reproduction).c_str());
     } else {
-        std::printf("%s%s\n", summaryText(*reproduction).c_str(), (fs::path(options.out) / "index.html").string().c_str());
+        std::printf("%s%s\n", summaryText(*reproduction).c_str(),
+                    (fs::path(options.out) / "index.html").string().c_str());
     }
     return reproduction->passed() ? kExitOk : kExitNotReproduced;
 }
@@ -115,11 +117,15 @@ int runReproduce(ReproduceOptions options) {
 void addReproduceCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("reproduce", "Runs the paper's experiments and writes a report.");
     auto options = std::make_shared<ReproduceOptions>();
-    command->add_option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.")->check(knownExperiment());
+    command->add_option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.")
+        ->check(knownExperiment());
     command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")->check(CLI::Range(1, 1000));
     command->add_option("--out", options->out, "Folder for index.html, results.json, summary.md and the film strips.")
-        ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "found no name, expected a folder" : ""; }, ""));
-    command->add_option("--threads", options->def.threads, "Runs side by side; 0 takes what the machine has. Results are the same.")
+        ->check(CLI::Validator(
+            [](const std::string& name) { return name.empty() ? "found no name, expected a folder" : ""; }, ""));
+    command
+        ->add_option("--threads", options->def.threads,
+                     "Runs side by side; 0 takes what the machine has. Results are the same.")
         ->check(CLI::Range(0, 256));
     command->add_option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
     command->add_flag("--json", options->json, "results.json on standard output in place of the table.");

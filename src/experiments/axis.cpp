@@ -19,7 +19,8 @@ std::string label(double value, double step) {
     const double size = std::max(std::abs(value), step);
     if (value != 0.0 && (size >= 1e7 || step < 1e-6)) {
         // As many digits as tell neighbours apart.
-        const int digits = static_cast<int>(std::floor(std::log10(size) + 1e-9) - std::floor(std::log10(step) + 1e-9)) + 1;
+        const int digits =
+            static_cast<int>(std::floor(std::log10(size) + 1e-9) - std::floor(std::log10(step) + 1e-9)) + 1;
         char buffer[32];
         std::snprintf(buffer, sizeof(buffer), "%.*g", std::clamp(digits, 1, 12), value);
         return buffer;

@@ -24,7 +24,8 @@ struct Frame {
     double px(double value) const { return left + x.place(value) * (kWidth - kRight - left); }
     double py(double value) const { return kTop + (1.0 - y.place(value)) * kPlotHeight; }
     bool shows(Vec2 p) const {
-        return std::isfinite(p.x) && std::isfinite(p.y) && (!x.logarithmic || p.x > 0.0) && (!y.logarithmic || p.y > 0.0);
+        return std::isfinite(p.x) && std::isfinite(p.y) && (!x.logarithmic || p.x > 0.0) &&
+               (!y.logarithmic || p.y > 0.0);
     }
 };
 
@@ -45,7 +46,8 @@ Frame frameOf(const ChartDef& chart) {
 }
 
 std::string text(double x, double y, const char* anchor, const std::string& words) {
-    return "<text x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) + "\" text-anchor=\"" + anchor + "\">" + escaped(words) + "</text>\n";
+    return "<text x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) + "\" text-anchor=\"" + anchor + "\">" +
+           escaped(words) + "</text>\n";
 }
 
 std::string rule(double x1, double y1, double x2, double y2, const char* kind, const char* colour) {
@@ -90,7 +92,8 @@ std::string drawSeries(const Frame& frame, const ChartSeries& series, std::size_
     std::string content;
     const std::string path = series.marksOnly ? std::string() : linePath(frame, series);
     if (!path.empty())
-        content += "<path d=\"" + path + "\" fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\"" + dashOf(index) + "/>";
+        content += "<path d=\"" + path + "\" fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\"" +
+                   dashOf(index) + "/>";
     // Lines of many points carry a few marks, each series at other points, so that marks do not hide each other.
     const std::size_t count = series.points.size();
     const std::size_t stride = series.marksOnly ? 1 : (count + kMarksPerLine - 1) / kMarksPerLine;
@@ -105,7 +108,8 @@ std::string drawSeries(const Frame& frame, const ChartSeries& series, std::size_
 std::string legendSign(const ChartSeries& series, std::size_t index, double x, double y) {
     std::string content;
     if (!series.marksOnly) {
-        content = "<path d=\"M" + svgNumber(x) + " " + svgNumber(y) + "h24\" fill=\"none\" stroke-width=\"2\"" + dashOf(index) + "/>";
+        content = "<path d=\"M" + svgNumber(x) + " " + svgNumber(y) + "h24\" fill=\"none\" stroke-width=\"2\"" +
+                  dashOf(index) + "/>";
     }
     return seriesGroup(index, content + seriesMark(index, x + 12.0, y, 4.0));
 }
@@ -125,7 +129,8 @@ std::string drawLegend(const ChartDef& chart, double& y) {
             y += kLegendLine;
         }
         out += legendSign(chart.series[i], i, x, y - 4.5);
-        for (std::size_t k = 0; k < lines.size(); ++k) out += text(x + kLegendMark, k == 0 ? y : y += 17.0, "start", lines[k]);
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            out += text(x + kLegendMark, k == 0 ? y : y += 17.0, "start", lines[k]);
         x += lines.size() > 1 ? kWidth : width;
     }
     return out;
@@ -147,7 +152,8 @@ std::string chartSvg(const ChartDef& chart) {
     const std::string width = svgNumber(kWidth), height = svgNumber(bottom + 6.0);
     return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
            "\" viewBox=\"0 0 " + width + " " + height +
-           "\" role=\"img\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#171B20\"><title>" +
+           "\" role=\"img\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"13\" "
+           "fill=\"#171B20\"><title>" +
            escaped(chart.title) + "</title>\n" + body + "</svg>\n";
 }
 

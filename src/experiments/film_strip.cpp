@@ -24,7 +24,8 @@ struct Cell {
 
 Cell cellOf(const FilmFrame& frame) {
     const PictureSize size = pictureSize(frame.svg);
-    return {size.width > 0.0 ? kWidth * size.height / size.width : kEmptyHeight, wrapped(frame.caption, kLettersPerLine)};
+    return {size.width > 0.0 ? kWidth * size.height / size.width : kEmptyHeight,
+            wrapped(frame.caption, kLettersPerLine)};
 }
 
 std::string textAt(double x, double y, const std::string& words, const char* weight) {
@@ -69,8 +70,8 @@ std::string filmStrip(const std::vector<FilmFrame>& film, std::int32_t columns) 
     }
     const std::string width = svgNumber(2.0 * kMargin + static_cast<double>(inRow) * (kWidth + kGap) - kGap);
     const std::string height = svgNumber(std::ceil(y - kGap + 2.0 * kMargin));
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " +
-           width + " " + height + "\" font-family=\"Inter, Helvetica, Arial, sans-serif\">\n" +
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+           "\" viewBox=\"0 0 " + width + " " + height + "\" font-family=\"Inter, Helvetica, Arial, sans-serif\">\n" +
            "<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>\n" + body + "</svg>\n";
 }
 

@@ -14,6 +14,11 @@ struct CriteriaCount {
     std::size_t passed = 0;  ///< Of these.
 };
 
+/// "3 of 6".
+std::string shareText(const CriteriaCount& count);
+/// What comes behind it: "criteria hold".
+std::string holdText(const CriteriaCount& count);
+
 /// Of one experiment.
 CriteriaCount countCriteria(const ExperimentResult& experiment);
 /// Of all.

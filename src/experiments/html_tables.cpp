@@ -27,7 +27,8 @@ std::string summaryRow(const ExperimentResult& experiment, const Verdict& verdic
     row += cell("Experiment", link + " " + small(experiment.text.title), "name");
     row += cell("Criterion", escaped(verdict.criterion), "words");
     row += cell("Preset", escaped(verdict.preset));
-    row += cell("Value", "<b>" + escaped(verdictValueText(verdict)) + "</b> " + small(verdictRangeText(verdict, seeds)), "number");
+    row += cell("Value", "<b>" + escaped(verdictValueText(verdict)) + "</b> " + small(verdictRangeText(verdict, seeds)),
+                "number");
     row += cell("Required", escaped(requirementText(verdict)));
     return row + cell("Result", resultSign(verdict)) + "</tr>\n";
 }
@@ -35,20 +36,23 @@ std::string summaryRow(const ExperimentResult& experiment, const Verdict& verdic
 /// What an arm gave of a figure, in a cell.
 std::string figureCell(const ExperimentResult& experiment, const Arm& arm, const FigureInfo& figure) {
     const std::vector<RunSample>& runs = experiment.samples.runs(arm.id, arm.preset);
-    const auto measured = static_cast<std::size_t>(
-        std::count_if(runs.begin(), runs.end(), [&](const RunSample& run) { return run.figures.count(figure.name) > 0; }));
+    const auto measured = static_cast<std::size_t>(std::count_if(
+        runs.begin(), runs.end(), [&](const RunSample& run) { return run.figures.count(figure.name) > 0; }));
     if (measured == 0) return cell(armTitle(arm), "<span class=\"none\">–</span>", "number");
     const std::vector<double> values = experiment.samples.values(arm.id, arm.preset, figure.name);
-    if (values.empty()) return cell(armTitle(arm), "<span class=\"missing\">" + missingWord(figure.unit) + "</span>", "number");
+    if (values.empty())
+        return cell(armTitle(arm), "<span class=\"missing\">" + missingWord(figure.unit) + "</span>", "number");
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const std::string lowText = fixedNumber(*low, figure.decimals), highText = fixedNumber(*high, figure.decimals);
     const double middle = median(values);
     const bool between = figure.decimals <= 0 && std::isfinite(middle) && middle != std::floor(middle);
     std::string content = "<b>" + fixedNumber(middle, between ? 1 : figure.decimals) + "</b>";
-    if (*low != *high) content += " " + small(lowText == highText ? plainNumber(*low) + " to " + plainNumber(*high) : lowText + " to " + highText);
+    if (*low != *high)
+        content += " " + small(lowText == highText ? plainNumber(*low) + " to " + plainNumber(*high)
+                                                   : lowText + " to " + highText);
     if (values.size() < runs.size()) {
-        content += " <small class=\"missing\">" + missingWord(figure.unit) + " in " + std::to_string(runs.size() - values.size()) +
-                   " of " + std::to_string(runs.size()) + "</small>";
+        content += " <small class=\"missing\">" + missingWord(figure.unit) + " in " +
+                   std::to_string(runs.size() - values.size()) + " of " + std::to_string(runs.size()) + "</small>";
     }
     return cell(armTitle(arm), content, "number");
 }
@@ -92,16 +96,20 @@ std::string summaryTable(const Reproduction& reproduction) {
 std::string criteriaTable(const ExperimentResult& experiment, std::int32_t seeds) {
     if (experiment.verdicts.empty()) return "<p>No criterion was judged.</p>\n";
     const std::vector<std::string> presets = presetsOf(experiment);
-    std::string html = "<table class=\"stack criteria\">\n<thead><tr><th scope=\"col\">Criterion</th><th scope=\"col\">Required</th>";
+    std::string html =
+        "<table class=\"stack criteria\">\n<thead><tr><th scope=\"col\">Criterion</th><th scope=\"col\">Required</th>";
     for (const std::string& preset : presets)
-        html += "<th scope=\"col\">" + escaped(preset) + (preset == "muster" ? "" : " <small>for comparison</small>") + "</th>";
+        html += "<th scope=\"col\">" + escaped(preset) + (preset == "muster" ? "" : " <small>for comparison</small>") +
+                "</th>";
     html += "</tr></thead>\n<tbody>\n";
     for (const CriterionRow& row : criterionRows(experiment)) {
-        html += "<tr>" + cell("Criterion", escaped(row.any().criterion), "words") + cell("Required", escaped(requirementText(row.any())));
+        html += "<tr>" + cell("Criterion", escaped(row.any().criterion), "words") +
+                cell("Required", escaped(requirementText(row.any())));
         for (std::size_t p = 0; p < presets.size(); ++p) {
             const Verdict* verdict = row.byPreset[p];
             html += verdict == nullptr ? cell(presets[p], "<span class=\"none\">not judged</span>")
-                                       : cell(presets[p], "<span>" + resultSign(*verdict) + " <b>" + escaped(verdictValueText(*verdict)) + "</b></span> " +
+                                       : cell(presets[p], "<span>" + resultSign(*verdict) + " <b>" +
+                                                              escaped(verdictValueText(*verdict)) + "</b></span> " +
                                                               small(verdictRangeText(*verdict, seeds)));
         }
         html += "</tr>\n";
@@ -110,8 +118,12 @@ std::string criteriaTable(const ExperimentResult& experiment, std::int32_t seeds
 }
 
 std::string figuresTables(const ExperimentResult& experiment, std::int32_t seeds) {
-    std::string html = "<p class=\"help\">" + std::string(seeds == 1 ? "One run of each arm." : "The median over " + std::to_string(seeds) + " seeds, and lowest to highest; a single number is the same in all of them.") +
-                       " – is not measured in that arm.</p>\n";
+    std::string html =
+        "<p class=\"help\">" +
+        std::string(seeds == 1 ? "One run of each arm."
+                               : "The median over " + std::to_string(seeds) +
+                                     " seeds, and lowest to highest; a single number is the same in all of them.") +
+        " – is not measured in that arm.</p>\n";
     for (std::size_t from = 0; from < experiment.arms.size(); from += kArmsAcross)
         html += figuresTable(experiment, from, std::min(from + kArmsAcross, experiment.arms.size()));
     return html;

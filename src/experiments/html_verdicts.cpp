@@ -15,8 +15,8 @@ bool sameNumber(double a, double b) {
 
 /// True where both are the same criterion, of whichever preset.
 bool sameCriterion(const Verdict& a, const Verdict& b) {
-    return a.criterion == b.criterion && a.unit == b.unit && a.comparison == b.comparison && a.aggregate == b.aggregate &&
-           sameNumber(a.threshold, b.threshold);
+    return a.criterion == b.criterion && a.unit == b.unit && a.comparison == b.comparison &&
+           a.aggregate == b.aggregate && sameNumber(a.threshold, b.threshold);
 }
 
 const char* aggregateWords(Aggregate aggregate) {
@@ -29,6 +29,15 @@ const char* aggregateWords(Aggregate aggregate) {
 }
 
 }  // namespace
+
+std::string shareText(const CriteriaCount& count) {
+    return std::to_string(count.passed) + " of " + std::to_string(count.judged);
+}
+
+std::string holdText(const CriteriaCount& count) {
+    return std::string(count.judged == 1 ? "criterion" : "criteria") +
+           (count.judged == 1 || count.passed == 1 ? " holds" : " hold");
+}
 
 CriteriaCount countCriteria(const ExperimentResult& experiment) {
     CriteriaCount count;
@@ -67,7 +76,8 @@ std::vector<CriterionRow> criterionRows(const ExperimentResult& experiment) {
     const std::vector<std::string> presets = presetsOf(experiment);
     std::vector<CriterionRow> rows;
     for (const Verdict& verdict : experiment.verdicts) {
-        const auto column = static_cast<std::size_t>(std::find(presets.begin(), presets.end(), verdict.preset) - presets.begin());
+        const auto column =
+            static_cast<std::size_t>(std::find(presets.begin(), presets.end(), verdict.preset) - presets.begin());
         auto row = std::find_if(rows.begin(), rows.end(), [&](const CriterionRow& r) {
             return r.byPreset[column] == nullptr && sameCriterion(r.any(), verdict);
         });
@@ -80,7 +90,8 @@ std::vector<CriterionRow> criterionRows(const ExperimentResult& experiment) {
 std::string anchorOf(const ExperimentResult& experiment) {
     std::string name;
     for (const char c : experiment.text.id)
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return name.empty() ? "experiment" : name;
 }
 
@@ -97,7 +108,8 @@ std::string verdictValueText(const Verdict& verdict) {
 std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds) {
     const std::string all = counted(static_cast<std::size_t>(std::max(seeds, verdict.seeds)), "seed", "seeds");
     if (verdict.seeds == 0) return "in none of " + all;
-    const std::string low = judgedNumber(verdict.low, verdict.threshold), high = judgedNumber(verdict.high, verdict.threshold);
+    const std::string low = judgedNumber(verdict.low, verdict.threshold),
+                      high = judgedNumber(verdict.high, verdict.threshold);
     const std::string range = low == high ? low : low + " to " + high;
     if (verdict.seeds < seeds)
         return range + ", " + missingWord(verdict.unit) + " in " + std::to_string(seeds - verdict.seeds) + " of " + all;
@@ -111,7 +123,8 @@ std::string armTitle(const Arm& arm) {
 
 std::string resultSign(const Verdict& verdict) {
     const std::string word = verdict.pass ? "✓ pass" : "✗ fail";
-    return std::string("<span class=\"sign ") + (verdict.pass ? "pass" : "fail") + (verdict.binding ? "" : " aside") + "\">" + word + "</span>";
+    return std::string("<span class=\"sign ") + (verdict.pass ? "pass" : "fail") + (verdict.binding ? "" : " aside") +
+           "\">" + word + "</span>";
 }
 
 }  // namespace muster

@@ -33,10 +33,11 @@ Result<Experiments> choose(const std::vector<std::string>& wanted) {
     std::string known;
     for (const auto& experiment : all) known += (known.empty() ? "" : ", ") + experiment->text().id;
     for (const std::string& id : wanted) {
-        const bool found = std::any_of(all.begin(), all.end(),
-                                       [&](const auto& experiment) { return lower(experiment->text().id) == lower(id); });
+        const bool found = std::any_of(
+            all.begin(), all.end(), [&](const auto& experiment) { return lower(experiment->text().id) == lower(id); });
         if (!found)
-            return Status(StatusCode::NotFound, "found the experiment \"" + id.substr(0, 40) + "\", expected some of " + known);
+            return Status(StatusCode::NotFound,
+                          "found the experiment \"" + id.substr(0, 40) + "\", expected some of " + known);
     }
     if (wanted.empty()) return all;
     Experiments chosen;
@@ -83,7 +84,8 @@ public:
         ++done_[job.experiment];
         const ExperimentText text = experiment.text();
         if (watch_ && !failed_)
-            watch_({doneInAll_, all_, text.id, text.title, job.request.arm.title, done_[job.experiment], runsOf(experiment)});
+            watch_({doneInAll_, all_, text.id, text.title, job.request.arm.title, done_[job.experiment],
+                    runsOf(experiment)});
     }
 
 private:
@@ -130,7 +132,8 @@ Status checkReproduce(const ReproduceDef& def) {
     if (!chosen.ok()) return chosen.status();
     std::error_code error;
     if (!std::filesystem::is_directory(def.folder, error))
-        return {StatusCode::NotFound, def.folder + ": found no such folder, expected the one with the paper's scenarios"};
+        return {StatusCode::NotFound,
+                def.folder + ": found no such folder, expected the one with the paper's scenarios"};
     for (const auto& experiment : *chosen) {
         const ExperimentText text = experiment->text();
         const std::string path = def.folder + "/" + text.scenario + ".json";
@@ -153,7 +156,8 @@ Result<Reproduction> reproduce(const ReproduceDef& def, const std::function<void
 
     for (const std::vector<Job>* list : {&jobs, &timed})
         for (const Job& job : *list)
-            if (job.sample && !job.sample->ok()) return job.sample->status().within(experiments[job.experiment]->text().id);
+            if (job.sample && !job.sample->ok())
+                return job.sample->status().within(experiments[job.experiment]->text().id);
     std::vector<Samples> samples(experiments.size());
     for (std::vector<Job>* list : {&jobs, &timed})
         for (Job& job : *list)

@@ -23,13 +23,14 @@ double across(const Axis& axis, double value) {
 }
 
 std::string text(double x, double y, const char* anchor, const std::string& words, const char* kind = "note") {
-    return "<text class=\"" + std::string(kind) + "\" x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) + "\" text-anchor=\"" + anchor +
-           "\">" + escaped(words) + "</text>\n";
+    return "<text class=\"" + std::string(kind) + "\" x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) +
+           "\" text-anchor=\"" + anchor + "\">" + escaped(words) + "</text>\n";
 }
 
 std::string upright(double x, double top, double bottom, const char* kind, const char* colour, double width) {
-    return "<line class=\"" + std::string(kind) + "\" x1=\"" + svgNumber(x) + "\" y1=\"" + svgNumber(top) + "\" x2=\"" + svgNumber(x) +
-           "\" y2=\"" + svgNumber(bottom) + "\" stroke=\"" + colour + "\" stroke-width=\"" + svgNumber(width) + "\"/>\n";
+    return "<line class=\"" + std::string(kind) + "\" x1=\"" + svgNumber(x) + "\" y1=\"" + svgNumber(top) + "\" x2=\"" +
+           svgNumber(x) + "\" y2=\"" + svgNumber(bottom) + "\" stroke=\"" + colour + "\" stroke-width=\"" +
+           svgNumber(width) + "\"/>\n";
 }
 
 /// Heights above or below the row's middle such that marks lie side by side as far as the row has room.
@@ -40,7 +41,8 @@ std::vector<double> raised(const std::vector<double>& xs) {
         for (int lane = 0; lane < 7; ++lane) {
             height = (lane % 2 == 1 ? 1.0 : -1.0) * kRise * ((lane + 1) / 2);
             bool free = true;
-            for (std::size_t k = 0; k < i && free; ++k) free = std::hypot(xs[k] - xs[i], heights[k] - height) >= kBeside;
+            for (std::size_t k = 0; k < i && free; ++k)
+                free = std::hypot(xs[k] - xs[i], heights[k] - height) >= kBeside;
             if (free) break;
         }
         heights.push_back(height);
@@ -51,7 +53,8 @@ std::vector<double> raised(const std::vector<double>& xs) {
 std::string notes(const StripRow& row, std::size_t finite) {
     std::string words;
     if (row.missing > 0) words = std::to_string(row.missing) + " without a value";
-    if (finite < row.values.size()) words += (words.empty() ? "" : ", ") + std::to_string(row.values.size() - finite) + " infinite";
+    if (finite < row.values.size())
+        words += (words.empty() ? "" : ", ") + std::to_string(row.values.size() - finite) + " infinite";
     return words;
 }
 
@@ -80,7 +83,8 @@ std::string drawRow(const StripRow& row, const Axis& axis, double y) {
     out += upright(at, middle - 13.0, middle + 13.0, "median", "#171B20", 2.0) + seriesGroup(row.series, marks);
     if (alike) {
         const bool before = at > 0.7 * kWidth;
-        out += text(at + (before ? -9.0 : 9.0), middle + 4.5, before ? "end" : "start", "all " + std::to_string(finite.size()));
+        out += text(at + (before ? -9.0 : 9.0), middle + 4.5, before ? "end" : "start",
+                    "all " + std::to_string(finite.size()));
     }
     return out;
 }
@@ -104,7 +108,8 @@ std::string stripPlot(const StripPlotDef& plot) {
     const std::string width = svgNumber(kWidth), height = svgNumber(bottom + kAxisHeight);
     return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
            "\" viewBox=\"0 0 " + width + " " + height +
-           "\" role=\"img\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"12\" fill=\"#171B20\"><title>" +
+           "\" role=\"img\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"12\" "
+           "fill=\"#171B20\"><title>" +
            escaped(plot.title) + "</title>\n" + body + "</svg>\n";
 }
 

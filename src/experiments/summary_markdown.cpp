@@ -6,8 +6,8 @@ namespace muster {
 
 std::string summaryMarkdown(const Reproduction& reproduction) {
     const CriteriaCount count = countCriteria(reproduction);
-    std::string text = std::to_string(count.passed) + " of " + counted(count.judged, "criterion", "criteria") + (count.passed == 1 ? " holds" : " hold") +
-                       " over " + counted(static_cast<std::size_t>(reproduction.seeds), "seed", "seeds") +
+    std::string text = shareText(count) + " " + holdText(count) + " over " +
+                       counted(static_cast<std::size_t>(reproduction.seeds), "seed", "seeds") +
                        ". Criteria of the preset `muster` decide; those of others, in brackets, are for comparison.\n\n"
                        "| Experiment | Criterion | Preset | Value | Lowest to highest | Required | Result |\n"
                        "| --- | --- | --- | ---: | --- | --- | --- |\n";
@@ -15,11 +15,13 @@ std::string summaryMarkdown(const Reproduction& reproduction) {
         for (const CriterionRow& row : criterionRows(experiment)) {
             for (const Verdict* verdict : row.byPreset) {
                 if (verdict == nullptr) continue;
-                const std::string result = verdict->binding ? (verdict->pass ? "pass" : "**fail**") : (verdict->pass ? "(pass)" : "(fail)");
-                text += "| " + markdownCell(experiment.text.id + " " + experiment.text.title) + " | " + markdownCell(verdict->criterion) + " | " +
-                        markdownCell(verdict->preset) + " | " + markdownCell(verdictValueText(*verdict)) + " | " +
-                        markdownCell(verdictRangeText(*verdict, reproduction.seeds)) + " | " + markdownCell(requirementText(*verdict)) + " | " + result +
-                        " |\n";
+                const std::string result =
+                    verdict->binding ? (verdict->pass ? "pass" : "**fail**") : (verdict->pass ? "(pass)" : "(fail)");
+                text += "| " + markdownCell(experiment.text.id + " " + experiment.text.title) + " | " +
+                        markdownCell(verdict->criterion) + " | " + markdownCell(verdict->preset) + " | " +
+                        markdownCell(verdictValueText(*verdict)) + " | " +
+                        markdownCell(verdictRangeText(*verdict, reproduction.seeds)) + " | " +
+                        markdownCell(requirementText(*verdict)) + " | " + result + " |\n";
             }
         }
     }

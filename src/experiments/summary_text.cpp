@@ -26,21 +26,24 @@ std::string summaryText(const Reproduction& reproduction) {
     std::string text;
     for (const ExperimentResult& experiment : reproduction.experiments) {
         const CriteriaCount count = countCriteria(experiment);
-        text += padded(experiment.text.id, 4) + experiment.text.title + ": " + std::to_string(count.passed) + " of " +
-                std::to_string(count.judged) + "\n";
+        text += padded(experiment.text.id, 4) + experiment.text.title + ": " + shareText(count) + "\n";
         for (const CriterionRow& row : criterionRows(experiment)) {
             text += indented(row.any().criterion + "; required " + requirementText(row.any()), "    ");
             for (const Verdict* verdict : row.byPreset) {
                 if (verdict == nullptr) continue;
-                text += padded(verdict->pass ? "      pass" : verdict->binding ? "      FAIL" : "      fail", 12) + padded(verdict->preset, 8) +
-                        verdictValueText(*verdict) + " (" + verdictRangeText(*verdict, reproduction.seeds) + ")" +
+                text += padded(verdict->pass      ? "      pass"
+                               : verdict->binding ? "      FAIL"
+                                                  : "      fail",
+                               12) +
+                        padded(verdict->preset, 8) + verdictValueText(*verdict) + " (" +
+                        verdictRangeText(*verdict, reproduction.seeds) + ")" +
                         (verdict->binding ? "" : ", for comparison") + "\n";
             }
         }
     }
     const CriteriaCount all = countCriteria(reproduction);
-    return text + std::to_string(all.passed) + " of " + counted(all.judged, "criterion", "criteria") + (all.passed == 1 ? " holds" : " hold") +
-           "; " + counted(static_cast<std::size_t>(reproduction.seeds), "seed", "seeds") + ", " +
+    return text + shareText(all) + " " + holdText(all) + "; " +
+           counted(static_cast<std::size_t>(reproduction.seeds), "seed", "seeds") + ", " +
            fixedNumber(reproduction.seconds, reproduction.seconds < 10.0 ? 1 : 0) + " s\n";
 }
 

@@ -36,7 +36,8 @@ bool sound(const Axis& axis, double low, double high) {
     good = good && axis.ticks.size() >= 2 && axis.ticks.size() <= 16 && axis.ticks.front().value == axis.low;
     std::set<std::string> seen;
     for (std::size_t k = 0; k < axis.ticks.size(); ++k) {
-        good = good && seen.insert(axis.ticks[k].label).second && (k == 0 || axis.ticks[k].value > axis.ticks[k - 1].value);
+        good = good && seen.insert(axis.ticks[k].label).second &&
+               (k == 0 || axis.ticks[k].value > axis.ticks[k - 1].value);
         const double place = axis.place(axis.ticks[k].value);
         good = good && place > -1e-6 && place < 1.0 + 1e-6;
     }
@@ -55,7 +56,8 @@ std::vector<Element> withClass(const XmlReader& xml, const std::string& name, co
 TEST_CASE("linear ticks stand at round values") {
     CHECK(labels(makeAxis(0.0, 10.0, false)) == std::vector<std::string>{"0", "2", "4", "6", "8", "10"});
     CHECK(labels(makeAxis(3.0, 37.0, false)) == std::vector<std::string>{"0", "10", "20", "30", "40"});
-    CHECK(labels(makeAxis(0.91, 1.02, false)) == std::vector<std::string>{"0.90", "0.92", "0.94", "0.96", "0.98", "1.00", "1.02"});
+    CHECK(labels(makeAxis(0.91, 1.02, false)) ==
+          std::vector<std::string>{"0.90", "0.92", "0.94", "0.96", "0.98", "1.00", "1.02"});
     CHECK(labels(makeAxis(-1.0, 1.0, false)) == std::vector<std::string>{"-1.0", "-0.5", "0", "0.5", "1.0"});
     CHECK(labels(makeAxis(20000.0, 21000.0, false)).front() == "20,000");
     CHECK(labels(makeAxis(0.0, 2.0, false, true)) == std::vector<std::string>{"0", "1", "2"});
@@ -104,8 +106,13 @@ TEST_CASE("labels are left out where they would touch") {
 }
 
 TEST_CASE("a chart shows its lines, marks, units and legend, and lets no gap be bridged") {
-    const ChartDef chart{"Time <by> size", "characters", "step [ms]", false, false,
-                         {{"first & best", {{0.0, 1.0}, {1.0, 2.0}, {2.0, kNone}, {3.0, 4.0}}, false}, {"dots", {{1.0, 1.0}, {2.0, 3.0}}, true}}};
+    const ChartDef chart{"Time <by> size",
+                         "characters",
+                         "step [ms]",
+                         false,
+                         false,
+                         {{"first & best", {{0.0, 1.0}, {1.0, 2.0}, {2.0, kNone}, {3.0, 4.0}}, false},
+                          {"dots", {{1.0, 1.0}, {2.0, 3.0}}, true}}};
     const std::string svg = chartSvg(chart);
     const XmlReader xml(svg);
     REQUIRE(xml.error.empty());
@@ -163,7 +170,11 @@ TEST_CASE("the marks of six series differ, and so do their colours") {
 }
 
 TEST_CASE("a strip plot has a mark per seed and a bar at the median") {
-    const StripPlotDef plot{"time", false, {{"first", 0, false, {0.0, 4.0, 10.0, 2.0}, 1}, {"second", 1, true, {5.0, 5.0, 5.0}, 0}, {"third", 2, false, {}, 3}}};
+    const StripPlotDef plot{"time",
+                            false,
+                            {{"first", 0, false, {0.0, 4.0, 10.0, 2.0}, 1},
+                             {"second", 1, true, {5.0, 5.0, 5.0}, 0},
+                             {"third", 2, false, {}, 3}}};
     const std::string svg = stripPlot(plot);
     const XmlReader xml(svg);
     REQUIRE(xml.error.empty());

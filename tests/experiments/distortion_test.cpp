@@ -28,7 +28,8 @@ Vec2 turned(Vec2 p, double angle) {
 /// Both triangles have the value.
 void expectAll(const std::function<Vec2(Vec2)>& map, double value) {
     const TriangleMesh mesh = twoTriangles();
-    for (const double each : triangleDistortion(mesh, mapped(mesh, map))) CHECK(each == doctest::Approx(value).epsilon(1e-12));
+    for (const double each : triangleDistortion(mesh, mapped(mesh, map)))
+        CHECK(each == doctest::Approx(value).epsilon(1e-12));
     CHECK(arapEnergy(mesh, mapped(mesh, map)) == doctest::Approx(4.0 * value * value).epsilon(1e-12));
     CHECK(meanDistortion(mesh, mapped(mesh, map), true) == doctest::Approx(value).epsilon(1e-12));
 }
@@ -48,7 +49,9 @@ double byTrying(double a, double b, double c, double d) {
 TEST_CASE("what is moved rigidly is not distorted") {
     const TriangleMesh mesh = twoTriangles();
     for (const double angle : {0.0, 0.3, 1.5707963267948966, 3.0, -2.2}) {
-        for (const double value : triangleDistortion(mesh, mapped(mesh, [&](Vec2 p) { return turned(p, angle) + Vec2{7.0, -3.0}; })))
+        for (const double value : triangleDistortion(mesh, mapped(mesh, [&](Vec2 p) {
+                                                         return turned(p, angle) + Vec2{7.0, -3.0};
+                                                     })))
             CHECK(std::abs(value) < 1e-7);  // A root of rounding errors.
     }
 }
@@ -68,7 +71,11 @@ TEST_CASE("a stretch along one axis is its own deviation from 1") {
 TEST_CASE("a shear, by hand: F^T F has trace 2 + s^2 and F determinant 1") {
     // (s1 + s2)^2 = 4 + s^2, so (s1 - 1)^2 + (s2 - 1)^2 = 2 + s^2 - 2 sqrt(4 + s^2) + 2.
     for (const double s : {0.5, 1.0, -2.0})
-        expectAll([&](Vec2 p) { return Vec2{p.x + s * p.y, p.y}; }, std::sqrt(4.0 + s * s - 2.0 * std::sqrt(4.0 + s * s)));
+        expectAll(
+            [&](Vec2 p) {
+                return Vec2{p.x + s * p.y, p.y};
+            },
+            std::sqrt(4.0 + s * s - 2.0 * std::sqrt(4.0 + s * s)));
 }
 
 TEST_CASE("a triangle turned inside out is 2 away from the nearest rotation") {
@@ -77,11 +84,18 @@ TEST_CASE("a triangle turned inside out is 2 away from the nearest rotation") {
 }
 
 TEST_CASE("any linear map, against trying all rotations") {
-    const double maps[][4] = {{1.3, 0.4, -0.2, 0.8}, {0.1, -1.0, 2.0, 0.3}, {-0.7, 0.9, 1.1, 0.4}, {0.0, 1.0, 1.0, 0.0}, {-1.5, 0.0, 0.2, -0.1}};
+    const double maps[][4] = {{1.3, 0.4, -0.2, 0.8},
+                              {0.1, -1.0, 2.0, 0.3},
+                              {-0.7, 0.9, 1.1, 0.4},
+                              {0.0, 1.0, 1.0, 0.0},
+                              {-1.5, 0.0, 0.2, -0.1}};
     const TriangleMesh mesh = twoTriangles();
     for (const auto& m : maps) {
-        const auto values = triangleDistortion(mesh, mapped(mesh, [&](Vec2 p) { return Vec2{m[0] * p.x + m[1] * p.y, m[2] * p.x + m[3] * p.y}; }));
-        for (const double value : values) CHECK(value == doctest::Approx(byTrying(m[0], m[1], m[2], m[3])).epsilon(1e-6));
+        const auto values = triangleDistortion(mesh, mapped(mesh, [&](Vec2 p) {
+                                                   return Vec2{m[0] * p.x + m[1] * p.y, m[2] * p.x + m[3] * p.y};
+                                               }));
+        for (const double value : values)
+            CHECK(value == doctest::Approx(byTrying(m[0], m[1], m[2], m[3])).epsilon(1e-6));
     }
 }
 

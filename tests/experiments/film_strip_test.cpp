@@ -19,7 +19,8 @@ namespace {
 
 std::vector<FilmFrame> frames(std::size_t count, double height = 300.0) {
     std::vector<FilmFrame> film;
-    for (std::size_t i = 0; i < count; ++i) film.push_back({static_cast<double>(i) * 1.5, "picture", fakePicture(height, "#1D5FD1")});
+    for (std::size_t i = 0; i < count; ++i)
+        film.push_back({static_cast<double>(i) * 1.5, "picture", fakePicture(height, "#1D5FD1")});
     return film;
 }
 
@@ -107,5 +108,6 @@ TEST_CASE("pictures are measured and nested whatever stands before them") {
     CHECK(xml.elements.front().attribute("viewBox") == "0 0 440 200");
     CHECK(nestedPicture("words", "", "p-").empty());
     CHECK(nestedPicture("<svg", "", "p-").empty());
-    CHECK(nestedPicture("<svg width=\"7\" height=\"9\"></svg>", "", "p-").find("viewBox=\"0 0 7 9\"") != std::string::npos);
+    CHECK(nestedPicture("<svg width=\"7\" height=\"9\"></svg>", "", "p-").find("viewBox=\"0 0 7 9\"") !=
+          std::string::npos);
 }

@@ -71,7 +71,8 @@ TEST_CASE("the page asks no network for anything") {
 
 TEST_CASE("the page tells what was run, and how many criteria hold") {
     const std::string page = reportHtml(fakeReproduction());
-    for (const char* part : {"0.1.0", "2026-01-02 03:04 UTC", "X2, X4", "812 s (13.5 min)", "<b>3 of 6</b> criteria hold, 3 fail"}) {
+    for (const char* part :
+         {"0.1.0", "2026-01-02 03:04 UTC", "X2, X4", "812 s (13.5 min)", "<b>3 of 6</b> criteria hold, 3 fail"}) {
         CAPTURE(part);
         CHECK(page.find(part) != std::string::npos);
     }
@@ -112,7 +113,8 @@ TEST_CASE("presets stand side by side, and what was not judged is said") {
 TEST_CASE("the same words judged twice, or with another threshold, stay apart") {
     ExperimentResult experiment = testing::fakeHalves(2);
     Judge judge(1);
-    for (const double threshold : {1.0, 1.0, 2.0}) judge.require("same", "muster", {1.5}, Aggregate::Median, Comparison::AtLeast, threshold);
+    for (const double threshold : {1.0, 1.0, 2.0})
+        judge.require("same", "muster", {1.5}, Aggregate::Median, Comparison::AtLeast, threshold);
     judge.require("same", "paper", {1.5}, Aggregate::Median, Comparison::AtLeast, 2.0);
     experiment.verdicts = judge.verdicts();
     const auto rows = criterionRows(experiment);
@@ -151,8 +153,10 @@ TEST_CASE("a chapter has its pictures, plots, charts, commands and hashes") {
     CHECK(count(chapter, "<figcaption><b>") == 10);
     CHECK(count(chapter, "class=\"missing\">no picture<") == 2);
     CHECK(count(chapter, "class=\"chart\"") == 4 + 3);
-    CHECK(chapter.find("all runs gave one value: people through the wood and a figure that never differs.") != std::string::npos);
-    for (const char* command : {"muster reproduce X4 --seeds 10", "muster studio paper/x04-woodland", "muster play scenarios/paper/x04-woodland.json --demo"})
+    CHECK(chapter.find("all runs gave one value: people through the wood and a figure that never differs.") !=
+          std::string::npos);
+    for (const char* command : {"muster reproduce X4 --seeds 10", "muster studio paper/x04-woodland",
+                                "muster play scenarios/paper/x04-woodland.json --demo"})
         CHECK(chapter.find(command) != std::string::npos);
     CHECK(count(chapter, toHex(0x0123456789abcdefull + 1)) == 4);
     // Where there is no scenario and no hash, none is claimed.
