@@ -21,5 +21,6 @@ void addImportCommand(CLI::App& app, int& exitCode);
 void addPictureCommand(CLI::App& app, int& exitCode);
 void addPeersCommand(CLI::App& app, int& exitCode);
 void addReproduceCommand(CLI::App& app, int& exitCode);
+void addSweepCommand(CLI::App& app, int& exitCode);
 
 }  // namespace muster

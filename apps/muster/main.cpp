@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
     addPictureCommand(app, exitCode);
     addPeersCommand(app, exitCode);
     addReproduceCommand(app, exitCode);
+    addSweepCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -1,30 +1,52 @@
 // X1 (paper fig. 2): one drag of four corners by points, lines and an area.
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "experiments/catalogue.h"
 #include "experiments/distortion.h"
+#include "muster/base/maths.h"
 #include "muster/base/random.h"
 #include "muster/experiments/trial.h"
 
 namespace muster {
 namespace {
 
-constexpr double kFarthest = 2.2;  // A corner is drawn this far at most [m].
+/// What four fingers do to a square: they shift and turn it, stretch it along both sides, shear and taper it.
+struct Drag {
+    Vec2 shift;
+    Rotation turn;
+    double stretchX = 1.0, stretchY = 1.0;  ///< Of its sides.
+    double shear = 0.0;                     ///< Of x by y.
+    double taper = 0.0;                     ///< Its right side longer by this share, its left side shorter.
 
-/// A way for a finger of a drag: the first seed keeps the shipped one, others draw theirs.
-Vec2 wayOf(std::uint64_t seed, std::uint32_t touch, Vec2 shipped) {
-    if (seed == 1) return shipped;
-    Random random(seed * 64 + touch);
-    for (;;) {
-        const double x = random.uniform(-1.0, 1.0);
-        const double y = random.uniform(-1.0, 1.0);
-        if (x * x + y * y <= 1.0) return Vec2{x, y} * kFarthest;
+    /// Where a corner of the square about the origin goes, whose half side is `half` [m].
+    Vec2 apply(Vec2 corner, double half) const {
+        const double width = 1.0 + taper * corner.x / half;
+        return shift + turn.apply({stretchX * corner.x + shear * corner.y, stretchY * width * corner.y});
     }
+};
+
+/// Fingers that pinch or spread the square with a turn; or, `oneWay`, that stretch it one way and squeeze it the other.
+Drag dragOf(std::uint64_t seed, bool oneWay) {
+    Random random(seed);
+    const auto between = [&](double low, double high) { return random.uniform(low, high); };
+    Drag drag;
+    drag.shift.x = between(-1.0, 1.0);
+    drag.shift.y = between(-1.0, 1.0);
+    const double angle = between(-0.6, 0.6);
+    drag.turn = {cosine(angle), sine(angle)};
+    const double size = random.below(2) == 0 ? between(0.65, 0.85) : between(1.15, 1.4);
+    drag.stretchX = size * between(0.93, 1.07);
+    drag.stretchY = (oneWay ? 1.0 / size : size) * between(0.93, 1.07);
+    drag.shear = between(-0.1, 0.1);
+    drag.taper = between(-0.1, 0.1);
+    return drag;
 }
 
-/// Bends the straight ways of the fingers to those of the seed, keeping their timing.
-void drawDrag(std::uint64_t seed, std::vector<Command>& commands) {
+/// Bends the straight ways of the fingers of the shipped drag to those of the seed, keeping their timing.
+void drawDrag(std::uint64_t seed, bool oneWay, std::vector<Command>& commands) {
+    const Drag drag = dragOf(seed, oneWay);
     std::map<std::uint32_t, Vec2> from, to;
     for (const Command& command : commands) {
         if (const auto* down = std::get_if<TouchDown>(&command.body)) from[down->touch] = down->position;
@@ -33,9 +55,9 @@ void drawDrag(std::uint64_t seed, std::vector<Command>& commands) {
     for (Command& command : commands) {
         auto* move = std::get_if<TouchMove>(&command.body);
         if (move == nullptr) continue;
-        const Vec2 start = from[move->touch], shipped = to[move->touch] - start;
-        const double share = dot(move->position - start, shipped) / lengthSquared(shipped);
-        move->position = start + wayOf(seed, move->touch, shipped) * share;
+        const Vec2 corner = from[move->touch], shipped = to[move->touch] - corner;
+        const double share = dot(move->position - corner, shipped) / lengthSquared(shipped);
+        move->position = corner + (drag.apply(corner, std::abs(corner.x)) - corner) * share;
     }
 }
 
@@ -45,19 +67,28 @@ public:
         return {"X1", "Point, line and area control",
                 "Figure 2: the four corners of a rectangular mesh are dragged alike under point, line and area control. The "
                 "three meshes differ: the kinds of control give the mesh more and more rigidity.",
-                "A square of 36 in the open. Four fingers drag its corners, each up to 2.2 m. As four points they come down 0.25 s "
+                "A square of 100 in the open. Four fingers drag its corners: they pinch it to 0.65 to 0.85 of its size or spread it to "
+                "1.15 to 1.4, turn it by up to 34 degrees, and shear and taper it a little. As four points they come down 0.25 s "
                 "apart; as two lines the pairs at the left and right edge begin together; as one area all four do. Each "
                 "seed is another drag, the same for the three. Measured while all fingers hold at their ends: |F - R| of each "
                 "triangle, the distance of its deformation from a rotation, and the as-rigid-as-possible energy, the sum "
                 "of area x |F - R|^2.",
                 "x01-area",
-                "The energy rises from point to line to area while the peak falls. Both must be so: with the corners alone "
-                "held the mesh is free to seek the least energy, and each further constraint takes freedom away, so the least "
-                "can only grow. The free mesh keeps its middle and pays at the corners, where single triangles tear; lines and "
-                "areas spread the same drag over all triangles."};
+                "The energy rises from points to lines to area while the peak falls. Both must be so. With the corners alone "
+                "held the mesh is free to seek the least energy; each further constraint takes freedom away, so the least "
+                "can only grow. The free mesh keeps the size of its middle and pays at the corners, where single triangles tear; "
+                "lines and areas spread the same drag over all triangles.\n"
+                "It is not so for every drag: one that stretches the square one way and squeezes it the other (the columns "
+                "\"one way\") is a smooth deformation already, without peaks at the corners. There lines gain nothing over "
+                "points, and only the area's peak is lower."};
     }
     std::vector<Arm> arms() const override {
-        return {{"points", "Four points"}, {"lines", "Two lines"}, {"area", "One area"}};
+        return {{"points", "Four points"},
+                {"lines", "Two lines"},
+                {"area", "One area"},
+                {"points-oneway", "Four points, one way"},
+                {"lines-oneway", "Two lines, one way"},
+                {"area-oneway", "One area, one way"}};
     }
     std::vector<FigureInfo> figures() const override {
         return {{"peak", "largest |F - R| of a triangle", "", 3},
@@ -66,11 +97,12 @@ public:
                 {"controls", "controls on the mesh", "", 0}};
     }
     Result<RunSample> run(const RunRequest& request) const override {
-        auto trial = Trial::open(request, {.scenario = "x01-" + request.arm.id});
+        const std::size_t dash = request.arm.id.find('-');
+        auto trial = Trial::open(request, {.scenario = "x01-" + request.arm.id.substr(0, dash)});
         if (!trial.ok()) return trial.status();
-        drawDrag(request.seed, trial->commands());
+        drawDrag(request.seed, dash != std::string::npos, trial->commands());
         if (Status s = trial->start(); !s.ok()) return s;
-        trial->picture().view = Box{{-7.5, -6.0}, {7.5, 6.0}};
+        trial->picture().view = Box{{-10.0, -8.0}, {10.0, 8.0}};
         trial->runUntil(2.1);
         trial->shoot("the fingers are down");
         trial->runUntil(trial->gesturesEnd() - 0.1);

@@ -1,0 +1,124 @@
+// muster sweep
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "folders.h"
+#include "muster/experiments/reproduce.h"
+#include "overrides.h"
+#include "report.h"
+
+namespace muster {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SweepOptions {
+    std::string parameter;
+    std::vector<double> values;
+    ReproduceDef def;
+    bool json = false;
+};
+
+/// A line of the table: what it is, then its value under each setting.
+struct Row {
+    std::string title;
+    std::vector<std::string> cells;
+};
+
+std::string shortText(double value) {
+    if (std::isnan(value)) return "-";
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.4g", value);
+    return text;
+}
+
+/// The rows of one setting; the same titles in the same order for each.
+std::vector<Row> rowsOf(const Reproduction& reproduction) {
+    std::vector<Row> rows;
+    for (const ExperimentResult& e : reproduction.experiments) {
+        for (const Verdict& v : e.verdicts) {
+            if (!v.binding) continue;
+            const std::string sign = v.comparison == Comparison::AtLeast ? " (at least " : " (at most ";
+            rows.push_back({e.text.id + ": " + v.criterion + sign + shortText(v.threshold) + ")",
+                            {shortText(v.value) + (v.pass ? "" : " fails")}});
+        }
+        for (const Arm& arm : e.arms) {
+            if (arm.preset != "muster") continue;
+            for (const FigureInfo& figure : e.figures) {
+                const std::string unit = figure.unit.empty() ? "" : " [" + figure.unit + "]";
+                rows.push_back({e.text.id + ", " + arm.title + ": " + figure.title + unit,
+                                {shortText(median(e.samples.values(arm.id, arm.preset, figure.name)))}});
+            }
+        }
+    }
+    return rows;
+}
+
+void printTable(const SweepOptions& options, const std::vector<Row>& rows) {
+    std::printf("| %s |", options.parameter.c_str());
+    for (const double value : options.values) std::printf(" %s |", shortText(value).c_str());
+    std::printf("\n|---|");
+    for (std::size_t i = 0; i < options.values.size(); ++i) std::printf("---|");
+    std::printf("\n");
+    for (const Row& row : rows) {
+        std::printf("| %s |", row.title.c_str());
+        for (const std::string& cell : row.cells) std::printf(" %s |", cell.c_str());
+        std::printf("\n");
+    }
+}
+
+int sweep(SweepOptions options) {
+    if (options.def.folder.empty()) options.def.folder = scenariosFolder() + "/paper";
+    std::vector<Row> rows;
+    Progress bar("sweeping");
+    Json results = Json::array();
+    for (std::size_t k = 0; k < options.values.size(); ++k) {
+        Parameters probe;
+        if (Status s = setParameter(probe, options.parameter, options.values[k]); !s.ok()) return reportFailure(s);
+        options.def.settings = {{options.parameter, options.values[k]}};
+        const auto progress = [&](std::int32_t done, std::int32_t of, const std::string& what) {
+            bar.show((static_cast<double>(k) + static_cast<double>(done) / of) / static_cast<double>(options.values.size()), what);
+        };
+        const auto reproduction = reproduce(options.def, progress);
+        if (!reproduction.ok()) return reportFailure(reproduction.status());
+        const std::vector<Row> column = rowsOf(*reproduction);
+        if (k == 0) rows = column;
+        else for (std::size_t i = 0; i < rows.size(); ++i) rows[i].cells.push_back(column[i].cells.front());
+        for (Json entry : Json::parse(resultsJson(*reproduction))) {
+            entry[options.parameter] = options.values[k];
+            results.push_back(std::move(entry));
+        }
+    }
+    if (options.json) printJsonValue(results);
+    else printTable(options, rows);
+    return kExitOk;
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("sweep", "Runs the paper's experiments with several values of a parameter.");
+    auto options = std::make_shared<SweepOptions>();
+    command->add_option("PARAMETER", options->parameter, "Its name, as muster check --schema lists it.")->required();
+    command->add_option("--values", options->values, "Its values, separated by commas.")->required()->delimiter(',');
+    command->add_option("--experiments", options->def.experiments, "Some of X1 to X11 and X13, separated by commas; without it all.")
+        ->delimiter(',');
+    options->def.seeds = 3;
+    command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")->check(CLI::Range(1, 1000));
+    command->add_option("--threads", options->def.threads, "Runs side by side; 0 takes what the machine has. Results are the same.")
+        ->check(CLI::Range(0, 256));
+    command->add_option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
+    command->add_flag("--json", options->json, "One JSON array on standard output: results.json of every value.");
+    command->footer(
+        "A table in Markdown: criteria (value against threshold) and figures (median over the seeds) of the preset muster.\n"
+        "What an arm of an experiment sets itself stays as it is.\n"
+        "Examples:\n"
+        "  muster sweep field.range --values 0.5,1,1.5,2 --experiments X4,X9\n"
+        "  muster sweep density.min --values 0.9,1.3,1.8 --experiments X8 --seeds 5");
+    command->callback([options, &exitCode] { exitCode = sweep(*options); });
+}
+
+}  // namespace muster
