@@ -1,4 +1,6 @@
 // X3 (paper fig. 5): geodesic against Euclidean costs in the assignment.
+#include <cmath>
+
 #include "experiments/catalogue.h"
 #include "muster/experiments/trial.h"
 
@@ -100,6 +102,11 @@ public:
             judge.require("stuck with geodesic costs", preset, samples.values("geodesic", preset, "stuck"),
                           Aggregate::Highest, Comparison::AtMost, 0.0);
         }
+        std::vector<double> difference = ratios(samples.values("geodesic-plain", "muster", "walked"),
+                                                samples.values("euclidean-plain", "muster", "walked"));
+        for (double& value : difference) value = std::abs(value - 1.0);
+        judge.require("total travel behind a plain block, difference between the metrics", "muster", difference,
+                      Aggregate::Highest, Comparison::AtMost, 0.03);
     }
 };
 
