@@ -13,7 +13,7 @@ namespace {
 // Pixels of the drawing; on a phone they are a little smaller than the screen's.
 constexpr double kWidth = 460.0, kPlotHeight = 240.0, kTop = 30.0, kRight = 18.0, kBelowPlot = 48.0;
 constexpr double kLetterWidth = 6.9, kLegendLine = 22.0, kLegendMark = 30.0;
-constexpr std::size_t kMarksPerLine = 8;
+constexpr std::size_t kFewPoints = 16, kMarksPerLine = 8;
 // Series beyond the sixth have the colours and marks of the first ones, in dashes.
 constexpr const char* kDashes[] = {"", " stroke-dasharray=\"7 4\"", " stroke-dasharray=\"2 4\""};
 
@@ -96,7 +96,8 @@ std::string drawSeries(const Frame& frame, const ChartSeries& series, std::size_
                    dashOf(index) + "/>";
     // Lines of many points carry a few marks, each series at other points, so that marks do not hide each other.
     const std::size_t count = series.points.size();
-    const std::size_t stride = series.marksOnly ? 1 : (count + kMarksPerLine - 1) / kMarksPerLine;
+    const std::size_t stride =
+        series.marksOnly || count <= kFewPoints ? 1 : (count + kMarksPerLine - 1) / kMarksPerLine;
     const std::size_t first = stride > 1 ? (index * stride / 4) % stride : 0;
     for (std::size_t i = first; i < count; i += stride) {
         const Vec2 p = series.points[i];

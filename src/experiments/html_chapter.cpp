@@ -50,8 +50,9 @@ StripPlotDef plotOf(const ExperimentResult& experiment, const FigureInfo& figure
         bool measured = false;
         for (const RunSample& run : experiment.samples.runs(arm.id, arm.preset)) {
             const auto found = run.figures.find(figure.name);
-            measured = measured || found != run.figures.end();
-            if (found == run.figures.end() || std::isnan(found->second)) ++row.missing;
+            if (found == run.figures.end()) continue;
+            measured = true;
+            if (std::isnan(found->second)) ++row.missing;
             else row.values.push_back(found->second);
         }
         if (measured) plot.rows.push_back(std::move(row));

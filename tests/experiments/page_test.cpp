@@ -147,6 +147,19 @@ TEST_CASE("medians and ranges of the table") {
     CHECK(count(figuresTables(wide, 1), "<table") == 2);
 }
 
+TEST_CASE("what was measured in some seeds only is told apart from what was not reached") {
+    ExperimentResult x = testing::fakeHalves(0);
+    for (int seed = 1; seed <= 5; ++seed) {
+        RunSample run;
+        if (seed <= 3) run.figures["ratio"] = seed == 3 ? testing::kNone : static_cast<double>(seed);
+        x.samples.add("both", "muster", run);
+    }
+    const std::string figures = figuresTables(x, 5);
+    CHECK(figures.find("no value in 1 of 3<") != std::string::npos);
+    CHECK(figures.find("<small>measured in 3 of 5</small>") != std::string::npos);
+    CHECK(stripPlots(x).find("Line and area: 1 without a value<") != std::string::npos);
+}
+
 TEST_CASE("a chapter has its pictures, plots, charts, commands and hashes") {
     const std::string page = reportHtml(fakeReproduction());
     const std::string chapter = chapterOf(page, "x4");
