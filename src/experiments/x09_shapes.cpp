@@ -40,7 +40,8 @@ struct Variation {
     }
 };
 
-/// A key change as the ratio of its time to the bottleneck walking time, and that of standing within 0.1 m, by the shape's name.
+/// A change by its shape's name: the bottleneck walking time, and the time taken over it, to arrive and to stand
+/// within 0.1 m.
 void reportChange(const FormationChangeRecord& change, double speed, RunSample& sample) {
     const std::string name(formationName(change.kind));
     sample.figures["ratio_" + name] = change.ratio(speed);
@@ -189,23 +190,25 @@ class ShapesExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
         return {"X9", "Changes of formation",
-                "Figure 9a-c: a square turns into an arrow, which passes a narrow corridor, its sides deforming for the time "
-                "being, and then into other shapes. Checkpoints in the environment switch the formation. Changes are quick, "
-                "with minimal congestion.",
-                "36 characters. In the open keys turn a square into an arrow, a line, a ring, a crescent and back, while nobody "
-                "drags. Each change is timed until 95 % have arrived (within 0.5 m of the place, for 1 s) and divided by the "
-                "bottleneck walking time: the least longest straight walk over all assignments of where people stand to the "
-                "new places, at top speed. In the corridor scene one finger draws the crowd from hall to hall, through a passage "
-                "4 m wide and 12 m long. A checkpoint before it makes the square an arrow, one behind it makes the arrow a "
-                "crescent, where the finger stops. The width is the crowd's extent across the corridor.",
+                "Figure 9a-c: a square turns into an arrow, which passes a narrow corridor, its sides deforming for "
+                "the time being, and then into other shapes. Checkpoints in the environment switch the formation. "
+                "Changes are quick, with minimal congestion.",
+                "36 characters. In the open keys turn a square into an arrow, a line, a ring, a crescent and back, "
+                "while nobody drags. Each change is timed until 95 % have arrived (within 0.5 m of the place, for 1 "
+                "s) and divided by the bottleneck walking time: the least longest straight walk over all assignments "
+                "of where people stand to the new places, at top speed. In the corridor scene one finger draws the "
+                "crowd from hall to hall, through a passage 4 m wide and 12 m long. A checkpoint before it makes the "
+                "square an arrow, one behind it makes the arrow a crescent, where the finger stops. The width is the "
+                "crowd's extent across the corridor.",
                 "x09-corridor",
-                "By the preset muster each change takes less than the bottleneck walking time, because who is within half a "
-                "metre has arrived; standing within a tenth of a metre takes up to 1.3 times that time, which is the time to gather "
-                "speed and to stop.\nBy the preset paper the changes to the line and to the ring take half as long again as the "
-                "bottleneck allows. The least sum of costs (exponent 1) does not mind one long walk among many short ones; "
-                "the least sum of squares does.\nIn the corridor the arrow is half as wide as before, nobody loses the "
-                "place, and the shape comes back by itself. Seeds turn and shift the formation in the open and shift "
-                "crowd and finger sideways before the corridor; little depends on either."};
+                "By the preset muster each change takes less than the bottleneck walking time, because who is within "
+                "half a metre has arrived; standing within a tenth of a metre takes up to 1.3 times that time, which "
+                "is the time to gather speed and to stop.\nBy the preset paper the changes to the line and to the "
+                "ring take half as long again as the bottleneck allows. The least sum of costs (exponent 1) does not "
+                "mind one long walk among many short ones; the least sum of squares does.\nIn the corridor the arrow "
+                "is half as wide as before, nobody loses the place, and the shape comes back by itself. Seeds turn "
+                "and shift the formation in the open and shift crowd and finger sideways before the corridor; little "
+                "depends on either."};
     }
     std::vector<Arm> arms() const override {
         return {{"open", "In the open"},
@@ -254,7 +257,8 @@ public:
             highest("stuck after any change in the open", "open", "stuck", 0.0);
             highest("crowd's width inside the corridor over that before it", "corridor", "narrowed", 0.6);
             judge.require("crowd's width behind the corridor over that before it", preset,
-                          samples.values("corridor", preset, "recovered"), Aggregate::Lowest, Comparison::AtLeast, 0.95);
+                          samples.values("corridor", preset, "recovered"), Aggregate::Lowest, Comparison::AtLeast,
+                          0.95);
             highest("change behind the corridor, over the bottleneck walking time", "corridor", "ratio_crescent", 1.3);
             highest("stuck after any change about the corridor", "corridor", "stuck", 0.0);
         }

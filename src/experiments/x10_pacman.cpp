@@ -79,19 +79,20 @@ class PacmanExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
         return {"X10", "Pacman",
-                "Figure 9d: the crowd takes the form of Pacman. Simple gestures carry him along while they open and close his "
-                "mouth, so that he collects items.",
-                "40 characters as Pacman. Three fingers that begin together carry his body along a winding path (an area "
-                "control). Two more, begun apart from them and from each other, hold the tips of his lips (two points) and open and "
-                "shut the mouth six times on the way. Five items lie on the path, twelve beside it where the body does not come. "
-                "The opening is the angle at the mouth's hinge between the tips of the lips in the user mesh, counted with "
-                "hysteresis: open above 120 degrees, having been below 60. Without the mouth: the same fingers without the two "
-                "at the lips. Seeds move starts, and each finger by up to 0.1 m.",
+                "Figure 9d: the crowd takes the form of Pacman. Simple gestures carry him along while they open and "
+                "close his mouth, so that he collects items.",
+                "40 characters as Pacman. Three fingers that begin together carry his body along a winding path (an "
+                "area control). Two more, begun apart from them and from each other, hold the tips of his lips (two "
+                "points) and open and shut the mouth six times on the way. Five items lie on the path, twelve beside "
+                "it where the body does not come. The opening is the angle at the mouth's hinge between the tips of "
+                "the lips in the user mesh, counted with hysteresis: open above 120 degrees, having been below 60. "
+                "Without the mouth: the same fingers without the two at the lips. Seeds move starts, and each finger "
+                "by up to 0.1 m.",
                 "x10-pacman",
-                "One mesh obeys both hands at once: an area control carries the body stiffly, the points bend what is left. The "
-                "mouth follows its fingers because control points are hard constraints; what limits it is the speed of control "
-                "points, so that fingers must open and shut at a pace that people can walk. The preset paper gives the same "
-                "figures, because all of them come from the mesh; so it is not run."};
+                "One mesh obeys both hands at once: an area control carries the body stiffly, the points bend what "
+                "is left. The mouth follows its fingers because control points are hard constraints; what limits it "
+                "is the speed of control points, so that fingers must open and shut at a pace that people can walk. "
+                "The preset paper gives the same figures, because all of them come from the mesh; so it is not run."};
     }
     std::vector<Arm> arms() const override {
         return {{"mouth", "With the mouth"}, {"still", "Without the mouth"}};
@@ -129,13 +130,14 @@ public:
         const auto still = [&](const char* figure) { return samples.values("still", "muster", figure); };
         judge.require("openings of the mouth on the way", "muster", mouth("openings"), Aggregate::Lowest,
                       Comparison::AtLeast, 5.0);
-        judge.require("items left with the mouth", "muster", mouth("missed"), Aggregate::Highest, Comparison::AtMost, 0.0);
+        judge.require("items left with the mouth", "muster", mouth("missed"), Aggregate::Highest, Comparison::AtMost,
+                      0.0);
         judge.require("items collected without the mouth over those with it", "muster",
                       ratios(still("collected"), mouth("collected")), Aggregate::Highest, Comparison::AtMost, 0.5);
         judge.require("openings without the touches at the lips", "muster", still("openings"), Aggregate::Highest,
                       Comparison::AtMost, 0.0);
-        judge.require("body's way until the last opening", "muster", mouth("way"), Aggregate::Lowest, Comparison::AtLeast,
-                      10.0, "m");
+        judge.require("body's way until the last opening", "muster", mouth("way"), Aggregate::Lowest,
+                      Comparison::AtLeast, 10.0, "m");
     }
     std::vector<ChartDef> charts(const Samples& samples) const override {
         ChartDef chart;

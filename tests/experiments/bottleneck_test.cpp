@@ -18,7 +18,8 @@ double bruteForce(const std::vector<Vec2>& starts, const std::vector<Vec2>& plac
     double best = 1e300;
     do {
         double longest = 0.0;
-        for (std::size_t i = 0; i < starts.size(); ++i) longest = std::max(longest, distance(starts[i], places[order[i]]));
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            longest = std::max(longest, distance(starts[i], places[order[i]]));
         best = std::min(best, longest);
     } while (std::next_permutation(order.begin(), order.end()));
     return best;
