@@ -70,19 +70,26 @@ void printTable(const SweepOptions& options, const std::vector<Row>& rows) {
     }
 }
 
+/// What is wrong is told before the first of many runs.
+Status check(const SweepOptions& options) {
+    Parameters probe;
+    for (const double value : options.values)
+        if (Status s = setParameter(probe, options.parameter, value); !s.ok()) return s;
+    return checkReproduce(options.def);
+}
+
 int sweep(SweepOptions options) {
     if (options.def.folder.empty()) options.def.folder = scenariosFolder() + "/paper";
+    if (Status s = check(options); !s.ok()) return reportFailure(s);
     std::vector<Row> rows;
     Progress bar("sweeping");
     Json results = Json::array();
+    const auto count = static_cast<double>(options.values.size());
     for (std::size_t k = 0; k < options.values.size(); ++k) {
-        Parameters probe;
-        if (Status s = setParameter(probe, options.parameter, options.values[k]); !s.ok()) return reportFailure(s);
         options.def.settings = {{options.parameter, options.values[k]}};
-        const auto progress = [&](std::int32_t done, std::int32_t of, const std::string& what) {
-            bar.show((static_cast<double>(k) + static_cast<double>(done) / of) / static_cast<double>(options.values.size()), what);
-        };
-        const auto reproduction = reproduce(options.def, progress);
+        const auto reproduction = reproduce(options.def, [&](const ReproduceProgress& p) {
+            bar.show((static_cast<double>(k) + static_cast<double>(p.done) / p.of) / count, p.experiment + " " + p.arm);
+        });
         if (!reproduction.ok()) return reportFailure(reproduction.status());
         const std::vector<Row> column = rowsOf(*reproduction);
         if (k == 0) rows = column;

@@ -9,6 +9,10 @@ void DebugDraw::polygon(std::span<const Vec2> corners, Colour fill, const Stroke
     area(loops, fill, stroke);
 }
 
+void DebugDraw::lines(std::span<const std::vector<Vec2>> lines, const Stroke& stroke) {
+    for (const std::vector<Vec2>& points : lines) line(points, stroke);
+}
+
 Status DebugDraw::write(const std::string& path) const {
     const std::string bytes = document();
     std::FILE* file = std::fopen(path.c_str(), "wb");

@@ -50,13 +50,15 @@ void drawMeshes(const Pen& pen) {
         for (const auto& loop : loops) outline.push_back(loopPoints(loop, vertices));
         pen.draw.area(outline, pen.accent(g, 0.09), {});
         const Stroke inner = pen.stroke(pen.accent(g, 0.34), 1.0);
+        std::vector<std::vector<Vec2>> edges;
         for (const Triangle& t : rest.triangles) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t a = t[k], b = t[(k + 1) % 3];
                 if (a > b) continue;  // Each inner edge has two triangles, of opposite turn.
-                pen.draw.line(std::vector<Vec2>{vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)]}, inner);
+                edges.push_back({vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)]});
             }
         }
+        pen.draw.lines(edges, inner);
         pen.draw.area(outline, {}, pen.stroke(pen.accent(g, 0.85), 2.0));
     }
 }

@@ -64,10 +64,11 @@ void drawContours(const Pen& pen, const Samples& samples, double step, double hi
     int index = 1;
     for (double level = step; level < highest; level += step, ++index) {
         const Stroke stroke = pen.stroke(faded(pen.theme.ink, index % 5 == 0 ? 0.55 : 0.22), index % 5 == 0 ? 1.5 : 1.0);
-        for (const auto& [a, b] : contourSegments(grid.width, grid.height, samples.values, level)) {
-            const auto world = [&](Vec2 p) { return grid.origin + (p + Vec2{0.5, 0.5}) * grid.cell; };
-            pen.draw.line(std::vector<Vec2>{world(a), world(b)}, stroke);
-        }
+        const auto world = [&](Vec2 p) { return grid.origin + (p + Vec2{0.5, 0.5}) * grid.cell; };
+        std::vector<std::vector<Vec2>> lines;
+        for (const auto& [a, b] : contourSegments(grid.width, grid.height, samples.values, level))
+            lines.push_back({world(a), world(b)});
+        pen.draw.lines(lines, stroke);
     }
 }
 

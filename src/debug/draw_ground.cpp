@@ -13,6 +13,7 @@ namespace {
 void hatch(const Pen& pen, const Polygon& corners, double gap, const Stroke& stroke) {
     const Box box = boundsOf(corners);
     const double low = box.min.x - box.max.y, high = box.max.x - box.min.y;
+    std::vector<std::vector<Vec2>> lines;
     for (double c = std::ceil(low / gap) * gap; c < high; c += gap) {
         std::vector<Vec2> hits;  // Where x - y = c crosses the edges.
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -20,8 +21,9 @@ void hatch(const Pen& pen, const Polygon& corners, double gap, const Stroke& str
             const double da = a.x - a.y - c, db = b.x - b.y - c;
             if ((da < 0.0) != (db < 0.0)) hits.push_back(lerp(a, b, da / (da - db)));
         }
-        if (hits.size() == 2) pen.draw.line(hits, stroke);
+        if (hits.size() == 2) lines.push_back(std::move(hits));
     }
+    pen.draw.lines(lines, stroke);
 }
 
 Colour patchColour(const Theme& theme, const std::string& motion) {
@@ -37,8 +39,9 @@ Colour patchColour(const Theme& theme, const std::string& motion) {
 void patchTexture(const Pen& pen, const Polygon& corners, const std::string& motion, Colour colour) {
     const Box box = boundsOf(corners);
     const Stroke fine = pen.stroke(faded(colour, 0.30), 1.0);
+    std::vector<std::vector<Vec2>> lines;
     const auto inside = [&](Vec2 a, Vec2 b) {
-        if (containsPoint(corners, a) && containsPoint(corners, b)) pen.draw.line(std::vector<Vec2>{a, b}, fine);
+        if (containsPoint(corners, a) && containsPoint(corners, b)) lines.push_back({a, b});
     };
     if (motion == "crawl") {
         for (double x = box.min.x + 0.5; x < box.max.x; x += 0.5) inside({x, box.min.y}, {x, box.max.y});
@@ -49,7 +52,7 @@ void patchTexture(const Pen& pen, const Polygon& corners, const std::string& mot
             for (double x = box.min.x + (row % 2 == 0 ? 0.3 : 1.1); x + 0.8 < box.max.x; x += 1.6) {
                 std::vector<Vec2> wave;
                 for (int k = 0; k <= 8; ++k) wave.push_back({x + 0.1 * k, y + 0.09 * std::sin(k * 0.785398)});
-                if (containsPoint(corners, wave.front()) && containsPoint(corners, wave.back())) pen.draw.line(wave, fine);
+                if (containsPoint(corners, wave.front()) && containsPoint(corners, wave.back())) lines.push_back(std::move(wave));
             }
         }
     } else if (motion == "climb") {
@@ -61,6 +64,7 @@ void patchTexture(const Pen& pen, const Polygon& corners, const std::string& mot
             }
         }
     }
+    pen.draw.lines(lines, fine);
 }
 
 }  // namespace
@@ -69,15 +73,16 @@ void drawGroundLines(const Pen& pen) {
     const Box box = pen.world.environment().def().box;
     const double step = pen.draw.pixel() * 5.0 > 1.0 ? 25.0 : 5.0;
     const bool fine = pen.draw.pixel() * 12.0 < 1.0;
-    const auto lineAt = [&](double value, bool vertical, bool coarse) {
-        if (!coarse && !fine) return;
-        const std::vector<Vec2> ends = vertical ? std::vector<Vec2>{{value, box.min.y}, {value, box.max.y}}
-                                                : std::vector<Vec2>{{box.min.x, value}, {box.max.x, value}};
-        pen.draw.line(ends, pen.stroke(coarse ? pen.theme.gridCoarse : pen.theme.gridFine, 1.0));
+    std::vector<std::vector<Vec2>> thin, thick;
+    const auto add = [&](double value, Vec2 from, Vec2 to) {
+        if (std::fmod(value, step) == 0.0) thick.push_back({from, to});
+        else if (fine) thin.push_back({from, to});
     };
     const double each = fine ? 1.0 : step;
-    for (double x = std::ceil(box.min.x / each) * each; x <= box.max.x; x += each) lineAt(x, true, std::fmod(x, step) == 0.0);
-    for (double y = std::ceil(box.min.y / each) * each; y <= box.max.y; y += each) lineAt(y, false, std::fmod(y, step) == 0.0);
+    for (double x = std::ceil(box.min.x / each) * each; x <= box.max.x; x += each) add(x, {x, box.min.y}, {x, box.max.y});
+    for (double y = std::ceil(box.min.y / each) * each; y <= box.max.y; y += each) add(y, {box.min.x, y}, {box.max.x, y});
+    pen.draw.lines(thin, pen.stroke(pen.theme.gridFine, 1.0));
+    pen.draw.lines(thick, pen.stroke(pen.theme.gridCoarse, 1.0));
 }
 
 void drawObstacles(const Pen& pen) {

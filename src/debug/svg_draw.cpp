@@ -62,6 +62,12 @@ public:
     void line(std::span<const Vec2> line, const Stroke& stroke) override {
         body_ += "<path d=\"" + points(line) + "\" fill=\"none\"" + strokeOf(stroke) + "/>\n";
     }
+    void lines(std::span<const std::vector<Vec2>> lines, const Stroke& stroke) override {
+        if (lines.empty()) return;
+        std::string data;
+        for (const auto& line : lines) data += points(line);
+        body_ += "<path d=\"" + data + "\" fill=\"none\"" + strokeOf(stroke) + "/>\n";
+    }
     void disc(Vec2 centre, double radius, Colour fill, const Stroke& stroke) override {
         const Vec2 c = toPixel(centre);
         body_ += "<circle cx=\"" + number(c.x) + "\" cy=\"" + number(c.y) + "\" r=\"" + number(radius * scale_) + "\"" +

@@ -79,8 +79,8 @@ public:
                 "can only grow. The free mesh keeps the size of its middle and pays at the corners, where single triangles tear; "
                 "lines and areas spread the same drag over all triangles.\n"
                 "It is not so for every drag: one that stretches the square one way and squeezes it the other (the columns "
-                "\"one way\") is a smooth deformation already, without peaks at the corners. There lines gain nothing over "
-                "points, and only the area's peak is lower."};
+                "\"one way\") is a smooth deformation already, without peaks at the corners. There two lines gain nothing over "
+                "four points (the median peak is even higher), and only the area's is lower."};
     }
     std::vector<Arm> arms() const override {
         return {{"points", "Four points"},
@@ -102,7 +102,7 @@ public:
         if (!trial.ok()) return trial.status();
         drawDrag(request.seed, dash != std::string::npos, trial->commands());
         if (Status s = trial->start(); !s.ok()) return s;
-        trial->picture().view = Box{{-10.0, -8.0}, {10.0, 8.0}};
+        trial->picture().view = Box{{-11.5, -9.5}, {11.5, 9.5}};
         trial->runUntil(2.1);
         trial->shoot("the fingers are down");
         trial->runUntil(trial->gesturesEnd() - 0.1);

@@ -47,6 +47,8 @@ public:
     virtual void area(std::span<const std::vector<Vec2>> loops, Colour fill, const Stroke& stroke) = 0;
     /// An open line.
     virtual void line(std::span<const Vec2> points, const Stroke& stroke) = 0;
+    /// Many open lines of one style: the same as line() for each, in less space.
+    virtual void lines(std::span<const std::vector<Vec2>> lines, const Stroke& stroke);
     /// A disc of `radius` [m].
     virtual void disc(Vec2 centre, double radius, Colour fill, const Stroke& stroke) = 0;
     /// A picture of width x height colours over `box`, row-major from the lower left, smoothly scaled.

@@ -60,13 +60,6 @@ Status checkReproduce(const ReproduceDef& def);
 /// Runs them. `progress` is called from one thread at a time. Fails as checkReproduce() does, or naming the experiment
 /// and the scenario that cannot be run; then no further run begins.
 Result<Reproduction> reproduce(const ReproduceDef& def, const std::function<void(const ReproduceProgress&)>& progress);
-/// The same, telling the numbers and words alone.
-inline Result<Reproduction> reproduce(const ReproduceDef& def,
-                                      const std::function<void(std::int32_t done, std::int32_t of, const std::string& what)>& progress) {
-    return reproduce(def, [&](const ReproduceProgress& p) {
-        if (progress) progress(p.done, p.of, p.experiment + " " + p.arm);
-    });
-}
 
 /// DIR/results.json: an array of {experiment, criterion, preset, value, threshold, pass, seeds, low, high}.
 std::string resultsJson(const Reproduction& reproduction);
