@@ -14,7 +14,7 @@ constexpr double kMiddle = 0.0;       // Of the ways: who is here has taken one 
 constexpr double kAlley = 1.5;        // The alley lies between -y and y, the slow ways beyond [m].
 constexpr double kQueueReach = 4.0;   // Before the entrance [m].
 constexpr double kStanding = 0.5;     // Slower than this one waits [m/s].
-constexpr double kLongest = 40.0;     // After the last gesture; who has not arrived then counts as arriving then [s].
+constexpr double kLongest = 30.0;     // After the last gesture; who has not arrived then counts as arriving then [s].
 constexpr double kCurvePeriod = 0.5;  // [s]
 constexpr std::int32_t kAlleyLane = 1;
 
@@ -27,7 +27,7 @@ public:
                 "An alley 0.8 m wide and 4 m long between two ways of 2 m with a garden wall across. Four fingers press the square of "
                 "36 to a strip, draw it through the alley at once and open it again: the crowd arrives together and queues. Who "
                 "takes which way is looked at in the middle of the ways. The same is run without density in the cost. Last "
-                "arrival counts from the last gesture; a run is cut 40 s after it and then counts as 40 s.",
+                "arrival counts from the last gesture; a run is cut 30 s after it and then counts as 30 s.",
                 "x08-congestion",
                 "The queue forms in a half circle before the alley. The alley lets more than two a second through, so the crowd must "
                 "come at once to be worth a detour: the scene lets the mesh run ahead (opposing force 0.05 per metre, controls and "
@@ -45,7 +45,7 @@ public:
     }
     std::vector<FigureInfo> figures() const override {
         return {{"side", "characters that take the slow ways", "%", 1},
-                {"last", "last arrival after the last gesture (cut at 40 s)", "s", 1},
+                {"last", "last arrival after the last gesture (cut at 30 s)", "s", 1},
                 {"through", "characters past the ways", "", 0},
                 {"queue", "most that stand before the alley at once", "", 0},
                 {"waited", "time that all together stand there", "s", 0},

@@ -9,7 +9,7 @@ namespace muster {
 namespace {
 
 constexpr double kJitter = 0.5;    // Of starts [m]: so that the first plan has something to assign.
-constexpr double kHand = 0.6;      // How far the hand draws aside [m].
+constexpr double kHand = 0.3;      // How far the hand draws aside [m].
 constexpr double kLongest = 30.0;  // After the last gesture; who has not arrived then counts as arriving then [s].
 
 class TransportExperiment final : public Experiment {
@@ -22,7 +22,7 @@ public:
                 "A square of 36, places 0.6 m apart for characters 0.5 m wide, is drawn across a round well by four fingers. "
                 "Nothing differs between the arms but the plan: made anew (transport), assigned once at the start, or character i "
                 "keeps place i. Time counts from the last gesture until everybody is in place; a run is cut 30 s after it and "
-                "then counts as 30 s. Seeds move starts by up to 0.5 m and the hand by up to 0.6 m.",
+                "then counts as 30 s. Seeds move starts by up to 0.5 m and the hand by up to 0.3 m.",
                 "x11-transport",
                 "Contacts are discs without friction, so that those in the way can be pushed aside; late ones with a kept place do "
                 "arrive in most runs, but only after squeezing through the ranks. With transport the gap closes from "
