@@ -13,8 +13,8 @@ class CarWatch {
 public:
     /// Call before the first step.
     explicit CarWatch(const World& world);
-    /// Call after every step. Cars are looked at where they stood when contacts were resolved, and where they stand once
-    /// the step is over.
+    /// Call after every step. Cars are looked at where they stood when contacts were resolved, and where they
+    /// stand once the step is over.
     void observe(const World& world);
 
     /// Smallest gap between anybody's disc and a car's surface [m], at most kFar; 0 and less for contacts.

@@ -53,7 +53,9 @@ TEST_CASE("stays in a mouse's polygon are counted once each, and as the events t
         mouse.polygon = rectangle({-1, -1}, {1, 1});
         mouse.motion = kJump;
         const double out = 1.0 + 0.5 * away;  // From the edge at x = 1 and back, at 1 m/s.
-        mouse.path.waypoints = {{0.0, {-3.004, 0}, 0.0}, {3.0 + out, {out - 0.004, 0}, 0.0}, {3.0 + 2.0 * out, {-0.004, 0}, 0.0},
+        mouse.path.waypoints = {{0.0, {-3.004, 0}, 0.0},
+                                {3.0 + out, {out - 0.004, 0}, 0.0},
+                                {3.0 + 2.0 * out, {-0.004, 0}, 0.0},
                                 {20.0, {-0.004, 0}, 0.0}};
         def.patches.push_back(mouse);
         World world = *World::create(def);
