@@ -31,11 +31,12 @@ public:
                 "x08-congestion",
                 "The queue forms in a half circle before the alley. The alley lets more than two a second through, so the crowd must "
                 "come at once to be worth a detour: the scene lets the mesh run ahead (opposing force 0.05 per metre, controls and "
-                "places at up to 4 m/s). Density is read over cells of 1 m, which show a standing queue at an entrance as 1.5 "
-                "to 3 per square metre: the scene's density.min and density.max are set below the defaults, with which nobody leaves "
-                "the queue. Climbing has the speed of its clip in real time at 2 m/s top speed (1.05 m in 2 s), 0.26 of running.\n"
-                "Without density all press at the alley and can lock each other at its mouth for good, discs without "
-                "friction as they are; such runs are cut. With density it was not seen: those behind give way."};
+                "places at up to 4 m/s). Density is read over cells of 1 m, which even out a queue at an entrance: density.min and "
+                "density.max are set below the defaults (0.6 and 1.5), with which nobody leaves the queue. Time weighs more than "
+                "length (cost.beta 0.9, cost.alpha 0.1), so that waiting counts in full; with equal weights some leave the queue too, "
+                "but too late to gain in every seed. The climb takes its clip's 2 s at the top speed of 2 m/s (0.26 of running).\n"
+                "Without density all press at the alley and in some seeds lock each other at its mouth for good, being discs without "
+                "friction; such runs are cut. With density this was not seen: those behind give way."};
     }
     std::vector<Arm> arms() const override {
         return {{"density", "Density in the cost"},
