@@ -10,6 +10,9 @@ namespace {
 constexpr Rotation kLockTurn{0.93969262078590838405, 0.34202014332566873304};
 constexpr double kLockEnds = 0.6;       // Nearer to its place than this nobody is carried on [m].
 constexpr double kTurnRate = 8.0;       // Share of the turn made up per second.
+constexpr double kTouchGap = 0.04;      // Nearer than this two touch [m].
+constexpr double kBlockedSpeed = 0.15;  // Who touches others and is slower is held up [m/s].
+constexpr double kGiveWay = 0.3;        // At which one steps back from somebody held up [m/s].
 constexpr double kWalkingSpeed = 0.15;  // Below it one stands and faces with the formation [m/s].
 
 Vec2 withinLock(Vec2 direction, Vec2 heading) {
@@ -57,6 +60,23 @@ void Steering::addSidesteps(const SteeringDef& def, const Characters& now) {
     }
 }
 
+// Two who go the same way and touch: the one with the longer way to go does not press the other on. Else crowds wedge
+// before a door for good, each in the arch held by the rest.
+void Steering::holdBack(const SteeringDef& def, const Characters& now) {
+    const double touching = 2.0 * def.radius + kTouchGap;
+    for (const NearPair pair : pairs_) {
+        auto front = static_cast<std::size_t>(pair.a);
+        auto back = static_cast<std::size_t>(pair.b);
+        if (now.cost[back] < now.cost[front]) std::swap(front, back);
+        const Vec2 between = now.position[front] - now.position[back];
+        if (lengthSquared(now.velocity[front]) > kBlockedSpeed * kBlockedSpeed) continue;
+        if (lengthSquared(between) > touching * touching || dot(now.direction[front], now.direction[back]) <= 0.0) continue;
+        const Vec2 ahead = normalized(between, {1.0, 0.0});
+        const double pressing = dot(preferred_[back], ahead) - std::max(0.0, dot(now.velocity[front], ahead));
+        if (pressing > 0.0) preferred_[back] -= ahead * (pressing + kGiveWay);
+    }
+}
+
 void Steering::run(const SteeringDef& def, const Characters& now, const SteeringInput& input,
                    const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading) {
     const std::size_t count = now.size();
@@ -67,6 +87,7 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     }
     addSidesteps(def, now);
+    holdBack(def, now);
     const double share = std::min(1.0, def.velocityGain * dt);
     for (std::size_t i = 0; i < count; ++i) {
         const Vec2 wish = clampLength(preferred_[i], topSpeed_[i]);

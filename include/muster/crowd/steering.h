@@ -40,6 +40,7 @@ private:
     Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i,
                            double topSpeed) const;
     void addSidesteps(const SteeringDef& def, const Characters& now);
+    void holdBack(const SteeringDef& def, const Characters& now);
 
     NeighbourGrid neighbours_;
     std::vector<NearPair> pairs_;
