@@ -93,7 +93,8 @@ struct Between {
 Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
     auto trial = Trial::open(request, {.scenario = "x04-woodland", .jitter = kJitter});
     if (!trial.ok()) return trial.status();
-    if (request.arm.id == "bare") trial->def().patches.clear();
+    const bool bare = request.arm.id == "bare";
+    if (bare) trial->def().patches.clear();
     jitterHand(trial->commands(), request.seed, kHand);
     if (Status s = trial->start(); !s.ok()) return s;
     GroundWatch ground(trial->world());
@@ -111,9 +112,9 @@ Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
     trial->runUntil(4.0, watch);
     shoot(-10.0, "the square comes to the wood");
     trial->runUntil(13.0, watch);
-    shoot(-4.0, "among the trunks, ducking; the mesh gets ahead");
+    shoot(-4.0, bare ? "among the trunks, upright" : "among the trunks, ducking; the mesh gets ahead");
     trial->runUntil(25.0, watch);
-    shoot(7.0, "the first are nearly through");
+    shoot(7.0, bare ? "most are nearly through" : "the first are nearly through");
     trial->runUntilSettled(kLongest, watch);
     shoot(12.5, "all through, a square again");
     RunSample sample;
@@ -121,7 +122,7 @@ Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
     sample.figures["through"] = crossing.through;
     sample.figures["openSpeed"] = between.metres / between.seconds;
     sample.figures["crossing"] = crossing.ends < 0.0 ? std::nan("") : crossing.ends - crossing.begins;
-    if (request.arm.id == "bare") return sample;
+    if (bare) return sample;
     const double limit = trial->def().clips[kDuck].speed * trial->world().parameters().maxSpeed;
     sample.figures["duckers"] = ground.visitors(kDuck);
     sample.figures["speed"] = ground.speed(kDuck);
