@@ -30,16 +30,18 @@ class ThreePathsExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
         return {"X7", "Three paths",
-                "Figure 8a: a net to crawl under, open ground and a pool to swim lie side by side. A basic multitouch gesture "
-                "lays the mesh over them; the characters fit into the paths as the formation lies.",
-                "A square of 36 is drawn over the three lanes by four fingers. Held places are looked at on the entrance line, "
-                "1 m before the lanes; the lanes taken at x = 0, in their middle. The same gesture is also made 1.5 m lower. Whole "
-                "again means that everybody is within 0.5 m of the spot on the mesh where its place is bound for: the travelling "
-                "place itself may lag behind. It counts from when the last has left the lanes. Seeds move starts by up to 0.8 m "
-                "and the hand by up to 0.4 m.",
+                "Figure 8a: a net to crawl under, open ground and a pool to swim lie side by side. A basic "
+                "multitouch gesture lays the mesh over them; the characters fit into the paths as the formation "
+                "lies.",
+                "A square of 36 is drawn over the three lanes by four fingers. Held places are looked at on the "
+                "entrance line, 1 m before the lanes; the lanes taken at x = 0, in their middle. The same gesture "
+                "is also made 1.5 m lower. Whole again means that everybody is within 0.5 m of the spot on the mesh "
+                "where its place is bound for: the travelling place itself may lag behind. It counts from when the "
+                "last has left the lanes. Seeds move starts by up to 0.8 m and the hand by up to 0.4 m.",
                 "x07-three-paths",
-                "The split is that of the mesh: drawn lower, one row moves from the net to the pool. Nobody leaves a slow lane "
-                "for the open one, because its place lies beyond the hedge. The mesh waits for those who crawl."};
+                "The split is that of the mesh: drawn lower, one row moves from the net to the pool. Nobody leaves "
+                "a slow lane for the open one, because its place lies beyond the hedge. The mesh waits for those "
+                "who crawl."};
     }
     std::vector<Arm> arms() const override {
         return {{"middle", "Drawn along the middle"},
@@ -96,7 +98,8 @@ private:
         const std::vector<Vec2>& goals = world.group(0).places->goals();
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const std::int32_t place = characters.place[i];
-            if (place < 0 || distance(characters.position[i], goals[static_cast<std::size_t>(place)]) > kInPlace) return false;
+            if (place < 0) return false;
+            if (distance(characters.position[i], goals[static_cast<std::size_t>(place)]) > kInPlace) return false;
         }
         return true;
     }
@@ -160,12 +163,12 @@ void ThreePathsExperiment::judge(const Samples& samples, Judge& judge) const {
         for (const std::string arm : {"middle", "lower"}) {
             const std::string drawn = arm == "middle" ? "drawn along the middle: " : "drawn lower: ";
             const auto values = [&](const char* figure) { return samples.values(arm, preset, figure); };
-            judge.require(drawn + "characters that take the lane of the place held on the entrance line, in every seed", preset,
-                          values("kept"), Aggregate::Lowest, Comparison::AtLeast, 90.0, "%");
-            judge.require(drawn + "whole again after the last has left the lanes, in every seed", preset, values("whole"),
-                          Aggregate::Highest, Comparison::AtMost, 5.0, "s");
-            judge.require(drawn + "all who go through net and pool, and nobody else, crawl and swim", preset, values("motions"),
-                          Aggregate::Highest, Comparison::AtMost, 0.0);
+            judge.require(drawn + "characters that take the lane of the place held on the entrance line, in every seed",
+                          preset, values("kept"), Aggregate::Lowest, Comparison::AtLeast, 90.0, "%");
+            judge.require(drawn + "whole again after the last has left the lanes, in every seed", preset,
+                          values("whole"), Aggregate::Highest, Comparison::AtMost, 5.0, "s");
+            judge.require(drawn + "all who go through net and pool, and nobody else, crawl and swim", preset,
+                          values("motions"), Aggregate::Highest, Comparison::AtMost, 0.0);
         }
         std::vector<double> more = samples.values("lower", preset, "pool");
         const std::vector<double> before = samples.values("middle", preset, "pool");

@@ -22,21 +22,24 @@ class CongestionExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
         return {"X8", "A crowded way",
-                "Figure 8b: the user draws the whole crowd through a narrow open path. Two paths beside it are slow: one has to "
-                "climb. When the open path is crowded, some choose the slow ones rather than wait.",
-                "An alley 0.8 m wide and 4 m long between two ways of 2 m with a garden wall across. Four fingers press the square of "
-                "36 to a strip, draw it through the alley at once and open it again: the crowd arrives together and queues. Who "
-                "takes which way is looked at in the middle of the ways. The same is run without density in the cost. Last "
-                "arrival counts from the last gesture; a run is cut 30 s after it and then counts as 30 s.",
+                "Figure 8b: the user draws the whole crowd through a narrow open path. Two paths beside it are "
+                "slow: one has to climb. When the open path is crowded, some choose the slow ones rather than wait.",
+                "An alley 0.8 m wide and 4 m long between two ways of 2 m with a garden wall across. Four fingers "
+                "press the square of 36 to a strip, draw it through the alley at once and open it again: the crowd "
+                "arrives together and queues. Who takes which way is looked at in the middle of the ways. The same "
+                "is run without density in the cost. Last arrival counts from the last gesture; a run is cut 30 s "
+                "after it and then counts as 30 s.",
                 "x08-congestion",
-                "The queue forms in a half circle before the alley. The alley lets more than two a second through, so the crowd must "
-                "come at once to be worth a detour: the scene lets the mesh run ahead (opposing force 0.05 per metre, controls and "
-                "places at up to 4 m/s). Density is read over cells of 1 m, which even out a queue at an entrance: density.min and "
-                "density.max are set below the defaults (0.6 and 1.5), with which nobody leaves the queue. Time weighs more than "
-                "length (cost.beta 0.9, cost.alpha 0.1), so that waiting counts in full; with equal weights some leave the queue too, "
-                "but too late to gain in every seed. The climb takes its clip's 2 s at the top speed of 2 m/s (0.26 of running).\n"
-                "Without density all press at the alley and in some seeds lock each other at its mouth for good, being discs without "
-                "friction; such runs are cut. With density this was not seen: those behind give way."};
+                "The queue forms in a half circle before the alley. The alley lets more than two a second through, "
+                "so the crowd must come at once to be worth a detour: the scene lets the mesh run ahead (opposing "
+                "force 0.05 per metre, controls and places at up to 4 m/s). Density is read over cells of 1 m, "
+                "which even out a queue at an entrance: density.min and density.max are set below the defaults (0.6 "
+                "and 1.5), with which nobody leaves the queue. Time weighs more than length (cost.beta 0.9, "
+                "cost.alpha 0.1), so that waiting counts in full; with equal weights some leave the queue too, but "
+                "too late to gain in every seed. The climb takes its clip's 2 s at the top speed of 2 m/s (0.26 of "
+                "running).\nWithout density all press at the alley and in some seeds lock each other at its mouth "
+                "for good, being discs without friction; such runs are cut. With density as set here this was not "
+                "seen: those behind give way."};
     }
     std::vector<Arm> arms() const override {
         return {{"density", "Density in the cost"},
@@ -90,7 +93,8 @@ Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
     const auto watch = [&] {
         ways.observe(trial->world());
         queue.observe(trial->world());
-        if (trial->time() >= static_cast<double>(curve.size()) * kCurvePeriod) curve.push_back({trial->time(), count()});
+        const double due = static_cast<double>(curve.size()) * kCurvePeriod;
+        if (trial->time() >= due) curve.push_back({trial->time(), count()});
     };
     trial->picture().view = Box{{-11.0, -6.0}, {11.0, 6.0}};
     trial->runUntil(2.0, watch);

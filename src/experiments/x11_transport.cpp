@@ -16,17 +16,18 @@ class TransportExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
         return {"X11", "Transport against kept places",
-                "Figure 10: a dense square passes round an obstacle and merges again. Some are caught behind the obstacle and "
-                "come late. With fixed places those who came first stand in their way; with transport these shift inward and the "
-                "late take places at the rear.",
-                "A square of 36, places 0.6 m apart for characters 0.5 m wide, is drawn across a round well by four fingers. "
-                "Nothing differs between the arms but the plan: made anew (transport), assigned once at the start, or character i "
-                "keeps place i. Time counts from the last gesture until everybody is in place; a run is cut 30 s after it and "
-                "then counts as 30 s. Seeds move starts by up to 0.5 m and the hand by up to 0.3 m.",
+                "Figure 10: a dense square passes round an obstacle and merges again. Some are caught behind the "
+                "obstacle and come late. With fixed places those who came first stand in their way; with transport "
+                "these shift inward and the late take places at the rear.",
+                "A square of 36, places 0.6 m apart for characters 0.5 m wide, is drawn across a round well by four "
+                "fingers. Nothing differs between the arms but the plan: made anew (transport), assigned once at "
+                "the start, or character i keeps place i. Time counts from the last gesture until everybody is in "
+                "place; a run is cut 30 s after it and then counts as 30 s. Seeds move starts by up to 0.5 m and "
+                "the hand by up to 0.3 m.",
                 "x11-transport",
-                "Contacts are discs without friction, so that those in the way can be pushed aside; late ones with a kept place do "
-                "arrive in most runs, but only after squeezing through the ranks. With transport the gap closes from "
-                "behind."};
+                "Contacts are discs without friction, so that those in the way can be pushed aside; late ones with "
+                "a kept place do arrive in most runs, but only after squeezing through the ranks. With transport "
+                "the gap closes from behind."};
     }
     std::vector<Arm> arms() const override {
         return {{"transport", "Transport"},
@@ -50,8 +51,8 @@ public:
 };
 
 double planMode(const std::string& arm) {
-    const PlanMode mode = arm == "fixed" ? PlanMode::Fixed : arm == "once" ? PlanMode::AssignedOnce : PlanMode::Transport;
-    return static_cast<double>(mode);
+    if (arm == "fixed") return static_cast<double>(PlanMode::Fixed);
+    return static_cast<double>(arm == "once" ? PlanMode::AssignedOnce : PlanMode::Transport);
 }
 
 /// Characters within reach of their places at the end.
@@ -67,7 +68,8 @@ std::int32_t inPlace(const World& world) {
 }
 
 Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
-    const TrialDef def{.scenario = "x11-transport", .jitter = kJitter, .settings = {{"plan.mode", planMode(request.arm.id)}}};
+    const TrialDef def{
+        .scenario = "x11-transport", .jitter = kJitter, .settings = {{"plan.mode", planMode(request.arm.id)}}};
     auto trial = Trial::open(request, def);
     if (!trial.ok()) return trial.status();
     jitterHand(trial->commands(), request.seed, kHand);
@@ -106,9 +108,11 @@ void TransportExperiment::judge(const Samples& samples, Judge& judge) const {
         judge.require("transport: everybody arrives, in every seed", preset, values("transport", "arrived100"),
                       Aggregate::Highest, Comparison::AtMost, kLongest, "s");
         judge.require("time of transport over that of fixed places, in every seed", preset,
-                      ratios(values("transport", "time"), values("fixed", "time")), Aggregate::Highest, Comparison::AtMost, 0.6);
+                      ratios(values("transport", "time"), values("fixed", "time")), Aggregate::Highest,
+                      Comparison::AtMost, 0.6);
         judge.require("time of transport over that of places assigned once, in every seed", preset,
-                      ratios(values("transport", "time"), values("once", "time")), Aggregate::Highest, Comparison::AtMost, 0.6);
+                      ratios(values("transport", "time"), values("once", "time")), Aggregate::Highest,
+                      Comparison::AtMost, 0.6);
         judge.require("transport: characters whose last place is not the first, in every seed", preset,
                       values("transport", "changed"), Aggregate::Lowest, Comparison::AtLeast, 1.0);
     }
