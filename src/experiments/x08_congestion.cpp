@@ -37,9 +37,8 @@ public:
                 "defaults, with which nobody leaves the queue. Time weighs more than length (cost.beta 0.9, "
                 "cost.alpha 0.1), so that waiting counts in full; with equal weights some leave the queue too, but "
                 "too late to gain in every seed. The climb takes its clip's 2 s at the top speed of 2 m/s (0.26 of "
-                "running).\nWithout density all press at the alley and in some seeds lock each other at its mouth "
-                "for good, being discs without friction; such runs are cut. With density as set here this was not "
-                "seen: those behind give way."};
+                "running).\nWithout density all press at the alley. That everybody gets through at all, without friction and "
+                "noise, is owed to a rule of ours: who is behind does not press on who is held up (movement)."};
     }
     std::vector<Arm> arms() const override {
         return {{"density", "Density in the cost"},
@@ -107,7 +106,7 @@ Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
     trial->shoot("13 s: who is through");
     const bool settled = trial->runUntilSettled(kLongest, watch);
     trial->picture().view = Box{{-4.0, -6.0}, {18.0, 6.0}};
-    trial->shoot(settled ? "all there" : "locked at the mouth of the alley: cut");
+    trial->shoot(settled ? "all there" : "not all there after 30 s: cut");
     trial->report(sample);
     const double number = static_cast<double>(ways.lanes().size());
     const double arrived = sample.figures["arrived100"];
