@@ -13,6 +13,7 @@ constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 constexpr double kReach = 0.5;       // Of "arrived" [m].
 constexpr double kStandFor = 1.0;    // Of "arrived" [s].
 constexpr double kStuckMove = 0.25;  // Of "stuck" [m].
+constexpr double kStill = 0.03;      // Places between a wall and each other tremble by less [m/s].
 
 /// Distance of a character to its place; infinite without one.
 double lagOf(const World& world, std::size_t i) {
@@ -179,7 +180,7 @@ bool RunMetrics::settled(const World& world) const {
             }
         }
         for (Vec2 v : group.places->velocities()) {
-            if (length(v) > 0.01) return false;
+            if (length(v) > kStill) return false;
         }
     }
     RunFigures figures;
