@@ -102,9 +102,11 @@ Vec2 CostField::direction(Vec2 p) const {
     const bool above = reached[2] || reached[3];
     const bool stoppedX = (down.x < 0.0 && !left) || (down.x > 0.0 && !right);
     const bool stoppedY = (down.y < 0.0 && !below) || (down.y > 0.0 && !above);
-    // Before a wall, where both ways round it cost the same, the slope leads nowhere: one of them is taken.
-    if (stoppedX && std::fabs(down.y) < kRidge * std::fabs(down.x)) down.y = sideStep(at.low, {0, 1});
-    if (stoppedY && std::fabs(down.x) < kRidge * std::fabs(down.y)) down.x = sideStep(at.low, {1, 0});
+    // Before a wall or dear ground, where both ways round cost the same, the slope leads nowhere: one of them is taken.
+    const bool flatX = std::fabs(down.x) < kRidge * std::fabs(down.y);
+    const bool flatY = std::fabs(down.y) < kRidge * std::fabs(down.x);
+    if (flatY && (stoppedX || risesAhead(at.low, down.x, {1, 0}))) down.y = std::fabs(down.x) * sideStep(at.low, {0, 1});
+    if (flatX && (stoppedY || risesAhead(at.low, down.y, {0, 1}))) down.x = std::fabs(down.y) * sideStep(at.low, {1, 0});
     if (stoppedX) down.x = 0.0;
     if (stoppedY) down.y = 0.0;
     down = normalized(down);
@@ -113,6 +115,20 @@ Vec2 CostField::direction(Vec2 p) const {
     if (!below || !above) down.y += below ? std::min(0.0, 0.5 - at.fy) : std::max(0.0, 0.5 - at.fy);
     down = normalized(down);
     return down == Vec2{} ? towardsReached(p) : down;
+}
+
+// True where the cost falls along `axis` (to the side of `sign`) up to the edge of the square of centres only, and grows
+// again beyond it. Only the source is a true minimum, so it is not to be near.
+bool CostField::risesAhead(Cell low, double sign, Cell axis) const {
+    const std::int32_t edge = sign > 0.0 ? 1 : 0;
+    const std::int32_t beyond = sign > 0.0 ? 2 : -1;
+    const auto cheapest = [&](std::int32_t along) {
+        const Cell c{low.x + along * axis.x, low.y + along * axis.y};
+        return std::min(value(c), value({c.x + axis.y, c.y + axis.x}));
+    };
+    const double clear = nearRadius_ + 3.0 * grid_.cell;
+    if (lengthSquared(grid_.centre(low) - source_) <= clear * clear) return false;
+    return cheapest(beyond) < kInfiniteCost && cheapest(beyond) > cheapest(edge);
 }
 
 // Towards the cheaper of the cells beyond the square of centres on either side along `axis`: 1 or -1, 1 where they tie.

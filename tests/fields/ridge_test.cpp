@@ -35,3 +35,22 @@ TEST_CASE("who stands exactly behind a block takes one of the two equal ways rou
         CHECK(walked < 12.0);
     }
 }
+
+TEST_CASE("who stands exactly before slow ground takes one of the two equal ways round it") {
+    for (const double slow : {1.5, 2.5, 6.0}) {
+        CAPTURE(slow);
+        // Deep and narrow: 4 m through at `slow`, or about a metre more round it.
+        const auto onPatch = [](Vec2 p) { return p.x > -4.0 && p.x < 0.0 && std::fabs(p.y) < 1.0; };
+        const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25, [&](Vec2 p) { return even(onPatch(p) ? slow : 1.0); });
+        EikonalSolver solver;
+        CostField field;
+        solver.solve(cost, {3, 0}, {}, field);
+        Vec2 p{-6, 0};
+        double paid = 0.0;
+        while (distance(p, {3, 0}) > 0.3 && paid < 40.0) {
+            p += field.direction(p) * 0.03;
+            paid += 0.03 * (onPatch(p) ? slow : 1.0);
+        }
+        CHECK(paid < 11.0);
+    }
+}
