@@ -1,4 +1,5 @@
 // muster sweep
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -57,6 +58,18 @@ std::vector<Row> rowsOf(const Reproduction& reproduction) {
     return rows;
 }
 
+/// A bar would end the cell.
+std::string escaped(const std::string& title) {
+    std::string text;
+    for (const char c : title) text += c == '|' ? std::string("\\|") : std::string(1, c);
+    return text;
+}
+
+/// True where an arm has no such figure, whatever the value.
+bool isEmpty(const Row& row) {
+    return std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell == "-"; });
+}
+
 void printTable(const SweepOptions& options, const std::vector<Row>& rows) {
     std::printf("| %s |", options.parameter.c_str());
     for (const double value : options.values) std::printf(" %s |", shortText(value).c_str());
@@ -64,7 +77,8 @@ void printTable(const SweepOptions& options, const std::vector<Row>& rows) {
     for (std::size_t i = 0; i < options.values.size(); ++i) std::printf("---|");
     std::printf("\n");
     for (const Row& row : rows) {
-        std::printf("| %s |", row.title.c_str());
+        if (isEmpty(row)) continue;
+        std::printf("| %s |", escaped(row.title).c_str());
         for (const std::string& cell : row.cells) std::printf(" %s |", cell.c_str());
         std::printf("\n");
     }
