@@ -44,11 +44,11 @@ Vec2 Steering::preferredVelocity(const SteeringDef& def, const Characters& now, 
 void Steering::addSidesteps(const SteeringDef& def, const Characters& now) {
     if (def.separationGain <= 0.0 || def.separationReach <= 0.0) return;
     const double reach = 2.0 * def.radius + def.separationReach;
-    neighbours_.findPairs(now.position, reach, pairs_);
     for (const NearPair pair : pairs_) {
         const auto a = static_cast<std::size_t>(pair.a);
         const auto b = static_cast<std::size_t>(pair.b);
         const Vec2 between = now.position[b] - now.position[a];
+        if (lengthSquared(between) >= reach * reach) continue;
         const Vec2 away = normalized(between, {1.0, 0.0});
         const double closeness = (reach - length(between)) / def.separationReach;
         const Vec2 push = away * (def.separationGain * def.separationReach * std::min(1.0, closeness));
@@ -86,6 +86,7 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
         topSpeed_[i] = def.maxSpeed * environment.ground(now.position[i]).travelSpeed;
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     }
+    neighbours_.findPairs(now.position, 2.0 * def.radius + std::max(def.separationReach, kTouchGap), pairs_);
     addSidesteps(def, now);
     holdBack(def, now);
     const double share = std::min(1.0, def.velocityGain * dt);

@@ -117,28 +117,26 @@ Vec2 CostField::direction(Vec2 p) const {
     return down == Vec2{} ? towardsReached(p) : down;
 }
 
+// The cheaper of the two cells of a square of centres, or beyond it, that lie `along` cells from its low side on `axis`.
+float CostField::cheapestAcross(Cell low, Cell axis, std::int32_t along) const {
+    const Cell c{low.x + along * axis.x, low.y + along * axis.y};
+    return std::min(value(c), value({c.x + axis.y, c.y + axis.x}));
+}
+
 // True where the cost falls along `axis` (to the side of `sign`) up to the edge of the square of centres only, and grows
 // again beyond it. Only the source is a true minimum, so it is not to be near.
 bool CostField::risesAhead(Cell low, double sign, Cell axis) const {
-    const std::int32_t edge = sign > 0.0 ? 1 : 0;
-    const std::int32_t beyond = sign > 0.0 ? 2 : -1;
-    const auto cheapest = [&](std::int32_t along) {
-        const Cell c{low.x + along * axis.x, low.y + along * axis.y};
-        return std::min(value(c), value({c.x + axis.y, c.y + axis.x}));
-    };
     const double clear = nearRadius_ + 3.0 * grid_.cell;
     if (lengthSquared(grid_.centre(low) - source_) <= clear * clear) return false;
-    return cheapest(beyond) < kInfiniteCost && cheapest(beyond) > cheapest(edge);
+    const float edge = cheapestAcross(low, axis, sign > 0.0 ? 1 : 0);
+    const float beyond = cheapestAcross(low, axis, sign > 0.0 ? 2 : -1);
+    return beyond < kInfiniteCost && beyond > edge;
 }
 
 // Towards the cheaper of the cells beyond the square of centres on either side along `axis`: 1 or -1, 1 where they tie.
 double CostField::sideStep(Cell low, Cell axis) const {
-    const auto cheapest = [&](std::int32_t along) {
-        const Cell near{low.x + along * axis.x, low.y + along * axis.y};
-        return std::min(value(near), value({near.x + axis.y, near.y + axis.x}));
-    };
-    const float ahead = cheapest(2);
-    const float behind = cheapest(-1);
+    const float ahead = cheapestAcross(low, axis, 2);
+    const float behind = cheapestAcross(low, axis, -1);
     if (!(ahead < kInfiniteCost) && !(behind < kInfiniteCost)) return 0.0;
     return ahead <= behind ? 1.0 : -1.0;
 }

@@ -58,6 +58,7 @@ private:
     std::int32_t rootOf(Cell cell) const;
     Vec2 towardsReached(Vec2 p) const;
     double cornerValue(Cell low, int k) const;
+    float cheapestAcross(Cell low, Cell axis, std::int32_t along) const;
     bool risesAhead(Cell low, double sign, Cell axis) const;
     double sideStep(Cell low, Cell axis) const;
 
