@@ -16,13 +16,8 @@ void Overrides::addTo(CLI::App& command) {
 
 Status Overrides::apply(WorldDef& def) const {
     Parameters& parameters = def.parameters;
-    if (!preset.empty()) {
-        const Parameters ours = *parameterPreset("muster"), papers = *parameterPreset("paper");
-        const Parameters wanted = *parameterPreset(preset);
-        for (const ParameterInfo& info : parameterTable()) {
-            if (ours.*info.member != papers.*info.member) parameters.*info.member = wanted.*info.member;
-        }
-    }
+    if (!preset.empty())
+        if (Status s = usePreset(parameters, preset); !s.ok()) return s.within("--preset");
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
         const char* text = equals == std::string::npos ? "" : setting.c_str() + equals + 1;

@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "folders.h"
 #include "muster/experiments/reproduce.h"
-#include "overrides.h"
 #include "report.h"
 
 namespace muster {

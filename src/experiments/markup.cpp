@@ -161,4 +161,10 @@ std::string svgNumber(double value) {
     return text == "-0" ? "0" : text;
 }
 
+std::string lowerCase(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 }  // namespace muster

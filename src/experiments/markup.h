@@ -15,6 +15,8 @@ std::string paragraphs(std::string_view text);
 /// Text for a cell of a Markdown table, on one line, with what Markdown would read as a sign escaped.
 std::string markdownCell(std::string_view text);
 
+/// ASCII letters made small: for names of files and comparisons.
+std::string lowerCase(std::string text);
 /// Letters (code points) of UTF-8 text.
 std::size_t letters(std::string_view text);
 /// Lines of at most `most` letters, broken between words; a longer word gets a line of its own.

@@ -1,10 +1,10 @@
 // The report's files.
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "experiments/film_strip.h"
+#include "experiments/markup.h"
 #include "muster/experiments/reproduce.h"
 #include "muster/scenario/scenario.h"
 
@@ -17,17 +17,12 @@ Json orNull(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 /// One film strip per arm that was filmed: x4-film.svg, where there are several x4-film-transport-paper.svg.
 Status writeFilms(const ExperimentResult& experiment, const std::string& folder) {
     for (const Arm& arm : experiment.arms) {
         const auto& runs = experiment.samples.runs(arm.id, arm.preset);
         if (runs.empty() || runs.front().film.empty()) continue;
-        std::string name = lower(experiment.text.id) + "-film";
+        std::string name = lowerCase(experiment.text.id) + "-film";
         if (experiment.arms.size() > 1) name += "-" + arm.id + (arm.preset == "muster" ? "" : "-" + arm.preset);
         const std::string path = folder + "/" + name + ".svg";
         if (Status s = writeTextFile(path, filmStrip(runs.front().film)); !s.ok()) return s;

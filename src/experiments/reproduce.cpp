@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <filesystem>
 #include <mutex>
 #include <optional>
 
+#include "experiments/markup.h"
 #include "muster/base/parallel.h"
 #include "muster/base/stopwatch.h"
 
@@ -22,11 +22,6 @@ struct Job {
 
 using Experiments = std::vector<std::unique_ptr<Experiment>>;
 
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 /// Those asked for, in the paper's order.
 Result<Experiments> choose(const std::vector<std::string>& wanted) {
     Experiments all = paperExperiments();
@@ -34,7 +29,8 @@ Result<Experiments> choose(const std::vector<std::string>& wanted) {
     for (const auto& experiment : all) known += (known.empty() ? "" : ", ") + experiment->text().id;
     for (const std::string& id : wanted) {
         const bool found = std::any_of(
-            all.begin(), all.end(), [&](const auto& experiment) { return lower(experiment->text().id) == lower(id); });
+            all.begin(), all.end(),
+            [&](const auto& experiment) { return lowerCase(experiment->text().id) == lowerCase(id); });
         if (!found)
             return Status(StatusCode::NotFound,
                           "found the experiment \"" + id.substr(0, 40) + "\", expected some of " + known);
@@ -42,8 +38,8 @@ Result<Experiments> choose(const std::vector<std::string>& wanted) {
     if (wanted.empty()) return all;
     Experiments chosen;
     for (auto& experiment : all) {
-        const std::string id = lower(experiment->text().id);
-        if (std::any_of(wanted.begin(), wanted.end(), [&](const std::string& w) { return lower(w) == id; }))
+        const std::string id = lowerCase(experiment->text().id);
+        if (std::any_of(wanted.begin(), wanted.end(), [&](const std::string& w) { return lowerCase(w) == id; }))
             chosen.push_back(std::move(experiment));
     }
     return chosen;

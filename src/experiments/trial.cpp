@@ -18,16 +18,6 @@ double orNothing(double value) {
     return value < 0.0 ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
-/// What differs between the presets is set as in `name`.
-Status usePreset(const std::string& name, Parameters& parameters) {
-    const auto wanted = parameterPreset(name);
-    if (!wanted.ok()) return wanted.status();
-    const Parameters ours = *parameterPreset("muster"), papers = *parameterPreset("paper");
-    for (const ParameterInfo& info : parameterTable())
-        if (ours.*info.member != papers.*info.member) parameters.*info.member = (*wanted).*info.member;
-    return {};
-}
-
 }  // namespace
 
 Result<Trial> Trial::open(const RunRequest& request, const TrialDef& def) {
@@ -37,7 +27,7 @@ Result<Trial> Trial::open(const RunRequest& request, const TrialDef& def) {
     Trial trial;
     trial.def_ = std::move(loaded).value();
     Parameters& parameters = trial.def_.parameters;
-    if (Status s = usePreset(request.arm.preset, parameters); !s.ok()) return s.within(path);
+    if (Status s = usePreset(parameters, request.arm.preset); !s.ok()) return s.within(path);
     for (const auto* settings : {&request.settings, &def.settings})
         for (const auto& [name, value] : *settings)
             if (Status s = setParameter(parameters, name, value); !s.ok()) return s.within(path);
@@ -51,6 +41,14 @@ Result<Trial> Trial::open(const RunRequest& request, const TrialDef& def) {
     trial.film_ = request.film;
     trial.picture_.width = kFrameWidth;
     return trial;
+}
+
+void Trial::shift(Vec2 by) {
+    for (GroupDef& group : def_.groups) group.position += by;
+    for (Command& command : commands_) {
+        if (auto* down = std::get_if<TouchDown>(&command.body)) down->position += by;
+        if (auto* move = std::get_if<TouchMove>(&command.body)) move->position += by;
+    }
 }
 
 Status Trial::start() {

@@ -111,19 +111,10 @@ private:
     double whole_ = -1.0;
 };
 
-/// The whole run, group and fingers, lower.
-void lower(Trial& trial) {
-    for (GroupDef& group : trial.def().groups) group.position.y += kLower;
-    for (Command& command : trial.commands()) {
-        if (auto* down = std::get_if<TouchDown>(&command.body)) down->position.y += kLower;
-        if (auto* move = std::get_if<TouchMove>(&command.body)) move->position.y += kLower;
-    }
-}
-
 Result<RunSample> ThreePathsExperiment::run(const RunRequest& request) const {
     auto trial = Trial::open(request, {.scenario = "x07-three-paths", .jitter = kJitter});
     if (!trial.ok()) return trial.status();
-    if (request.arm.id == "lower") lower(*trial);
+    if (request.arm.id == "lower") trial->shift({0.0, kLower});
     jitterHand(trial->commands(), request.seed, kHand);
     if (Status s = trial->start(); !s.ok()) return s;
     PathWatch paths(trial->world());

@@ -31,12 +31,8 @@ struct Variation {
         turn = random.uniform(-mostTurn, mostTurn);
     }
     void apply(Trial& trial) const {
-        trial.def().groups[0].position += shift;
+        trial.shift(shift);
         trial.def().groups[0].angle += turn;
-        for (Command& command : trial.commands()) {
-            if (auto* down = std::get_if<TouchDown>(&command.body)) down->position += shift;
-            if (auto* move = std::get_if<TouchMove>(&command.body)) move->position += shift;
-        }
     }
 };
 

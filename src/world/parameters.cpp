@@ -124,4 +124,13 @@ Result<Parameters> parameterPreset(std::string_view name) {
                   "there is no preset \"" + std::string(name.substr(0, 80)) + "\", expected muster or paper");
 }
 
+Status usePreset(Parameters& parameters, std::string_view name) {
+    const auto wanted = parameterPreset(name);
+    if (!wanted.ok()) return wanted.status();
+    const Parameters ours = *parameterPreset("muster"), papers = *parameterPreset("paper");
+    for (const ParameterInfo& info : kTable)
+        if (ours.*info.member != papers.*info.member) parameters.*info.member = (*wanted).*info.member;
+    return {};
+}
+
 }  // namespace muster

@@ -35,6 +35,8 @@ public:
     WorldDef& def() { return def_; }
     /// To be changed before start(); in the order of (step, client, sequence).
     std::vector<Command>& commands() { return commands_; }
+    /// Moves groups and touches aside, before start() [m].
+    void shift(Vec2 by);
     /// Makes the world. Fails as World::create and World::submit do.
     Status start();
 
