@@ -8,9 +8,10 @@ namespace {
 
 constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
-    "SetParameter", "Transport", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "FrameAck", "Ping"};
+    "SetParameter", "Transport", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Attend",
+    "FrameAck", "Ping"};
 constexpr const char* kServerNames[] = {
-    "Welcome", "Scene", "GroupMesh", "Frame", "Overlay", "Notice", "Pong"};
+    "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -55,8 +56,9 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 10: return decodeAs<Any, LoadScenario>(bytes);
         case 11: return decodeAs<Any, Record>(bytes);
         case 12: return decodeAs<Any, SetOverlay>(bytes);
-        case 13: return decodeAs<Any, FrameAck>(bytes);
-        case 14: return decodeAs<Any, Ping>(bytes);
+        case 13: return decodeAs<Any, Attend>(bytes);
+        case 14: return decodeAs<Any, FrameAck>(bytes);
+        case 15: return decodeAs<Any, Ping>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -66,11 +68,12 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
     switch (bytes.empty() ? 255 : bytes[0]) {
         case 0: return decodeAs<Any, Welcome>(bytes);
         case 1: return decodeAs<Any, Scene>(bytes);
-        case 2: return decodeAs<Any, GroupMesh>(bytes);
-        case 3: return decodeAs<Any, Frame>(bytes);
-        case 4: return decodeAs<Any, Overlay>(bytes);
-        case 5: return decodeAs<Any, Notice>(bytes);
-        case 6: return decodeAs<Any, Pong>(bytes);
+        case 2: return decodeAs<Any, Motions>(bytes);
+        case 3: return decodeAs<Any, GroupMesh>(bytes);
+        case 4: return decodeAs<Any, Frame>(bytes);
+        case 5: return decodeAs<Any, Overlay>(bytes);
+        case 6: return decodeAs<Any, Notice>(bytes);
+        case 7: return decodeAs<Any, Pong>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

@@ -63,7 +63,7 @@ export class RawSocket {
       Connection: 'Upgrade',
       'Sec-WebSocket-Key': randomBytes(16).toString('base64'),
       'Sec-WebSocket-Version': '13',
-      'Sec-WebSocket-Protocol': 'muster.v3',
+      'Sec-WebSocket-Protocol': 'muster.v4',
       ...headers,
     };
     const lines = Object.entries(all).filter(([, value]) => value !== null).map(([name, value]) => `${name}: ${value}\r\n`);

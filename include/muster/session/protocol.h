@@ -12,8 +12,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 3;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v3";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 4;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v4";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -132,6 +132,38 @@ struct MovingFrame {
     void visit(Archive& archive) {
         archive(kind, id, x, y, angle);
         checkEnum(archive, kind, 2);
+    }
+};
+
+/// A joint of the characters' skeleton in the rest pose; parents come before their children.
+struct JointFrame {
+    std::string name;
+    std::uint32_t parent = 0;  ///< index; its own for the first
+    float x = 0.0f;  ///< offset from the parent [m]
+    float y = 0.0f;
+    float z = 0.0f;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, parent, x, y, z);
+    }
+};
+
+/// A motion clip as baked poses, in the character's own frame (x forward, y left, z up, on the ground below it).
+struct ClipFrames {
+    std::string name;
+    std::string motion;  ///< what it belongs to: run, crawl...
+    float rate = 0.0f;  ///< poses a second
+    bool cyclic = false;  ///< after the last pose comes the first
+    std::uint32_t poses = 0;
+    std::vector<float> hips;  ///< x, y, z per pose [m]
+    std::vector<std::int16_t> rotations;  ///< per pose and joint x, y, z, w over 32767, relative to the parent
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, motion, rate, cyclic, poses, hips, rotations);
     }
 };
 
@@ -323,9 +355,23 @@ struct SetOverlay {
     }
 };
 
+/// Where this client looks: the characters nearest to it come with whole poses.
+struct Attend {
+    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
+    float x = 0.0f;  ///< [m]
+    float y = 0.0f;
+    std::uint32_t count = 0;  ///< how many at most; 0 for none
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(x, y, count);
+    }
+};
+
 /// Frame drawn; the next may come.
 struct FrameAck {
-    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
     std::uint32_t frame = 0;
 
     /// Lets an archive read or write the fields.
@@ -337,7 +383,7 @@ struct FrameAck {
 
 /// Asks for a Pong.
 struct Ping {
-    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
     double time = 0.0;
 
     /// Lets an archive read or write the fields.
@@ -376,9 +422,22 @@ struct Scene {
     }
 };
 
+/// Skeleton and clips that frames refer to by index; before the first frame that does, again whenever they change.
+struct Motions {
+    static constexpr std::uint8_t kNumber = 2;  ///< First byte of the message.
+    std::vector<JointFrame> joints;
+    std::vector<ClipFrames> clips;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(joints, clips);
+    }
+};
+
 /// Topology of a group's mesh; before the first frame of that version.
 struct GroupMesh {
-    static constexpr std::uint8_t kNumber = 2;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 3;  ///< First byte of the message.
     std::uint32_t group = 0;
     std::uint32_t version = 0;
     std::string formation;
@@ -394,7 +453,7 @@ struct GroupMesh {
 
 /// The world after a step.
 struct Frame {
-    static constexpr std::uint8_t kNumber = 3;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 4;  ///< First byte of the message.
     std::uint32_t frame = 0;
     std::uint32_t step = 0;
     double time = 0.0;
@@ -412,6 +471,13 @@ struct Frame {
     std::vector<float> heading;  ///< [rad]
     std::vector<std::uint8_t> motion;
     std::vector<std::uint8_t> phase;
+    std::vector<std::uint8_t> clip;  ///< index into Motions
+    std::vector<std::uint16_t> clipTime;  ///< in it [ms]
+    std::vector<std::uint8_t> fromClip;  ///< the clip that fades out
+    std::vector<std::uint16_t> fromTime;  ///< [ms]
+    std::vector<std::uint8_t> fade;  ///< share of it still shown, over 255
+    std::vector<std::uint32_t> near;  ///< indices of those who come with whole poses
+    std::vector<std::int16_t> nearPoses;  ///< per such: hips x, y, z [mm], then per joint x, y, z, w over 32767, for a body of size 1
     std::vector<GroupFrame> groups;
     std::vector<MovingFrame> moving;
     std::vector<std::uint8_t> collected;
@@ -424,14 +490,14 @@ struct Frame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(frame, step, time, playing, speed, recordedSeconds, replaying, demonstrating, touchEcho,
-                sceneRevision, ids, group, x, y, heading, motion, phase, groups, moving, collected, stepMs,
-                lagP95, swapsPerSecond, events);
+                sceneRevision, ids, group, x, y, heading, motion, phase, clip, clipTime, fromClip, fromTime,
+                fade, near, nearPoses, groups, moving, collected, stepMs, lagP95, swapsPerSecond, events);
     }
 };
 
 /// The values asked for, at most five a second.
 struct Overlay {
-    static constexpr std::uint8_t kNumber = 4;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 5;  ///< First byte of the message.
     OverlayKind kind = OverlayKind::None;
     std::uint32_t character = 0;
     float x = 0.0f;  ///< centre of the first cell
@@ -455,7 +521,7 @@ struct Overlay {
 
 /// Something to tell the person.
 struct Notice {
-    static constexpr std::uint8_t kNumber = 5;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 6;  ///< First byte of the message.
     NoticeLevel level = NoticeLevel::Info;
     std::string code;
     std::string text;  ///< one sentence
@@ -473,7 +539,7 @@ struct Notice {
 
 /// Gives back the time of a Ping.
 struct Pong {
-    static constexpr std::uint8_t kNumber = 6;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 7;  ///< First byte of the message.
     double time = 0.0;
 
     /// Lets an archive read or write the fields.
@@ -486,10 +552,10 @@ struct Pong {
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Transport, SetSpeed, LoadScenario, Record, SetOverlay, FrameAck, Ping>;
+    Transport, SetSpeed, LoadScenario, Record, SetOverlay, Attend, FrameAck, Ping>;
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
-    Welcome, Scene, GroupMesh, Frame, Overlay, Notice, Pong>;
+    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong>;
 
 /// "Touches"... for reports.
 const char* messageName(const ClientMessage& message);

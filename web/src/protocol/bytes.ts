@@ -5,7 +5,7 @@ export class ProtocolError extends Error {
   override name = 'ProtocolError';
 }
 
-type Numbers = Uint8Array | Uint32Array | Float32Array | Float64Array;
+type Numbers = Uint8Array | Uint16Array | Int16Array | Uint32Array | Float32Array | Float64Array;
 
 /** Reads values in turn; throws ProtocolError where the bytes do not suffice or have no such value. */
 export class ByteReader {
@@ -18,6 +18,12 @@ export class ByteReader {
 
   u8(): number {
     return this.view.getUint8(this.advance(1));
+  }
+  u16(): number {
+    return this.view.getUint16(this.advance(2), true);
+  }
+  i16(): number {
+    return this.view.getInt16(this.advance(2), true);
   }
   u32(): number {
     return this.view.getUint32(this.advance(4), true);
@@ -44,6 +50,12 @@ export class ByteReader {
   }
   u8s(): Uint8Array {
     return new Uint8Array(this.slice(1));
+  }
+  u16s(): Uint16Array {
+    return new Uint16Array(this.slice(2));
+  }
+  i16s(): Int16Array {
+    return new Int16Array(this.slice(2));
   }
   u32s(): Uint32Array {
     return new Uint32Array(this.slice(4));
@@ -91,6 +103,14 @@ export class ByteWriter {
     const at = this.reserve(1);
     this.view.setUint8(at, value);
   }
+  u16(value: number): void {
+    const at = this.reserve(2);
+    this.view.setUint16(at, value, true);
+  }
+  i16(value: number): void {
+    const at = this.reserve(2);
+    this.view.setInt16(at, value, true);
+  }
   u32(value: number): void {
     const at = this.reserve(4);
     this.view.setUint32(at, value, true);
@@ -110,6 +130,12 @@ export class ByteWriter {
     this.u8s(new TextEncoder().encode(value));
   }
   u8s(values: Uint8Array): void {
+    this.raw(values);
+  }
+  u16s(values: Uint16Array): void {
+    this.raw(values);
+  }
+  i16s(values: Int16Array): void {
     this.raw(values);
   }
   u32s(values: Uint32Array): void {
