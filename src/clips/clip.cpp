@@ -74,7 +74,7 @@ double Clip::speed() const {
     return seconds > 0.0 ? length() / seconds : 0.0;
 }
 
-void Clip::sample(double time, Pose& out) const {
+void Clip::sample(double time, BodyPose& out) const {
     if (cyclic) time -= cyclesBefore(time, duration()) * duration();
     const FrameAt at = frameAt(time, rate, cyclic ? poses.size() : poses.size() - 1);
     const std::size_t frame = cyclic && at.frame == poses.size() ? 0 : at.frame;
@@ -125,7 +125,7 @@ Status validate(const Clip& clip) {
     if (!(clip.rate > 0.0) || !std::isfinite(clip.rate)) return bad("its rate is not a positive number");
     if (clip.poses.size() < 2) return bad("it has fewer than two poses");
     if (clip.travel.size() != clip.poses.size() + (clip.cyclic ? 1 : 0)) return bad("its travel does not fit its poses");
-    for (const Pose& pose : clip.poses) {
+    for (const BodyPose& pose : clip.poses) {
         bool finite = isFinite(pose.hips);
         for (const Quat& q : pose.rotation) finite = finite && std::fabs(dot(q, q) - 1.0f) < 1e-3f;
         if (!finite) return bad("a pose holds numbers that are no rotation or no place");

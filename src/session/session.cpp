@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "muster/generator/own_clips.h"
 #include "muster/scenario/scenario.h"
 #include "session/notice_place.h"
 #include "session/scene_json.h"
@@ -37,6 +38,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     pacer.reset();
     playing = true;
     frames.restart();
+    beginMotion();
     refreshScene();
     touchState();
     for (auto& [id, client] : clients) {
@@ -48,6 +50,20 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
         client.touchWaiting = client.touchShown = 0.0;
     }
     return {};
+}
+
+// Where the scenario names clips that cannot be read, its people move by Muster's own.
+void Session::Impl::beginMotion() {
+    auto clips = def.loadClips ? def.loadClips(name, worldDef) : Result<ClipLibrary>(ownClips());
+    if (!clips.ok()) noticeAll(protocol::NoticeLevel::Warning, "clips", clips.status().message() + ".");
+    motion.restart(clips.ok() ? std::move(clips).value() : ownClips());
+    observeMotion();
+}
+
+void Session::Impl::observeMotion() {
+    attentions.clear();
+    for (const auto& [id, client] : clients) attentions.push_back(client.attention);
+    motion.observe(*world, attentions);
 }
 
 // What is likely a mistake in a scenario is told once to everybody, and to those who come later.
@@ -207,6 +223,7 @@ void Session::Impl::stepOnce() {
     waitingCommands = 0;
     touchState();
     frames.observe(*world);
+    observeMotion();
     if (!replay) log.observe(*world);
     else if (replayed.ok()) replayed = replay->compare(*world);
     if (!replayed.ok()) {

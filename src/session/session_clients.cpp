@@ -81,6 +81,10 @@ void Session::Impl::sendScene(SessionClient& client) {
         client.sentIds = 0;
         client.sentMeshes.clear();
     }
+    if (client.sentMotions != motion.revision()) {
+        client.outbox.push_back(motion.motions());
+        client.sentMotions = motion.revision();
+    }
     for (std::size_t g = 0; g < world->groupCount(); ++g) {
         const GroupView group = world->group(g);
         const auto sent = client.sentMeshes.find(group.id.value);
@@ -94,6 +98,7 @@ void Session::Impl::sendFrame(SessionClient& client) {
     sendScene(client);
     if (frameState != state) {
         frames.build(*world, frame);
+        motion.build(frame);
         frame.playing = playing;
         frame.speed = static_cast<float>(speed);
         frame.recordedSeconds = recordedFrom < 0.0 ? -1.0f : static_cast<float>(world->time() - recordedFrom);

@@ -183,6 +183,15 @@ public:
         return {};
     }
 
+    Status operator()(const protocol::Attend& message) {
+        const std::size_t most = session_.def.limits.wholePoses;
+        if (message.count > most) return limitExceeded("whole poses asked for", message.count, most);
+        if (!std::isfinite(message.x) || !std::isfinite(message.y))
+            return invalidArgument("a spot to look at that is not finite");
+        client_.attention = {{message.x, message.y}, message.count};
+        return {};
+    }
+
     Status operator()(const protocol::FrameAck& message) {
         if (message.frame > client_.frame) {
             return invalidArgument("frame " + std::to_string(message.frame) + " was never sent");

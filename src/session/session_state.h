@@ -11,6 +11,7 @@
 #include "muster/session/session.h"
 #include "muster/session/token_bucket.h"
 #include "session/frame_builder.h"
+#include "session/motion_frames.h"
 #include "session/pacer.h"
 #include "session/replayer.h"
 #include "session/take_log.h"
@@ -36,9 +37,11 @@ struct SessionClient {
     bool awaitsAck = false;           ///< That frame has not been acknowledged.
     std::uint64_t sentState = 0;      ///< Session state that it showed; 0 for none.
     std::uint32_t sentScene = 0;      ///< Revision; 0 for none.
+    std::uint32_t sentMotions = 0;    ///< Revision; 0 for none.
     std::uint32_t sentIds = 0;        ///< Version; 0 for none.
     std::map<std::uint32_t, std::uint32_t> sentMeshes;  ///< Version by group.
     std::vector<protocol::EventFrame> events;           ///< Since that frame.
+    Attention attention;              ///< Where it looks.
     double touchWaiting = 0.0;        ///< Newest page time among touches that wait for a step [s].
     double touchShown = 0.0;          ///< Newest page time among touches that a step has applied [s].
 
@@ -54,6 +57,8 @@ struct Session::Impl {
 
     // Worlds (session.cpp).
     Status begin(const std::string& worldName, const WorldDef& worldDef, std::optional<Take> take);
+    void beginMotion();
+    void observeMotion();
     Status restart();
     Status demonstrate();
     /// The scenario carries touches that can be watched now.
@@ -111,6 +116,8 @@ struct Session::Impl {
     std::uint64_t signature = 0;       // Of the scene with that revision.
     MessageBytes sceneBytes;           // The Scene message with that revision.
     FrameBuilder frames;
+    MotionFrames motion;
+    std::vector<Attention> attentions; // Of all clients; working memory.
     protocol::Frame frame;             // Shared by clients; built when first asked for.
     std::uint64_t frameState = 0;      // State that it shows.
     std::vector<protocol::EventFrame> stepEvents;  // Working memory.

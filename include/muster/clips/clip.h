@@ -46,7 +46,7 @@ struct Clip {
     std::string motion;             ///< The motion it belongs to: "run", "duck", "crawl", "swim", "jump", "climb"...
     double rate = 60.0;             ///< Frames a second > 0.
     bool cyclic = true;             ///< The frame after the last is the first again, one travel on.
-    std::vector<Pose> poses;        ///< Cyclic: duration * rate of them; else one more. In the travelling frame.
+    std::vector<BodyPose> poses;        ///< Cyclic: duration * rate of them; else one more. In the travelling frame.
     std::vector<Travel> travel;     ///< As many as poses, and for cyclic clips one more: where the next cycle begins.
     std::vector<Contact> contacts;  ///< In order of `begin`.
     double entryPhase = 0.0;        ///< Share of a following cycle (of the motion entered) at which it continues.
@@ -57,7 +57,7 @@ struct Clip {
     double length() const;    ///< Net ground covered by one play [m].
     double speed() const;     ///< length / duration [m/s].
     /// The pose at a time [s]: wrapped where cyclic, else held at the ends.
-    void sample(double time, Pose& out) const;
+    void sample(double time, BodyPose& out) const;
     /// The travel at a time [s]; cyclic clips go on travelling, cycle after cycle, for times of any sign.
     Travel travelAt(double time) const;
     /// True where the limb is in contact at that time.

@@ -53,7 +53,7 @@ public:
     std::span<const std::uint32_t> near() const;
     /// The pose of near()[k], feet locked, for a body of size 1: the world holds it scaled by `size`, turned by `yaw`,
     /// at `position`.
-    const Pose& pose(std::size_t k) const;
+    const BodyPose& pose(std::size_t k) const;
     /// True while that limb of near()[k] is held in a contact.
     bool held(std::size_t k, Limb limb) const;
 
@@ -65,6 +65,6 @@ private:
 };
 
 /// The joints of near()[k] in the world [m].
-void worldJoints(const Playback& playback, const Pose& pose, JointTransforms& joints);
+void worldJoints(const Playback& playback, const BodyPose& pose, JointTransforms& joints);
 
 }  // namespace muster

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "muster/base/status.h"
+#include "muster/clips/clip.h"
 #include "muster/world/world.h"
 
 namespace muster {
@@ -28,6 +29,7 @@ struct SessionLimits {
     std::int32_t charactersPerGroup = 2000;       ///< By SetCount.
     std::size_t takeBytes = std::size_t{64} << 20;///< Of the log kept since the world began; it ends there.
     std::size_t openTakeBytes = std::size_t{64} << 20;  ///< Of a take to open.
+    std::size_t wholePoses = 500;                 ///< Of the characters a client looks at.
     double noticesPerSecond = 5.0;                ///< To one client; more are left out.
     double overlaysPerSecond = 5.0;               ///< To one client.
 };
@@ -58,6 +60,8 @@ struct SessionDef {
     std::function<Result<WorldDef>(const std::string& name)> loadScenario;
     /// Reads the touches that a scenario of that name and definition carries. Null where there are none to watch.
     std::function<Result<std::vector<Command>>(const std::string& name, const WorldDef& def)> loadGestures;
+    /// The clips that characters of a scenario of that name and definition move by. Null: Muster's own.
+    std::function<Result<ClipLibrary>(const std::string& name, const WorldDef& def)> loadClips;
     /// Begins a file for a recording of that scenario. Null keeps recordings in memory only.
     std::function<Result<std::unique_ptr<TakeSink>>(const std::string& name)> openSink;
     std::int32_t threads = 1;              ///< Of the world, as for ThreadPool.
