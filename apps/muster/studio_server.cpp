@@ -280,11 +280,20 @@ private:
             answer.body = "{\"status\":\"ok\"}\n";
             return respond(std::move(answer), "no-store");
         }
-        auto file = readStaticFile(server_.def.pageFolder, target);
+        auto file = made(target);
+        if (!file) file = readStaticFile(server_.def.pageFolder, target);
         if (!file) return refuse(404, "There is no such file.", true);
         answer.type = std::move(file->type);
         answer.body = std::move(file->body);
         respond(std::move(answer), file->cache);
+    }
+
+    // A file that lies in no folder.
+    std::optional<StaticFile> made(const std::string& target) const {
+        const auto path = plainPath(target);
+        const auto found = path ? server_.def.files.find(*path) : server_.def.files.end();
+        if (found == server_.def.files.end()) return std::nullopt;
+        return found->second;
     }
 
     // What the simulation's thread calls with its answer.
@@ -410,7 +419,7 @@ void StudioServer::Impl::secure(Response& response) const {
     const std::string number = std::to_string(port);
     response.set("Content-Security-Policy",
                  "default-src 'self'; script-src 'self'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
-                 "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' ws://127.0.0.1:" + number +
+                 "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob: ws://127.0.0.1:" + number +
                      " ws://localhost:" + number + "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'");
     response.set("X-Content-Type-Options", "nosniff");
     response.set("X-Frame-Options", "DENY");

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "muster/base/status.h"
+#include "static_files.h"
 
 namespace muster {
 
@@ -56,6 +58,7 @@ struct ServerEvents {
 struct ServerDef {
     int port = 8080;          ///< The next free one is taken where it is in use; 0 for any.
     std::string pageFolder;   ///< Files served at /.
+    std::map<std::string, StaticFile> files;  ///< Served too, by path: "/bodies/body-1.glb".
     std::string subprotocol;  ///< That WebSockets must ask for.
     ServerLimits limits;
     ServerEvents events;
