@@ -27,7 +27,7 @@ struct Playback {
 
 /// Options; the defaults are usable as they stand.
 struct CrowdMotionDef {
-    std::size_t nearMost = 1000000;  ///< Characters that get whole poses, if setNear() names nobody.
+    bool allNear = true;  ///< Until setNear() is called everybody gets a whole pose, else nobody.
 };
 
 /// The motion of all characters of a world. Not thread-safe.
@@ -44,7 +44,8 @@ public:
     /// Call after every step of the world. Characters that are new or were put elsewhere begin anew.
     void update(const World& world);
 
-    /// Who gets whole poses: ids of characters, in any order, at most `nearMost`. Empty: the first ones by id.
+    /// Who gets whole poses from the next update on: ids of characters, in any order; others are passed over. Empty:
+    /// nobody.
     void setNear(std::span<const std::uint32_t> ids);
 
     /// One per character, in the world's order.
