@@ -46,7 +46,6 @@ void MotionFrames::restart(ClipLibrary library) {
     motion_.reset();
     library_ = std::make_unique<ClipLibrary>(std::move(library));
     motion_ = std::make_unique<CrowdMotion>(*library_);
-    ++revision_;
     untilChoice_ = 0;
     encodeMotions();
 }
@@ -59,7 +58,10 @@ void MotionFrames::encodeMotions() {
         message.joints.push_back({joint.name, parent, joint.offset.x, joint.offset.y, joint.offset.z});
     }
     for (const Clip& clip : library_->clips) message.clips.push_back(clipFrames(clip));
-    motions_ = protocol::encode(message);
+    std::vector<std::uint8_t> bytes = protocol::encode(message);
+    if (bytes == motions_) return;
+    motions_ = std::move(bytes);
+    ++revision_;
 }
 
 // Everyone whom some client looks at; those nearest to where it looks, the lower id first where equally near.

@@ -55,7 +55,9 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
 // Where the scenario names clips that cannot be read, its people move by Muster's own.
 void Session::Impl::beginMotion() {
     auto clips = def.loadClips ? def.loadClips(name, worldDef) : Result<ClipLibrary>(ownClips());
-    if (!clips.ok()) noticeAll(protocol::NoticeLevel::Warning, "clips", clips.status().message() + ".");
+    clipsRead = clips.status();
+    for (auto& [id, client] : clients)
+        if (client.greeted) warnOfClips(client);
     motion.restart(clips.ok() ? std::move(clips).value() : ownClips());
     observeMotion();
 }

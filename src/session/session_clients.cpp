@@ -58,6 +58,11 @@ void Session::Impl::greet(std::uint32_t id, SessionClient& client) {
         welcome.scenarios.push_back({entry.name, entry.title, entry.description, entry.characters});
     client.outbox.push_back(protocol::encode(welcome));
     if (world && !warning.empty()) notice(client, protocol::NoticeLevel::Warning, "scenario", warning + ".");
+    if (world) warnOfClips(client);
+}
+
+void Session::Impl::warnOfClips(SessionClient& client) {
+    if (!clipsRead.ok()) notice(client, protocol::NoticeLevel::Warning, "clips", clipsRead.message() + ".");
 }
 
 void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages) {

@@ -58,6 +58,7 @@ struct Session::Impl {
     // Worlds (session.cpp).
     Status begin(const std::string& worldName, const WorldDef& worldDef, std::optional<Take> take);
     void beginMotion();
+    void warnOfClips(SessionClient& client);
     void observeMotion();
     Status restart();
     Status demonstrate();
@@ -97,6 +98,7 @@ struct Session::Impl {
     std::string name;                  // Of the scenario.
     WorldDef worldDef;
     std::string warning;               // What is likely a mistake in it; empty for nothing.
+    Status clipsRead;                  // Why its people move by Muster's own clips, where they should by others.
     std::optional<World> world;
     std::optional<Replayer> replay;
     std::uint32_t demonstratedUntil = 0;  // The step after the demonstration's last touch; 0 for none.

@@ -80,6 +80,10 @@ private:
         if (const auto* m = std::get_if<protocol::Welcome>(&message)) welcome = *m;
         if (const auto* m = std::get_if<protocol::Scene>(&message)) scenes.push_back(*m);
         if (const auto* m = std::get_if<protocol::GroupMesh>(&message)) meshes.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Motions>(&message)) {
+            if (motions.empty()) framesBeforeMotions = frames.size();
+            motions.push_back(*m);
+        }
         if (const auto* m = std::get_if<protocol::Overlay>(&message)) overlays.push_back(*m);
         if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
@@ -97,6 +101,8 @@ public:
     std::vector<protocol::Scene> scenes;
     std::vector<protocol::GroupMesh> meshes;
     std::vector<protocol::Frame> frames;
+    std::vector<protocol::Motions> motions;
+    std::size_t framesBeforeMotions = 0;
     std::vector<protocol::Overlay> overlays;
     std::vector<protocol::Notice> notices;
     std::vector<protocol::Pong> pongs;

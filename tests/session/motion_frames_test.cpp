@@ -1,0 +1,186 @@
+// Motion in frames: clips for all, whole poses where a client looks.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "muster/generator/own_clips.h"
+#include "session/fake_client.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+constexpr std::size_t kNumbersPerPose = 3 + 4 * kJointCount;
+
+/// The ids nearest to a spot, by sorting everybody.
+std::vector<std::uint32_t> nearest(const protocol::Frame& frame, const std::vector<std::uint32_t>& ids, Vec2 spot, std::size_t count) {
+    std::vector<std::pair<double, std::uint32_t>> all;
+    for (std::size_t i = 0; i < ids.size(); ++i) all.emplace_back(lengthSquared(Vec2{frame.x[i], frame.y[i]} - spot), ids[i]);
+    std::sort(all.begin(), all.end());
+    std::vector<std::uint32_t> result;
+    for (std::size_t k = 0; k < count; ++k) result.push_back(all[k].second);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+std::vector<std::uint32_t> idsOf(const protocol::Frame& frame, const std::vector<std::uint32_t>& ids) {
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t index : frame.near) result.push_back(ids.at(index));
+    return result;
+}
+
+void attend(FakeClient& client, float x, float y, std::uint32_t count) {
+    protocol::Attend message;
+    message.x = x;
+    message.y = y;
+    message.count = count;
+    client.send(message);
+}
+
+}  // namespace
+
+TEST_CASE("motions come once, before the first frame, with skeleton and clips") {
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.5, {&client});
+    REQUIRE(client.motions.size() == 1);
+    CHECK(client.framesBeforeMotions == 0);
+    const protocol::Motions& motions = client.motions.front();
+    REQUIRE(motions.joints.size() == kJointCount);
+    CHECK(motions.joints[0].parent == 0);
+    CHECK(motions.joints[index(JointRole::LeftForeArm)].name == "LeftForeArm");
+    CHECK(motions.joints[index(JointRole::LeftForeArm)].parent == index(JointRole::LeftArm));
+    REQUIRE(motions.clips.size() == ownClips().clips.size());
+    REQUIRE(!motions.clips.empty());
+    for (std::size_t c = 0; c < motions.clips.size(); ++c) {
+        const protocol::ClipFrames& sent = motions.clips[c];
+        const Clip& own = ownClips().clips[c];
+        CHECK(sent.name == own.name);
+        REQUIRE(sent.poses == own.poses.size());
+        REQUIRE(sent.hips.size() == 3 * own.poses.size());
+        REQUIRE(sent.rotations.size() == 4 * kJointCount * own.poses.size());
+        const Quat last = own.poses.back().rotation[kJointCount - 1];
+        CHECK(sent.rotations.back() / 32767.0f == doctest::Approx(last.w).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("every character has a clip; nobody a whole pose until somebody looks") {
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.3, {&client});
+    const protocol::Frame& frame = client.frames.back();
+    CHECK(frame.clip.size() == 16);
+    CHECK(frame.fade.size() == 16);
+    for (const std::uint8_t clip : frame.clip) CHECK(clip < ownClips().clips.size());
+    for (std::size_t i = 0; i < frame.clip.size(); ++i)
+        CHECK(frame.clipTime[i] <= std::ceil(1000.0 * ownClips().clips[frame.clip[i]].duration()));
+    CHECK(frame.near.empty());
+    CHECK(frame.nearPoses.empty());
+}
+
+TEST_CASE("those nearest to where a client looks come with whole poses") {
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.1, {&client});
+    const std::vector<std::uint32_t> ids = client.frames.front().ids;
+    REQUIRE(ids.size() == 16);
+    attend(client, 9.0f, 7.0f, 5);
+    run(session, 0.1, {&client});
+    const protocol::Frame& frame = client.frames.back();
+    REQUIRE(frame.near.size() == 5);
+    CHECK(std::is_sorted(frame.near.begin(), frame.near.end()));
+    CHECK(idsOf(frame, ids) == nearest(frame, ids, {9.0, 7.0}, 5));
+    REQUIRE(frame.nearPoses.size() == 5 * kNumbersPerPose);
+    for (std::size_t k = 0; k < 5; ++k) {
+        const std::int16_t* pose = frame.nearPoses.data() + k * kNumbersPerPose;
+        CHECK(pose[2] > 700);  // Standing: hips [mm] above the ground.
+        CHECK(pose[2] < 1100);
+        for (std::size_t j = 0; j < kJointCount; ++j) {
+            double norm = 0.0;
+            for (std::size_t n = 0; n < 4; ++n) norm += std::pow(pose[3 + 4 * j + n] / 32767.0, 2);
+            CHECK(norm == doctest::Approx(1.0).epsilon(1e-3));
+        }
+    }
+    attend(client, 0.0f, 0.0f, 0);
+    run(session, 0.1, {&client});
+    CHECK(client.frames.back().near.empty());
+}
+
+TEST_CASE("two clients look at two spots") {
+    Session session = startedSession();
+    FakeClient one(session), two(session);
+    run(session, 0.1, {&one, &two});
+    attend(one, 9.0f, 9.0f, 1);
+    attend(two, -9.0f, -9.0f, 2);
+    run(session, 0.2, {&one, &two});
+    CHECK(one.frames.back().near.size() == 3);
+    CHECK(one.frames.back().near == two.frames.back().near);
+}
+
+TEST_CASE("asking for too many or for nowhere is refused and changes nothing") {
+    Session session = startedSession();
+    FakeClient client(session);
+    attend(client, 0.0f, 0.0f, 500);
+    run(session, 0.2, {&client});
+    CHECK(client.frames.back().near.size() == 16);
+    attend(client, 0.0f, 0.0f, 501);
+    run(session, 0.2, {&client});
+    CHECK(client.noticed("Attend").find("501") != std::string::npos);
+    CHECK(client.frames.back().near.size() == 16);
+    attend(client, std::numeric_limits<float>::quiet_NaN(), 0.0f, 3);
+    run(session, 0.2, {&client});
+    CHECK(client.noticed("Attend").find("not finite") != std::string::npos);
+    CHECK(client.frames.back().near.size() == 16);
+}
+
+TEST_CASE("looking changes nothing in the world") {
+    Session watched = startedSession(), alone = startedSession();
+    FakeClient client(watched);
+    attend(client, 1.0f, 1.0f, 16);
+    run(watched, 1.0, {&client});
+    run(alone, 1.0);
+    CHECK(watched.world()->stepCount() == alone.world()->stepCount());
+    CHECK(watched.world()->hash() == alone.world()->hash());
+}
+
+TEST_CASE("clips that cannot be read are told, and people move by Muster's own") {
+    SessionDef def = sessionDef();
+    def.loadClips = [](const std::string&, const WorldDef&) -> Result<ClipLibrary> {
+        return Status(StatusCode::NotFound, "hop.bvh: there is no such file");
+    };
+    Session session(std::move(def));
+    FakeClient client(session);
+    REQUIRE(session.load("small", smallFloor()).ok());
+    run(session, 0.2, {&client});
+    CHECK(client.noticed("clips").find("hop.bvh") != std::string::npos);
+    REQUIRE(client.motions.size() == 1);
+    CHECK(client.motions.front().clips.size() == ownClips().clips.size());
+    FakeClient late(session);
+    run(session, 0.1, {&late});
+    CHECK(late.noticed("clips").find("hop.bvh") != std::string::npos);
+}
+
+TEST_CASE("another library is sent anew, the same one is not") {
+    SessionDef def = sessionDef();
+    bool two = false;
+    def.loadClips = [&two](const std::string&, const WorldDef&) -> Result<ClipLibrary> {
+        ClipLibrary library = ownClips();
+        if (two) library.clips.back().name = "hop";
+        return library;
+    };
+    Session session(std::move(def));
+    FakeClient client(session);
+    REQUIRE(session.load("small", smallFloor()).ok());
+    run(session, 0.1, {&client});
+    REQUIRE(session.load("small", smallFloor()).ok());
+    run(session, 0.1, {&client});
+    CHECK(client.motions.size() == 1);
+    two = true;
+    REQUIRE(session.load("small", smallFloor()).ok());
+    run(session, 0.1, {&client});
+    REQUIRE(client.motions.size() == 2);
+    CHECK(client.motions.back().clips.back().name == "hop");
+}
