@@ -5,16 +5,13 @@
 #include <limits>
 
 #include "experiments/bottleneck.h"
+#include "muster/world/metrics.h"
 
 namespace muster {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kReach = 0.5;       // Of "arrived" [m].
 constexpr double kStandReach = 0.1;  // Of "stood" [m].
-constexpr double kStandFor = 1.0;    // Of "arrived" [s].
-constexpr double kStuckMove = 0.25;  // Of "stuck" [m].
-constexpr double kStuckFor = 5.0;    // Of "stuck" [s].
 
 /// The moment at which `share` of all had arrived; NaN where they have not.
 double quantile(std::vector<double> moments, double share) {
@@ -63,7 +60,7 @@ void ChangeWatch::observe(const World& world) {
         if (c.group[i] != group_) continue;
         const auto place = static_cast<std::size_t>(c.place[i]);
         const double away = c.place[i] < 0 ? kInfinity : distance(c.position[i], group.places->positions()[place]);
-        reachedAt_[k] = away > kReach ? kInfinity : std::min(reachedAt_[k], world.time());
+        reachedAt_[k] = away > kArrivedReach ? kInfinity : std::min(reachedAt_[k], world.time());
         stoodAt_[k] = away > kStandReach ? kInfinity : std::min(stoodAt_[k], world.time());
         if (distance(c.position[i], spot_[k]) >= kStuckMove) {
             spot_[k] = c.position[i];
@@ -80,7 +77,7 @@ FormationChangeRecord ChangeWatch::judged() const {
     const auto moments = [&](const std::vector<double>& since) {
         std::vector<double> found;
         for (const double at : since)
-            found.push_back(lastTime_ - at >= kStandFor - 1e-9 ? at - record.time : kInfinity);
+            found.push_back(lastTime_ - at >= kArrivedFor - 1e-9 ? at - record.time : kInfinity);
         return found;
     };
     const std::vector<double> arrived = moments(reachedAt_);

@@ -10,9 +10,6 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
-constexpr double kReach = 0.5;       // Of "arrived" [m].
-constexpr double kStandFor = 1.0;    // Of "arrived" [s].
-constexpr double kStuckMove = 0.25;  // Of "stuck" [m].
 constexpr double kStill = 0.03;      // Places between a wall and each other tremble by less [m/s].
 
 /// Distance of a character to its place; infinite without one.
@@ -77,7 +74,7 @@ void RunMetrics::follow(const Characters& characters) {
 
 void RunMetrics::watchArrivals(const World& world) {
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        if (lagOf(world, i) > kReach) {
+        if (lagOf(world, i) > kArrivedReach) {
             reachedAt_[i] = kNever;
         } else if (reachedAt_[i] == kNever) {
             reachedAt_[i] = world.stepCount();
@@ -113,7 +110,7 @@ void RunMetrics::arrivals(const World& world, RunFigures& figures) const {
     std::vector<double> moments;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         const std::uint32_t at = reachedAt_[i];
-        const bool arrived = at != kNever && (world.stepCount() - at) * stepTime >= kStandFor - 1e-9;
+        const bool arrived = at != kNever && (world.stepCount() - at) * stepTime >= kArrivedFor - 1e-9;
         moments.push_back(arrived ? (at > clock ? (at - clock) * stepTime : 0.0)
                                   : std::numeric_limits<double>::infinity());
         if (arrived || trailSamples_ < trail_[i].size()) continue;

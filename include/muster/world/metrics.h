@@ -9,6 +9,11 @@
 
 namespace muster {
 
+inline constexpr double kArrivedReach = 0.5;  ///< "Arrived": within this of its place [m]...
+inline constexpr double kArrivedFor = 1.0;    ///< ... for this long [s].
+inline constexpr double kStuckMove = 0.25;    ///< "Stuck": moved less than this [m]...
+inline constexpr double kStuckFor = 5.0;      ///< ... for this long [s].
+
 /// Figures of a run. Times count from the last command.
 struct RunFigures {
     std::int32_t characters = 0;    ///< At the end.
