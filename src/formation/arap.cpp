@@ -83,7 +83,7 @@ struct ArapSolver::Impl {
     void firstStep(std::vector<Vec2>& vertices);
     void fitTriangles(const std::vector<Vec2>& vertices);
     void secondStep(std::vector<Vec2>& vertices);
-    Placement placement() const;
+    Pose placement() const;
 };
 
 Status ArapSolver::Impl::check(std::span<const std::int32_t> newHard, std::span<const SoftConstraint> newSoft) {
@@ -204,7 +204,7 @@ bool ArapSolver::Impl::factorise() {
 }
 
 // Where the weak pull draws: the rest shape as the targets place it best.
-Placement ArapSolver::Impl::placement() const { return bestRigidFit(restPoints, targets); }
+Pose ArapSolver::Impl::placement() const { return bestRigidFit(restPoints, targets); }
 
 void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
     std::fill(right.begin(), right.end(), 0.0);
@@ -224,7 +224,7 @@ void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
         for (std::size_t i = 0; i < 3; ++i) add(t[i], targets[hard.size() + k] * (soft[k].weight * soft[k].point.weight[i]));
     }
     if (!pulls.empty()) {
-        const Placement pose = placement();
+        const Pose pose = placement();
         for (const Pull& pull : pulls) add(pull.vertex, pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
     }
     similarity.solve(right);
@@ -264,7 +264,7 @@ void ArapSolver::Impl::secondStep(std::vector<Vec2>& vertices) {
             add(freeIndex[at(t[i])], targets[hard.size() + k] * (soft[k].weight * soft[k].point.weight[i]));
     }
     if (!pulls.empty()) {
-        const Placement pose = placement();
+        const Pose pose = placement();
         for (const Pull& pull : pulls) add(freeIndex[at(pull.vertex)], pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
     }
     edges.solve(right);
@@ -354,9 +354,9 @@ Status ArapSolver::solve(std::span<const Vec2> hardTargets, std::span<const Vec2
     return {};
 }
 
-Placement bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices) {
+Pose bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices) {
     MUSTER_ASSERT(rest.size() == vertices.size());
-    Placement pose;
+    Pose pose;
     if (rest.empty()) return pose;
     Vec2 restMean;
     Vec2 mean;

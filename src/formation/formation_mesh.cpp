@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastDecay = 0.05;
 constexpr double kFarthest = 1e9;  // Of any vertex that is read [m].
 
-bool goodPose(const Placement& pose) {
+bool goodPose(const Pose& pose) {
     const Rotation& r = pose.rotation;
     return isFinite(pose.position) && std::fabs(r.c * r.c + r.s * r.s - 1.0) < 1e-9;
 }
@@ -33,7 +33,7 @@ Status checkPlaces(const Formation& formation) {
     return {};
 }
 
-void applyPose(const Placement& pose, const std::vector<Vec2>& rest, std::vector<Vec2>& out) {
+void applyPose(const Pose& pose, const std::vector<Vec2>& rest, std::vector<Vec2>& out) {
     out.resize(rest.size());
     for (std::size_t v = 0; v < rest.size(); ++v) out[v] = pose.apply(rest[v]);
 }
@@ -52,7 +52,7 @@ bool FormationMesh::consistent() const {
     return goodPose(pose_) && checkPlaces(formation_).ok() && ArapSolver().setMesh(formation_.mesh).ok();
 }
 
-Status FormationMesh::reset(const Formation& formation, const Placement& pose) {
+Status FormationMesh::reset(const Formation& formation, const Pose& pose) {
     if (!goodPose(pose)) return invalidArgument("the formation's pose is not finite or its rotation not of unit length");
     Status status = checkPlaces(formation);
     ArapSolver solver;
@@ -85,9 +85,9 @@ Status FormationMesh::change(const Formation& formation) {
     return {};
 }
 
-void FormationMesh::place(const Placement& pose) {
+void FormationMesh::place(const Pose& pose) {
     MUSTER_ASSERT(goodPose(pose));
-    const Placement old = pose_;
+    const Pose old = pose_;
     const auto carry = [&](Vec2 p) { return pose.apply(old.applyInverse(p)); };
     for (Vec2& p : user_) p = carry(p);
     for (Vec2& p : final_) p = carry(p);

@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-Placement poseOf(Vec2 position, double angle) { return {position, {cosine(angle), sine(angle)}}; }
+Pose poseOf(Vec2 position, double angle) { return {position, {cosine(angle), sine(angle)}}; }
 
 }  // namespace
 
@@ -157,7 +157,7 @@ Status World::Impl::changeFormation(Group& group, const FormationDef& def, std::
 
 void World::Impl::setCount(Group& group, std::int32_t count) {
     const auto index = static_cast<std::uint32_t>(&group - groups.data());
-    const Placement& pose = group.mesh.pose();
+    const Pose& pose = group.mesh.pose();
     double reach = 0.0;
     for (const Vec2 v : group.mesh.formation().mesh.vertices) reach = std::max(reach, length(v));
     const std::int32_t now = static_cast<std::int32_t>(group.members.size());

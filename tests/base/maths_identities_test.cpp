@@ -126,7 +126,7 @@ TEST_CASE("vectors: products, turns, limits and boxes") {
         CHECK(length(clampLength(a, 2.0)) <= 2.0 + 1e-12);
         CHECK(std::fabs(cross(clampLength(a, 2.0), a)) < 1e-12);
         const double angle = random.uniform(-4, 4);
-        const Placement pose{b, {cosine(angle), sine(angle)}};
+        const Pose pose{b, {cosine(angle), sine(angle)}};
         CHECK(distance(pose.applyInverse(pose.apply(a)), a) < 1e-13);
         CHECK(length(pose.rotation.apply(a)) == doctest::Approx(length(a)));
         const Box box{{-2, -1}, {3, 4}};

@@ -32,7 +32,7 @@ TriangleMesh grid(int columns, int rows, double cell = 1.0) {
     return mesh;
 }
 
-Placement poseOf(double angle, Vec2 position) { return {position, {cosine(angle), sine(angle)}}; }
+Pose poseOf(double angle, Vec2 position) { return {position, {cosine(angle), sine(angle)}}; }
 
 // The second algorithm: alternating local rotations and a global solve (after Sorkine and Alexa 2007,
 // per triangle), dense, run to convergence.
@@ -98,7 +98,7 @@ TEST_CASE("rigid motions are reproduced") {
         for (int s = 0; s < k % 5; ++s)
             soft.push_back({{static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(rest.triangles.size()))),
                              {0.2, 0.3, 0.5}}, random.uniform(0.1, 10.0)});
-        const Placement pose = poseOf(random.uniform(-3.1, 3.1), {random.uniform(-1000, 1000), random.uniform(-1000, 1000)});
+        const Pose pose = poseOf(random.uniform(-3.1, 3.1), {random.uniform(-1000, 1000), random.uniform(-1000, 1000)});
         std::vector<Vec2> hardTargets, softTargets, out;
         for (const std::int32_t v : hard) hardTargets.push_back(pose.apply(rest.vertices[static_cast<std::size_t>(v)]));
         for (const SoftConstraint& s : soft) softTargets.push_back(pose.apply(s.point.position(rest.triangles, rest.vertices)));
@@ -152,7 +152,7 @@ TEST_CASE("the energy vanishes for rigid placements only, and grows with a stret
     double expected = 1e300;
     for (double angle = -0.5; angle <= 0.5; angle += 1e-4) {
         double one = 0;
-        const Placement turn = poseOf(angle, {});
+        const Pose turn = poseOf(angle, {});
         const Triangle& t = rest.triangles[0];
         for (std::size_t k = 0; k < 3; ++k)
             one += lengthSquared(v[t[(k + 1) % 3]] - v[t[k]] - turn.apply(rest.vertices[t[(k + 1) % 3]] - rest.vertices[t[k]]));
@@ -204,7 +204,7 @@ TEST_CASE("parts without constraints follow rigidly instead of failing") {
     const TriangleMesh other = grid(2, 2);
     for (const Vec2 p : other.vertices) rest.vertices.push_back(p + Vec2{10, 0});
     for (const Triangle& t : other.triangles) rest.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-    const Placement pose = poseOf(0.7, {3, -2});
+    const Pose pose = poseOf(0.7, {3, -2});
     for (const std::vector<std::int32_t>& hard : {std::vector<std::int32_t>{0, 15}, {0, n}, {0, 15, n + 1}}) {
         std::vector<Vec2> targets;
         for (const std::int32_t v : hard) targets.push_back(pose.apply(rest.vertices[static_cast<std::size_t>(v)]));

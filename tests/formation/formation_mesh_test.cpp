@@ -105,7 +105,7 @@ TEST_CASE("after release the mesh recovers its rest shape where it stands") {
     s.run(4.0);
     const double bent = s.deviation();
     CHECK(bent > 0.3);
-    const Placement fit = bestRigidFit(s.mesh.formation().mesh.vertices, s.mesh.userMesh());
+    const Pose fit = bestRigidFit(s.mesh.formation().mesh.vertices, s.mesh.userMesh());
     s.up(1);
     s.up(2);
     s.run(1.0);

@@ -14,13 +14,13 @@ namespace muster::test {
 
 inline constexpr double kStep = 1.0 / 60.0;
 
-inline Placement poseOf(double angle, Vec2 position) { return {position, {cosine(angle), sine(angle)}}; }
+inline Pose poseOf(double angle, Vec2 position) { return {position, {cosine(angle), sine(angle)}}; }
 
 inline Formation square(std::int32_t count = 36) { return *makeFormation({}, count); }
 
 /// A mesh under controls, with a clock.
 struct Stage {
-    explicit Stage(const Formation& formation = square(), const Placement& pose = {}) {
+    explicit Stage(const Formation& formation = square(), const Pose& pose = {}) {
         REQUIRE(mesh.reset(formation, pose).ok());
     }
 
@@ -60,7 +60,7 @@ struct Stage {
     }
     /// The largest distance of a vertex from the rest shape best fitted to the mesh [m].
     double deviation() const {
-        const Placement fit = bestRigidFit(mesh.formation().mesh.vertices, mesh.userMesh());
+        const Pose fit = bestRigidFit(mesh.formation().mesh.vertices, mesh.userMesh());
         double most = 0.0;
         for (std::size_t v = 0; v < mesh.userMesh().size(); ++v)
             most = std::max(most, distance(fit.apply(mesh.formation().mesh.vertices[v]), mesh.userMesh()[v]));

@@ -63,7 +63,7 @@ struct Rotation {
 };
 
 /// A rigid placement: rotate about the origin, then translate.
-struct Placement {
+struct Pose {
     Vec2 position;      ///< [m]
     Rotation rotation;  ///< Unit rotation.
 

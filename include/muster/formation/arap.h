@@ -45,6 +45,6 @@ private:
 };
 
 /// The rigid placement of `rest` that best fits `vertices` (least squares, equal weights).
-Placement bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices);
+Pose bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices);
 
 }  // namespace muster

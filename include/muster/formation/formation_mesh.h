@@ -28,14 +28,14 @@ class FormationMesh {
 public:
     /// Takes a formation at a placement; the mesh stands there at once. Fails with InvalidArgument,
     /// changing nothing, where the mesh or a place is bad or the pose is not finite.
-    Status reset(const Formation& formation, const Placement& pose);
+    Status reset(const Formation& formation, const Pose& pose);
     /// Changes to another formation, best fitted where the mesh stands (its orientation is kept). The
     /// vertices stand in their new rest placement at once, because meshes have no common vertices: the
     /// characters make the way by the plan. Displacements go over from the nearest old vertices.
     /// Call ControlSet::rebind afterwards. Fails, changing nothing, as reset().
     Status change(const Formation& formation);
     /// Moves the whole mesh, rest placement and all, to another pose at once.
-    void place(const Placement& pose);
+    void place(const Pose& pose);
 
     /// Computes Vu from the controls: two and more constraints by the ARAP solver; one translates the
     /// rest placement; none relaxes to the rest shape best fitted where it stands. Fails only where the
@@ -46,7 +46,7 @@ public:
     void meet(const FormationMeshDef& def, const Environment& environment, double dt);
 
     const Formation& formation() const { return formation_; }         ///< Rest shape and places.
-    const Placement& pose() const { return pose_; }                        ///< Placement of the rest shape.
+    const Pose& pose() const { return pose_; }                        ///< Pose of the rest shape.
     const std::vector<Vec2>& userMesh() const { return user_; }       ///< Vu [m].
     const std::vector<Vec2>& finalMesh() const { return final_; }     ///< Vf [m].
     /// Positions of all places on Vf [m].
@@ -70,7 +70,7 @@ private:
     void decayResidual(const FormationMeshDef& def, double dt);
 
     Formation formation_;
-    Placement pose_;
+    Pose pose_;
     std::vector<Vec2> user_;
     std::vector<Vec2> final_;
     std::vector<Vec2> displacement_;   ///< Of each vertex by the environment [m].
