@@ -1,9 +1,5 @@
 #include "muster/scenario/scenario.h"
 
-#include <cmath>
-#include <cstdio>
-#include <memory>
-
 #include "scenario/describe.h"
 #include "scenario/gestures_field.h"
 #include "scenario/map_field.h"
@@ -99,21 +95,6 @@ Status clipNamesDiffer(const WorldDef& def) {
 
 }  // namespace
 
-Result<std::string> readTextFile(const std::string& path, std::size_t limit) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) return Status(StatusCode::IoError, path + ": cannot be opened");
-    std::string text;
-    char buffer[65536];
-    while (const std::size_t got = std::fread(buffer, 1, sizeof(buffer), file.get())) {
-        text.append(buffer, got);
-        if (text.size() > limit) {
-            return Status(StatusCode::LimitExceeded, path + ": found more than " + std::to_string(limit) + " bytes");
-        }
-    }
-    if (std::ferror(file.get())) return Status(StatusCode::IoError, path + ": cannot be read");
-    return text;
-}
-
 Result<WorldDef> loadScenario(const std::string& path) {
     const auto text = readTextFile(path);
     if (!text.ok()) return text.status();
@@ -148,14 +129,6 @@ std::string writeScenario(const WorldDef& def) {
 
 Status saveScenario(const WorldDef& def, const std::string& path) {
     return writeTextFile(path, writeScenario(def));
-}
-
-Status writeTextFile(const std::string& path, std::string_view text) {
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (file == nullptr) return {StatusCode::IoError, path + ": cannot be written"};
-    const bool wrote = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    const bool closed = std::fclose(file) == 0;
-    return wrote && closed ? Status() : Status(StatusCode::IoError, path + ": cannot be written in full");
 }
 
 std::string scenarioSchema() {

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "muster/base/status.h"
+#include "muster/base/text_file.h"
 #include "muster/world/world_def.h"
 
 namespace muster {
 
-inline constexpr std::size_t kMaxScenarioBytes = 64u << 20;  ///< Largest file read.
+inline constexpr std::size_t kMaxScenarioBytes = kMaxTextBytes;  ///< Largest file read.
 
 /// Reads a scenario file. Every failure is one sentence `FILE: JSON-PATH: found X, expected Y`
 /// (syntax errors name line and column instead of the path).
@@ -29,10 +30,5 @@ std::string scenarioSchema();
 /// What is legal but likely a mistake: gaps narrower than a character, starts inside obstacles, groups that
 /// overlap. One sentence each, at most `most`.
 std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most = 20);
-
-/// Whole file as bytes. Fails with IoError, or LimitExceeded beyond `limit` bytes.
-Result<std::string> readTextFile(const std::string& path, std::size_t limit = kMaxScenarioBytes);
-/// Makes or replaces a file. Fails with IoError.
-Status writeTextFile(const std::string& path, std::string_view text);
 
 }  // namespace muster
