@@ -4,7 +4,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit 1
 
 # Debian packages: to build the program; on top of that for the C++ tests, the browser tests, WebAssembly.
-build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev)
+build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev libsqlite3-dev)
 test_packages=(doctest-dev librapidcheck-dev liblemon-dev)
 browser_packages=(chromium libgl1-mesa-dri libegl1)
 wasm_packages=(emscripten)

@@ -1,0 +1,12 @@
+# SQLite, for one format of muster export; that format says so where it is missing.
+set(MUSTER_NEEDS_SQLITE NO)
+if(TARGET muster_export AND NOT EMSCRIPTEN)
+    find_package(SQLite3 QUIET)
+    if(SQLite3_FOUND)
+        set(MUSTER_NEEDS_SQLITE YES)
+        target_link_libraries(muster_export PRIVATE SQLite::SQLite3)
+        target_compile_definitions(muster_export PRIVATE MUSTER_SQLITE=1)
+    else()
+        message(STATUS "SQLite is not there: muster export writes no jupedsim files")
+    endif()
+endif()

@@ -1,0 +1,30 @@
+#include "muster/export/formats.h"
+
+#include <array>
+
+#include "muster/export/bvh_export.h"
+#include "muster/export/jupedsim.h"
+#include "muster/export/trajectory_text.h"
+
+namespace muster {
+
+std::span<const ExportFormat> exportFormats() {
+    static constexpr std::array kFormats{
+        ExportFormat{"bvh", "a folder with one BVH file per character", makeBvhExporter},
+        ExportFormat{"jupedsim", "trajectories as JuPedSim's SQLite file", makeJupedsimExporter},
+        ExportFormat{"pedpy", "trajectories as text for PedPy", makePedpyExporter},
+    };
+    return kFormats;
+}
+
+Result<std::unique_ptr<Exporter>> makeExporter(std::string_view format, const std::string& path) {
+    std::string names;
+    for (const ExportFormat& known : exportFormats()) {
+        if (format == known.name) return known.make(path);
+        names += (names.empty() ? "" : ", ") + std::string(known.name);
+    }
+    return Status(StatusCode::NotFound,
+                  "format: found \"" + std::string(format.substr(0, 40)) + "\", expected one of " + names);
+}
+
+}  // namespace muster
