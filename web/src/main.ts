@@ -10,6 +10,7 @@ import './ui/styles/layout_sheet.css';
 import './ui/styles/layout_phone.css';
 
 import { StudioClient } from './engine/studio_client';
+import { fetchBodies } from './people/gltf_body';
 import { StudioApp } from './ui/studio_app';
 import { StudioView } from './view/studio_view';
 
@@ -31,6 +32,7 @@ const worker = new Worker(new URL('./engine/worker.ts', import.meta.url), { type
 const client = new StudioClient(worker);
 const app = new StudioApp(client, view, canvas, byId('ui', HTMLElement));
 client.connect(socketAddress());
+void fetchBodies(document.baseURI, ['body-1', 'body-2']).then((bodies) => view.setBodies(bodies));
 
 /** For tests and the curious. */
 Object.defineProperty(window, '__muster', {

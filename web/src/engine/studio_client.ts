@@ -4,6 +4,7 @@ import type {
   ClientMessage,
   Frame,
   GroupMesh,
+  Motions,
   Notice,
   Overlay,
   Scene,
@@ -17,6 +18,7 @@ export interface StudioEvents {
   link: LinkState;
   welcome: Welcome;
   scene: Scene;
+  motions: Motions;
   groupMesh: GroupMesh;
   /** `receivedAt` by performance.now() [ms]. */
   frame: { readonly frame: Frame; readonly receivedAt: number };
@@ -86,6 +88,9 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
         break;
       case 'Scene':
         this.emit('scene', message);
+        break;
+      case 'Motions':
+        this.emit('motions', message);
         break;
       case 'GroupMesh':
         this.emit('groupMesh', message);

@@ -66,7 +66,7 @@ describe('the bytes', () => {
     ).toBe('01' + '01000000' + '02' + '02010000' + '000000000000f03f' + '00000000000000c0' + '000000000000e03f' + '03000000');
     expect(hex(encodeClient({ type: 'PinControl', group: 1, control: 2, pinned: true }))).toBe('03010000000200000001');
     expect(hex(encodeClient({ type: 'SetSpeed', factor: 0.5 }))).toBe('090000003f');
-    expect(hex(encodeServer({ type: 'Pong', time: 1 }))).toBe('06000000000000f03f');
+    expect(hex(encodeServer({ type: 'Pong', time: 1 }))).toBe('07000000000000f03f');
     expect(SUBPROTOCOL).toBe(`muster.v${VERSION}`);
   });
 

@@ -20,6 +20,7 @@ import { TouchSender } from '../tools/touch_sender';
 import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import { fieldScale } from '../view/field_picture';
 import type { StudioScene } from '../view/studio_scene';
+import { AttentionSender } from './attention_sender';
 import { ControlWatch, KIND_NAMES, type ControlNews } from './control_watch';
 import { DemonstrationCamera } from './demonstration_camera';
 import { DemonstrationWatch } from './demonstration_watch';
@@ -46,6 +47,7 @@ export class StudioApp {
   private readonly formations = new FormationWatch();
   private readonly demonstrations = new DemonstrationWatch();
   private readonly guide: DemonstrationCamera;
+  private readonly attention: AttentionSender;
   private readonly drafts: Drafts;
   private readonly hitTest = new FormationHitTest();
   private readonly controller: StudioController;
@@ -64,6 +66,7 @@ export class StudioApp {
     const say = (text: string): void => this.shell.live.say(text);
     const look = { fitCrowd: () => this.fit(), lookAt: (point: GroundPoint) => this.lookAt(point) };
     this.controller = new StudioController(client, this.store, look, say);
+    this.attention = new AttentionSender(client);
     this.drafts = new Drafts((drafts) => view.showDrafts(drafts), () => this.controls.unanswered, () => client.clientId);
     this.touches = new TouchSender(client, (time) => this.latency.touched(time));
     this.controls = new HeldControls(client, this.touches, () => client.clientId, this.drafts);
@@ -190,9 +193,11 @@ export class StudioApp {
       view.setLost(lost);
       document.documentElement.toggleAttribute('data-lost', lost);
       if (link.phase !== 'open') this.forgetTouches();
+      this.attention.forget();
     });
     client.on('welcome', (welcome) => this.greeted(welcome));
     client.on('scene', (scene) => this.showScene(scene));
+    client.on('motions', ({ clips }) => view.setMotions(clips));
     client.on('groupMesh', (mesh) => this.showMesh(mesh));
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('overlay', (overlay) => this.showOverlay(overlay));
@@ -307,6 +312,7 @@ export class StudioApp {
   private readonly drawn = (): void => {
     requestAnimationFrame(this.drawn);
     this.touches.flush();
+    if (this.client.state.phase === 'open') this.attention.consider(this.view.attention(), performance.now());
     this.shell.scale.update(this.view.pixelsPerMetre());
     this.timePicture();
   };

@@ -62,6 +62,17 @@ export interface FrameView {
   readonly heading: Numbers;
   readonly motion: Numbers;
   readonly phase: Numbers;
+  /** Per character the clip it plays (index into the clips) and the time in it [ms]. */
+  readonly clip: Numbers;
+  readonly clipTime: Numbers;
+  /** The clip that fades out, the time in it [ms], and its share, over 255. */
+  readonly fromClip: Numbers;
+  readonly fromTime: Numbers;
+  readonly fade: Numbers;
+  /** Indices of those who come with whole poses. */
+  readonly near: Numbers;
+  /** Per such: hips x, y, z [mm], then per joint x, y, z, w over 32767. */
+  readonly nearPoses: Numbers;
   readonly groups: readonly GroupView[];
   readonly moving: readonly MovingView[];
   readonly collected: Numbers;

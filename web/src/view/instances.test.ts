@@ -1,11 +1,10 @@
 // three.js draws no more instances than a geometry had when it was first drawn, until the geometry is disposed of.
-import type { InstancedBufferGeometry } from 'three';
+import { InstancedBufferGeometry } from 'three';
 import { describe, expect, it } from 'vitest';
-import { CrowdState } from './crowd_state';
+import { ContactDiscs } from './contact_discs';
 import { FatLines } from './fat_lines';
-import { Figures } from './figures';
+import { InstanceList } from './instance_list';
 import { InstancedRings } from './instanced_rings';
-import { paletteOf } from './palette';
 
 function disposals(geometry: InstancedBufferGeometry): () => number {
   let count = 0;
@@ -33,18 +32,29 @@ describe('what is drawn in instances makes room for more of them', () => {
     expect(count()).toBe(1);
   });
 
-  it('figures', () => {
-    const figures = new Figures('light');
-    const state = new CrowdState();
-    const of = (people: number): void => {
-      state.setMembers(Array.from({ length: people }, (_, i) => i), new Array<number>(people).fill(0));
-      figures.setMembers(state, [0], paletteOf('light'), -1);
-    };
-    of(36);
-    const bodies = disposals(figures.bodies.geometry);
-    const discs = disposals(figures.discs.geometry);
-    of(100);
-    expect([bodies(), discs()]).toEqual([1, 1]);
-    expect(figures.bodies.geometry.instanceCount).toBe(100);
+  it('people', () => {
+    const geometry = new InstancedBufferGeometry();
+    const list = new InstanceList([geometry]);
+    list.begin(36);
+    const count = disposals(geometry);
+    list.begin(30);
+    expect(count()).toBe(0);
+    list.begin(100);
+    expect(count()).toBe(1);
+    for (let i = 0; i < 100; ++i) expect(list.next()).toBe(16 * i);
+    list.end();
+    expect(geometry.instanceCount).toBe(100);
+    expect(geometry.attributes['aLook']!.count).toBeGreaterThanOrEqual(100);
+  });
+
+  it('discs', () => {
+    const discs = new ContactDiscs();
+    discs.begin(36);
+    const count = disposals(discs.mesh.geometry);
+    discs.begin(100);
+    expect(count()).toBe(1);
+    for (let i = 0; i < 100; ++i) discs.add(i, 0, 0, 1, 1, 1);
+    discs.end();
+    expect(discs.mesh.geometry.instanceCount).toBe(100);
   });
 });

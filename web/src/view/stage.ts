@@ -3,8 +3,8 @@
 import { Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import type { SceneBox, SceneFacts } from '../protocol/scene';
 import type { CameraController } from './camera_controller';
+import { CrowdLayer } from './crowd_layer';
 import type { FieldPicture } from './field_picture';
-import { Figures } from './figures';
 import { GpuPace } from './gpu_pace';
 import { Ground } from './ground';
 import { InstancedRings } from './instanced_rings';
@@ -20,10 +20,13 @@ import { WorldLayer } from './world_layer';
 /** Device px per CSS px are never more than this. */
 const kMaxPixelRatio = 2;
 
+/** Characters that are asked for with whole poses. */
+const kWholePoses = 150;
+
 const kNoBox: SceneBox = { min: [-16, -16], max: [16, 16] };
 
 export class Stage {
-  readonly figures: Figures;
+  readonly crowd: CrowdLayer;
   readonly meshes = new MeshLayer();
   readonly rings = new InstancedRings();
   readonly world: WorldLayer;
@@ -46,7 +49,7 @@ export class Stage {
 
   constructor(canvas: HTMLCanvasElement, quality: Quality) {
     const full = quality === 'full';
-    this.figures = new Figures(quality);
+    this.crowd = new CrowdLayer(quality);
     this.sun_ = new Sun(quality);
     // Nothing shines through the scene, so the page need not blend it: three.js would ask for a canvas with alpha.
     const context = canvas.getContext('webgl2', { alpha: false, antialias: full, powerPreference: 'high-performance' });
@@ -63,7 +66,7 @@ export class Stage {
     this.ground_.mesh.visible = full;
     this.world = new WorldLayer(this.shade_);
     this.eye_.up.set(0, 0, 1);
-    this.scene_.add(this.ground_.mesh, this.sun_.group, this.world.group, this.figures.bodies, this.figures.discs,
+    this.scene_.add(this.ground_.mesh, this.sun_.group, this.world.group, this.crowd.group,
       this.meshes.group, this.rings.mesh);
     if (this.plain_) this.scene_.add(this.plain_.group);
   }
@@ -108,6 +111,11 @@ export class Stage {
     this.plain_.group.visible = picture === null;
   }
 
+  /** Whole poses that this quality shows. */
+  get wholePoses(): number {
+    return this.pace_ ? 0 : kWholePoses;
+  }
+
   /** True where pictures are spaced because drawing is slow. */
   get paced(): boolean {
     return this.pace_ !== null;
@@ -138,7 +146,7 @@ export class Stage {
   }
 
   dispose(): void {
-    for (const part of [this.figures, this.meshes, this.rings, this.world, this.ground_, this.sun_]) part.dispose();
+    for (const part of [this.crowd, this.meshes, this.rings, this.world, this.ground_, this.sun_]) part.dispose();
     this.plain_?.dispose();
     this.renderer_.dispose();
   }

@@ -1,5 +1,7 @@
 // What tools and panels know of the view.
 
+import type { Body } from '../people/body';
+import type { ClipPoses } from '../people/clip_bank';
 import type { SceneFacts } from '../protocol/scene';
 import type { CameraControls, GroundPoint, Padding, ScreenPoint } from './camera_types';
 import type { FrameView, GroupMeshView, OverlayView } from './frame_types';
@@ -25,12 +27,29 @@ export interface ViewStats {
   shownFrame: number;
 }
 
+/** Whom the server shall send whole poses of. */
+export interface Attention {
+  /** [m] */
+  readonly x: number;
+  readonly y: number;
+  /** How many of the nearest, at most. */
+  readonly count: number;
+}
+
 /** The contract; tools and panels hold no more than this. */
 export interface StudioScene {
   readonly camera: CameraControls;
   readonly stats: ViewStats;
   /** Replaces the world; where it is another place the next frame opens the view on the crowd. */
   setScene(scene: SceneFacts): void;
+  /** The clips that frames refer to by index. */
+  setMotions(clips: readonly ClipPoses[]): void;
+  /** Muster's own people; a simple one stands for them until they have come. */
+  setBodies(bodies: readonly Body[]): void;
+  /** A visitor's body for everybody, with clips in place of ours; null brings our people back. */
+  setOwnBody(body: Body | null, clips?: readonly ClipPoses[]): void;
+  /** Where this view looks. */
+  attention(): Attention;
   setGroupMesh(mesh: GroupMeshView): void;
   /** `receivedAt` by performance.now() [ms]. */
   pushFrame(frame: FrameView, receivedAt: number): void;

@@ -1,6 +1,8 @@
 // The scene: everything that is drawn from the world's frames, and the camera that looks at it.
 
 import './view.css';
+import type { Body } from '../people/body';
+import type { ClipPoses } from '../people/clip_bank';
 import { isSameWorld, type SceneFacts } from '../protocol/scene';
 import { CameraController } from './camera_controller';
 import { BoundsBuilder } from './bounds_builder';
@@ -8,7 +10,7 @@ import type { GroundPoint, Padding, ScreenPoint } from './camera_types';
 import { ControlMarks } from './control_marks';
 import { CrowdState } from './crowd_state';
 import { contourLabels, type ContourLabel, type FieldScale, makeFieldPicture } from './field_picture';
-import { FrameTimeline } from './frame_timeline';
+import { type FrameBlend, FrameTimeline } from './frame_timeline';
 import type { FrameView, GroupMeshView, MovingView, Numbers, OverlayView } from './frame_types';
 import { GroupPicture } from './group_picture';
 import { type DraftControl, MarkLayer } from './mark_layer';
@@ -18,7 +20,7 @@ import { pickCharacter } from './picker';
 import { chooseQuality, rendererName } from './quality';
 import { chipTags, overlayTags, patchTags, type TagScene } from './scene_tags';
 import { Stage } from './stage';
-import type { Layers, StudioScene, Theme, ViewStats } from './studio_scene';
+import type { Attention, Layers, StudioScene, Theme, ViewStats } from './studio_scene';
 import { TagLayer } from './tag_layer';
 
 /** Rendering goes on this long after the last change, for what settles [ms]. */
@@ -66,7 +68,6 @@ export class StudioView implements StudioScene {
   private ringsStale_ = false;
   private retry_ = 0;
   private touchEcho_ = 0;
-  private last_ = 0;
   private activeUntil_ = 0;
   private signature_ = '';
   private request_ = 0;
@@ -90,7 +91,6 @@ export class StudioView implements StudioScene {
   setScene(scene: SceneFacts): void {
     const anew = !this.scene_ || !isSameWorld(this.scene_, scene);
     this.scene_ = scene;
-    this.crowd_.setClips(scene.clips.map((clip) => clip.name));
     this.membersStale_ = true;
     this.stage_.setScene(scene, this.palette_);
     if (anew) this.openScene(scene);
@@ -107,6 +107,28 @@ export class StudioView implements StudioScene {
     this.camera.setWorld(scene.box.min[0], scene.box.min[1], scene.box.max[0], scene.box.max[1]);
     this.camera.open();
     this.setOverlay(null);
+  }
+
+  setMotions(clips: readonly ClipPoses[]): void {
+    this.stage_.crowd.setMotions(clips);
+    this.crowd_.setClips(this.stage_.crowd.bank);
+    this.wake();
+  }
+
+  setBodies(bodies: readonly Body[]): void {
+    this.stage_.crowd.setBodies(bodies);
+    this.wake();
+  }
+
+  setOwnBody(body: Body | null, clips: readonly ClipPoses[] = []): void {
+    this.stage_.crowd.setOwn(body, clips);
+    this.crowd_.setClips(this.stage_.crowd.bank);
+    this.wake();
+  }
+
+  attention(): Attention {
+    const { targetX, targetY } = this.camera.pose;
+    return { x: targetX, y: targetY, count: this.stage_.wholePoses };
   }
 
   setGroupMesh(mesh: GroupMeshView): void {
@@ -277,11 +299,9 @@ export class StudioView implements StudioScene {
       return;
     }
     this.urgent_ = false;
-    const dt = Math.min(0.1, Math.max(0, (now - this.last_) / 1000));
-    this.last_ = now;
     const blend = this.timeline_.sample(now);
     if (blend) {
-      this.crowd_.update(blend, dt);
+      this.crowd_.update(blend);
       this.moving_ = blend.to.moving;
       this.stage_.world.move(blend.from.moving, blend.to.moving, blend.alpha);
       this.stage_.world.setCollected(blend.to.collected);
@@ -290,7 +310,7 @@ export class StudioView implements StudioScene {
     const newest = this.timeline_.newest;
     this.groups_.update(newest?.groups ?? []);
     this.marks_.update(newest?.groups ?? [], now);
-    this.show(now);
+    this.show(now, blend);
     this.stats.frameMs = performance.now() - start;
     this.stats.frames += 1;
     if (newest) this.stats.shownFrame = newest.frame;
@@ -307,7 +327,7 @@ export class StudioView implements StudioScene {
     return now < this.activeUntil_;
   }
 
-  private show(now: number): void {
+  private show(now: number, blend: FrameBlend | null): void {
     const scene = this.scene_;
     const greyed = this.overlay_ !== null;
     const colours = this.colours();
@@ -315,7 +335,7 @@ export class StudioView implements StudioScene {
     if (this.membersStale_) this.dress(colours, greyed);
     this.groups_.showMeshes(this.stage_.meshes, this.layers_.mesh, accents);
     this.groups_.showPlaces(this.stage_.rings, this.layers_.places, accents, now);
-    this.stage_.figures.update(this.camera.pixelsPerMetre());
+    this.stage_.crowd.update(this.crowd_, blend, this.camera);
     this.stage_.render(this.camera, this.stats);
     const view = this.tagScene(now);
     this.showMarks(view);
@@ -343,12 +363,12 @@ export class StudioView implements StudioScene {
     return this.scene_?.groups.map((group) => group.colour) ?? [];
   }
 
-  /** Gives figures their colours. */
+  /** Gives people their colours. */
   private dress(colours: readonly number[], greyed: boolean): void {
     this.membersStale_ = false;
     const chosen = greyed && this.overlay_?.kind === 2 ? this.overlay_.character : -1;
-    this.stage_.figures.setPalette(this.palette_, greyed, this.theme_ === 'dark');
-    this.stage_.figures.setMembers(this.crowd_, colours, this.palette_, chosen);
+    this.stage_.crowd.setPalette(this.palette_, greyed, this.theme_ === 'dark');
+    this.stage_.crowd.setColours(colours, this.palette_, chosen);
   }
 
   private chosenGroup(): number {

@@ -7,7 +7,8 @@ export function madeFrame(frame: number, x: readonly number[], more: Partial<Fra
   const zeros = x.map(() => 0);
   return {
     frame, step: frame, time: frame / 60, playing: true, ids: x.map((_, i) => i + 1), group: zeros, x, y: zeros,
-    heading: zeros, motion: zeros, phase: zeros, groups: [], moving: [], collected: [], ...more,
+    heading: zeros, motion: zeros, phase: zeros, clip: zeros, clipTime: zeros, fromClip: zeros, fromTime: zeros, fade: zeros,
+    near: [], nearPoses: [], groups: [], moving: [], collected: [], ...more,
   };
 }
 

@@ -2,6 +2,7 @@
 
 import { BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, type Material, Quaternion, ShaderMaterial, Vector3 } from 'three';
 import type { Point2, SceneFacts, SceneObstacle, ScenePatch } from '../protocol/scene';
+import { lookOf } from '../people/look';
 import { mix, mixAngle } from './blend';
 import { FatLines } from './fat_lines';
 import type { MovingView } from './frame_types';
@@ -11,7 +12,6 @@ import { outerEdges } from './outer_edges';
 import { addPatch, type PatchParts, type TintedLine } from './patch_geometry';
 import type { Palette } from './palette';
 import { bodyMaterial, floorMaterial, type ShadeUniforms } from './shade';
-import { lookOf } from './figures';
 
 /** A thing that moves: its parts hang on a group that turns about `centre`. */
 interface MovingThing {

@@ -1,0 +1,131 @@
+// All motion clips as poses, and which two poses a moment of one lies between.
+
+import { kPoseNumbers, type Rig, kPoseFloats, solveRig } from './rig';
+import { kJoints } from './skeleton';
+
+/** A clip as the server or a file has it. */
+export interface ClipPoses {
+  readonly name: string;
+  readonly motion: string;
+  /** Poses a second. */
+  readonly rate: number;
+  readonly cyclic: boolean;
+  readonly poses: number;
+  /** x, y, z per pose [m]. */
+  readonly hips: ArrayLike<number>;
+  /** x, y, z, w per joint and pose; whole numbers over 32767 or true ones. */
+  readonly rotations: ArrayLike<number>;
+}
+
+/** Two poses by their index in the bank, and how far from the first to the second. */
+export interface Moment {
+  first: number;
+  second: number;
+  mix: number;
+}
+
+interface Entry {
+  readonly first: number;
+  readonly poses: number;
+  readonly rate: number;
+  readonly cyclic: boolean;
+  /** Of one play, by the server's clock [s]. */
+  readonly length: number;
+  readonly motion: string;
+  /** In place of the server's: poses that it sends whole are not of this one. */
+  readonly replaced: boolean;
+}
+
+/** Stands with hanging arms; what is shown before clips arrive. */
+export function standingClip(): ClipPoses {
+  const rotations = new Array<number>(4 * kJoints).fill(0);
+  for (let j = 0; j < kJoints; ++j) rotations[4 * j + 3] = 1;
+  const turnArm = (joint: number, angle: number): void => {
+    rotations[4 * joint] = Math.sin(angle / 2);
+    rotations[4 * joint + 3] = Math.cos(angle / 2);
+  };
+  turnArm(6, -1.35);
+  turnArm(10, 1.35);
+  return { name: 'idle', motion: 'run', rate: 1, cyclic: true, poses: 1, hips: [0, 0, 0.95], rotations };
+}
+
+function lengthOf(clip: Pick<ClipPoses, 'poses' | 'rate' | 'cyclic'>): number {
+  return (clip.cyclic ? clip.poses : Math.max(1, clip.poses - 1)) / clip.rate;
+}
+
+export class ClipBank {
+  readonly poseCount: number;
+  /** kPoseNumbers per pose. */
+  readonly poses: Float32Array;
+  private readonly entries_: Entry[] = [];
+
+  /** `own`: clips that take the place of those of the same name. */
+  constructor(clips: readonly ClipPoses[], own: readonly ClipPoses[] = []) {
+    const wanted = clips.length > 0 ? clips : [standingClip()];
+    const played = wanted.map((clip) => own.find((one) => one.name === clip.name) ?? clip);
+    this.poseCount = played.reduce((sum, clip) => sum + clip.poses, 0);
+    this.poses = new Float32Array(kPoseNumbers * this.poseCount);
+    let first = 0;
+    played.forEach((clip, i) => {
+      const original = wanted[i]!;
+      this.entries_.push({
+        first, poses: clip.poses, rate: clip.rate, cyclic: clip.cyclic, length: lengthOf(original), motion: original.motion,
+        replaced: clip !== original,
+      });
+      this.fill(clip, first);
+      first += clip.poses;
+    });
+  }
+
+  get clipCount(): number {
+    return this.entries_.length;
+  }
+
+  motion(clip: number): string {
+    return this.entry(clip).motion;
+  }
+
+  replaced(clip: number): boolean {
+    return this.entry(clip).replaced;
+  }
+
+  /** Length of one play [s]. */
+  length(clip: number): number {
+    return this.entry(clip).length;
+  }
+
+  cyclic(clip: number): boolean {
+    return this.entry(clip).cyclic;
+  }
+
+  /** Where a clip is at a time in it [s]. */
+  moment(clip: number, time: number, out: Moment): void {
+    const { first, poses, rate, cyclic, length, replaced } = this.entry(clip);
+    const spans = cyclic ? poses : Math.max(1, poses - 1);
+    const at = (replaced ? time / length : (time * rate) / spans) * spans;
+    const inside = cyclic ? at - poses * Math.floor(at / poses) : Math.min(Math.max(at, 0), poses - 1);
+    const whole = Math.min(Math.floor(inside), poses - 1);
+    out.first = first + whole;
+    out.second = first + (cyclic ? (whole + 1) % poses : Math.min(whole + 1, poses - 1));
+    out.mix = inside - whole;
+  }
+
+  /** All poses solved on a body: kPoseFloats per pose. */
+  bake(rig: Rig, out: Float32Array): void {
+    for (let i = 0; i < this.poseCount; ++i) solveRig(rig, this.poses, kPoseNumbers * i, out, kPoseFloats * i);
+  }
+
+  private entry(clip: number): Entry {
+    return this.entries_[clip] ?? this.entries_[0]!;
+  }
+
+  private fill(clip: ClipPoses, first: number): void {
+    const { hips, rotations, poses } = clip;
+    const whole = ArrayBuffer.isView(rotations) && rotations instanceof Int16Array ? 1 / 32767 : 1;
+    for (let i = 0; i < poses; ++i) {
+      const at = kPoseNumbers * (first + i);
+      for (let k = 0; k < 3; ++k) this.poses[at + k] = hips[3 * i + k] ?? 0;
+      for (let k = 0; k < 4 * kJoints; ++k) this.poses[at + 3 + k] = (rotations[4 * kJoints * i + k] ?? 0) * whole;
+    }
+  }
+}

@@ -1,0 +1,55 @@
+import { describe, expect, it } from 'vitest';
+import { NearPoses, type NearFrame } from './near_poses';
+import { kPoseFloats, kPoseNumbers, plainRig } from './rig';
+
+/** One pose per entry: hips at that height, turned about z by `angle`. */
+function frame(near: readonly number[], heights: readonly number[], angle = 0): NearFrame {
+  const numbers = heights.flatMap((height) => {
+    const pose = new Array<number>(kPoseNumbers).fill(0);
+    pose[2] = Math.round(1000 * height);
+    for (let j = 0; j < 21; ++j) pose[3 + 4 * j + 3] = 32767;
+    pose[5] = Math.round(32767 * Math.sin(angle / 2));
+    pose[6] = Math.round(32767 * Math.cos(angle / 2));
+    return pose;
+  });
+  return { near, nearPoses: Int16Array.from(numbers) };
+}
+
+function solvedHeights(near: NearPoses): number[] {
+  const out = new Float32Array(kPoseFloats * near.count);
+  near.solve(plainRig(), out);
+  return Array.from({ length: near.count }, (_, k) => out[kPoseFloats * k + 6]!);
+}
+
+describe('NearPoses', () => {
+  it('mixes hips and turns of those who are near in both frames', () => {
+    const near = new NearPoses();
+    near.mix(frame([2, 5], [1, 0.8], 0), frame([2, 5], [0.9, 0.6], 0.4), 0.25, 8, 100);
+    expect(Array.from(near.slots)).toEqual([-1, -1, 0, -1, -1, 1, -1, -1]);
+    const heights = solvedHeights(near);
+    expect(heights[0]).toBeCloseTo(0.975);
+    expect(heights[1]).toBeCloseTo(0.75);
+    const out = new Float32Array(kPoseFloats * 2);
+    near.solve(plainRig(), out);
+    expect(2 * Math.asin(out[2]!)).toBeCloseTo(0.1, 3);
+  });
+
+  it('finds one by who it is, not by where it stands in the list', () => {
+    const near = new NearPoses();
+    near.mix(frame([1, 3, 4], [0.1, 0.3, 0.4]), frame([3, 6], [0.5, 0.9]), 0.5, 7, 100);
+    const heights = solvedHeights(near);
+    expect(heights[near.slots[3]!]).toBeCloseTo(0.4);
+    expect(heights[near.slots[6]!]).toBeCloseTo(0.9);
+    expect(near.slots[1]).toBe(-1);
+  });
+
+  it('bears more near ones than it shows, torn lists and strangers', () => {
+    const near = new NearPoses();
+    near.mix(frame([0, 1, 2], [1, 1, 1]), frame([0, 1, 2], [1, 1, 1]), 0.5, 3, 2);
+    expect(near.count).toBe(2);
+    near.mix(frame([], []), { near: [0, 1], nearPoses: new Int16Array(kPoseNumbers + 5) }, 0.5, 3, 9);
+    expect(near.count).toBe(1);
+    near.mix(frame([], []), frame([9], [1]), 0.5, 3, 9);
+    expect(Array.from(near.slots)).toEqual([-1, -1, -1]);
+  });
+});

@@ -1,0 +1,112 @@
+// What people are drawn with: lit per pixel and throwing shadows, or, for software renderers, lit per corner.
+
+import {
+  Color, MeshDepthMaterial, MeshLambertMaterial, RGBADepthPacking, ShaderMaterial, type Texture, Vector3,
+  type WebGLProgramParametersWithUniforms,
+} from 'three';
+import { kHairs, kSkins } from '../people/look';
+import { kPeopleColour, kPeoplePose, kPeopleShown } from './people_shader';
+import type { Quality } from './quality';
+import { kEarthColour, kSkyColour, kSunColour, kToSun } from './sun';
+
+/** Values that the shaders of all people read. */
+export class PeopleUniforms {
+  readonly uSkins = { value: kSkins.map((hex) => new Color(hex)) };
+  readonly uHairs = { value: kHairs.map((hex) => new Color(hex)) };
+  readonly uGreyed = { value: 0 };
+  readonly uGreyTint = { value: new Color('#A9A6A2') };
+  readonly uSun = { value: new Color() };
+  readonly uSky = { value: new Color() };
+  readonly uEarth = { value: new Color() };
+
+  /** Strengths of sun and sky as the lights of the scene have them. */
+  light(sun: number, sky: number): void {
+    const set = (colour: Color, hex: string, strength: number): void => {
+      // A matt surface sends back 1/pi of what falls on it.
+      colour.set(hex).multiplyScalar(strength / Math.PI);
+    };
+    set(this.uSun.value, kSunColour, sun);
+    set(this.uSky.value, kSkyColour, sky);
+    set(this.uEarth.value, kEarthColour, sky);
+  }
+}
+
+/** Values of one body. */
+export interface BodyUniforms {
+  readonly uBaked: { value: Texture };
+  readonly uNear: { value: Texture };
+  readonly uBind: { value: Vector3[] };
+}
+
+type All = PeopleUniforms & BodyUniforms & { readonly uMap: { value: Texture | null } };
+
+const kMapAt = '#ifdef BODY_MAP\nvMapAt = uv;\n#endif\n';
+const kMapVarying = '#ifdef BODY_MAP\nvarying vec2 vMapAt;\n#endif\n';
+
+function inject(shader: WebGLProgramParametersWithUniforms, uniforms: All): void {
+  Object.assign(shader.uniforms, uniforms);
+  shader.vertexShader = shader.vertexShader
+    .replace('#include <common>', `#include <common>\n${kPeoplePose}\n${kPeopleColour}\n${kMapVarying}`)
+    .replace('#include <beginnormal_vertex>',
+      `Skin skin = posePerson(position, normal);\nvec3 objectNormal = skin.normal;\ncolourPerson();\n${kMapAt}`)
+    .replace('#include <begin_vertex>', 'vec3 transformed = skin.at;');
+  shader.fragmentShader = shader.fragmentShader
+    .replace('#include <common>', `#include <common>\n${kPeopleShown}`)
+    .replace('#include <color_fragment>', 'diffuseColor.rgb = shownPerson();');
+}
+
+function injectDepth(shader: WebGLProgramParametersWithUniforms, uniforms: All): void {
+  Object.assign(shader.uniforms, uniforms);
+  shader.vertexShader = shader.vertexShader
+    .replace('#include <common>', `#include <common>\n${kPeoplePose}`)
+    .replace('#include <begin_vertex>', 'vec3 transformed = posePerson(position, vec3(0.0, 0.0, 1.0)).at;');
+}
+
+/** For shadow maps. */
+export function peopleDepthMaterial(people: PeopleUniforms, body: BodyUniforms): MeshDepthMaterial {
+  const depth = new MeshDepthMaterial({ depthPacking: RGBADepthPacking });
+  depth.onBeforeCompile = (shader): void => injectDepth(shader, { ...people, ...body, uMap: { value: null } } as All);
+  depth.customProgramCacheKey = (): string => 'people-depth';
+  return depth;
+}
+
+export function peopleMaterial(quality: Quality, people: PeopleUniforms, body: BodyUniforms, map: Texture | null): MeshLambertMaterial | ShaderMaterial {
+  const uniforms = { ...people, ...body, uMap: { value: map } } as All;
+  const defines: Record<string, string> = map ? { BODY_MAP: '' } : {};
+  if (quality === 'light') return lightMaterial(uniforms, { ...defines, LIGHT: '' });
+  const material = Object.assign(new MeshLambertMaterial(), { defines });
+  material.onBeforeCompile = (shader): void => inject(shader, uniforms);
+  material.customProgramCacheKey = (): string => `people${map ? '-map' : ''}`;
+  return material;
+}
+
+function lightMaterial(uniforms: All, defines: Record<string, string>): ShaderMaterial {
+  const toSun = `vec3(${kToSun.map((one) => one.toFixed(5)).join(', ')})`;
+  return new ShaderMaterial({
+    uniforms: uniforms as unknown as Record<string, { value: unknown }>,
+    defines,
+    vertexShader: `
+${kPeoplePose}
+${kPeopleColour}
+${kMapVarying}
+uniform vec3 uSun;
+uniform vec3 uSky;
+uniform vec3 uEarth;
+varying vec3 vLight;
+void main() {
+  Skin skin = posePerson(position, normal);
+  colourPerson();
+  ${kMapAt}
+  vec3 n = normalize(skin.normal);
+  vLight = uSun * max(0.0, dot(n, ${toSun})) + mix(uEarth, uSky, 0.5 * n.z + 0.5);
+  gl_Position = projectionMatrix * viewMatrix * vec4(skin.at, 1.0);
+}`,
+    fragmentShader: `
+${kPeopleShown}
+varying vec3 vLight;
+void main() {
+  gl_FragColor = vec4(shownPerson() * vLight, 1.0);
+  #include <colorspace_fragment>
+}`,
+  });
+}
