@@ -101,12 +101,13 @@ export class GeometryBuilder {
     }
   }
 
-  /** Upright walls round a polygon, facing outwards. */
-  walls(outline: readonly Point2[], low: number, high: number, colour: string): void {
+  /** Upright walls round a polygon, facing outwards, or inwards. */
+  walls(outline: readonly Point2[], low: number, high: number, colour: string, inwards = false): void {
     const points = counterClockwise(outline);
     for (let i = 0; i < points.length; ++i) {
-      const a = points[i] as Point2;
-      const b = points[(i + 1) % points.length] as Point2;
+      const from = points[i] as Point2;
+      const to = points[(i + 1) % points.length] as Point2;
+      const [a, b] = inwards ? [to, from] : [from, to];
       this.quad([a[0], a[1], low], [b[0], b[1], low], [b[0], b[1], high], [a[0], a[1], high], colour);
     }
   }
@@ -147,6 +148,16 @@ export class GeometryBuilder {
     this.quad(c, d, up(d), up(c), colour);
     this.quad(b, c, up(c), up(b), colour);
     this.quad(d, a, up(a), up(d), colour);
+  }
+
+  /** A thin rod of three sides between any two points. */
+  limb(from: Vec3, to: Vec3, radius: number, colour: string): void {
+    const corner = (p: Vec3, k: number): Vec3 => {
+      const turn = (2 * Math.PI * k) / 3;
+      return [p[0] + radius * Math.cos(turn), p[1] + radius * Math.sin(turn), p[2]];
+    };
+    const [low, high] = from[2] <= to[2] ? [from, to] : [to, from];
+    for (let k = 0; k < 3; ++k) this.quad(corner(low, k), corner(low, k + 1), corner(high, k + 1), corner(high, k), colour);
   }
 
   build(): BufferGeometry {

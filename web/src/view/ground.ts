@@ -7,6 +7,7 @@ import {
 import type { SceneBox } from '../protocol/scene';
 import { rampBytes } from './colour';
 import type { FieldPicture } from './field_picture';
+import { leaveOutOpenings } from './openings';
 import type { Palette } from './palette';
 import type { ShadeUniforms } from './shade';
 
@@ -108,7 +109,7 @@ export class Ground {
       }]),
     });
     material.uniforms['uShadowKeeps'] = shade.uShadowKeeps;
-    this.mesh = new Mesh(new PlaneGeometry(1, 1), material);
+    this.mesh = new Mesh(new PlaneGeometry(1, 1), leaveOutOpenings(material));
     this.mesh.receiveShadow = true;
     this.mesh.frustumCulled = false;
   }

@@ -88,16 +88,25 @@ function addFountain(builder: GeometryBuilder, obstacle: SceneObstacle, palette:
 export function makeTreeGeometry(palette: Palette): BufferGeometry {
   const builder = new GeometryBuilder();
   builder.frustum(0, 0, 0, 2.1, 0.2, 0.13, 7, palette.trunk, palette.trunk);
-  addBlob(builder, [0, 0, 2.95], 1.25, 1.05, palette.crown, 3);
-  addBlob(builder, [0.55, 0.4, 2.55], 0.75, 0.6, palette.crown, 11);
-  addBlob(builder, [-0.6, -0.25, 2.6], 0.7, 0.6, palette.crown, 29);
+  addBlob(builder, [0, 0, 2.95], { radius: 1.25, height: 1.05, colour: palette.crown, seed: 3 });
+  addBlob(builder, [0.55, 0.4, 2.55], { radius: 0.75, height: 0.6, colour: palette.crown, seed: 11 });
+  addBlob(builder, [-0.6, -0.25, 2.6], { radius: 0.7, height: 0.6, colour: palette.crown, seed: 29 });
   return builder.build();
 }
 
-/** A lumpy ball of flat facets; `seed` makes lumps. */
-function addBlob(builder: GeometryBuilder, centre: Vec3, radius: number, height: number, colour: string, seed: number): void {
-  const rows = 5;
-  const sides = 9;
+/** A lumpy ball of flat facets. */
+export interface Blob {
+  readonly radius: number;
+  /** Half of it, up and down [m]. */
+  readonly height: number;
+  readonly colour: string;
+  /** Makes the lumps. */
+  readonly seed: number;
+  readonly rows?: number;
+  readonly sides?: number;
+}
+
+export function addBlob(builder: GeometryBuilder, centre: Vec3, { radius, height, colour, seed, rows = 5, sides = 9 }: Blob): void {
   const point = (row: number, side: number): Vec3 => {
     const tilt = (Math.PI * row) / rows - Math.PI / 2;
     const s = row === 0 || row === rows ? 0 : side % sides;
@@ -121,8 +130,8 @@ function addMouse(builder: GeometryBuilder, outline: readonly Point2[], height: 
   const { x, y, length, width, angle } = boxOf(outline);
   const high = Math.min(height, 1.2 * Math.max(length, width)) / 2;
   const at = (share: number): Vec3 => [x + share * length * Math.cos(angle), y + share * length * Math.sin(angle), high];
-  addBlob(builder, at(-0.3), 0.95 * Math.min(length, width), high, palette.stone, 5);
-  addBlob(builder, at(0.45), 0.55 * Math.min(length, width), 0.7 * high, palette.stone, 17);
+  addBlob(builder, at(-0.3), { radius: 0.95 * Math.min(length, width), height: high, colour: palette.stone, seed: 5 });
+  addBlob(builder, at(0.45), { radius: 0.55 * Math.min(length, width), height: 0.7 * high, colour: palette.stone, seed: 17 });
   return [];
 }
 

@@ -3,6 +3,7 @@
 import { Color, Group, LinearSRGBColorSpace, Mesh, PlaneGeometry, ShaderMaterial } from 'three';
 import type { SceneBox } from '../protocol/scene';
 import { FatLines } from './fat_lines';
+import { leaveOutOpenings } from './openings';
 import type { Palette } from './palette';
 
 /** Lines a metre apart are left out in worlds with more of them. */
@@ -30,7 +31,8 @@ export class PlainGround {
       vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
       fragmentShader: 'uniform vec3 uColour;\nvoid main() { gl_FragColor = vec4(uColour, 1.0); }',
     });
-    this.floor_ = new Mesh(new PlaneGeometry(1, 1), material);
+    this.floor_ = new Mesh(new PlaneGeometry(1, 1), leaveOutOpenings(material));
+    for (const lines of [this.fine_, this.coarse_]) leaveOutOpenings(lines.mesh.material);
     this.group.add(this.floor_, ...this.lines().map((lines) => lines.mesh));
   }
 

@@ -33,6 +33,11 @@ if (vUp > 0.9 && vAt.z > 1.5) {
   diffuseColor.rgb = mix(diffuseColor.rgb, uHatch, line * clamp(0.32 / max(wide, 0.01), 0.0, 1.0));
 }`;
 
+/** Lit, coloured per vertex, and let through what lies behind. */
+export function seeThroughMaterial(opacity: number): MeshLambertMaterial {
+  return new MeshLambertMaterial({ vertexColors: true, transparent: true, opacity, depthWrite: false });
+}
+
 /** Flat on the ground: shown in its own colour, dimmed where the sun does not reach. */
 export function floorMaterial(shade: ShadeUniforms): ShaderMaterial {
   const material = new ShaderMaterial({

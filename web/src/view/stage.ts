@@ -52,9 +52,9 @@ export class Stage {
     this.crowd = new CrowdLayer(quality);
     this.sun_ = new Sun(quality);
     // Nothing shines through the scene, so the page need not blend it: three.js would ask for a canvas with alpha.
-    const context = canvas.getContext('webgl2', { alpha: false, antialias: full, powerPreference: 'high-performance' });
+    const context = canvas.getContext('webgl2', { alpha: false, antialias: full, stencil: true, powerPreference: 'high-performance' });
     if (!context) throw new Error('This browser draws no WebGL 2.');
-    this.renderer_ = new WebGLRenderer({ canvas, context });
+    this.renderer_ = new WebGLRenderer({ canvas, context, stencil: true });
     this.renderer_.shadowMap.enabled = full;
     this.renderer_.shadowMap.type = PCFSoftShadowMap;
     this.pace_ = full ? null : new GpuPace(context);

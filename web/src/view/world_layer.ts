@@ -9,9 +9,11 @@ import type { MovingView } from './frame_types';
 import { centroid, circlePoints, GeometryBuilder } from './geometry_builder';
 import { addCar, addObstacle, type EdgeLine, lookOfObstacle, makeTreeGeometry, outlineOf } from './obstacle_geometry';
 import { outerEdges } from './outer_edges';
-import { addPatch, type PatchParts, type TintedLine } from './patch_geometry';
+import { kOpeningOrder, openingMaterial } from './openings';
+import { addPatch } from './patch_geometry';
+import { emptyParts, type PatchParts, type TintedLine } from './patches/patch_parts';
 import type { Palette } from './palette';
-import { bodyMaterial, floorMaterial, type ShadeUniforms } from './shade';
+import { bodyMaterial, floorMaterial, seeThroughMaterial, type ShadeUniforms } from './shade';
 
 /** A thing that moves: its parts hang on a group that turns about `centre`. */
 interface MovingThing {
@@ -28,6 +30,9 @@ export class WorldLayer {
   private readonly hatched_: MeshLambertMaterial;
   private readonly body_: MeshLambertMaterial;
   private readonly floor_: ShaderMaterial;
+  private readonly opening_ = openingMaterial();
+  private readonly water_: MeshLambertMaterial;
+  private readonly leaves_: MeshLambertMaterial;
   private readonly moving_ = new Map<string, MovingThing>();
   private lines_: FatLines[] = [];
   private items_: InstancedMesh | null = null;
@@ -40,6 +45,8 @@ export class WorldLayer {
     this.hatched_ = bodyMaterial(shade, true);
     this.body_ = bodyMaterial(shade, false);
     this.floor_ = floorMaterial(shade);
+    this.water_ = seeThroughMaterial(0.6);
+    this.leaves_ = seeThroughMaterial(0.62);
   }
 
   /** Builds everything anew in the palette's colours. */
@@ -63,6 +70,7 @@ export class WorldLayer {
   /** Floors of patches give way to a field painted on the ground. */
   set floorsVisible(visible: boolean) {
     this.floor_.visible = visible;
+    this.opening_.visible = visible;
   }
 
   /** Places what moves, between two frames. */
@@ -102,7 +110,7 @@ export class WorldLayer {
 
   dispose(): void {
     this.clear();
-    for (const material of [this.hatched_, this.body_, this.floor_]) material.dispose();
+    for (const material of [this.hatched_, this.body_, this.floor_, this.opening_, this.water_, this.leaves_]) material.dispose();
   }
 
   private clear(): void {
@@ -227,7 +235,10 @@ export class WorldLayer {
 
   private addParts(parent: Group, parts: PatchParts): void {
     this.addMesh(parent, parts.floor, this.floor_, 1, false);
+    this.addMesh(parent, parts.opening, this.opening_, kOpeningOrder, false);
     this.addMesh(parent, parts.solid, this.body_, 0, true);
+    this.addMesh(parent, parts.water, this.water_, 1, false);
+    this.addMesh(parent, parts.leaves, this.leaves_, 4, true);
     this.addLines(parent, parts.rim, 1.5, 0.5);
     this.addLines(parent, parts.lines, 1.25, 0);
   }
@@ -244,8 +255,4 @@ export class WorldLayer {
     this.group.add(this.items_);
     this.setCollected([]);
   }
-}
-
-function emptyParts(): PatchParts {
-  return { floor: new GeometryBuilder(), solid: new GeometryBuilder(), rim: [], lines: [] };
 }
