@@ -1,0 +1,16 @@
+// The clips that a world plays.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "muster/clips/clip.h"
+#include "muster/environment/patch.h"
+
+namespace muster {
+
+/// Muster's own clips, and in place of those of the same name the motions of the files that clip facts name (BVH,
+/// relative to `folder`), brought onto Muster's skeleton. Fails as readBvh and retarget do, naming the motion.
+Result<ClipLibrary> clipsFor(std::span<const ClipFacts> facts, const std::string& folder);
+
+}  // namespace muster

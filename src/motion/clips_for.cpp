@@ -1,0 +1,40 @@
+#include "muster/motion/clips_for.h"
+
+#include <filesystem>
+
+#include "muster/clips/bvh.h"
+#include "muster/clips/retarget.h"
+#include "muster/generator/own_clips.h"
+
+namespace muster {
+namespace {
+
+Result<Clip> clipOf(const ClipFacts& fact, const std::string& folder, const Clip* own) {
+    const auto file = readBvh((std::filesystem::path(folder) / fact.file).string());
+    if (!file.ok()) return file.status();
+    RetargetOptions options;
+    options.name = fact.name;
+    options.motion = own != nullptr ? own->motion : fact.name;
+    options.cyclic = fact.cyclic;
+    return retarget(*file, options);
+}
+
+}  // namespace
+
+Result<ClipLibrary> clipsFor(std::span<const ClipFacts> facts, const std::string& folder) {
+    ClipLibrary library = ownClips();
+    for (const ClipFacts& fact : facts) {
+        if (fact.file.empty()) continue;
+        const std::int32_t own = library.indexOf(fact.name);
+        auto clip = clipOf(fact, folder, own < 0 ? nullptr : &library.clips[static_cast<std::size_t>(own)]);
+        if (!clip.ok()) return clip.status().within("motion \"" + fact.name + "\"");
+        if (own >= 0) {
+            library.clips[static_cast<std::size_t>(own)] = std::move(clip).value();
+        } else {
+            library.clips.push_back(std::move(clip).value());
+        }
+    }
+    return library;
+}
+
+}  // namespace muster
