@@ -20,6 +20,8 @@ void addCheckCommand(CLI::App& app, int& exitCode);
 void addImportCommand(CLI::App& app, int& exitCode);
 void addPictureCommand(CLI::App& app, int& exitCode);
 void addPeersCommand(CLI::App& app, int& exitCode);
+void addMotionCommand(CLI::App& app, int& exitCode);
+void addExportCommand(CLI::App& app, int& exitCode);
 void addReproduceCommand(CLI::App& app, int& exitCode);
 void addSweepCommand(CLI::App& app, int& exitCode);
 

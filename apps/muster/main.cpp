@@ -25,6 +25,8 @@ int run(int argc, char** argv) {
     addImportCommand(app, exitCode);
     addPictureCommand(app, exitCode);
     addPeersCommand(app, exitCode);
+    addMotionCommand(app, exitCode);
+    addExportCommand(app, exitCode);
     addReproduceCommand(app, exitCode);
     addSweepCommand(app, exitCode);
     try {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "clips/forward.h"
 #include "muster/clips/joint_roles.h"
 
 namespace muster {
@@ -14,14 +15,6 @@ namespace {
 
 constexpr double kTypicalExtent = 1.65;  // Of a grown person, arms out or down [m].
 constexpr double kFarFromTypical = 4.0;  // As a factor: no person any more.
-
-std::vector<Vec3> restPlaces(std::span<const BvhJoint> joints) {
-    std::vector<Vec3> places;
-    for (const BvhJoint& joint : joints)
-        places.push_back(joint.parent < 0 ? joint.offset
-                                          : places[static_cast<std::size_t>(joint.parent)] + joint.offset);
-    return places;
-}
 
 std::vector<Vec3> posedPlaces(std::span<const BvhJoint> joints, std::span<const Transform> frame) {
     std::vector<Transform> posed;

@@ -1,0 +1,69 @@
+// muster export
+#include <algorithm>
+#include <string>
+
+#include "commands.h"
+#include "muster/export/formats.h"
+#include "muster/generator/own_clips.h"
+#include "options.h"
+#include "report.h"
+
+namespace muster {
+namespace {
+
+struct ExportOptions {
+    std::string take;
+    std::string format;
+    std::string out;
+    ExportDef part;
+};
+
+int exportFile(const ExportOptions& options) {
+    auto exporter = makeExporter(options.format, options.out);
+    if (!exporter.ok()) return reportFailure(exporter.status());
+    if (Status s = differentFiles({options.take}, {options.out}); !s.ok()) return reportFailure(s);
+    const auto take = readTake(options.take);
+    if (!take.ok()) return reportFailure(take.status());
+    if (take->tornBytes > 0) {
+        return reportFailure({StatusCode::Corrupt,
+                              options.take + ": its last record is torn; muster replay says what is left"});
+    }
+    Progress progress("exporting");
+    const Status done =
+        exportTake(*take, ownClips(), options.part, **exporter, [&](double share) { progress.show(share); });
+    return done.ok() ? kExitOk : reportFailure(done);
+}
+
+std::string formatList() {
+    std::string text;
+    for (const ExportFormat& format : exportFormats())
+        text += std::string("  ") + format.name + ": " + format.about + "\n";
+    return text;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, int& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("export", "Writes a take for other programs: bodies in motion, or trajectories.");
+    auto options = std::make_shared<ExportOptions>();
+    command->add_option("TAKE", options->take, "Take file.")->required();
+    command->add_option("--format", options->format, "One of those below.")->required();
+    command->add_option("--out", options->out, "File to be written; for bvh a folder.")->required();
+    command->add_option("--from", options->part.from, "Time of the first frame [s].");
+    command->add_option("--to", options->part.to,
+                        "Time of the last frame [s]; left out: the end of the take.");
+    command->add_option("--fps", options->part.fps,
+                        "Frames a second, 1 to 240; usual are 24, 25, 30 and 60.");
+    command->add_option("--threads", options->part.threads, "Threads; 0 takes what the machine has.")
+        ->check(CLI::Range(0, 256));
+    command->footer("Formats:\n" + formatList() +
+                    "The take is simulated again; frames between steps are interpolated. Nothing is left "
+                    "behind where it fails.\n"
+                    "Examples:\n"
+                    "  muster export cars.take --format bvh --out cars --fps 24\n"
+                    "  muster export cars.take --format jupedsim --out cars.sqlite --from 2 --to 10");
+    command->callback([options, &exitCode] { exitCode = exportFile(*options); });
+}
+
+}  // namespace muster

@@ -1,0 +1,175 @@
+// muster motion
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "muster/clips/clip_files.h"
+#include "muster/clips/motion_facts.h"
+#include "muster/generator/own_clips.h"
+#include "report.h"
+
+namespace muster {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct MotionOptions {
+    std::vector<std::string> clips;
+    std::string run;
+    std::string unit;
+    std::string folder;
+    bool json = false;
+};
+
+/// A line of the table.
+struct Row {
+    std::string clip;
+    std::string file;  ///< Empty for Muster's own.
+    MotionFacts facts;
+};
+
+/// Metres by a unit's name or number; 0 where it is to be guessed.
+Result<double> unitNamed(const std::string& name) {
+    static constexpr std::pair<const char*, double> kUnits[] = {
+        {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}, {"cmu", 0.0254 / 0.45}};
+    if (name.empty()) return 0.0;
+    for (const auto& [known, metres] : kUnits)
+        if (name == known) return metres;
+    char* end = nullptr;
+    const double metres = std::strtod(name.c_str(), &end);
+    if (*end == '\0' && metres >= 1e-6 && metres <= 1e3) return metres;
+    return invalidArgument("unit: found \"" + name.substr(0, 40) +
+                           "\", expected m, cm, mm, in, ft, cmu or a number of metres");
+}
+
+Row ownRow(const Clip& clip) {
+    return {clip.name, {}, factsOf(clip)};
+}
+
+Status addRow(const std::string& name, double unit, std::vector<Row>& rows) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(name, ignored)) {
+        const auto library = loadClips(name);
+        if (!library.ok()) return library.status();
+        for (const Clip& clip : library->clips)
+            rows.push_back({clip.name, name + "/" + clip.name + ".bvh", factsOf(clip)});
+        return {};
+    }
+    const std::filesystem::path path(name);
+    if (const Clip* own = ownClips().find(name); own != nullptr && !std::filesystem::exists(path, ignored)) {
+        rows.push_back(ownRow(*own));
+        return {};
+    }
+    const auto motion = readBvh(name, {unit});
+    if (!motion.ok()) return motion.status();
+    rows.push_back({path.stem().string(), name, factsOf(*motion)});
+    return {};
+}
+
+/// "left foot 2, right foot 3", shortened: "2 LF, 3 RF".
+std::string contactsText(const std::vector<Contact>& contacts) {
+    static constexpr const char* kShort[kLimbCount] = {"LF", "RF", "LH", "RH", "LK", "RK"};
+    std::string text;
+    for (std::size_t limb = 0; limb < kLimbCount; ++limb) {
+        std::size_t count = 0;
+        for (const Contact& contact : contacts)
+            count += static_cast<std::size_t>(contact.limb) == limb ? 1 : 0;
+        if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kShort[limb];
+    }
+    return text.empty() ? "-" : text;
+}
+
+Json rowJson(const Row& row, double run) {
+    Json json = {{"clip", row.clip}, {"file", row.file.empty() ? Json(nullptr) : Json(row.file)}};
+    json["frames"] = row.facts.frames;
+    json["rate"] = row.facts.rate;
+    json["duration_s"] = row.facts.duration;
+    json["length_m"] = row.facts.length;
+    json["speed_mps"] = row.facts.speed;
+    json["ratio"] = speedRatio(row.facts.speed, run);
+    json["cyclic"] = row.facts.cyclic;
+    json["contacts"] = Json::array();
+    for (const Contact& c : row.facts.contacts)
+        json["contacts"].push_back({{"limb", limbName(c.limb)}, {"begin_s", c.begin}, {"end_s", c.end}});
+    return json;
+}
+
+void print(const std::vector<Row>& rows, double run) {
+    std::size_t width = 4;
+    for (const Row& row : rows) width = std::max(width, row.clip.size());
+    const int w = static_cast<int>(width);
+    std::printf("%-*s  frames  duration s  length m  speed m/s  ratio  cyclic  contacts\n", w, "clip");
+    for (const Row& row : rows) {
+        const MotionFacts& f = row.facts;
+        std::printf("%-*s  %6zu  %10.3f  %8.3f  %9.3f  %5.2f  %-6s  %s\n", w, row.clip.c_str(), f.frames,
+                    f.duration, f.length, f.speed, speedRatio(f.speed, run), f.cyclic ? "yes" : "no",
+                    contactsText(f.contacts).c_str());
+    }
+    std::printf("Ratios are to running at %.3f m/s. Contacts: left and right foot, hand and knee.\n", run);
+}
+
+/// Speed of the clip that ratios refer to [m/s].
+Result<double> runSpeed(const MotionOptions& options, double unit) {
+    std::vector<Row> rows;
+    if (options.run.empty()) {
+        const Clip* run = ownClips().find("run");
+        return run != nullptr ? run->speed() : kUsualRun;
+    }
+    if (Status s = addRow(options.run, unit, rows); !s.ok()) return s;
+    if (rows.size() != 1 || !(rows[0].facts.speed > 0.0))
+        return invalidArgument("run: " + options.run + ": expected one clip that goes somewhere");
+    return rows[0].facts.speed;
+}
+
+int motion(const MotionOptions& options) {
+    const auto unit = unitNamed(options.unit);
+    if (!unit.ok()) return reportFailure(unit.status());
+    if (!options.folder.empty()) {
+        const Status written = writeClips(ownClips(), options.folder);
+        if (!written.ok()) return reportFailure(written);
+    }
+    const auto run = runSpeed(options, *unit);
+    if (!run.ok()) return reportFailure(run.status());
+    std::vector<Row> rows;
+    for (const std::string& name : options.clips)
+        if (Status s = addRow(name, *unit, rows); !s.ok()) return reportFailure(s);
+    if (options.clips.empty())
+        for (const Clip& clip : ownClips().clips) rows.push_back(ownRow(clip));
+    if (!options.json) {
+        print(rows, *run);
+        return kExitOk;
+    }
+    Json list = Json::array();
+    for (const Row& row : rows) list.push_back(rowJson(row, *run));
+    printJsonValue(list);
+    return kExitOk;
+}
+
+}  // namespace
+
+void addMotionCommand(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("motion", "Lengths, speeds and contacts of motion clips.");
+    auto options = std::make_shared<MotionOptions>();
+    command->add_option(
+        "CLIPS", options->clips,
+        "BVH files, folders with a clips.json, or names of Muster's own clips; all of these if left out.");
+    command->add_option("--run", options->run, "Ratios are to this clip; left out: Muster's own run.");
+    command->add_option("--unit", options->unit,
+                        "Unit of the files: m, cm, mm, in, ft, cmu or a number of metres; left out: guessed "
+                        "by the size of the body.");
+    command->add_option("--write", options->folder,
+                        "Also writes Muster's own clips into this folder, as BVH with a clips.json.");
+    command->add_flag("--json", options->json, "One JSON array on standard output, an object per clip.");
+    command->footer(
+        "Speed is the net way over the duration. Ratios are what scenarios call a clip's speed; the least is "
+        "0.02.\n"
+        "Examples:\n"
+        "  muster motion\n"
+        "  muster motion walk.bvh run.bvh --run run.bvh\n"
+        "  muster motion --write motions --json");
+    command->callback([options, &exitCode] { exitCode = motion(*options); });
+}
+
+}  // namespace muster
