@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "muster/motion/clips_for.h"
 #include "muster/scenario/gestures.h"
 #include "muster/scenario/scenario.h"
 
@@ -102,6 +103,11 @@ Result<WorldDef> ScenarioFolder::load(const std::string& name) const {
 Result<std::vector<Command>> ScenarioFolder::gestures(const std::string& name, const WorldDef& def) const {
     const std::string* path = pathOf(name);
     return path != nullptr ? loadScenarioGestures(*path, def) : notFound(name);
+}
+
+Result<ClipLibrary> ScenarioFolder::clips(const std::string& name, const WorldDef& def) const {
+    const std::string* path = pathOf(name);
+    return clipsFor(def.clips, path != nullptr ? fs::path(*path).parent_path().string() : ".");
 }
 
 }  // namespace muster

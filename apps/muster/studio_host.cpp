@@ -237,6 +237,7 @@ Result<Session> makeSession(const StudioOptions& options) {
     def.scenarios = folder.entries();
     def.loadScenario = [folder](const std::string& wanted) { return folder.load(wanted); };
     def.loadGestures = [folder](const std::string& of, const WorldDef& begun) { return folder.gestures(of, begun); };
+    def.loadClips = [folder](const std::string& of, const WorldDef& begun) { return folder.clips(of, begun); };
     if (!options.takesFolder.empty())
         def.openSink = [takes = options.takesFolder](const std::string& of) { return openTakeFile(takes, of); };
     Session session(std::move(def));
