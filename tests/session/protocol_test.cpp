@@ -40,6 +40,13 @@ protocol::Frame sampleFrame() {
     frame.heading = {0.0f, 3.0f};
     frame.motion = {0, 3};
     frame.phase = {0, 1};
+    frame.clip = {2, 5};
+    frame.clipTime = {0, 40000};
+    frame.fromClip = {1, 0};
+    frame.fromTime = {700, 1};
+    frame.fade = {0, 255};
+    frame.near = {1};
+    frame.nearPoses = {950, -3, -32767};
     protocol::GroupFrame& group = frame.groups.emplace_back();
     group.id = 1;
     group.vertices = {0, 0, 1, 0, 0, 1};
@@ -70,7 +77,7 @@ TEST_CASE("Bytes on the wire are those the protocol promises") {
           "03000000");
     CHECK(hex(protocol::encode(protocol::PinControl{1, 2, true})) == "03010000000200000001");
     CHECK(hex(protocol::encode(protocol::SetSpeed{0.5f})) == "090000003f");
-    CHECK(hex(protocol::encode(protocol::Pong{1.0})) == "06000000000000f03f");
+    CHECK(hex(protocol::encode(protocol::Pong{1.0})) == "07000000000000f03f");
 }
 
 TEST_CASE("A frame comes back as it went") {

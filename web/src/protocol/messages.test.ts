@@ -104,6 +104,9 @@ describe('a frame of the server', () => {
     expect(frame.group).toEqual(Uint8Array.of(0, 1));
     expect(frame.x).toEqual(Float32Array.of(0.5, -1.25));
     expect(frame.motion).toEqual(Uint8Array.of(0, 3));
+    expect(frame.clipTime).toEqual(Uint16Array.of(0, 40000));
+    expect(frame.fade).toEqual(Uint8Array.of(0, 255));
+    expect(frame.nearPoses).toEqual(Int16Array.of(950, -3, -32767));
     expect(frame.groups[0]!.vertices).toEqual(Float32Array.of(0, 0, 1, 0, 0, 1));
     expect(frame.groups[0]!.fit).toEqual(Uint8Array.of(1, 0, 1));
     const control = frame.groups[0]!.controls[0]!;
