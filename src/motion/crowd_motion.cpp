@@ -13,6 +13,7 @@ struct CrowdMotion::Impl {
 
     void findNear(const Characters& characters);
     void matchBodies();
+    void standStill(const Characters& characters);
 
     const ClipLibrary* library;
     CrowdMotionDef def;
@@ -25,6 +26,7 @@ struct CrowdMotion::Impl {
     std::vector<std::uint32_t> nearIds; ///< Their ids.
     std::vector<Body> bodies;           ///< One per entry of `near`.
     std::vector<Body> spare;
+    std::vector<PlacesView> places;     ///< By group.
 };
 
 void CrowdMotion::Impl::findNear(const Characters& characters) {
@@ -61,6 +63,18 @@ void CrowdMotion::Impl::matchBodies() {
     bodies.swap(spare);
 }
 
+// Nothing to play: everybody stands as a statue does.
+void CrowdMotion::Impl::standStill(const Characters& characters) {
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const Vec2 heading = characters.heading[i];
+        playbacks[i] = {};
+        playbacks[i].position = characters.position[i];
+        playbacks[i].yaw = static_cast<float>(arcTangent2(heading.y, heading.x));
+        playbacks[i].size = characterSize(characters.id[i]);
+    }
+    for (Body& body : bodies) body.pose = restPose();
+}
+
 CrowdMotion::CrowdMotion(const ClipLibrary& library, const CrowdMotionDef& def)
     : impl_(std::make_unique<Impl>(library, def)) {}
 CrowdMotion::~CrowdMotion() = default;
@@ -73,29 +87,35 @@ void CrowdMotion::restart() {
 }
 
 void CrowdMotion::update(const World& world) {
+    impl_->places.clear();
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        const PlaceTracker& places = *world.group(g).places;
+        impl_->places.push_back({places.positions(), places.velocities()});
+    }
+    CrowdView crowd;
+    crowd.characters = &world.characters();
+    crowd.environment = &world.environment();
+    crowd.places = impl_->places;
+    crowd.stepTime = world.parameters().stepTime;
+    crowd.maxSpeed = world.parameters().maxSpeed;
+    crowd.directReach = world.parameters().directReach;
+    update(crowd);
+}
+
+void CrowdMotion::update(const CrowdView& crowd) {
     Impl& m = *impl_;
-    const Characters& characters = world.characters();
+    const Characters& characters = *crowd.characters;
     m.playbacks.resize(characters.size());
     m.findNear(characters);
     m.matchBodies();
-    if (m.table.size() == 0) {  // Nothing to play: everybody stands as a statue does.
-        for (std::size_t i = 0; i < characters.size(); ++i) {
-            const Vec2 heading = characters.heading[i];
-            m.playbacks[i] = {};
-            m.playbacks[i].position = characters.position[i];
-            m.playbacks[i].yaw = static_cast<float>(arcTangent2(heading.y, heading.x));
-            m.playbacks[i].size = characterSize(characters.id[i]);
-        }
-        for (Body& body : m.bodies) body.pose = restPose();
-        return;
-    }
-    m.player.update(world);
+    if (m.table.size() == 0) return m.standStill(characters);
+    m.player.update(crowd);
     const std::vector<Mover>& movers = m.player.movers();
     for (std::size_t i = 0; i < movers.size(); ++i) {
         const Mover& v = movers[i];
         m.playbacks[i] = {v.clip, v.fromClip, v.time, v.fromTime, v.fade, v.position, v.yaw, v.size};
     }
-    const auto dt = static_cast<float>(world.parameters().stepTime);
+    const auto dt = static_cast<float>(crowd.stepTime);
     const auto decay = static_cast<float>(exponential(static_cast<double>(-kInertiaRate * dt)));
     for (std::size_t k = 0; k < m.bodies.size(); ++k) {
         const Mover& mover = movers[m.near[k]];

@@ -91,20 +91,17 @@ void Player::follow(Mover& mover, const Characters& characters, std::size_t i, d
     mover.switched = false;
 }
 
-void Player::update(const World& world) {
-    if (table_.size() == 0) return;
-    const Characters& characters = world.characters();
-    learnMotions(world.environment());
+void Player::update(const CrowdView& crowd) {
+    const Characters& characters = *crowd.characters;
+    learnMotions(*crowd.environment);
     for (Mover& mover : movers_) mover.fresh = false;
     matchMovers(characters);
-    places_.clear();
-    for (std::size_t g = 0; g < world.groupCount(); ++g) places_.push_back(world.group(g).places);
-    const double dt = world.parameters().stepTime;
+    const double dt = crowd.stepTime;
     ++turn_;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
         Mover& mover = movers_[i];
         follow(mover, characters, i, dt);
-        const Step step{&world, i, dt, static_cast<float>(length(mover.velocity))};
+        const Step step{&crowd, i, dt, static_cast<float>(length(mover.velocity))};
         turnToCrossing(mover, step);
         play(mover, step);
         setStride(mover, step);
@@ -128,7 +125,7 @@ void Player::advance(Mover& mover, double dt) const {
 }
 
 void Player::play(Mover& mover, const Step& step) {
-    const Characters& characters = step.world->characters();
+    const Characters& characters = *step.crowd->characters;
     const Motion& motion = motions_[static_cast<std::size_t>(characters.motion[step.i])];
     if (playAction(mover, step)) return;
     if (motion.clip < 0 || motion.use != ClipUse::Cycle) return playLocomotion(mover, step);
@@ -146,7 +143,7 @@ void Player::play(Mover& mover, const Step& step) {
 
 void Player::playTransition(Mover& mover, const Step& step, std::int32_t clip, double transition) const {
     const ClipEntry& entry = table_[static_cast<std::size_t>(clip)];
-    const double share = transition > 0.0 ? step.world->characters().motionTime[step.i] / transition : 1.0;
+    const double share = transition > 0.0 ? step.crowd->characters->motionTime[step.i] / transition : 1.0;
     if (mover.clip != clip) show(mover, static_cast<std::size_t>(clip), 0.0f);
     mover.rate = transition > 0.0 ? entry.duration / static_cast<float>(transition) : 1.0f;
     advance(mover, step.dt);
@@ -171,7 +168,7 @@ void Player::playCycle(Mover& mover, const Step& step, std::int32_t clip) const 
 
 void Player::turnToCrossing(Mover& mover, const Step& step) const {
     constexpr double kMost = 20.0 / 180.0 * kPi;
-    const Vec2 heading = step.world->characters().heading[step.i];
+    const Vec2 heading = step.crowd->characters->heading[step.i];
     double wanted = 0.0;
     if (mover.action.patch != 0 && !mover.action.timed)
         wanted = std::clamp(arcTangent2(cross(heading, mover.action.normal), dot(heading, mover.action.normal)), -kMost, kMost);

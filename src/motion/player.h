@@ -8,7 +8,6 @@
 #include "motion/clip_table.h"
 #include "motion/feature_base.h"
 #include "muster/motion/crowd_motion.h"
-#include "muster/world/world.h"
 
 namespace muster {
 
@@ -59,7 +58,7 @@ public:
     /// Everybody begins anew.
     void restart();
     /// After a step of the world.
-    void update(const World& world);
+    void update(const CrowdView& crowd);
     /// One per character.
     const std::vector<Mover>& movers() const { return movers_; }
 
@@ -73,7 +72,7 @@ private:
     };
     /// One step of one character.
     struct Step {
-        const World* world;
+        const CrowdView* crowd;
         std::size_t i;        ///< Index of the character.
         double dt;            ///< [s]
         float speed;          ///< Of travel [m/s].
@@ -104,7 +103,6 @@ private:
     std::vector<std::string> motionNames_;
     std::vector<Mover> movers_;
     std::vector<Mover> spare_;
-    std::vector<const PlaceTracker*> places_;  ///< By group.
     std::uint32_t turn_ = 0;  ///< Whose turn it is to search.
 };
 

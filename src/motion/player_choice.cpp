@@ -49,19 +49,20 @@ Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, fl
 }
 
 Bound Player::boundOf(const Step& step) const {
-    const Characters& characters = step.world->characters();
+    const Characters& characters = *step.crowd->characters;
     const std::size_t i = step.i;
     Bound bound;
-    bound.topSpeed = step.world->parameters().maxSpeed * step.world->environment().ground(characters.position[i]).travelSpeed;
+    bound.topSpeed = step.crowd->maxSpeed * step.crowd->environment->ground(characters.position[i]).travelSpeed;
     bound.cruise = characters.direction[i] * bound.topSpeed;
     const std::int32_t place = characters.place[i];
     const std::uint32_t group = characters.group[i];
-    if (place < 0 || group >= places_.size()) return bound;
+    const auto places = step.crowd->places;
+    if (place < 0 || group >= places.size()) return bound;
     const auto p = static_cast<std::size_t>(place);
-    if (p >= places_[group]->positions().size()) return bound;
-    bound.toPlace = places_[group]->positions()[p] - characters.position[i];
-    bound.placeVelocity = places_[group]->velocities()[p];
-    bound.arriving = length(bound.toPlace) < step.world->parameters().directReach;
+    if (p >= places[group].positions.size()) return bound;
+    bound.toPlace = places[group].positions[p] - characters.position[i];
+    bound.placeVelocity = places[group].velocities[p];
+    bound.arriving = length(bound.toPlace) < step.crowd->directReach;
     return bound;
 }
 
@@ -114,15 +115,15 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
 }
 
 void Player::startAction(Mover& mover, const Step& step) const {
-    const Characters& characters = step.world->characters();
+    const Characters& characters = *step.crowd->characters;
     const Motion& motion = motions_[static_cast<std::size_t>(characters.motion[step.i])];
     const std::uint32_t patch = characters.patch[step.i];
     if (motion.use != ClipUse::Action || patch == 0) return;
-    const PatchDef* def = step.world->environment().patch(PatchId{patch});
+    const PatchDef* def = step.crowd->environment->patch(PatchId{patch});
     const bool moves = def != nullptr && !def->path.still();
     const std::int32_t clip = moves ? motion.movingClip : motion.clip;
     if (clip < 0) return;
-    mover.action = crossing(step.world->environment(), patch, mover.position, characters.heading[step.i],
+    mover.action = crossing(*step.crowd->environment, patch, mover.position, characters.heading[step.i],
                             static_cast<double>(table_[static_cast<std::size_t>(clip)].length));
     mover.action.clip = clip;
 }
@@ -133,8 +134,8 @@ void Player::endAction(Mover& mover) {
 }
 
 bool Player::playAction(Mover& mover, const Step& step) {
-    const Characters& characters = step.world->characters();
-    const Environment& environment = step.world->environment();
+    const Characters& characters = *step.crowd->characters;
+    const Environment& environment = *step.crowd->environment;
     const bool locked = characters.phase[step.i] == MotionPhase::Locked;
     const std::uint32_t patch = characters.patch[step.i];
     ActionPath& action = mover.action;

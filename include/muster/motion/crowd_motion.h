@@ -30,6 +30,22 @@ struct CrowdMotionDef {
     bool allNear = true;  ///< Until setNear() is called everybody gets a whole pose, else nobody.
 };
 
+/// Places of one group, as the simulation moves them.
+struct PlacesView {
+    std::span<const Vec2> positions;   ///< [m]
+    std::span<const Vec2> velocities;  ///< [m/s]
+};
+
+/// What motion reads of a world.
+struct CrowdView {
+    const Characters* characters = nullptr;    ///< In ascending order of ids.
+    const Environment* environment = nullptr;
+    std::span<const PlacesView> places;        ///< By group; may be fewer.
+    double stepTime = 1.0 / 60.0;              ///< [s] > 0.
+    double maxSpeed = 2.0;                     ///< In the open [m/s].
+    double directReach = 1.5;                  ///< Nearer than this a place is aimed at itself [m].
+};
+
 /// The motion of all characters of a world. Not thread-safe.
 class CrowdMotion {
 public:
@@ -43,6 +59,8 @@ public:
     void restart();
     /// Call after every step of the world. Characters that are new or were put elsewhere begin anew.
     void update(const World& world);
+    /// The same for a crowd that is no World.
+    void update(const CrowdView& crowd);
 
     /// Who gets whole poses from the next update on: ids of characters, in any order; others are passed over. Empty:
     /// nobody.
