@@ -69,7 +69,7 @@ export class ClipBank {
     played.forEach((clip, i) => {
       const original = wanted[i]!;
       this.entries_.push({
-        first, poses: clip.poses, rate: clip.rate, cyclic: clip.cyclic, length: lengthOf(original), motion: original.motion,
+        first, poses: clip.poses, rate: clip.rate, cyclic: original.cyclic, length: lengthOf(original), motion: original.motion,
         replaced: clip !== original,
       });
       this.fill(clip, first);

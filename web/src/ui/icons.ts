@@ -28,6 +28,7 @@ const SHAPES = {
   close: '<path d="m5 5 10 10 M15 5 5 15"/>',
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',
+  character: '<circle cx="10" cy="5" r="2.7"/><path d="M4.5 17c.3-4.200 2-6.400 5.5-6.400s5.200 2.200 5.5 6.400"/>',
   check: '<path d="m4 10.5 4 4 8-9"/>',
   empty: '<path d="M10 1.5 12.7 5H7.3Z M10 18.5 7.3 15h5.4Z M1.5 10 5 7.3v5.4Z M18.5 10 15 12.7V7.3Z M10 5v10 M5 10h10"/>',
 } as const;

@@ -14,6 +14,9 @@ export interface StudioActions {
   toggleRecord(): void;
   downloadTake(): void;
   openTake(file: File): void;
+  /** A character from files in place of our people, and back. */
+  openCharacter(files: readonly File[]): void;
+  ourPeople(): void;
   loadScenario(name: string): void;
   /** Ends a replay: the scenario comes back. */
   leaveReplay(): void;

@@ -30,6 +30,7 @@ import { formatClock } from './formatters';
 import { FrameReader, sceneKey } from './frame_reader';
 import { LayoutWatcher } from './layout';
 import { HINT_KEY, StudioController } from './studio_controller';
+import { OwnPeople } from './own_people';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StudioStore, isLost } from './studio_state';
@@ -64,8 +65,10 @@ export class StudioApp {
     page: HTMLElement,
   ) {
     const say = (text: string): void => this.shell.live.say(text);
+    const people = new OwnPeople(view, this.store);
+    people.acceptDrops(window);
     const look = { fitCrowd: () => this.fit(), lookAt: (point: GroundPoint) => this.lookAt(point) };
-    this.controller = new StudioController(client, this.store, look, say);
+    this.controller = new StudioController(client, this.store, look, say, people);
     this.attention = new AttentionSender(client);
     this.drafts = new Drafts((drafts) => view.showDrafts(drafts), () => this.controls.unanswered, () => client.clientId);
     this.touches = new TouchSender(client, (time) => this.latency.touched(time));

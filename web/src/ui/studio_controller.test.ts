@@ -16,7 +16,7 @@ beforeEach(() => {
   store = new StudioStore();
   const client = { send: (message: ClientMessage) => sent.push(message), retry: () => undefined };
   const camera = { fitCrowd: () => undefined, lookAt: (point: { x: number; y: number }) => seen.push(point) };
-  controller = new StudioController(client, store, camera, (text) => said.push(text));
+  controller = new StudioController(client, store, camera, (text) => said.push(text), { open: () => Promise.resolve(), reset: () => undefined });
 });
 
 const group = { id: 7, name: 'North', colour: 0, count: 9, formation: 'square' };

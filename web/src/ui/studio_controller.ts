@@ -4,6 +4,7 @@ import { OverlayKind, TransportAction } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../engine/studio_client';
 import type { GroundPoint } from '../view/camera_types';
+import type { OwnPeople } from './own_people';
 import type { StudioActions } from './studio_actions';
 import type { LayerState, StudioStore } from './studio_state';
 import { downloadTake, openTake } from './takes';
@@ -36,6 +37,7 @@ export class StudioController implements StudioActions {
     private readonly store: StudioStore,
     private readonly camera: ControllerCamera,
     private readonly say: (text: string) => void,
+    private readonly people: Pick<OwnPeople, 'open' | 'reset'>,
   ) {}
 
   togglePlay(): void {
@@ -82,6 +84,15 @@ export class StudioController implements StudioActions {
 
   openTake(file: File): void {
     void openTake(file).then((text) => this.tell(text));
+  }
+
+  openCharacter(files: readonly File[]): void {
+    void this.people.open(files).then(() => this.say(this.store.state.notice?.text ?? ''));
+  }
+
+  ourPeople(): void {
+    this.people.reset();
+    this.say('Our people are back');
   }
 
   /** Loads what was there before the take; where that is unknown, the scenario that is called like it, or the first. */

@@ -46,7 +46,7 @@ export class StudioShell {
     this.formations = new FormationPanel(store, actions);
     this.transport = new TransportBar(store, actions);
     this.readout = new Readout(store);
-    const phone = new PhoneBar(store, actions, () => this.transport.chooseFile()).root;
+    const phone = new PhoneBar(store, actions, () => this.transport.chooseFile(), () => this.transport.chooseCharacter()).root;
     const sheet = element('div', { class: 'sheet' }, this.formations.root, element('hr'), this.transport.root);
     const hint = new HintBar(store, actions).root;
     const legend = new LegendPanel(store).root;

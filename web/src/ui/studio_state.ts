@@ -73,6 +73,8 @@ export interface StudioState {
   readonly swaps: number;
   /** Rises with each frame, for what draws histories. */
   readonly frames: number;
+  /** The file that everybody looks like; empty for our people. */
+  readonly ownCharacter: string;
   readonly notice: Notice | null;
   readonly hint: boolean;
   readonly help: boolean;
@@ -107,6 +109,7 @@ export const initialState: StudioState = {
   lag: 0,
   swaps: 0,
   frames: 0,
+  ownCharacter: '',
   notice: null,
   hint: false,
   help: false,

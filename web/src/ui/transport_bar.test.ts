@@ -9,10 +9,11 @@ let root: HTMLElement;
 const leaveReplay = vi.fn();
 const toggleRecord = vi.fn();
 const toggleDemonstration = vi.fn();
+const ourPeople = vi.fn();
 
 beforeEach(() => {
   store = new StudioStore();
-  root = new TransportBar(store, { leaveReplay, toggleRecord, toggleDemonstration } as unknown as StudioActions).root;
+  root = new TransportBar(store, { leaveReplay, toggleRecord, toggleDemonstration, ourPeople } as unknown as StudioActions).root;
   document.body.replaceChildren(root);
 });
 
@@ -43,4 +44,18 @@ it('offers to watch only where there is something, and shows that it runs', () =
   expect(watch.getAttribute('data-tip')).toContain('back to the start');
   store.set({ demonstration: false, demonstrating: false });
   expect([watch.hidden, watch.getAttribute('aria-pressed')]).toEqual([true, 'false']);
+});
+
+it('offers a character of one’s own, and our people back while there is one', () => {
+  const items = [...root.querySelectorAll<HTMLButtonElement>('.take-list button')];
+  const named = (text: string): HTMLButtonElement => items.find((item) => item.textContent === text)!;
+  expect(named('Our people').hidden).toBe(true);
+  const input = root.querySelector<HTMLInputElement>('input[multiple]')!;
+  const click = vi.spyOn(input, 'click').mockImplementation(() => undefined);
+  named('Own character…').click();
+  expect(click).toHaveBeenCalledTimes(1);
+  store.set({ ownCharacter: 'robot.glb' });
+  expect(named('Our people').hidden).toBe(false);
+  named('Our people').click();
+  expect(ourPeople).toHaveBeenCalledTimes(1);
 });

@@ -3,7 +3,8 @@
 
 import { element, setAttribute, setPressed, setText } from './dom';
 import { formatClock, formatSpeed } from './formatters';
-import { icon, recordDot } from './icons';
+import { icon, recordDot, type IconName } from './icons';
+import { kCharacterFiles } from './own_people';
 import { Popup } from './popup';
 import type { StudioActions } from './studio_actions';
 import type { StudioState, StudioStore } from './studio_state';
@@ -21,6 +22,7 @@ export class TransportBar {
   private readonly takes: HTMLButtonElement;
   private readonly replay = element('span', { class: 'replay' });
   private readonly takeList = element('div', { class: 'take-list panel', role: 'group', 'aria-label': 'Takes' });
+  private readonly characters = element('input', { type: 'file', accept: kCharacterFiles, multiple: true, hidden: true, 'aria-label': 'Open a character', tabindex: -1 });
   private readonly file = element('input', { type: 'file', accept: '.take', hidden: true, 'aria-label': 'Open a take', tabindex: -1 });
   readonly root = element('div', { class: 'transport panel', role: 'toolbar', 'aria-label': 'Time and takes' });
 
@@ -33,20 +35,20 @@ export class TransportBar {
     this.watch = toolButton({ icon: 'watch', label: 'Watch', key: 'W', className: 'watch', pressed: false, act: () => actions.toggleDemonstration() });
     this.record = element('button', { type: 'button', class: 'record', 'aria-pressed': 'false', 'data-tip': 'Record a take', 'data-key': 'R' }, recordDot(), this.recordLabel);
     this.record.addEventListener('click', () => actions.toggleRecord());
-    this.takes = toolButton({ icon: 'takes', label: 'Takes', iconOnly: true, className: 'takes', tip: 'Download or open a take' });
-    this.fillTakes();
+    this.takes = toolButton({ icon: 'takes', label: 'Takes', iconOnly: true, className: 'takes', tip: 'Takes, and whom the crowd looks like' });
+    this.fillTakes(store);
     const leave = toolButton({ icon: 'leave', label: 'Leave', className: 'leave soft', tip: 'Leave the replay: load the scenario', act: () => actions.leaveReplay() });
     this.replay.append(element('strong', { class: 'replay-label' }, 'Replay'), leave);
     const divider = element('span', { class: 'divider' });
     const takes = element('span', { class: 'takes-holder' }, this.takes, this.takeList);
-    this.root.append(this.restart, this.play, this.step, this.speed, divider, this.watch, this.record, takes, this.replay, this.file);
+    this.root.append(this.restart, this.play, this.step, this.speed, divider, this.watch, this.record, takes, this.replay, this.file, this.characters);
     store.watch(['playing', 'speed', 'recorded', 'replaying', 'demonstration', 'demonstrating', 'link'], (state) => this.show(state));
     new ToolbarFocus(this.root, store);
   }
 
-  private fillTakes(): void {
+  private fillTakes(store: StudioStore): void {
     const popup = new Popup(this.takes, this.takeList);
-    const item = (name: 'download' | 'open', label: string, act: () => void): HTMLButtonElement => {
+    const item = (name: IconName, label: string, act: () => void): HTMLButtonElement => {
       const button = element('button', { type: 'button', class: 'menu-item' }, icon(name), label);
       button.addEventListener('click', () => {
         popup.close(true);
@@ -54,20 +56,33 @@ export class TransportBar {
       });
       return button;
     };
+    const ours = item('places', 'Our people', () => this.actions.ourPeople());
     this.takeList.append(
       item('download', 'Download take', () => this.actions.downloadTake()),
       item('open', 'Open take…', () => this.chooseFile()),
+      item('character', 'Own character…', () => this.chooseCharacter()),
+      ours,
     );
+    store.watch(['ownCharacter'], ({ ownCharacter }) => (ours.hidden = ownCharacter === ''));
     this.file.addEventListener('change', () => {
       const chosen = this.file.files?.[0];
       if (chosen) this.actions.openTake(chosen);
       this.file.value = '';
+    });
+    this.characters.addEventListener('change', () => {
+      this.actions.openCharacter([...(this.characters.files ?? [])]);
+      this.characters.value = '';
     });
   }
 
   /** Lets the visitor choose a take to open. */
   chooseFile(): void {
     this.file.click();
+  }
+
+  /** Lets the visitor choose the files of a character. */
+  chooseCharacter(): void {
+    this.characters.click();
   }
 
   private show(state: StudioState): void {

@@ -1,0 +1,72 @@
+// A visitor's own character in place of our people: from a chosen or dropped file.
+
+import { NoticeLevel, type Notice } from '../protocol/messages';
+import { problem } from '../protocol/problem';
+import type { OwnCharacter } from '../people/own_character';
+import type { StudioScene } from '../view/studio_scene';
+import type { StudioStore } from './studio_state';
+
+/** Reads files; throws with a sentence for the visitor. */
+export type CharacterReader = (files: readonly File[]) => Promise<OwnCharacter>;
+
+/** More triangles than this make a crowd slow. */
+const kManyTriangles = 15000;
+
+/** Files that may belong to a character. */
+export const kCharacterFiles = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp';
+
+async function readLazily(files: readonly File[]): Promise<OwnCharacter> {
+  const { readCharacter } = await import('../people/own_character');
+  return readCharacter(files);
+}
+
+function told(code: string, level: NoticeLevel, text: string): Notice {
+  return { ...problem(code, text), level };
+}
+
+/** What is said when it has come. */
+export function welcomeText({ body, clips, triangles }: OwnCharacter): string {
+  const own = clips.length > 0 ? `, with ${clips.map((clip) => clip.name).join(', ')} of its own` : '';
+  const slow = triangles > kManyTriangles ? `; with ${Math.round(triangles).toLocaleString('en')} triangles a large crowd of it will be slow` : '';
+  return `Everybody is ${body.name} now${own}${slow}.`;
+}
+
+export class OwnPeople {
+  constructor(
+    private readonly view: Pick<StudioScene, 'setOwnBody'>,
+    private readonly store: StudioStore,
+    private readonly read: CharacterReader = readLazily,
+  ) {}
+
+  /** Reads files and dresses everybody; says why where it cannot. */
+  async open(files: readonly File[]): Promise<void> {
+    if (files.length === 0) return;
+    try {
+      const character = await this.read(files);
+      this.view.setOwnBody(character.body, character.clips);
+      const level = character.triangles > kManyTriangles ? NoticeLevel.Warning : NoticeLevel.Info;
+      this.store.set({ ownCharacter: character.body.name, notice: told('character', level, welcomeText(character)) });
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : String(error);
+      this.store.set({ notice: problem('character', `${reason.replace(/\.$/, '')}.`) });
+    }
+  }
+
+  reset(): void {
+    this.view.setOwnBody(null);
+    this.store.set({ ownCharacter: '' });
+  }
+
+  /** Files dropped anywhere on the page. */
+  acceptDrops(page: Window): void {
+    page.addEventListener('dragover', (event) => {
+      if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+    });
+    page.addEventListener('drop', (event) => {
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length === 0) return;
+      event.preventDefault();
+      void this.open(files);
+    });
+  }
+}

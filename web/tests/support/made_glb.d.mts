@@ -1,0 +1,5 @@
+export function madeCharacter(options?: {
+  rename?: (name: string) => string | null;
+  unit?: number;
+  clip?: string;
+}): Buffer;
