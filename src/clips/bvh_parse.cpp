@@ -127,14 +127,13 @@ private:
 
     /// "Frames: N" and "Frame Time: T".
     Status head() {
-        std::string word = lowered(scanner_.word());
-        if (word != "frames:" && word != "frames") return scanner_.unexpected("\"Frames:\"");
+        if (!sameWord(scanner_.keyword(), "frames")) return scanner_.unexpected("\"Frames:\"");
         scanner_.skipColons();
         if (!scanner_.count(motion_.frames) || motion_.frames == 0)
             return scanner_.unexpected("a number of frames > 0");
-        word = lowered(scanner_.word());
-        if (word == "frame") word += lowered(scanner_.word());
-        if (word != "frametime:" && word != "frametime") return scanner_.unexpected("\"Frame Time:\"");
+        std::string word = lowered(scanner_.keyword());
+        if (word == "frame") word += lowered(scanner_.keyword());
+        if (word != "frametime") return scanner_.unexpected("\"Frame Time:\"");
         scanner_.skipColons();
         double seconds = 0.0;
         if (!scanner_.number(seconds) || !(seconds >= 1e-5 && seconds <= 100.0))

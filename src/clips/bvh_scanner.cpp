@@ -1,5 +1,6 @@
 #include "clips/bvh_scanner.h"
 
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 
@@ -106,14 +107,14 @@ std::string_view BvhScanner::word() {
     return last_;
 }
 
-std::string_view BvhScanner::peek() {
-    const std::size_t at = at_, line = line_, wordLine = wordLine_;
-    const std::string_view last = last_, next = word();
-    at_ = at;
-    line_ = line;
-    wordLine_ = wordLine;
-    last_ = last;
-    return next;
+std::string_view BvhScanner::keyword() {
+    skipSpace();
+    wordLine_ = line_;
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_]))) ++at_;
+    if (at_ == begin) return word();
+    last_ = text_.substr(begin, at_ - begin);
+    return last_;
 }
 
 std::string_view BvhScanner::restOfLine() {

@@ -17,8 +17,8 @@ public:
 
     /// The next word, "{" or "}"; empty at the end.
     std::string_view word();
-    /// The same without going on.
-    std::string_view peek();
+    /// The next word as far as it consists of letters: "Frames" of "Frames:3".
+    std::string_view keyword();
     /// What is left of the line, or up to a brace, without white space at its ends; colons at its front are
     /// skipped.
     std::string_view restOfLine();

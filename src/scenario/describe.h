@@ -133,17 +133,6 @@ void describeGroup(Visitor& v, GroupDef& group) {
 }
 
 template <class Visitor>
-void describeClip(Visitor& v, ClipFacts& clip) {
-    v.text("name", clip.name, "What patches call it.", Need::Required);
-    v.text("file", clip.file, "The clip's file.");
-    v.number("speed", clip.speed, {0.01, 100.0}, "Travel speed relative to running.");
-    v.number("length", clip.length, {0.0, 1e4, "m"}, "Ground covered by one play; 0 where unknown.");
-    v.number("duration", clip.duration, {0.0, 1e4, "s"}, "Of one play.");
-    v.flag("cyclic", clip.cyclic, "False for motions that happen once per patch, such as a jump.");
-    v.number("transitionTime", clip.transitionTime, {0.0, 100.0, "s"}, "Played on entering and leaving; 0 for none.");
-}
-
-template <class Visitor>
 void describeCheckpoint(Visitor& v, FormationCheckpointDef& checkpoint, std::size_t groups) {
     v.point("position", checkpoint.position, "Where it lies.", Need::Required);
     v.number("radius", checkpoint.radius, {0.01, 1e4, "m"}, "Works where a mesh centre comes within it.");

@@ -1,5 +1,6 @@
 #include "muster/scenario/scenario.h"
 
+#include "scenario/clip_field.h"
 #include "scenario/describe.h"
 #include "scenario/gestures_field.h"
 #include "scenario/map_field.h"
@@ -62,7 +63,11 @@ void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
     v.number("cell", def.cell, {0.01, 100.0, "m"}, "Edge of a ground cell.");
     v.whole("seed", def.seed, {0.0, kLargestSeed}, "Of all random numbers.");
     v.list("clips", def.clips, 1000, "Facts of motion clips; left out: run, walk, duck, crawl, swim, jump, climb, idle.",
-           [](auto& item, ClipFacts& clip) { describeClip(item, clip); });
+           [&](auto& item, ClipFacts& clip) {
+               // The first is running: all speeds are relative to it.
+               const bool running = def.clips.empty() || &clip == &def.clips.front();
+               describeClip(item, clip, folder, running ? 0.0 : runSpeed(def.clips));
+           });
     const auto motions = clipNames(def.clips);
     v.list("obstacles", def.obstacles, kMaxObstacles, "What nobody can walk through.",
            [](auto& item, ObstacleDef& obstacle) { describeObstacle(item, obstacle); });
