@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { SceneObstacle } from '../protocol/scene';
 import { GeometryBuilder } from './geometry_builder';
-import { addCar, addObstacle, boxOf, kCutHeight, lookOfObstacle, makeTreeGeometry } from './obstacle_geometry';
+import { addCar, addObstacle, boxOf, kCutHeight, lookOfObstacle, makeCrownGeometry, makeTrunkGeometry } from './obstacle_geometry';
 import { paletteOf } from './palette';
 import { outerEdges } from './outer_edges';
 
@@ -84,8 +84,9 @@ describe('obstacles', () => {
   });
 
   it('a tree stays small in triangles', () => {
-    const geometry = makeTreeGeometry(paletteOf('dark'));
-    const triangles = (geometry.attributes['position']?.count ?? 0) / 3;
+    const palette = paletteOf('dark');
+    const triangles = [makeCrownGeometry(palette), makeTrunkGeometry(palette)]
+      .reduce((sum, geometry) => sum + geometry.attributes['position']!.count / 3, 0);
     expect(triangles).toBeGreaterThan(60);
     expect(triangles).toBeLessThan(400);
   });

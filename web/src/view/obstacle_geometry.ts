@@ -84,10 +84,19 @@ function addFountain(builder: GeometryBuilder, obstacle: SceneObstacle, palette:
   return [...rimOf(outer, 0.55), ...rimOf(inner, 0.55)];
 }
 
-/** A tree of 1 m trunk radius scale: trunk and a crown of facets, for a disc of radius 0.3 m. */
-export function makeTreeGeometry(palette: Palette): BufferGeometry {
+/** The trunk of a tree, for a disc of radius 0.3 m. */
+export function makeTrunkGeometry(palette: Palette): BufferGeometry {
   const builder = new GeometryBuilder();
-  builder.frustum(0, 0, 0, 2.1, 0.2, 0.13, 7, palette.trunk, palette.trunk);
+  builder.frustum(0, 0, 0, 2.3, 0.2, 0.11, 7, palette.trunk, palette.trunk);
+  for (const [x, y, z] of [[0.5, 0.35, 2.5], [-0.55, -0.2, 2.55], [0.1, -0.5, 2.7]] as const) {
+    builder.limb([0, 0, 1.7], [x, y, z], 0.05, palette.trunk);
+  }
+  return builder.build();
+}
+
+/** Its crown of facets. */
+export function makeCrownGeometry(palette: Palette): BufferGeometry {
+  const builder = new GeometryBuilder();
   addBlob(builder, [0, 0, 2.95], { radius: 1.25, height: 1.05, colour: palette.crown, seed: 3 });
   addBlob(builder, [0.55, 0.4, 2.55], { radius: 0.75, height: 0.6, colour: palette.crown, seed: 11 });
   addBlob(builder, [-0.6, -0.25, 2.6], { radius: 0.7, height: 0.6, colour: palette.crown, seed: 29 });

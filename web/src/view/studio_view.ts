@@ -335,6 +335,7 @@ export class StudioView implements StudioScene {
     if (this.membersStale_) this.dress(colours, greyed);
     this.groups_.showMeshes(this.stage_.meshes, this.layers_.mesh, accents);
     this.groups_.showPlaces(this.stage_.rings, this.layers_.places, accents, now);
+    if (this.stage_.world.reveal(this.crowd_, this.camera)) this.wake();
     this.stage_.crowd.update(this.crowd_, blend, this.camera);
     this.stage_.render(this.camera, this.stats);
     const view = this.tagScene(now);

@@ -19,10 +19,10 @@ it('gives back the buffers of trees and items when the world is built anew', () 
   layer.group.traverse((object) => {
     if (object instanceof InstancedMesh) instanced.push(object);
   });
-  expect(instanced).toHaveLength(2);
+  expect(instanced).toHaveLength(3);
   let disposed = 0;
   for (const mesh of instanced) mesh.addEventListener('dispose', () => (disposed += 1));
   layer.build(scene, paletteOf('dark'));
-  expect(disposed).toBe(2);
+  expect(disposed).toBe(3);
   layer.dispose();
 });

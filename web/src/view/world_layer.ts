@@ -1,19 +1,20 @@
 // All that stands in the world apart from people: obstacles, patches, items, checkpoints.
 
-import { BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, type Material, Quaternion, ShaderMaterial, Vector3 } from 'three';
+import { BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, type MeshLambertMaterial, type Material, type ShaderMaterial } from 'three';
 import type { Point2, SceneFacts, SceneObstacle, ScenePatch } from '../protocol/scene';
-import { lookOf } from '../people/look';
 import { mix, mixAngle } from './blend';
+import type { CameraController } from './camera_controller';
 import { FatLines } from './fat_lines';
 import type { MovingView } from './frame_types';
 import { centroid, circlePoints, GeometryBuilder } from './geometry_builder';
-import { addCar, addObstacle, type EdgeLine, lookOfObstacle, makeTreeGeometry, outlineOf } from './obstacle_geometry';
+import { addCar, addObstacle, type EdgeLine, lookOfObstacle, outlineOf } from './obstacle_geometry';
 import { outerEdges } from './outer_edges';
 import { kOpeningOrder, openingMaterial } from './openings';
 import { addPatch } from './patch_geometry';
 import { emptyParts, type PatchParts, type TintedLine } from './patches/patch_parts';
 import type { Palette } from './palette';
 import { bodyMaterial, floorMaterial, seeThroughMaterial, type ShadeUniforms } from './shade';
+import { type Standing, Trees } from './trees';
 
 /** A thing that moves: its parts hang on a group that turns about `centre`. */
 interface MovingThing {
@@ -34,6 +35,7 @@ export class WorldLayer {
   private readonly water_: MeshLambertMaterial;
   private readonly leaves_: MeshLambertMaterial;
   private readonly moving_ = new Map<string, MovingThing>();
+  private readonly trees_ = new Trees();
   private lines_: FatLines[] = [];
   private items_: InstancedMesh | null = null;
   private itemCount_ = 0;
@@ -54,7 +56,8 @@ export class WorldLayer {
     this.clear();
     this.scene_ = scene;
     this.buildStillObstacles(scene, palette);
-    this.buildTrees(scene, palette);
+    this.trees_.build(scene.obstacles.filter((one) => !one.moving && lookOfObstacle(one) === 'tree'), palette, this.body_);
+    this.group.add(this.trees_.group);
     for (const obstacle of scene.obstacles) if (obstacle.moving) this.buildMovingObstacle(obstacle, palette);
     this.buildStillPatches(scene, palette);
     for (const patch of scene.patches) if (patch.moving) this.buildMovingPatch(patch, scene, palette);
@@ -89,6 +92,11 @@ export class WorldLayer {
     });
   }
 
+  /** Lets people be seen through crowns; true while these change. */
+  reveal(people: Standing, camera: CameraController): boolean {
+    return this.trees_.reveal(people, camera);
+  }
+
   /** Hides items that are gone; `collected` holds 1 per item gone. */
   setCollected(collected: ArrayLike<number>): void {
     const mesh = this.items_;
@@ -110,10 +118,12 @@ export class WorldLayer {
 
   dispose(): void {
     this.clear();
+    this.trees_.dispose();
     for (const material of [this.hatched_, this.body_, this.floor_, this.opening_, this.water_, this.leaves_]) material.dispose();
   }
 
   private clear(): void {
+    this.trees_.clear();
     this.group.traverse((object) => {
       if (object instanceof Mesh) (object as Mesh<BufferGeometry>).geometry.dispose();
       // Trees and items keep their places in buffers of their own.
@@ -160,25 +170,6 @@ export class WorldLayer {
     this.addMesh(this.group, builder, this.hatched_, 0, true);
     const lines = outerEdges(edges).map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 }));
     this.addLines(this.group, lines, 1, 0);
-  }
-
-  private buildTrees(scene: SceneFacts, palette: Palette): void {
-    const trees = scene.obstacles.filter((obstacle) => !obstacle.moving && lookOfObstacle(obstacle) === 'tree');
-    if (trees.length === 0) return;
-    const mesh = new InstancedMesh(makeTreeGeometry(palette), this.body_, trees.length);
-    const up = new Vector3(0, 0, 1);
-    trees.forEach((tree, i) => {
-      const look = lookOf(tree.id + 77);
-      const radius = tree.radius ?? 0.3;
-      const wide = Math.min(1.6, Math.max(0.75, 0.6 + radius)) * (0.9 + 0.25 * look.size);
-      const turn = new Quaternion().setFromAxisAngle(up, look.size * 6.28);
-      const [x, y] = tree.centre ?? [0, 0];
-      mesh.setMatrixAt(i, new Matrix4().compose(new Vector3(x, y, 0), turn, new Vector3(wide, wide, 0.95 * wide)));
-    });
-    mesh.castShadow = true;
-    mesh.receiveShadow = true;
-    mesh.frustumCulled = false;
-    this.group.add(mesh);
   }
 
   private thing(kind: number, id: number, centre: Point2): Group {
