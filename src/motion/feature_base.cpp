@@ -15,11 +15,12 @@ struct Group {
     std::size_t count;
     float weight;
 };
-constexpr std::array<Group, 7> kGroups{{{0, 2, 0.9f}, {2, 2, 1.0f}, {4, 2, 0.9f},  // Trajectory, by horizon.
-                                        {6, 6, 1.3f},                              // Facing.
-                                        {12, 6, 0.75f},                            // Feet.
-                                        {18, 6, 0.75f},                            // Velocity of feet.
-                                        {24, 3, 0.75f}}};                          // Velocity of hips.
+constexpr std::array<Group, 8> kGroups{{{0, 2, 1.5f}, {2, 2, 1.5f}, {4, 2, 1.5f},  // Trajectory, by horizon.
+                                        {6, 6, 1.5f},                              // Facing.
+                                        {12, 6, 1.0f},                             // Feet.
+                                        {18, 6, 1.0f},                             // Velocity of feet.
+                                        {24, 3, 0.75f},                            // Velocity of hips.
+                                        {27, 2, 0.75f}}};                          // Feet that touch.
 
 // Travel of a clip that ends goes on as it ended.
 Travel travelBeyond(const Clip& clip, double time) {
@@ -76,6 +77,8 @@ Features featuresAt(const Clip& clip, double time) {
     put(row, 18, (next.left - here.left) * kPerStep);
     put(row, 21, (next.right - here.right) * kPerStep);
     put(row, 24, (next.hips - here.hips) * kPerStep);
+    row[27] = clip.touches(Limb::LeftFoot, time) ? 1.0f : 0.0f;
+    row[28] = clip.touches(Limb::RightFoot, time) ? 1.0f : 0.0f;
     return row;
 }
 

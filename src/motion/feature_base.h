@@ -11,8 +11,8 @@
 namespace muster {
 
 inline constexpr std::size_t kTrajectoryCount = 12;  ///< Numbers of a trajectory.
-inline constexpr std::size_t kPoseCount = 15;        ///< Feet's places and velocities, velocity of the hips.
-inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;  ///< 27.
+inline constexpr std::size_t kPoseCount = 17;        ///< Feet's places and velocities, velocity of the hips, feet that touch.
+inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;  ///< 29.
 inline constexpr std::array<float, 3> kHorizons{1.0f / 3.0f, 2.0f / 3.0f, 1.0f};  ///< Looked ahead [s].
 
 /// Where one will be at each horizon (x, y) [m], then which way one will face (x, y), in the own frame now.

@@ -10,10 +10,19 @@ constexpr float kLetGoBoth = 0.25f;     // ... even while the other foot steps [
 constexpr double kTwisted = 0.82533561; // A standing foot turned away by more is let go (cosine of 0.6 rad).
 constexpr float kReleaseTime = 0.12f;   // Difference fades after a contact [s].
 constexpr float kTakeTime = 0.08f;      // Height and turn of a foot that touches down fade in [s].
+constexpr float kShortest = 0.08f;      // Rest of a contact for which nothing is taken any more [s].
+constexpr float kTouchHeight = 0.05f;   // A limb is taken no higher above its contact [m].
 constexpr float kStepTime = 0.26f;      // Of a step aside [s].
 constexpr float kStepHeight = 0.05f;    // Lift of a step aside [m].
 
 float smooth(float t) { return t * t * (3.0f - 2.0f * t); }
+
+// The turn from one direction to another; `otherwise` where either is too steep to point anywhere.
+Rotation between(Vec2 from, Vec2 to, const Rotation& otherwise) {
+    const double lengths = std::sqrt(lengthSquared(from) * lengthSquared(to));
+    if (lengths < 0.1) return otherwise;
+    return {dot(from, to) / lengths, cross(from, to) / lengths};
+}
 
 /// A place in the world.
 struct Spot {
@@ -37,9 +46,9 @@ public:
         if (limb_.left == 0.0f) limb_.steps = false;
         if (limb_.held && contact_ == nullptr) letGo(kReleaseTime, false);
         // Another clip holds the same foot otherwise: it stays where it is and turns over.
-        if (limb_.held && mover_.switched) differ({limb_.place, limb_.placeHeight, limb_.rotation}, heldSpot(), kReleaseTime);
+        if (limb_.held && mover_.switched) hold({limb_.place, limb_.placeHeight, limb_.rotation});
         if (limb_.held && strained()) letGo(kStepTime, true);
-        if (!limb_.held && contact_ != nullptr && !limb_.steps) take();
+        if (!limb_.held && contact_ != nullptr && !limb_.steps && lasts() && low()) take();
         const bool plain = !limb_.held && limb_.left == 0.0f;
         const Spot spot = plain ? free_ : softened(limb_.held ? heldSpot() : free_);
         limb_.place = spot.place;
@@ -82,19 +91,54 @@ private:
         differ({limb_.place, limb_.placeHeight, limb_.rotation}, free_, time);
     }
 
+    // From now on the limb is held. The point of it that touches stays where it is, and which way it points.
+    void hold(const Spot& now) {
+        const Vec3 tip{1.0f, 0.0f, 0.0f};
+        const Vec3 points = rotate(now.rotation, tip), pointed = rotate(held_.rotation, tip);
+        limb_.frame = between({static_cast<double>(pointed.x), static_cast<double>(pointed.y)},
+                              {static_cast<double>(points.x), static_cast<double>(points.y)}, limb_.frame);
+        limb_.height = contact_->height * (contact_->height > kFixedHeight ? 1.0f : frame_.size);
+        const Vec3 touching = touchingPoint(held_.rotation);
+        limb_.anchor = {};
+        const Spot there = heldSpot();
+        limb_.anchor = under(now, touching) - under(there, touching);
+        limb_.held = true;
+        differ(now, heldSpot(), kTakeTime);
+    }
+
     void take() {
-        const Spot now = softened(free_);
         const double turn = static_cast<double>(held_.turn);
         limb_.frame = frame_.facing;
         if (turn != 0.0) {
             const double c = cosine(turn), s = sine(turn);
             limb_.frame = {frame_.facing.c * c + frame_.facing.s * s, frame_.facing.s * c - frame_.facing.c * s};
         }
-        limb_.height = contact_->height * (contact_->height > kFixedHeight ? 1.0f : frame_.size);
-        limb_.anchor = {};
-        limb_.anchor = now.place - heldSpot().place;
-        limb_.held = true;
-        differ(now, heldSpot(), kTakeTime);
+        hold(softened(free_));
+    }
+
+    // Heel or ball of a foot, whichever is lower; of a hand the wrist.
+    Vec3 touchingPoint(Quat rotation) const {
+        if (number_ >= 2) return {};
+        const Vec3 heel{-0.05f, 0.0f, -0.08f}, ball{0.13f, 0.0f, -0.08f};
+        return rotate(rotation, heel).z < rotate(rotation, ball).z - 0.002f ? heel : ball;
+    }
+
+    Vec2 under(const Spot& spot, Vec3 point) const {
+        const Vec3 p = rotate(spot.rotation, point) * frame_.size;
+        return spot.place + Vec2{static_cast<double>(p.x), static_cast<double>(p.y)};
+    }
+
+    // A contact that is nearly over is not worth taking.
+    bool lasts() const {
+        float time = mover_.time;
+        if (time < contact_->begin) time += table_[mover_.clip].duration;
+        return contact_->end - time > kShortest;
+    }
+
+    // Nor is a limb taken before it has come down.
+    bool low() const {
+        const float height = contact_->height + held_.roll.z;
+        return std::fabs(softened(free_).height - height) < kTouchHeight;
     }
 
     bool strained() const {

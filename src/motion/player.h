@@ -90,6 +90,7 @@ private:
     void playCycle(Mover& mover, const Step& step, std::int32_t clip) const;
     void playLocomotion(Mover& mover, const Step& step) const;
     Bound boundOf(const Step& step) const;
+    float costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int32_t row) const;
     void searchLocomotion(Mover& mover, const Step& step, bool must) const;
     void advance(Mover& mover, double dt) const;
     void turnToCrossing(Mover& mover, const Step& step) const;

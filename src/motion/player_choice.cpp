@@ -8,7 +8,7 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kSearchPeriod = 6;  // Steps between searches.
-constexpr float kClearlyBetter = 0.6f;      // A frame must be nearer by so much to be taken [squared spreads].
+constexpr float kClearlyBetter = 1.5f;      // A frame must be nearer by so much to be taken [squared spreads].
 constexpr float kGoingSpeed = 0.25f;        // Faster than this nobody stands [m/s].
 constexpr float kGoingReach = 0.3f;         // ... nor who will be so far away in a second [m].
 constexpr float kStandingSpeed = 0.1f;      // Slower than this one stands, if one stays [m/s].
@@ -82,6 +82,17 @@ void Player::playLocomotion(Mover& mover, const Step& step) const {
     advance(mover, step.dt);
 }
 
+// What plays now can be played faster or slower to suit: only what that does not mend speaks for a change.
+float Player::costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int32_t row) const {
+    const ClipEntry& entry = table_[mover.clip];
+    if (!entry.standing && entry.speed > 0.0f) {
+        const auto speed = static_cast<float>(length(mover.velocity)) / mover.size;
+        const float slower = 1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)), 0.75f, 1.25f);
+        for (std::size_t f = 0; f < 6; ++f) trajectory[f] *= slower;
+    }
+    return features_.cost(features_.query(trajectory, row), row);
+}
+
 void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
     const ClipEntry& now = table_[mover.clip];
     if (!must && mover.fade > 0.0f) return;
@@ -103,7 +114,7 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
     if (now.standing)
         for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f) sought[f] += 0.35f * unevenness(mover.id, f);
     const bool unfit = filter != ClipFilter::Any && now.standing != (filter == ClipFilter::Standing);
-    const float cost = must || unfit ? kInfinite : features_.cost(sought, row);
+    const float cost = must || unfit ? kInfinite : costOfGoingOn(mover, trajectory, row);
     if (cost <= kClearlyBetter) return;
     Match match = features_.search(sought, filter, cost - kClearlyBetter);
     if (match.row < 0 && must) match = features_.search(sought, ClipFilter::Any, kInfinite);

@@ -1,0 +1,47 @@
+// After warm-up a step of motion allocates nothing.
+#include <doctest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "motion/parade.h"
+#include "motion/swinging_clips.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* p = std::malloc(size > 0 ? size : 1)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+using namespace muster;
+using namespace muster::testing;
+
+TEST_CASE("a warm step of motion allocates nothing, nor does a change of who is near") {
+    const ClipLibrary clips = swingingClips();
+    Parade parade(200);
+    CrowdMotion motion(clips);
+    std::vector<std::uint32_t> some, others;
+    for (std::uint32_t id = 1; id <= 50; ++id) {
+        some.push_back(id);
+        others.push_back(3 * id);
+    }
+    const auto steps = [&](int count) {
+        for (int k = 0; k < count; ++k) {
+            parade.step();
+            motion.update(parade.view());
+            if (k % 20 == 10) motion.setNear(k % 40 == 10 ? some : others);
+        }
+    };
+    steps(120);
+    const long before = allocations;
+    CHECK(before > 0);
+    steps(300);
+    CHECK(allocations == before);
+}
