@@ -3,6 +3,7 @@
 #include "generator/crawl.h"
 #include "generator/gait.h"
 #include "generator/idle.h"
+#include "generator/jump.h"
 #include "generator/passages.h"
 #include "generator/swim.h"
 
@@ -32,6 +33,7 @@ ClipLibrary makeAll() {
     addPassages(library.clips);
     library.clips.push_back(crawlClip());
     library.clips.push_back(swimClip());
+    addJumps(library.clips);
     return library;
 }
 

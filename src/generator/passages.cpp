@@ -40,7 +40,9 @@ Step arriving(std::size_t side, double begin, const Place& place, double strike)
 Passage startOf(const char* name, const Gait& gait, int frames, double landing, double leave, double fullSpeed) {
     const GaitTrack track(gait, landing);
     const double end = frames / kFrameRate;
-    Passage passage{.name = name, .frames = frames};
+    Passage passage;
+    passage.name = name;
+    passage.frames = frames;
     passage.course.travel = straight(changingSpeed(0.0, gait.speed, 0.08, fullSpeed));
     passage.course.body = [=](double time) {
         Body body = blend(idleBody(time), track.body(time), rise(0.05, landing + 0.25, time));
@@ -62,7 +64,9 @@ Passage startOf(const char* name, const Gait& gait, int frames, double landing, 
 /// From a gait to standing: the right foot lands at half a cycle and stays, the left joins it at `landing`.
 Passage stopOf(const char* name, const Gait& gait, int frames, double leave, double landing, double still) {
     const GaitTrack track(gait);
-    Passage passage{.name = name, .frames = frames};
+    Passage passage;
+    passage.name = name;
+    passage.frames = frames;
     passage.course.travel = straight(changingSpeed(gait.speed, 0.0, 0.0, still));
     const double end = frames / kFrameRate;
     passage.course.body = [=](double time) {
@@ -88,7 +92,9 @@ Passage stopOf(const char* name, const Gait& gait, int frames, double leave, dou
 Passage turnOf(const char* name, double sign) {
     constexpr int kFrames = 60;
     constexpr double kEnd = kFrames / kFrameRate;
-    Passage passage{.name = name, .frames = kFrames};
+    Passage passage;
+    passage.name = name;
+    passage.frames = kFrames;
     passage.course.travel = [sign](double time) { return Place{0.0, 0.0, 0.5 * kPi * sign * rise(0.05, 0.95, time)}; };
     passage.course.body = [sign](double time) {
         Body body = idleBody(time, kEnd);
@@ -119,7 +125,10 @@ Passage changeOf(const Change& change, int frames) {
     const double end = frames / kFrameRate;
     const GaitTrack from(change.from, -change.phase * change.from.cycle);
     const GaitTrack to(change.to, change.landing - 0.5 * change.to.cycle);
-    Passage passage{.name = change.name, .motion = "duck", .frames = frames};
+    Passage passage;
+    passage.name = change.name;
+    passage.motion = "duck";
+    passage.frames = frames;
     passage.course.travel = straight(changingSpeed(change.from.speed, change.to.speed, 0.0, end));
     passage.course.body = [=](double time) { return blend(from.body(time), to.body(time), rise(0.0, end, time)); };
     const Place origin = from.travel(0.0);

@@ -1,0 +1,134 @@
+#include "generator/jump.h"
+
+#include "generator/passages.h"
+
+namespace muster::generator {
+namespace {
+
+constexpr int kFrames = 61;
+constexpr double kEnd = kFrames / kFrameRate;  // [s]
+constexpr double kSpeed = 2.08;                // [m/s] on average
+constexpr double kGravity = 9.81;              // [m/s^2]
+constexpr double kMoment = 1e-3;               // [s]
+
+/// What tells one jump from another. Times [s], heights of the hips [m].
+struct JumpShape {
+    const char* name;
+    double plant, off, land;      ///< The left foot lands, leaves; the right one lands.
+    double offHeight, landHeight;
+    Swing lead, trail;            ///< Of the right leg, of the left one.
+    ClipObstacle obstacle;
+};
+
+/// From one height and speed to another under given accelerations at both ends: a quintic.
+struct Rise {
+    double begin, end, z0, v0, z1, v1, a0, a1;
+
+    double at(double time) const {
+        const double h = end - begin, u = (time - begin) / h;
+        const double p = z1 - z0 - v0 * h - 0.5 * a0 * h * h, v = (v1 - v0) * h - a0 * h * h, a = (a1 - a0) * h * h;
+        const double c3 = 10.0 * p - 4.0 * v + 0.5 * a, c4 = -15.0 * p + 7.0 * v - a, c5 = 6.0 * p - 3.0 * v + 0.5 * a;
+        return z0 + u * (v0 * h + u * (0.5 * a0 * h * h + u * (c3 + u * (c4 + u * c5))));
+    }
+};
+
+/// Height of the hips: in free fall between `off` and `land`, that of running before and after.
+class Arc {
+public:
+    Arc(const JumpShape& shape, const GaitTrack& before, const GaitTrack& after) : shape_(shape), before_(before) {
+        const double fall = shape.land - shape.off;
+        up_ = (shape.landHeight - shape.offHeight) / fall + 0.5 * kGravity * fall;
+        const auto z = [](const GaitTrack& track, double t) { return track.body(t)[Channel::HipsZ]; };
+        const auto rate = [&](const GaitTrack& track, double t) { return (z(track, t + kMoment) - z(track, t - kMoment)) / (2.0 * kMoment); };
+        const auto bend = [&](const GaitTrack& track, double t) {
+            return (rate(track, t + kMoment) - rate(track, t - kMoment)) / (2.0 * kMoment);
+        };
+        spring_ = {shape.plant, shape.off, z(before, shape.plant), rate(before, shape.plant - kMoment), shape.offHeight, up_, -kGravity, -kGravity};
+        absorb_ = {shape.land, kEnd, shape.landHeight, up_ - kGravity * fall, z(after, kEnd), rate(after, kEnd), -kGravity, bend(after, kEnd)};
+    }
+
+    double at(double time) const {
+        if (time < shape_.plant) return before_.body(time)[Channel::HipsZ];
+        if (time < shape_.off) return spring_.at(time);
+        if (time > shape_.land) return absorb_.at(time);
+        const double t = time - shape_.off;
+        return shape_.offHeight + up_ * t - 0.5 * kGravity * t * t;
+    }
+
+private:
+    JumpShape shape_;
+    GaitTrack before_;
+    double up_ = 0.0;
+    Rise spring_{}, absorb_{};
+};
+
+Body heldInJump(const JumpShape& shape, Body body, double time) {
+    const double air = hump(shape.off - 0.12, shape.land + 0.12, time), crouch = hump(shape.land - 0.05, kEnd + 0.1, time);
+    body[Channel::ChestPitch] += degrees(11) * air + degrees(12) * crouch - degrees(6) * hump(shape.plant - 0.05, shape.off + 0.05, time);
+    body[Channel::PelvisPitch] += degrees(2) * air + degrees(6) * crouch - degrees(4) * hump(shape.plant - 0.05, shape.off + 0.05, time);
+    body[Channel::HeadPitch] += degrees(6) * air;
+    for (std::size_t side = 0; side < 2; ++side) {
+        // Arms are thrown up and forwards, the one across from the leading leg highest, and come down on landing.
+        const double most = side == 0 ? 60.0 : 12.0;
+        body.arm(side, Channel::LeftArmForward) += degrees(most) * air;
+        body.arm(side, Channel::LeftArmOut) += degrees(side == 0 ? 14 : 30) * air + degrees(14) * crouch;
+        body.arm(side, Channel::LeftElbow) -= degrees(side == 0 ? 30 : 45) * air + degrees(20) * crouch;
+    }
+    return body;
+}
+
+Passage jumpOf(const JumpShape& shape) {
+    const Gait jog = jogGait();
+    const GaitTrack before(jog, shape.plant), after(jog, shape.land - 0.5 * jog.cycle);
+    Passage passage;
+    passage.name = shape.name;
+    passage.motion = "jump";
+    passage.frames = kFrames;
+    const double extra = 0.5 * (kSpeed - jog.speed) * kEnd;
+    passage.course.travel = straight([=](double time) {
+        return jog.speed * time + extra * (rise(0.0, shape.off, time) + rise(shape.land, kEnd, time));
+    });
+    const Arc arc(shape, before, after);
+    passage.course.body = [=](double time) {
+        Body body = blend(before.body(time), after.body(time), rise(shape.off - 0.05, shape.land, time));
+        if (time > 0.0 && time < kEnd) body[Channel::HipsZ] = arc.at(time);
+        return time > 0.0 && time < kEnd ? heldInJump(shape, body, time) : body;
+    };
+    Step plant = before.step(0, 0, passage.course);
+    plant.end = shape.off;
+    plant.anchor.x = static_cast<float>(passage.course.travel(0.5 * (shape.plant + shape.off)).x) - 0.08f;
+    plant.push = degrees(66);
+    plant.swing = shape.trail;
+    Step last = before.step(1, -1, before.course());
+    last.swing = shape.lead;
+    Step landing = after.step(1, 0, passage.course);
+    landing.begin = shape.land;
+    passage.steps[0] = {before.step(0, -1, before.course()), plant, after.step(0, 1, passage.course)};
+    passage.steps[1] = {last, landing, after.step(1, 1, passage.course)};
+    for (Step* step : {&passage.steps[0][0], &passage.steps[1][0]}) step->anchor.x += static_cast<float>(jog.speed * shape.plant);
+    for (std::size_t side = 0; side < 2; ++side) {
+        passage.before[side] = before.leg(side).join(0.0);
+        passage.after[side] = after.leg(side).join(kEnd);
+    }
+    passage.exitPhase = 1.0 - shape.plant / jog.cycle;
+    passage.entryPhase = (kEnd - after.landing(0, 0)) / jog.cycle;
+    passage.obstacle = shape.obstacle;
+    return passage;
+}
+
+Key key(double share, double angle) { return {share, degrees(angle)}; }
+
+}  // namespace
+
+void addJumps(std::vector<Clip>& clips) {
+    JumpShape tucked{"jump", 0.08, 0.30, 0.72, 0.955, 0.935, {}, {}, {}};
+    tucked.lead = {{key(0.3, 46), key(0.62, 76), key(0.84, 44)}, {key(0.3, 88), key(0.58, 98), key(0.85, 40)}, {key(0.5, 6), key(0.9, 6)}};
+    tucked.trail = {{key(0.12, -14), key(0.34, 42), key(0.52, 56), key(0.72, 14)}, {key(0.34, 112), key(0.50, 108), key(0.72, 90)}, {key(0.3, -10), key(0.8, 0)}};
+    clips.push_back(passageClip(jumpOf(tucked)));
+    JumpShape over{"jump-over", 0.08, 0.30, 0.72, 0.955, 0.935, {}, {}, {0.5f, 0.2f}};
+    over.lead = {{key(0.3, 58), key(0.58, 84), key(0.82, 46)}, {key(0.3, 92), key(0.55, 62), key(0.82, 24)}, {key(0.5, 8), key(0.9, 6)}};
+    over.trail = {{key(0.10, -20), key(0.30, 20), key(0.52, 62), key(0.72, 22)}, {key(0.30, 112), key(0.50, 118), key(0.72, 92)}, {key(0.3, -6), key(0.8, 0)}};
+    clips.push_back(passageClip(jumpOf(over)));
+}
+
+}  // namespace muster::generator
