@@ -1,5 +1,6 @@
 #include "muster/generator/own_clips.h"
 
+#include "generator/climb.h"
 #include "generator/crawl.h"
 #include "generator/gait.h"
 #include "generator/idle.h"
@@ -34,6 +35,7 @@ ClipLibrary makeAll() {
     library.clips.push_back(crawlClip());
     library.clips.push_back(swimClip());
     addJumps(library.clips);
+    library.clips.push_back(climbClip());
     return library;
 }
 
