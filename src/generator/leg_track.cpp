@@ -155,29 +155,43 @@ Leg LegTrack::swinging(const Flight& flight, double time) const {
                  static_cast<float>(hip.z - kThigh * cosine(thigh) - kShin * cosine(shin))};
     leg.foot = footTurn(flight.yaw.at(time), pitch);
     leg.toe = flight.toe.at(time);
-    // Toes keep clear of the ground.
+    leg.knee = rotate(yawTurn(0.6 * flight.yaw.at(time)), {1.0f, 0.0f, 0.0f});
+    // A knee far behind the hip points down rather than forwards.
+    if (thigh < -0.7) leg.knee = normalized(leg.knee + Vec3{0.0f, 0.0f, static_cast<float>(2.0 * (thigh + 0.7))}, leg.knee);
+    return leg;
+}
+
+/// Lifts the foot so that heel and toes keep above the ground, most in the middle of the swing.
+void LegTrack::keepClear(const Flight& flight, double time, Leg& leg) const {
     const double share = (time - flight.begin) / (flight.end - flight.begin), free = 4.0 * share * (1.0 - share);
     double low = leg.ankle.z + rotate(leg.foot, leg.toe < 0.0 ? kBall - Vec3{0.0f, 0.0f, 0.03f} : kToeTip).z;
     low = std::min(low, static_cast<double>(leg.ankle.z + rotate(leg.foot, kHeel).z));
     const double lack = 0.015 * free - low, soft = 0.01 * free;
     leg.ankle.z += static_cast<float>(0.5 * (lack + std::sqrt(lack * lack + soft * soft)));
-    leg.knee = rotate(yawTurn(0.6 * flight.yaw.at(time)), {1.0f, 0.0f, 0.0f});
+}
+
+Leg LegTrack::standingAt(const Step& step, double time) const {
+    const Place place = course_.travel(time);
+    Leg leg = standingLeg(step.anchor, step.yaw, pitchOf(step, time));
+    leg.ankle = fromGround(place, leg.ankle);
+    leg.foot = yawTurn(-place.yaw) * leg.foot;
+    leg.knee = rotate(yawTurn(0.6 * (step.yaw - place.yaw)), {1.0f, 0.0f, 0.0f});
     return leg;
 }
 
-Leg LegTrack::at(double time) const {
-    if (const Step* step = standing(time)) {
-        const Place place = course_.travel(time);
-        Leg leg = standingLeg(step->anchor, step->yaw, pitchOf(*step, time));
-        leg.ankle = fromGround(place, leg.ankle);
-        leg.foot = yawTurn(-place.yaw) * leg.foot;
-        leg.knee = rotate(yawTurn(0.6 * (step->yaw - place.yaw)), {1.0f, 0.0f, 0.0f});
+Leg LegTrack::legAt(double time, bool clear) const {
+    if (const Step* step = standing(time)) return standingAt(*step, time);
+    for (const Flight& flight : flights_) {
+        if (time > flight.end) continue;
+        Leg leg = swinging(flight, time);
+        if (clear) keepClear(flight, time, leg);
         return leg;
     }
-    for (const Flight& flight : flights_) {
-        if (time <= flight.end) return swinging(flight, time);
-    }
-    return {};
+    return standingAt(steps_.back(), time);
 }
+
+Leg LegTrack::at(double time) const { return legAt(time, true); }
+
+Leg LegTrack::inAir(double time) const { return legAt(time, false); }
 
 }  // namespace muster::generator

@@ -61,6 +61,8 @@ public:
 
     /// In the travelling frame.
     Leg at(double time) const;
+    /// The same where swings go below the ground's level: into water, beside a rim.
+    Leg inAir(double time) const;
     /// The join at a time.
     LegJoin join(double time) const;
     const std::vector<Step>& steps() const { return steps_; }
@@ -75,7 +77,10 @@ private:
     LegShape standingShape(const Step& step, double time) const;
     LegJoin edge(const Step& step, double time, bool landing) const;
     Flight flight(const LegJoin& from, const LegJoin& to, const Swing& swing) const;
+    Leg standingAt(const Step& step, double time) const;
     Leg swinging(const Flight& flight, double time) const;
+    Leg legAt(double time, bool clear) const;
+    void keepClear(const Flight& flight, double time, Leg& leg) const;
 
     std::size_t side_;
     std::vector<Step> steps_;

@@ -5,6 +5,7 @@
 #include "generator/gait.h"
 #include "generator/idle.h"
 #include "generator/jump.h"
+#include "generator/low_passages.h"
 #include "generator/passages.h"
 #include "generator/swim.h"
 
@@ -33,7 +34,9 @@ ClipLibrary makeAll() {
     addGaits(library.clips);
     addPassages(library.clips);
     library.clips.push_back(crawlClip());
+    addCrawlPassages(library.clips);
     library.clips.push_back(swimClip());
+    addSwimPassages(library.clips);
     addJumps(library.clips);
     library.clips.push_back(climbClip());
     return library;
