@@ -5,6 +5,7 @@ import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as overlays from './cases/overlays.mjs';
+import * as people from './cases/people.mjs';
 import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
 import * as session from './cases/session.mjs';
@@ -40,6 +41,11 @@ const CASES = [
   ['scenario picker', scenarios.scenarioPicker, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['every scenario', scenarios.everyScenario, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['demonstration', demonstration.demonstration, [...TABLETS, 'phone', 'narrow', 'zoomed', 'wide'], { scenario: 'scenarios/open.json' }],
+  ['people', people.appear, ['desktop'], { search: '?quality=full' }],
+  ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],
+  ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],
+  ['a character of one’s own', people.ownCharacter, ['desktop', 'phone'], { search: '?quality=full' }],
+  ['a thousand people', people.budgets, ['desktop'], { search: '?quality=full&stats', scenario: 'web/tests/scenarios/thousand.json' }],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
@@ -64,7 +70,7 @@ async function runCase(name, test, size, options) {
   let own = null;
   try {
     if (options.scenario) own = await startStudio({ scenario: options.scenario, port: 18280 });
-    studio = await StudioPage.open(browser, (own ?? server).url, { size, ...options });
+    studio = await StudioPage.open(browser, `${(own ?? server).url}${options.search ?? ''}`, { size, ...options });
     await studio.restart();
     await studio.fit();
     if (options.room) await studio.makeRoom();

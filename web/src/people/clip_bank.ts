@@ -31,6 +31,7 @@ interface Entry {
   readonly cyclic: boolean;
   /** Of one play, by the server's clock [s]. */
   readonly length: number;
+  readonly name: string;
   readonly motion: string;
   /** In place of the server's: poses that it sends whole are not of this one. */
   readonly replaced: boolean;
@@ -69,7 +70,7 @@ export class ClipBank {
     played.forEach((clip, i) => {
       const original = wanted[i]!;
       this.entries_.push({
-        first, poses: clip.poses, rate: clip.rate, cyclic: original.cyclic, length: lengthOf(original), motion: original.motion,
+        first, poses: clip.poses, rate: clip.rate, cyclic: original.cyclic, length: lengthOf(original), name: original.name, motion: original.motion,
         replaced: clip !== original,
       });
       this.fill(clip, first);
@@ -79,6 +80,10 @@ export class ClipBank {
 
   get clipCount(): number {
     return this.entries_.length;
+  }
+
+  name(clip: number): string {
+    return this.entry(clip).name;
   }
 
   motion(clip: number): string {

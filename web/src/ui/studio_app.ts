@@ -33,6 +33,7 @@ import { HINT_KEY, StudioController } from './studio_controller';
 import { OwnPeople } from './own_people';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
+import { StatsReadout, wantsStats } from './stats_readout';
 import { StudioStore, isLost } from './studio_state';
 import { applyTheme, followSystemTheme, preferredTheme, readSetting } from './theme';
 
@@ -57,6 +58,7 @@ export class StudioApp {
   private readonly controls: HeldControls;
   private readonly chooser: ToolChooser;
   private readonly keys: CrowdKeys;
+  private readonly stats = wantsStats(window.location.search) ? new StatsReadout() : null;
 
   constructor(
     private readonly client: StudioClient,
@@ -81,6 +83,7 @@ export class StudioApp {
     this.keys = new CrowdKeys(view, this.controls, this.chooser, () => this.middle(), say);
     const shortcuts = this.shortcuts();
     this.shell = new StudioShell(page, this.store, this.controller, shortcuts);
+    if (this.stats) page.append(this.stats.root);
     returnFocus(page, canvas);
     new ShortcutHandler(window, shortcuts);
     new SpaceKey(window, (held) => (this.chooser.panning = held), () => this.controller.togglePlay());
@@ -317,6 +320,7 @@ export class StudioApp {
     this.touches.flush();
     if (this.client.state.phase === 'open') this.attention.consider(this.view.attention(), performance.now());
     this.shell.scale.update(this.view.pixelsPerMetre());
+    this.stats?.show(this.view.stats);
     this.timePicture();
   };
 

@@ -8,6 +8,7 @@ import { CameraController } from './camera_controller';
 import { BoundsBuilder } from './bounds_builder';
 import type { GroundPoint, Padding, ScreenPoint } from './camera_types';
 import { ControlMarks } from './control_marks';
+import type { CrowdLayer } from './crowd_layer';
 import { CrowdState } from './crowd_state';
 import { contourLabels, type ContourLabel, type FieldScale, makeFieldPicture } from './field_picture';
 import { type FrameBlend, FrameTimeline } from './frame_timeline';
@@ -81,6 +82,12 @@ export class StudioView implements StudioScene {
     this.stage_.setPalette(this.palette_);
     this.resize();
     this.request_ = requestAnimationFrame((now) => this.frame(now));
+  }
+
+  /** Characters in the last picture by body, and the names of clips by index: for tests and the curious. */
+  get people(): { readonly drawn: CrowdLayer['drawn']; readonly clips: readonly string[] } {
+    const { drawn, bank } = this.stage_.crowd;
+    return { drawn, clips: Array.from({ length: bank.clipCount }, (_, clip) => bank.name(clip)) };
   }
 
   /** The scale of the overlay on show, for its legend; null without one. */
