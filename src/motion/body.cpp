@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr float kHeldReach = 0.992f;  // Share of a leg's length at which held feet are to be reached.
+constexpr float kHeldReach = 0.985f;  // Share of a leg's length at which held feet are to be reached.
 constexpr float kMostDrop = 0.12f;    // Hips are lowered no more [m].
 constexpr float kSole = 0.08f;        // Height of the ankle above the sole [m].
 constexpr float kSink = 0.003f;       // A sole so little below the floor is left alone [m].
@@ -141,12 +141,10 @@ private:
 
     // The foot where longer or shorter steps, into the direction of travel, put it.
     Vec3 strode(Vec3 ankle, std::size_t side) const {
-        if (mover_.stride == 1.0f && mover_.goS == 0.0f) return ankle;
         const Vec3 middle = entry_.stance[side];
         const Vec3 d = ankle - middle;
-        const float k = mover_.stride, low = 0.3f + 0.7f * std::min(1.0f, k);
-        return {middle.x + k * (mover_.goC * d.x - mover_.goS * d.y), middle.y + k * (mover_.goS * d.x + mover_.goC * d.y),
-                d.z > 0.0f ? middle.z + d.z * low : ankle.z};
+        const float x = mover_.goX, y = mover_.goY, low = 0.3f + 0.7f * std::min(1.0f, std::sqrt(x * x + y * y));
+        return {middle.x + x * d.x - y * d.y, middle.y + y * d.x + x * d.y, d.z > 0.0f ? middle.z + d.z * low : ankle.z};
     }
 
     void lowerHips(const std::array<LimbPose, 2>& legs, const std::array<LimbTarget, 2>& targets) {

@@ -8,7 +8,7 @@ namespace {
 constexpr float kLetGo = 0.15f;         // A held limb this far from where it belongs is let go [m].
 constexpr float kLetGoBoth = 0.25f;     // ... even while the other foot steps [m].
 constexpr double kTwisted = 0.82533561; // A standing foot turned away by more is let go (cosine of 0.6 rad).
-constexpr float kReleaseTime = 0.12f;   // Difference fades after a contact [s].
+constexpr float kReleaseTime = 0.2f;   // Difference fades after a contact [s].
 constexpr float kTakeTime = 0.08f;      // Height and turn of a foot that touches down fade in [s].
 constexpr float kShortest = 0.08f;      // Rest of a contact for which nothing is taken any more [s].
 constexpr float kTouchHeight = 0.05f;   // A limb is taken no higher above its contact [m].

@@ -8,6 +8,7 @@ namespace {
 constexpr double kPutElsewhere = 0.5;   // Who moves farther in one step was put there [m].
 constexpr double kVelocityTime = 0.06;  // Over which velocities are smoothed [s].
 constexpr float kFadeTime = 0.2f;       // Of cross-fades [s].
+constexpr float kStrideTime = 0.05f;    // Over which lengths of steps are smoothed [s].
 
 float share(std::uint32_t id, std::uint32_t salt) {
     std::uint32_t h = id * 0x9e3779b9u + salt;
@@ -178,21 +179,23 @@ void Player::turnToCrossing(Mover& mover, const Step& step) const {
     mover.facing = mover.shift == 0.0f ? Rotation{heading.x, heading.y} : Rotation{cosine(yaw), sine(yaw)};
 }
 
+// Steps as long, and into such a direction, that feet which stand still carry the body as it moves.
 void Player::setStride(Mover& mover, const Step& step) const {
     const ClipEntry& entry = table_[mover.clip];
-    mover.goC = 1.0f;
-    mover.goS = 0.0f;
-    mover.stride = 1.0f;
-    if (entry.standing || !entry.feetHold || (entry.handsHold && entry.use != ClipUse::Transition)) return;
-    if (entry.use == ClipUse::Action && !mover.action.timed && mover.action.patch != 0) {
-        mover.stride = static_cast<float>(mover.action.length) / (entry.length * mover.size);
-        return;
+    Vec2 way{1.0, 0.0};
+    float stride = 1.0f;
+    const bool fixed = entry.standing || !entry.feetHold || (entry.handsHold && entry.use != ClipUse::Transition);
+    if (!fixed && entry.use == ClipUse::Action && !mover.action.timed && mover.action.patch != 0) {
+        stride = static_cast<float>(mover.action.length) / (entry.length * mover.size);
+    } else if (!fixed) {
+        const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
+        stride = std::min(1.6f, step.speed / clipSpeed);
+        way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});
     }
-    const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
-    mover.stride = std::min(1.6f, step.speed / clipSpeed);
-    const Vec2 way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});
-    mover.goC = static_cast<float>(way.x);
-    mover.goS = static_cast<float>(way.y);
+    const Vec2 go = way * static_cast<double>(stride);
+    const float share = mover.fresh ? 1.0f : std::min(1.0f, static_cast<float>(step.dt) / kStrideTime);
+    mover.goX += (static_cast<float>(go.x) - mover.goX) * share;
+    mover.goY += (static_cast<float>(go.y) - mover.goY) * share;
 }
 
 }  // namespace muster

@@ -26,9 +26,8 @@ struct Mover {
     float fromTime = 0.0f;       ///< [s]
     float fade = 0.0f;
     float rate = 1.0f;           ///< Clip seconds a second.
-    float stride = 1.0f;         ///< Steps relative to the clip's.
-    float goC = 1.0f;            ///< Direction of travel relative to facing: cosine.
-    float goS = 0.0f;            ///< ... and sine.
+    float goX = 1.0f;            ///< Steps relative to the clip's: ahead...
+    float goY = 0.0f;            ///< ... and to the left.
     float yaw = 0.0f;            ///< Facing [rad].
     Rotation facing;             ///< The same.
     float shift = 0.0f;          ///< Turned from the simulated heading towards a crossing [rad].
