@@ -21,6 +21,14 @@ double pitchOf(const Step& step, double time) {
     return 0.0;
 }
 
+constexpr Vec3 kSole{0.0f, 0.0f, 0.03f};  // From the sole to the toes' joint [m].
+
+/// Where a knee points: forwards of the line from hip to ankle, wherever that points, turned by `yaw`.
+Vec3 kneeAhead(Vec3 hip, Vec3 ankle, double yaw) {
+    const Vec3 way = ankle - hip;
+    return rotate(yawTurn(yaw), normalized(Vec3{-way.z, 0.0f, way.x}, {1.0f, 0.0f, 0.0f}));
+}
+
 /// Arc cosine by our own arc tangent.
 double arcCosine(double c) {
     c = std::clamp(c, -1.0, 1.0);
@@ -155,17 +163,17 @@ Leg LegTrack::swinging(const Flight& flight, double time) const {
                  static_cast<float>(hip.z - kThigh * cosine(thigh) - kShin * cosine(shin))};
     leg.foot = footTurn(flight.yaw.at(time), pitch);
     leg.toe = flight.toe.at(time);
-    leg.knee = rotate(yawTurn(0.6 * flight.yaw.at(time)), {1.0f, 0.0f, 0.0f});
-    // A knee far behind the hip points down rather than forwards.
-    if (thigh < -0.7) leg.knee = normalized(leg.knee + Vec3{0.0f, 0.0f, static_cast<float>(2.0 * (thigh + 0.7))}, leg.knee);
+    leg.knee = kneeAhead(hip, leg.ankle, 0.6 * flight.yaw.at(time));
     return leg;
 }
 
 /// Lifts the foot so that heel and toes keep above the ground, most in the middle of the swing.
 void LegTrack::keepClear(const Flight& flight, double time, Leg& leg) const {
     const double share = (time - flight.begin) / (flight.end - flight.begin), free = 4.0 * share * (1.0 - share);
-    double low = leg.ankle.z + rotate(leg.foot, leg.toe < 0.0 ? kBall - Vec3{0.0f, 0.0f, 0.03f} : kToeTip).z;
-    low = std::min(low, static_cast<double>(leg.ankle.z + rotate(leg.foot, kHeel).z));
+    const Quat toes = leg.foot * axisAngle({0.0f, 1.0f, 0.0f}, leg.toe);
+    const Vec3 ball = rotate(leg.foot, kBall);
+    const float low = leg.ankle.z + std::min({rotate(leg.foot, kHeel).z, rotate(leg.foot, kBall - kSole).z,
+                                              (ball + rotate(toes, kToeTip - kBall)).z, (ball - rotate(toes, kSole)).z});
     const double lack = 0.015 * free - low, soft = 0.01 * free;
     leg.ankle.z += static_cast<float>(0.5 * (lack + std::sqrt(lack * lack + soft * soft)));
 }
@@ -175,7 +183,7 @@ Leg LegTrack::standingAt(const Step& step, double time) const {
     Leg leg = standingLeg(step.anchor, step.yaw, pitchOf(step, time));
     leg.ankle = fromGround(place, leg.ankle);
     leg.foot = yawTurn(-place.yaw) * leg.foot;
-    leg.knee = rotate(yawTurn(0.6 * (step.yaw - place.yaw)), {1.0f, 0.0f, 0.0f});
+    leg.knee = kneeAhead(hipJoint(course_.body(time), side_), leg.ankle, 0.6 * (step.yaw - place.yaw));
     return leg;
 }
 
