@@ -3,6 +3,7 @@
 #include <array>
 
 #include "muster/export/bvh_export.h"
+#include "muster/export/gltf_export.h"
 #include "muster/export/jupedsim.h"
 #include "muster/export/trajectory_text.h"
 
@@ -10,6 +11,7 @@ namespace muster {
 
 std::span<const ExportFormat> exportFormats() {
     static constexpr std::array kFormats{
+        ExportFormat{"glb", "one binary glTF file: bodies in motion on their ground, and a camera", makeGltfExporter},
         ExportFormat{"bvh", "a folder with one BVH file per character", makeBvhExporter},
         ExportFormat{"jupedsim", "trajectories as JuPedSim's SQLite file", makeJupedsimExporter},
         ExportFormat{"pedpy", "trajectories as text for PedPy", makePedpyExporter},
