@@ -39,7 +39,7 @@ Body crawlBody(double phase) {
     body[Channel::ChestPitch] = degrees(88);
     body[Channel::ChestYaw] = degrees(6) * wave(phase);
     body[Channel::ChestRoll] = -degrees(3) * wave(phase - 0.3);
-    body[Channel::HeadPitch] = degrees(52);
+    body[Channel::HeadPitch] = degrees(44);
     body[Channel::HeadYaw] = degrees(2) * wave(phase);
     return body;
 }

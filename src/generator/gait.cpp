@@ -66,7 +66,7 @@ void GaitTrack::addArms(double phase, Body& body) const {
 void GaitTrack::addBend(Body& body) const {
     const double bank = 0.8 * arcTangent2(gait_.speed * gait_.speed * gait_.bend, kGravity);
     body[Channel::HipsY] += 0.6 * gait_.height * sine(bank);
-    body[Channel::HipsZ] -= 0.5 * gait_.height * sine(bank) * sine(bank);
+    body[Channel::HipsZ] -= 0.5 * gait_.height * sine(bank) * sine(bank) + 0.08 * std::fabs(bank);
     body[Channel::PelvisRoll] -= bank;
     body[Channel::ChestRoll] -= 1.1 * bank;
     body[Channel::HeadRoll] -= 0.3 * bank;

@@ -17,7 +17,7 @@ Body idleBody(double time, double start) {
     Body body;
     body[Channel::HipsX] = 0.004 * drift;
     body[Channel::HipsY] = 0.022 * shift;
-    body[Channel::HipsZ] = 0.936 - 0.003 * shift * shift;
+    body[Channel::HipsZ] = 0.945 - 0.002 * shift * shift;
     body[Channel::PelvisPitch] = degrees(3);
     body[Channel::PelvisRoll] = degrees(2.2) * shift;
     body[Channel::PelvisYaw] = degrees(1.5) * shift;

@@ -121,11 +121,11 @@ Key key(double share, double angle) { return {share, degrees(angle)}; }
 }  // namespace
 
 void addJumps(std::vector<Clip>& clips) {
-    JumpShape tucked{"jump", 0.08, 0.30, 0.72, 0.955, 0.935, {}, {}, {}};
+    JumpShape tucked{"jump", 0.08, 0.30, 0.72, 0.945, 0.89, {}, {}, {}};
     tucked.lead = {{key(0.3, 46), key(0.62, 76), key(0.84, 44)}, {key(0.3, 88), key(0.58, 98), key(0.85, 40)}, {key(0.5, 6), key(0.9, 6)}};
     tucked.trail = {{key(0.12, -14), key(0.34, 42), key(0.52, 56), key(0.72, 14)}, {key(0.34, 112), key(0.50, 108), key(0.72, 90)}, {key(0.3, -10), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(tucked)));
-    JumpShape over{"jump-over", 0.08, 0.30, 0.72, 0.955, 0.935, {}, {}, {0.5f, 0.2f}};
+    JumpShape over{"jump-over", 0.08, 0.30, 0.72, 0.945, 0.89, {}, {}, {0.5f, 0.2f}};
     over.lead = {{key(0.3, 58), key(0.58, 84), key(0.82, 46)}, {key(0.3, 92), key(0.55, 62), key(0.82, 24)}, {key(0.5, 8), key(0.9, 6)}};
     over.trail = {{key(0.10, -20), key(0.30, 20), key(0.52, 62), key(0.72, 22)}, {key(0.30, 112), key(0.50, 118), key(0.72, 92)}, {key(0.3, -6), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(over)));

@@ -133,7 +133,10 @@ LegTrack::Flight LegTrack::flight(const LegJoin& from, const LegJoin& to, const 
     out.ankle = through(from, to, swing.ankle, &LegShape::ankle);
     out.side = through(from, to, {}, &LegShape::side);
     out.yaw = through(from, to, {}, &LegShape::yaw);
-    out.toe = Curve::eased({{from.time, from.shape.toe}, {from.time + 0.35 * (to.time - from.time), 0.0}, {to.time, to.shape.toe}});
+    std::vector<Key> toe{{from.time, from.shape.toe}, {to.time, to.shape.toe}};
+    // Toes straighten soon, unless the swing is left while they still do.
+    if (to.shape.toe > -0.01) toe.insert(toe.begin() + 1, {from.time + 0.35 * (to.time - from.time), 0.0});
+    out.toe = Curve::eased(std::move(toe));
     return out;
 }
 

@@ -75,7 +75,7 @@ Passage stopOf(const char* name, const Gait& gait, int frames, double leave, dou
         body[Channel::ChestPitch] -= degrees(3) * brake;
         body[Channel::PelvisPitch] -= degrees(2) * brake;
         body[Channel::HipsX] -= 0.03 * brake;
-        body[Channel::HipsZ] -= 0.035 * hump(0.2 * end, 0.9 * end, time) * gait.speed;
+        body[Channel::HipsZ] -= 0.035 * hump(0.05 * end, 0.85 * end, time) * gait.speed;
         return body;
     };
     const Place last = passage.course.travel(end);
@@ -136,6 +136,7 @@ Passage changeOf(const Change& change, int frames) {
     before.travel = [from, origin](double time) { return Place{from.travel(time).x - origin.x, 0.0, 0.0}; };
     Step left = from.step(0, 0, before);
     left.end = change.leave;
+    left.push = degrees(42);
     passage.steps[0] = {left, to.step(0, 1, passage.course)};
     passage.steps[1] = {from.step(1, -1, before), to.step(1, 0, passage.course)};
     for (std::size_t side = 0; side < 2; ++side) {
@@ -152,7 +153,7 @@ Passage changeOf(const Change& change, int frames) {
 void addPassages(std::vector<Clip>& clips) {
     clips.push_back(passageClip(startOf("start", jogGait(), 66, 0.50, 0.60, 0.95)));
     clips.push_back(passageClip(startOf("start-walk", walkGait(), 72, 0.55, 0.657, 0.85)));
-    clips.push_back(passageClip(stopOf("stop", jogGait(), 72, 0.34, 0.80, 1.0)));
+    clips.push_back(passageClip(stopOf("stop", jogGait(), 72, 0.34, 0.78, 0.9)));
     clips.push_back(passageClip(stopOf("stop-walk", walkGait(), 78, 0.66, 1.08, 1.2)));
     clips.push_back(passageClip(turnOf("turn-left", 1.0)));
     clips.push_back(passageClip(turnOf("turn-right", -1.0)));

@@ -13,9 +13,9 @@ struct StrokeKey {
     Vec3 wrist;
 };
 constexpr StrokeKey kStroke[] = {
-    {0.00, {0.46f, 0.02f, -0.06f}}, {0.12, {0.50f, 0.00f, -0.12f}},  {0.26, {0.36f, 0.10f, -0.30f}},
-    {0.40, {0.06f, 0.06f, -0.40f}}, {0.53, {-0.28f, 0.08f, -0.32f}}, {0.63, {-0.44f, 0.12f, -0.04f}},
-    {0.74, {-0.22f, 0.32f, 0.14f}}, {0.86, {0.16f, 0.30f, 0.20f}},
+    {0.00, {0.49f, 0.03f, -0.05f}}, {0.12, {0.515f, 0.00f, -0.10f}}, {0.26, {0.38f, 0.10f, -0.32f}},
+    {0.40, {0.06f, 0.07f, -0.42f}}, {0.53, {-0.30f, 0.08f, -0.35f}}, {0.63, {-0.46f, 0.12f, -0.06f}},
+    {0.74, {-0.22f, 0.32f, 0.14f}}, {0.86, {0.18f, 0.30f, 0.20f}},
 };
 
 Curve around(float Vec3::*part) {
@@ -60,7 +60,7 @@ Body swimBody(double phase) {
 
 Leg kickingLeg(const Body& body, std::size_t side, double phase) {
     const double beat = 3.0 * phase + (side == 0 ? 0.0 : 0.5);
-    const double thigh = degrees(4) + degrees(11) * wave(beat), knee = degrees(20) - degrees(15) * wave(beat - 0.18);
+    const double thigh = degrees(8) + degrees(9) * wave(beat), knee = degrees(15) - degrees(11) * wave(beat - 0.18);
     const double shin = thigh - knee;
     Leg leg;
     const Vec3 hip = hipJoint(body, side);

@@ -64,7 +64,7 @@ Clip enterClip() {
 
 /// Hands on the rim, up, the left foot steps out.
 Clip exitClip() {
-    constexpr double kPhase = 0.95, kStep = 0.44;
+    constexpr double kPhase = 0.95, kStep = 0.44, kGrip = 0.20;
     const Gait gait = jogGait();
     const GaitTrack jog(gait, kEnd - 0.30 * gait.cycle);
     const double start = -kPhase * kSwimCycle;
@@ -94,7 +94,7 @@ Clip exitClip() {
     std::vector<HandHold> holds[2];
     for (std::size_t side = 0; side < 2; ++side) {
         const float out = side == 0 ? 1.0f : -1.0f;
-        holds[side] = {{0.14, 0.40, {0.47f, 0.20f * out, 0.045f}, 0.14, 0.22}};
+        holds[side] = {{kGrip, 0.35, {0.52f, 0.20f * out, 0.045f}, kGrip, 0.22}};
     }
     ClipPlan plan;
     plan.name = "swim-exit";
@@ -106,11 +106,11 @@ Clip exitClip() {
         Figure figure{course.body(time), {legs[0].inAir(time), legs[1].inAir(time)}, {}};
         for (std::size_t side = 0; side < 2; ++side) {
             const Reach rim = fromGround(course.travel(time), reachAt(holds[side], side, time)), stroke = swim.reach[side];
-            const double grip = rise(0.0, 0.14, time);
+            const double grip = rise(0.0, kGrip, time);
             Figure a, b;
             a.reach[side] = stroke;
             b.reach[side] = rim;
-            if (time < 0.14) b.reach[side].weight = 1.0;
+            if (time < kGrip) b.reach[side].weight = 1.0;
             figure.reach[side] = blend(a, b, grip).reach[side];
         }
         return figure;
