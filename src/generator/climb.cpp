@@ -14,10 +14,11 @@ constexpr ClipObstacle kWall{1.3f, 0.4f};
 constexpr double kTouchDown = 2.50;            // [s] of the right foot behind the wall.
 
 // When each foot is led by keys instead of standing [s].
-constexpr double kLeftUp = 0.98, kRightUp = 0.74, kLeftDown = 2.54;
+constexpr double kLeftUp = 0.98, kRightUp = 0.74, kLeftDown = 2.58;
+constexpr double kLandingPitch = -24;          // Degrees: toes first.
 
 const std::vector<HandHold> kLeftHand{{0.42, 1.78, {0.50f, 0.21f, 1.345f}}};
-const std::vector<HandHold> kRightHand{{0.46, 1.74, {0.50f, -0.21f, 1.345f}}, {1.90, 2.06, {0.76f, -0.29f, 1.345f}, 0.16, 0.35}};
+const std::vector<HandHold> kRightHand{{0.46, 1.70, {0.50f, -0.21f, 1.345f}}, {1.92, 2.03, {0.755f, -0.28f, 1.345f}, 0.22, 0.35}};
 
 /// The way of the travelling frame: below the hips.
 const Curve& way() {
@@ -33,7 +34,7 @@ const BodyKeys& held() {
         {HipsX, {{0.0, 0.0}}},
         {HipsY, {{0.0, 0.0}, {0.9, -0.02}, {1.62, 0.03}, {2.1, 0.02}, {2.6, 0.0}}},
         {HipsZ, {{0.0, 0.90}, {0.38, 0.86}, {0.64, 0.76}, {0.98, 1.02}, {1.30, 1.30}, {1.62, 1.59}, {1.95, 1.70}, {2.12, 1.66},
-                 {2.30, 1.46}, {2.52, 0.96}, {2.68, 0.72}, {2.78, 0.73}, {kEnd, 0.92}}},
+                 {2.30, 1.46}, {2.50, 0.93}, {2.68, 0.71}, {2.78, 0.72}, {kEnd, 0.92}}},
         {PelvisPitch, {{0.0, 6}, {0.38, 8}, {0.64, 18}, {0.98, 10}, {1.30, 24}, {1.62, 50}, {1.95, 64}, {2.06, 60}, {2.20, 38}, {2.35, 18},
                        {2.52, 12}, {2.70, 32}, {kEnd, 8}}},
         {PelvisRoll, {{0.0, 0}, {1.30, 0}, {1.60, 16}, {1.90, -6}, {2.08, -14}, {2.35, 0}}},
@@ -44,11 +45,11 @@ const BodyKeys& held() {
         {ChestYaw, {{0.0, 0}, {1.60, 0}, {2.00, -10}, {2.40, 0}}},
         {HeadPitch, {{0.0, 0}, {0.38, -12}, {0.64, -14}, {0.98, -8}, {1.30, 8}, {1.62, 30}, {1.95, 48}, {2.15, 48}, {2.50, 24}, {2.72, 18}, {kEnd, 3}}},
         {HeadYaw, {{0.0, 0}}},
-        {LeftArmForward, {{0.0, 30}, {1.7, 60}, {2.1, 40}, {2.4, 40}, {2.7, 10}, {kEnd, 0}}},
-        {LeftArmOut, {{0.0, 20}, {1.7, 40}, {2.3, 55}, {2.55, 38}, {kEnd, 14}}},
+        {LeftArmForward, {{0.0, 30}, {1.7, 60}, {2.1, 60}, {2.4, 40}, {2.7, 10}, {kEnd, 0}}},
+        {LeftArmOut, {{0.0, 20}, {1.7, 60}, {1.92, 88}, {2.15, 80}, {2.55, 38}, {kEnd, 14}}},
         {LeftElbow, {{0.0, 80}, {1.7, 50}, {2.4, 45}, {2.7, 50}, {kEnd, 90}}},
         {RightArmForward, {{0.0, 30}, {1.7, 60}, {2.3, 30}, {2.7, 10}, {kEnd, 0}}},
-        {RightArmOut, {{0.0, 20}, {2.3, 40}, {2.55, 34}, {kEnd, 14}}},
+        {RightArmOut, {{0.0, 20}, {1.7, 50}, {2.1, 70}, {2.3, 60}, {2.55, 34}, {kEnd, 14}}},
         {RightElbow, {{0.0, 80}, {2.3, 40}, {2.7, 55}, {kEnd, 90}}},
     });
     return kHeld;
@@ -74,15 +75,18 @@ Course climbCourse() {
 FootPath leftPath(Leg from, Leg to) {
     const Vec3 out{0.4f, 0.8f, 0.5f}, ahead{1.0f, 0.2f, 0.2f};
     return FootPath({{kLeftUp, from.ankle, -48, ahead}, {1.18, {0.10f, 0.14f, 0.50f}, -60, ahead}, {1.36, {0.08f, 0.36f, 0.98f}, -30, out},
-                     {1.50, {0.24f, 0.45f, 1.42f}, -5, out}, {1.66, {0.57f, 0.20f, 1.38f}, 0, out}, {2.20, {0.57f, 0.20f, 1.38f}, 0, out},
-                     {2.33, {0.66f, 0.27f, 1.44f}, -35, out}, {2.43, {0.92f, 0.27f, 0.92f}, -25, ahead}, {kLeftDown, to.ankle, 0, ahead}});
+                     {1.50, {0.24f, 0.45f, 1.42f}, -5, out}, {1.66, {0.57f, 0.20f, 1.38f}, 0, out}, {2.14, {0.57f, 0.20f, 1.38f}, 0, out},
+                     {2.26, {0.74f, 0.36f, 1.46f}, -25, out}, {2.34, {0.89f, 0.38f, 1.36f}, -25, out}, {2.46, {0.99f, 0.22f, 0.80f}, -25, ahead},
+                     {kLeftDown, to.ankle, kLandingPitch, ahead}},
+                    from.toe, to.toe);
 }
 
 FootPath rightPath(Leg from, Leg to) {
     const Vec3 out{0.35f, -1.0f, 0.1f}, ahead{1.0f, -0.2f, 0.2f}, high{0.6f, -0.7f, 0.7f};
-    return FootPath({{kRightUp, from.ankle, -40, ahead}, {0.96, {0.285f, -0.16f, 0.50f}, 70, out}, {1.28, {0.285f, -0.16f, 0.50f}, 70, out},
+    return FootPath({{kRightUp, from.ankle, -40, ahead}, {0.96, {0.285f, -0.16f, 0.50f}, 70, out}, {1.25, {0.285f, -0.16f, 0.50f}, 70, out},
                      {1.48, {0.12f, -0.16f, 0.80f}, -40, ahead}, {1.74, {0.04f, -0.24f, 1.22f}, -70, out}, {1.92, {0.22f, -0.36f, 1.52f}, -40, high},
-                     {2.08, {0.62f, -0.38f, 1.56f}, -10, high}, {2.24, {0.98f, -0.22f, 1.18f}, -5, ahead}, {kTouchDown, to.ankle, 0, ahead}});
+                     {2.08, {0.62f, -0.38f, 1.56f}, -10, high}, {2.24, {0.98f, -0.22f, 1.18f}, -5, ahead}, {kTouchDown, to.ankle, kLandingPitch, ahead}},
+                    from.toe, to.toe);
 }
 
 /// Standing parts of both legs before and after the wall.
@@ -108,7 +112,8 @@ Stands standsOf(const Course& course) {
     Step landed = jogs.after.step(1, 0, course), leaving = landed;
     landed.begin = kTouchDown;
     landed.anchor.x = static_cast<float>(course.travel(kEnd).x + jogs.after.step(1, 0, jogs.after.course()).anchor.x - jogs.after.travel(kEnd).x);
-    landed.strike = 0.0;
+    landed.strike = degrees(kLandingPitch);
+    landed.flat = 0.12;
     leaving = landed;
     leaving.begin = kLeftDown;
     leaving.end = 2.86;
@@ -159,8 +164,8 @@ Clip climbClip() {
         addContacts(plan.contacts, side, stands.after[side].steps(), kEnd, false);
         addContacts(plan.contacts, side, side == 0 ? kLeftHand : kRightHand);
     }
-    plan.contacts.push_back({Limb::RightFoot, 0.96, 1.28, right.at(1.0).ankle});
-    plan.contacts.push_back({Limb::LeftFoot, 1.66, 2.20, left.at(1.7).ankle});
+    plan.contacts.push_back({Limb::RightFoot, 0.96, 1.25, right.at(1.0).ankle});
+    plan.contacts.push_back({Limb::LeftFoot, 1.66, 2.14, left.at(1.7).ankle});
     plan.entryPhase = 0.70;
     plan.exitPhase = 0.0;
     plan.obstacle = kWall;

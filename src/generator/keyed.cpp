@@ -57,13 +57,17 @@ Vec3 Path::at(double time) const {
     return {static_cast<float>(x_.at(time)), static_cast<float>(y_.at(time)), static_cast<float>(z_.at(time))};
 }
 
-FootPath::FootPath(const std::vector<FootKey>& keys)
-    : ankle_(pointsOf(keys, &FootKey::ankle)), knee_(pointsOf(keys, &FootKey::knee)), pitch_(pitchesOf(keys)) {}
+FootPath::FootPath(const std::vector<FootKey>& keys, double toeBegin, double toeEnd)
+    : ankle_(pointsOf(keys, &FootKey::ankle)),
+      knee_(pointsOf(keys, &FootKey::knee)),
+      pitch_(pitchesOf(keys)),
+      toe_(Curve::eased({{keys.front().time, toeBegin}, {keys.front().time + 0.15, 0.0}, {keys.back().time - 0.15, 0.0}, {keys.back().time, toeEnd}})) {}
 
 Leg FootPath::at(double time) const {
     Leg leg;
     leg.ankle = ankle_.at(time);
     leg.foot = turned(-pitch_.at(time), 0.0, 0.0);
+    leg.toe = toe_.at(time);
     leg.knee = normalized(knee_.at(time), {1.0f, 0.0f, 0.0f});
     return leg;
 }
@@ -73,13 +77,17 @@ Reach reachAt(const std::vector<HandHold>& holds, std::size_t side, double time)
     Reach reach;
     reach.elbow = {-0.6f, 0.6f * out, -0.1f};
     reach.hand = flatHand(side, -0.1 * out);
+    double sum = 0.0;
     for (const HandHold& hold : holds) {
         const double near = time < hold.begin ? rise(hold.begin - hold.come, hold.begin, time)
                                               : 1.0 - rise(hold.end, hold.end + hold.go, time);
-        if (near <= reach.weight) continue;
-        reach.weight = near;
-        reach.wrist = hold.wrist + Vec3{0.0f, 0.0f, static_cast<float>(0.10 * (1.0 - near))};
+        if (near <= 0.0) continue;
+        // Between two holds the hand goes from one to the other.
+        sum += near;
+        const Vec3 above = hold.wrist + Vec3{0.0f, 0.0f, static_cast<float>(0.10 * (1.0 - near))};
+        reach.wrist = lerp(reach.wrist, above, static_cast<float>(near / sum));
     }
+    reach.weight = std::min(1.0, sum);
     return reach;
 }
 

@@ -36,12 +36,13 @@ struct FootKey {
 /// A leg by keys, in the frame of the keys.
 class FootPath {
 public:
-    explicit FootPath(const std::vector<FootKey>& keys);
+    /// Toes are bent against the foot as given at both ends [rad], straight between.
+    FootPath(const std::vector<FootKey>& keys, double toeBegin, double toeEnd);
     Leg at(double time) const;
 
 private:
     Path ankle_, knee_;
-    Curve pitch_;
+    Curve pitch_, toe_;
 };
 
 /// A time in which a hand lies flat somewhere, in the ground's frame.
