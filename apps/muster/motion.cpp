@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "commands.h"
+#include "motion_bodies.h"
+#include "motion_measure.h"
+#include "motion_strip.h"
 #include "muster/clips/clip_files.h"
 #include "muster/clips/motion_facts.h"
+#include "muster/clips/retarget.h"
 #include "muster/generator/own_clips.h"
 #include "report.h"
 
@@ -20,7 +24,11 @@ struct MotionOptions {
     std::string run;
     std::string unit;
     std::string folder;
+    std::string strips;
+    std::string bodies;
+    bool measure = false;
     bool json = false;
+    MeasureOptions measured;
 };
 
 /// A line of the table.
@@ -123,13 +131,58 @@ Result<double> runSpeed(const MotionOptions& options, double unit) {
     return rows[0].facts.speed;
 }
 
+/// Own clips by name, those of a folder, or a file's motion brought onto Muster's skeleton.
+Status addClips(const std::string& name, double unit, std::vector<Clip>& clips) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(name, ignored)) {
+        auto library = loadClips(name);
+        if (!library.ok()) return library.status();
+        for (Clip& clip : library->clips) clips.push_back(std::move(clip));
+        return {};
+    }
+    const std::filesystem::path path(name);
+    if (const Clip* own = ownClips().find(name); own != nullptr && !std::filesystem::exists(path, ignored)) {
+        clips.push_back(*own);
+        return {};
+    }
+    const auto motion = readBvh(name, {unit});
+    if (!motion.ok()) return motion.status();
+    auto clip = retarget(*motion, {path.stem().string()});
+    if (!clip.ok()) return clip.status().within(name);
+    clips.push_back(std::move(clip).value());
+    return {};
+}
+
+Status drawStrips(const MotionOptions& options, double unit) {
+    std::vector<Clip> clips;
+    for (const std::string& name : options.clips)
+        if (Status s = addClips(name, unit, clips); !s.ok()) return s;
+    return writeStrips(options.clips.empty() ? ownClips().clips : clips, options.strips);
+}
+
+/// What is asked for beside the table.
+Status writeFiles(const MotionOptions& options, double unit) {
+    if (!options.folder.empty())
+        if (Status s = writeClips(ownClips(), options.folder); !s.ok()) return s;
+    if (!options.bodies.empty())
+        if (Status s = writeBodies(options.bodies); !s.ok()) return s;
+    return options.strips.empty() ? Status() : drawStrips(options, unit);
+}
+
+int measure(const MotionOptions& options) {
+    MeasureOptions measured = options.measured;
+    measured.scenarios = options.clips;
+    measured.json = options.json;
+    if (measured.scenarios.empty())
+        return reportFailure(invalidArgument("--measure: found no scenario, expected at least one file"));
+    return measureMotion(measured);
+}
+
 int motion(const MotionOptions& options) {
+    if (options.measure) return measure(options);
     const auto unit = unitNamed(options.unit);
     if (!unit.ok()) return reportFailure(unit.status());
-    if (!options.folder.empty()) {
-        const Status written = writeClips(ownClips(), options.folder);
-        if (!written.ok()) return reportFailure(written);
-    }
+    if (Status s = writeFiles(options, *unit); !s.ok()) return reportFailure(s);
     const auto run = runSpeed(options, *unit);
     if (!run.ok()) return reportFailure(run.status());
     std::vector<Row> rows;
@@ -161,6 +214,16 @@ void addMotionCommand(CLI::App& app, int& exitCode) {
                         "by the size of the body.");
     command->add_option("--write", options->folder,
                         "Also writes Muster's own clips into this folder, as BVH with a clips.json.");
+    command->add_option("--strip", options->strips, "Also draws each clip as a strip of poses into this folder, as SVG.");
+    command->add_option("--bodies", options->bodies, "Also writes the characters' bodies into this folder, as binary glTF.");
+    command->add_flag("--measure", options->measure,
+                      "CLIPS are scenarios: plays them with their gestures and tells how far feet slide, how fast knees "
+                      "turn and how deep limbs go below the floor.");
+    command->add_option("--count", options->measured.count, "Characters of the first group, for --measure.")
+        ->check(CLI::Range(1, 5000));
+    command->add_option("--seconds", options->measured.seconds, "Simulated, for --measure; left out: until all stand.")
+        ->check(CLI::Range(0.1, 3600.0));
+    command->add_option("--clips", options->measured.clips, "Folder of clips to play, for --measure.");
     command->add_flag("--json", options->json, "One JSON array on standard output, an object per clip.");
     command->footer(
         "Speed is the net way over the duration. Ratios are what scenarios call a clip's speed; the least is "
@@ -168,7 +231,8 @@ void addMotionCommand(CLI::App& app, int& exitCode) {
         "Examples:\n"
         "  muster motion\n"
         "  muster motion walk.bvh run.bvh --run run.bvh\n"
-        "  muster motion --write motions --json");
+        "  muster motion --write motions --json\n"
+        "  muster motion --measure scenarios/paper/x04-woodland.json");
     command->callback([options, &exitCode] { exitCode = motion(*options); });
 }
 

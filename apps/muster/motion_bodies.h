@@ -2,13 +2,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "muster/base/status.h"
 
 namespace muster {
 
-/// Writes body-1.glb, body-1-far.glb, body-2.glb and body-2-far.glb into `folder`, which is made where there is none.
-/// Fails with IoError.
+/// A body as a file.
+struct BodyFile {
+    std::string name;   ///< "body-1.glb", "body-1-far.glb"...
+    std::string bytes;  ///< Binary glTF.
+};
+/// All bodies at all levels.
+std::vector<BodyFile> bodyFiles();
+/// Writes them into `folder`, which is made where there is none. Fails with IoError.
 Status writeBodies(const std::string& folder);
 
 }  // namespace muster

@@ -14,6 +14,7 @@
 
 #include "browser.h"
 #include "mailbox.h"
+#include "motion_bodies.h"
 #include "muster/session/protocol.h"
 #include "muster/session/session.h"
 #include "report.h"
@@ -281,6 +282,8 @@ int runStudio(const StudioOptions& options) {
     ServerDef def;
     def.port = options.port;
     def.pageFolder = options.pageFolder;
+    for (BodyFile& body : bodyFiles())
+        def.files["/bodies/" + body.name] = {"model/gltf-binary", "no-cache", std::move(body.bytes)};
     def.subprotocol = protocol::kSubprotocol;
     def.events = eventsTo(mailbox, interrupted);
     auto server = StudioServer::listen(std::move(def));

@@ -1,0 +1,23 @@
+#include "motion_strip.h"
+
+#include <filesystem>
+
+#include "muster/debug/pose_strip.h"
+#include "muster/export/output_file.h"
+
+namespace muster {
+
+Status writeStrips(const std::vector<Clip>& clips, const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return {StatusCode::IoError, folder + ": cannot be made: " + error.message()};
+    for (const Clip& clip : clips) {
+        OutputFile file;
+        if (Status s = file.open(folder + "/" + clip.name + ".svg"); !s.ok()) return s;
+        if (Status s = file.write(poseStrip(clip, {}, false)); !s.ok()) return s;
+        if (Status s = file.commit(); !s.ok()) return s;
+    }
+    return {};
+}
+
+}  // namespace muster

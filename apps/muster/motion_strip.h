@@ -1,0 +1,15 @@
+// Clips as pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "muster/base/status.h"
+#include "muster/clips/clip.h"
+
+namespace muster {
+
+/// Draws each clip as a strip of poses into `folder`/NAME.svg, which is made where there is none. Fails with IoError.
+Status writeStrips(const std::vector<Clip>& clips, const std::string& folder);
+
+}  // namespace muster
