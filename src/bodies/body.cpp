@@ -1,6 +1,6 @@
-// A body is lofted through cuts: a trunk in trousers and shirt from whose corners legs and sleeves grow, so that skin
-// bends without seams at hips and shoulders; arms, neck, head, hair and shoes are lofts of their own that begin
-// hidden in the others.
+// A body is lofted through cuts: a trunk in trousers and shirt from whose corners legs and sleeves grow, so
+// that skin bends without seams at hips and shoulders; arms, neck, head, hair and shoes are lofts of their
+// own that begin hidden in the others.
 #include "muster/bodies/body.h"
 
 #include <algorithm>
@@ -14,8 +14,9 @@ namespace muster {
 namespace bodies {
 namespace {
 
-constexpr Vec3 kSkin{0.745f, 0.397f, 0.212f}, kShirt{0.012f, 0.115f, 0.638f}, kTrousers{0.012f, 0.024f, 0.069f},
-    kHair{0.042f, 0.019f, 0.009f}, kShoes{0.78f, 0.75f, 0.71f}, kSoles{0.25f, 0.24f, 0.22f};
+constexpr Vec3 kSkin{0.745f, 0.397f, 0.212f}, kShirt{0.012f, 0.115f, 0.638f},
+    kTrousers{0.012f, 0.024f, 0.069f}, kHair{0.042f, 0.019f, 0.009f}, kShoes{0.78f, 0.75f, 0.71f},
+    kSoles{0.25f, 0.24f, 0.22f};
 
 constexpr Stuff kTrunkShirt{BodyRegion::Shirt, Part::Trunk, kShirt};
 constexpr Stuff kSleeves{BodyRegion::Shirt, Part::Arm, kShirt};
@@ -33,7 +34,7 @@ struct Detail {
     bool fine;
     std::size_t trunk, limb, arm, head;
 };
-constexpr Detail kFine{true, 16, 12, 8, 14};
+constexpr Detail kFine{true, 16, 12, 8, 12};
 constexpr Detail kCoarse{false, 8, 6, 4, 6};
 
 /// Builds one body.
@@ -118,7 +119,7 @@ private:
         hole_[0] = holeBegin, hole_[1] = holeEnd;
         coverShirt();
         turnIn(shirt_.front(), kTrunkShirt, 0.86f, {0.0f, 0.0f, 0.004f}, false);
-        if (detail_.fine) turnIn(shirt_.back(), kTrunkShirt, 0.8f, {0.0f, 0.0f, -0.012f}, true);
+        turnIn(shirt_.back(), kTrunkShirt, 0.8f, {0.0f, 0.0f, -0.012f}, true);
     }
 
     /// The shirt's surface but for the holes of the sleeves.
@@ -138,6 +139,7 @@ private:
 
     /// Cloth at an edge goes inwards, unshared so that the edge is sharp.
     void turnIn(const Ring& edge, const Stuff& stuff, float scale, Vec3 shift, bool left) {
+        if (!detail_.fine) return;
         const Vec3 middle = mesh_.middle(edge);
         std::vector<Vec3> outer, inner;
         for (std::uint32_t v : edge) {
@@ -179,9 +181,11 @@ private:
         const Ring &top = shirt_[hole_[1]], &bottom = shirt_[hole_[0]];
         Ring inner;
         for (std::size_t i = 0; i <= reach; ++i) inner.push_back(column(top, quarter - i));
-        for (std::size_t r = hole_[1] - 1; r > hole_[0]; --r) inner.push_back(column(shirt_[r], quarter - reach));
+        for (std::size_t r = hole_[1] - 1; r > hole_[0]; --r)
+            inner.push_back(column(shirt_[r], quarter - reach));
         for (std::size_t i = 0; i <= 2 * reach; ++i) inner.push_back(column(bottom, quarter - reach + i));
-        for (std::size_t r = hole_[0] + 1; r < hole_[1]; ++r) inner.push_back(column(shirt_[r], quarter + reach));
+        for (std::size_t r = hole_[0] + 1; r < hole_[1]; ++r)
+            inner.push_back(column(shirt_[r], quarter + reach));
         for (std::size_t i = 0; i < reach; ++i) inner.push_back(column(top, quarter + reach - i));
         for (const Section& cut : shape_.sleeve) {
             if (!wanted(cut)) continue;
@@ -196,7 +200,9 @@ private:
         Ring inner;
         for (const Section& cut : shape_.arm) {
             if (!wanted(cut)) continue;
-            const Ring ring = mesh_.add(armRing(cut, detail_.arm), kBareArm);
+            // The coarse arm fills the sleeve, which has no inside.
+            const bool first = inner.empty() && !detail_.fine;
+            const Ring ring = mesh_.add(armRing(first ? shape_.sleeve.back() : cut, detail_.arm), kBareArm);
             if (!inner.empty()) mesh_.bridge(inner, ring);
             inner = ring;
         }
@@ -206,7 +212,8 @@ private:
         const float s = shape_.handSize;
         const std::array path{Vec3{0.016f, 0.722f, 1.403f}, Vec3{0.046f * s, 0.748f, 1.401f},
                               Vec3{0.062f * s, 0.785f, 1.399f}};
-        tube(path, std::array{0.018f * s, 0.0165f * s, 0.0125f * s}, {0.066f * s, 0.803f, 1.398f}, 5, kBareArm);
+        tube(path, std::array{0.018f * s, 0.0165f * s, 0.0125f * s}, {0.066f * s, 0.803f, 1.398f}, 5,
+             kBareArm);
     }
 
     /// Round cuts along a path, closed at its end.
@@ -249,15 +256,15 @@ private:
                 mesh_.bridge(below, ring);
             below = ring;
         }
-        mesh_.cap(below, {0.003f, 0.0f, 1.741f}, kFace);
         if (detail_.fine) makeNoseAndEars();
     }
 
     void makeNoseAndEars() {
         const float x = sectionAt(1.58f).front;
-        const Ring nose = mesh_.add(std::array{Vec3{x - 0.002f, 0.0f, 1.622f}, Vec3{x - 0.004f, -0.016f, 1.576f},
-                                               Vec3{x - 0.002f, 0.0f, 1.566f}, Vec3{x - 0.004f, 0.016f, 1.576f}},
-                                    kFace);
+        const Ring nose =
+            mesh_.add(std::array{Vec3{x - 0.002f, 0.0f, 1.622f}, Vec3{x - 0.004f, -0.016f, 1.576f},
+                                 Vec3{x - 0.002f, 0.0f, 1.566f}, Vec3{x - 0.004f, 0.016f, 1.576f}},
+                      kFace);
         const std::uint32_t tip = mesh_.add(Vec3{x + 0.021f, 0.0f, 1.582f}, kFace);
         for (std::size_t i = 0; i < 4; ++i) mesh_.triangle(nose[(i + 1) % 4], nose[i], tip);
         for (const bool right : {false, true}) {
@@ -283,7 +290,7 @@ private:
     float hairline(double angle) const {
         const double turn = angle > kPi ? 2.0 * kPi - angle : angle;
         constexpr double kBrow = 0.75, kTemple = 1.25;
-        const float brow = 1.690f;
+        const float brow = detail_.fine ? 1.690f : 1.674f;
         if (turn <= kBrow) return brow;
         if (turn <= kTemple)
             return brow + (shape_.hairSides - brow) * static_cast<float>((turn - kBrow) / (kTemple - kBrow));
@@ -296,8 +303,8 @@ private:
         struct Row {
             float share, out;
         };
-        static constexpr std::array kRows{Row{0.0f, -0.35f}, Row{0.02f, 0.7f}, Row{0.3f, 1.0f}, Row{0.62f, 1.05f},
-                                          Row{0.9f, 1.0f}};
+        static constexpr std::array kRows{Row{0.0f, -0.35f}, Row{0.02f, 0.7f}, Row{0.3f, 1.0f},
+                                          Row{0.62f, 1.05f}, Row{0.9f, 1.0f}};
         const float crown = 1.733f;
         Ring below;
         for (std::size_t r = detail_.fine ? 0 : 1; r < kRows.size(); r += detail_.fine ? 1 : 2) {
@@ -319,13 +326,15 @@ private:
     }
 
     void makeTail() {
-        const std::array path{Vec3{-0.080f, 0.0f, 1.672f}, Vec3{-0.118f, 0.0f, 1.668f}, Vec3{-0.150f, 0.0f, 1.635f},
-                              Vec3{-0.160f, 0.0f, 1.575f}, Vec3{-0.146f, 0.0f, 1.505f}};
+        const std::array path{Vec3{-0.080f, 0.0f, 1.672f}, Vec3{-0.118f, 0.0f, 1.668f},
+                              Vec3{-0.150f, 0.0f, 1.635f}, Vec3{-0.160f, 0.0f, 1.575f},
+                              Vec3{-0.146f, 0.0f, 1.505f}};
         const std::array radii{0.026f, 0.020f, 0.036f, 0.038f, 0.026f};
         if (detail_.fine)
             tube(path, radii, {-0.128f, 0.0f, 1.452f}, 7, kHeadHair);
         else
-            tube(std::array{path[1], path[3]}, std::array{0.026f, 0.038f}, {-0.128f, 0.0f, 1.452f}, 3, kHeadHair);
+            tube(std::array{path[1], path[3]}, std::array{0.026f, 0.038f}, {-0.128f, 0.0f, 1.452f}, 3,
+                 kHeadHair);
     }
 
     void makeShoe() {
@@ -334,10 +343,10 @@ private:
             bool far;
         };
         static constexpr std::array kSlices{
-            Slice{-0.072f, 0.026f, 0.066f, true}, Slice{-0.054f, 0.036f, 0.100f, false},
-            Slice{-0.012f, 0.038f, 0.118f, true}, Slice{0.040f, 0.040f, 0.104f, false},
-            Slice{0.085f, 0.045f, 0.076f, true},  Slice{0.130f, 0.048f, 0.060f, false},
-            Slice{0.170f, 0.043f, 0.050f, true},  Slice{0.196f, 0.028f, 0.040f, false},
+            Slice{-0.072f, 0.028f, 0.066f, true}, Slice{-0.012f, 0.036f, 0.118f, false},
+            Slice{0.038f, 0.039f, 0.098f, true},  Slice{0.080f, 0.044f, 0.077f, false},
+            Slice{0.125f, 0.048f, 0.061f, false}, Slice{0.170f, 0.043f, 0.050f, true},
+            Slice{0.196f, 0.028f, 0.040f, false},
         };
         Ring behind;
         for (const Slice& slice : kSlices) {
@@ -358,19 +367,20 @@ private:
             float y, z;
             bool sole;
         };
-        static constexpr std::array kCorners{Corner{-0.85f, 0.0f, true},  Corner{0.85f, 0.0f, true},
-                                             Corner{1.0f, 0.24f, false},  Corner{0.86f, 0.62f, false},
-                                             Corner{0.45f, 0.94f, false}, Corner{-0.45f, 0.94f, false},
+        static constexpr std::array kCorners{Corner{-0.85f, 0.0f, true},   Corner{0.85f, 0.0f, true},
+                                             Corner{1.0f, 0.24f, false},   Corner{0.86f, 0.62f, false},
+                                             Corner{0.45f, 0.94f, false},  Corner{-0.45f, 0.94f, false},
                                              Corner{-0.86f, 0.62f, false}, Corner{-1.0f, 0.24f, false}};
-        static constexpr std::array kFew{Corner{-1.0f, 0.0f, true}, Corner{1.0f, 0.0f, true}, Corner{0.6f, 1.0f, false},
-                                         Corner{-0.6f, 1.0f, false}};
+        static constexpr std::array kFew{Corner{-1.0f, 0.0f, true}, Corner{1.0f, 0.0f, true},
+                                         Corner{0.6f, 1.0f, false}, Corner{-0.6f, 1.0f, false}};
         const std::span<const Corner> corners =
             detail_.fine ? std::span<const Corner>(kCorners) : std::span<const Corner>(kFew);
         // The sole curls up a little at heel and toes.
         const float curl = x > 0.15f ? (x - 0.15f) * 0.25f : x < -0.06f ? 0.004f : 0.0f;
         Ring ring;
         for (const Corner& c : corners)
-            ring.push_back(mesh_.add(Vec3{x, 0.09f + c.y * width, curl + c.z * (top - curl)}, c.sole ? kSole : kShoe));
+            ring.push_back(
+                mesh_.add(Vec3{x, 0.09f + c.y * width, curl + c.z * (top - curl)}, c.sole ? kSole : kShoe));
         return ring;
     }
 
@@ -393,7 +403,8 @@ const char* bodyRegionName(BodyRegion region) {
 
 BodyMesh makeBody(BodyKind kind, BodyLevel level) {
     using namespace bodies;
-    return Sculptor(kind == BodyKind::Broad ? broadShape() : narrowShape(), level == BodyLevel::Near ? kFine : kCoarse)
+    return Sculptor(kind == BodyKind::Broad ? broadShape() : narrowShape(),
+                    level == BodyLevel::Near ? kFine : kCoarse)
         .make();
 }
 

@@ -47,7 +47,8 @@ void addJointNodes(std::size_t first, const std::string& suffix, Json& nodes) {
         const Vec3 p = toFile(bones[j].offset);
         Json node = {{"name", bones[j].name + suffix}, {"translation", {p.x, p.y, p.z}}};
         for (std::size_t child = j + 1; child < kJointCount; ++child)
-            if (bones[child].parent == static_cast<std::int32_t>(j)) node["children"].push_back(first + child);
+            if (bones[child].parent == static_cast<std::int32_t>(j))
+                node["children"].push_back(first + child);
         nodes.push_back(std::move(node));
     }
 }
@@ -65,7 +66,8 @@ std::string bodyGlb(BodyKind kind, BodyLevel level) {
 
     std::vector<std::size_t> joints(kJointCount);
     std::iota(joints.begin(), joints.end(), std::size_t{2});
-    Json nodes = Json::array({{{"name", name}, {"mesh", 0}, {"skin", 0}}, {{"name", "Root"}, {"children", {2}}}});
+    Json nodes =
+        Json::array({{{"name", name}, {"mesh", 0}, {"skin", 0}}, {{"name", "Root"}, {"children", {2}}}});
     bodies::addJointNodes(2, "", nodes);
 
     Json document;
@@ -76,8 +78,8 @@ std::string bodyGlb(BodyKind kind, BodyLevel level) {
     document["meshes"] = Json::array({{{"name", name}, {"primitives", Json::array({std::move(primitive)})}}});
     document["materials"] = Json::array(
         {{{"name", "Body"}, {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.85}}}}});
-    document["skins"] =
-        Json::array({{{"inverseBindMatrices", bodies::addInverseBinds(buffer)}, {"skeleton", 1}, {"joints", joints}}});
+    document["skins"] = Json::array(
+        {{{"inverseBindMatrices", bodies::addInverseBinds(buffer)}, {"skeleton", 1}, {"joints", joints}}});
     return *buffer.file(std::move(document));
 }
 

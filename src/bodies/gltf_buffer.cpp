@@ -10,7 +10,8 @@ namespace {
 constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
 constexpr const char* kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
 
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian, so are the machines this is for");
+static_assert(std::endian::native == std::endian::little,
+              "glTF is little-endian, so are the machines this is for");
 
 template <class T>
 std::string_view bytesOf(std::span<const T> numbers) {
@@ -35,12 +36,15 @@ std::size_t GltfBuffer::addView(std::string_view bytes, int target) {
     return views_.size() - 1;
 }
 
-std::size_t GltfBuffer::addAccessor(std::size_t view, int componentType, std::size_t count, const char* type) {
-    accessors_.push_back({{"bufferView", view}, {"componentType", componentType}, {"count", count}, {"type", type}});
+std::size_t GltfBuffer::addAccessor(std::size_t view, int componentType, std::size_t count,
+                                    const char* type) {
+    accessors_.push_back(
+        {{"bufferView", view}, {"componentType", componentType}, {"count", count}, {"type", type}});
     return accessors_.size() - 1;
 }
 
-std::size_t GltfBuffer::addFloats(std::span<const float> numbers, std::size_t width, int target, bool bounds) {
+std::size_t GltfBuffer::addFloats(std::span<const float> numbers, std::size_t width, int target,
+                                  bool bounds) {
     const std::size_t count = numbers.size() / width;
     const std::size_t accessor = addAccessor(addView(bytesOf(numbers), target), kFloat, count, kTypes[width]);
     if (!bounds) return accessor;
@@ -97,9 +101,10 @@ Result<std::string> GltfBuffer::file(Json document) const {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     const std::uint64_t length = 12 + 8 + json.size() + 8 + size();
     if (length > 0xffffffffu) {
-        return Status(StatusCode::LimitExceeded,
-                      "the file would be " + std::to_string(length / 1000000) +
-                          " MB long, a glb can have at most 4294 MB; take a shorter part or fewer frames a second");
+        return Status(
+            StatusCode::LimitExceeded,
+            "the file would be " + std::to_string(length / 1000000) +
+                " MB long, a glb can have at most 4294 MB; take a shorter part or fewer frames a second");
     }
     std::string text = "glTF";
     append(text, 2);

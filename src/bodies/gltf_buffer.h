@@ -13,9 +13,14 @@ namespace muster::bodies {
 
 using Json = nlohmann::ordered_json;
 
-/// Files have y up and face +z: x, y, z there are our y, z, x. A proper rotation, so quaternions turn likewise.
-constexpr Vec3 toFile(Vec3 p) { return {p.y, p.z, p.x}; }
-constexpr Quat toFile(Quat q) { return {q.y, q.z, q.x, q.w}; }
+/// Files have y up and face +z: x, y, z there are our y, z, x. A proper rotation, so quaternions turn
+/// likewise.
+constexpr Vec3 toFile(Vec3 p) {
+    return {p.y, p.z, p.x};
+}
+constexpr Quat toFile(Quat q) {
+    return {q.y, q.z, q.x, q.w};
+}
 
 /// The buffer of a file. Numbers that come later get their places beforehand.
 class GltfBuffer {
@@ -34,16 +39,16 @@ public:
     /// A matrix each of 16 numbers.
     std::size_t addMatrices(std::span<const float> numbers);
 
-    /// Elements of `width` floats each that come later; `place` gets their offset in the buffer. After the first
-    /// call nothing may be added. Returns the accessor.
+    /// Elements of `width` floats each that come later; `place` gets their offset in the buffer. After the
+    /// first call nothing may be added. Returns the accessor.
     std::size_t reserve(std::size_t elements, std::size_t width, std::uint64_t& place);
 
     /// Length of the whole buffer.
     std::uint64_t size() const { return bytes_.size() + reserved_; }
 
-    /// The file up to and with what was added; `document` gets buffer, views and accessors. Fails with LimitExceeded
-    /// where it would be longer than a file can be. What was reserved follows and is to be written by the caller, its
-    /// first byte at the returned text's length.
+    /// The file up to and with what was added; `document` gets buffer, views and accessors. Fails with
+    /// LimitExceeded where it would be longer than a file can be. What was reserved follows and is to be
+    /// written by the caller, its first byte at the returned text's length.
     Result<std::string> file(Json document) const;
 
 private:
@@ -55,11 +60,13 @@ private:
     std::uint64_t reserved_ = 0;
 };
 
-/// The vertices of a body's mesh: attributes for a primitive, without indices. `dressed` adds COLOR_0 and _REGION.
+/// The vertices of a body's mesh: attributes for a primitive, without indices. `dressed` adds COLOR_0 and
+/// _REGION.
 Json addBodyVertices(const BodyMesh& mesh, bool dressed, GltfBuffer& buffer);
 /// The skeleton's inverse bind matrices; returns the accessor.
 std::size_t addInverseBinds(GltfBuffer& buffer);
-/// The joints' nodes in the rest pose, numbered from `first` in the skeleton's order, names ending in `suffix`.
+/// The joints' nodes in the rest pose, numbered from `first` in the skeleton's order, names ending in
+/// `suffix`.
 void addJointNodes(std::size_t first, const std::string& suffix, Json& nodes);
 
 }  // namespace muster::bodies

@@ -25,7 +25,8 @@ struct Stuff {
 /// Collects vertices and triangles. Triangles that share vertices are shaded as one smooth surface.
 class MeshBuilder {
 public:
-    /// While true all that is said is meant for the other side of the body: y is negated, triangles turn round.
+    /// While true all that is said is meant for the other side of the body: y is negated, triangles turn
+    /// round.
     void setMirrored(bool mirrored) { mirrored_ = mirrored; }
 
     /// One vertex.

@@ -26,7 +26,7 @@ struct Shape {
     std::span<const Section> arm;     ///< From inside the sleeve to the finger tips.
     std::span<const Section> neck;    ///< From inside the collar into the head.
     std::span<const Section> head;    ///< From the chin to the crown.
-    std::size_t holeBegin = 0;        ///< Cuts of the shirt between which the sleeves start, in the fine mesh.
+    std::size_t holeBegin = 0;  ///< Cuts of the shirt between which the sleeves start, in the fine mesh.
     std::size_t holeEnd = 0;
     float midDrop = 0.0f;    ///< How much lower the first cut of the pelvis is in the middle [m].
     float crotch = 0.0f;     ///< Height between the legs [m].

@@ -34,15 +34,16 @@ void loadTrunk(Vec3 p, Loads& loads) {
     give(loads, JointRole::Neck, JointRole::Head, passed(p.z, 1.53f, 1.58f) * passed(y, 0.10f, 0.06f));
     const float out = passed(y, 0.18f, 0.22f);
     const float high = std::max(out, passed(p.z, 1.24f, 1.37f));
-    give(loads, JointRole::Chest, sided(JointRole::LeftShoulder, left), 0.85f * high * passed(y, 0.05f, 0.15f));
+    give(loads, JointRole::Chest, sided(JointRole::LeftShoulder, left),
+         0.85f * high * passed(y, 0.05f, 0.15f));
     const JointRole shoulder = sided(JointRole::LeftShoulder, left);
     const float arm = passed(y, 0.125f, 0.225f) * std::max(out, passed(p.z, 1.27f, 1.36f));
     give(loads, shoulder, sided(JointRole::LeftArm, left), arm);
     give(loads, JointRole::Chest, sided(JointRole::LeftArm, left), arm);
 }
 
-/// Thigh and shin. The outer side of a bend passes its load within less length than the inner one, so that knees
-/// keep their size.
+/// Thigh and shin. The outer side of a bend passes its load within less length than the inner one, so that
+/// knees keep their size.
 void loadLeg(Vec3 p, Loads& loads) {
     const bool left = p.y > 0.0f;
     const float y = std::abs(p.y);
@@ -64,13 +65,15 @@ void loadArm(Vec3 p, Loads& loads) {
     const float half = 0.035f + 0.025f * passed(p.x, -0.02f, 0.03f);
     give(loads, sided(JointRole::LeftArm, left), sided(JointRole::LeftForeArm, left),
          passed(y, 0.46f - half, 0.46f + half));
-    give(loads, sided(JointRole::LeftForeArm, left), sided(JointRole::LeftHand, left), passed(y, 0.68f, 0.74f));
+    give(loads, sided(JointRole::LeftForeArm, left), sided(JointRole::LeftHand, left),
+         passed(y, 0.68f, 0.74f));
 }
 
 void loadShoe(Vec3 p, Loads& loads) {
     const bool left = p.y > 0.0f;
     give(loads, JointRole::Hips, sided(JointRole::LeftFoot, left), 1.0f);
-    give(loads, sided(JointRole::LeftFoot, left), sided(JointRole::LeftToeBase, left), passed(p.x, 0.10f, 0.16f));
+    give(loads, sided(JointRole::LeftFoot, left), sided(JointRole::LeftToeBase, left),
+         passed(p.x, 0.10f, 0.16f));
 }
 
 /// The four heaviest, the heaviest first, sum 1.
@@ -94,11 +97,20 @@ void setWeights(Part part, BodyVertex& vertex) {
     loads[index(part == Part::Head ? JointRole::Head : JointRole::Hips)] = 1.0f;
     const Vec3 p = vertex.position;
     switch (part) {
-        case Part::Trunk: loadTrunk(p, loads), loadLeg(p, loads); break;
-        case Part::Leg: loadLeg(p, loads); break;
-        case Part::Arm: loadTrunk(p, loads), loadArm(p, loads); break;
-        case Part::Shoe: loadShoe(p, loads); break;
-        case Part::Head: break;
+        case Part::Trunk:
+            loadTrunk(p, loads), loadLeg(p, loads);
+            break;
+        case Part::Leg:
+            loadLeg(p, loads);
+            break;
+        case Part::Arm:
+            loadTrunk(p, loads), loadArm(p, loads);
+            break;
+        case Part::Shoe:
+            loadShoe(p, loads);
+            break;
+        case Part::Head:
+            break;
     }
     keepFour(loads, vertex);
 }
