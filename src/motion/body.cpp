@@ -97,7 +97,7 @@ public:
             legs[side] = limbPose(pose, hips, kChains[side]);
             const LimbTarget free{strode(legs[side].bones.end, side), legs[side].end};
             targets[side] = holdLimb(table_, mover_, frame_, side, free, dt_, body_);
-            if (entry_.feetHold) targets[side].place.z += sunk(targets[side], pose.rotation[kChains[side].end + 1]);
+            if (entry_.onFloor) targets[side].place.z += sunk(targets[side], pose.rotation[kChains[side].end + 1]);
         }
         lowerHips(legs, targets);
         for (std::size_t side = 0; side < 2; ++side) {

@@ -82,6 +82,9 @@ ClipTable::ClipTable(const ClipLibrary& library) : library_(&library) {
         addContacts(entry);
         entry.feetHold = !entry.contacts[0].empty() || !entry.contacts[1].empty();
         entry.handsHold = !entry.contacts[2].empty() || !entry.contacts[3].empty();
+        const bool onFeet = clip.motion != "crawl" && clip.motion != "swim" && clip.motion != "climb";
+        entry.onFloor = clip.motion != "swim";
+        entry.strides = onFeet && entry.feetHold && !entry.handsHold && !entry.standing;
         const bool goes = entry.use == ClipUse::Locomotion && entry.cyclic && !entry.standing;
         if (goes && (slowest_ == 0.0f || entry.speed < slowest_)) slowest_ = entry.speed;
         entries_.push_back(std::move(entry));

@@ -48,6 +48,8 @@ struct ClipEntry {
     bool standing = false;       ///< It goes nowhere.
     bool handsHold = false;      ///< Hands touch something in it.
     bool feetHold = false;       ///< Feet touch something in it.
+    bool onFloor = false;        ///< No foot of it comes below the floor: it does not swim.
+    bool strides = false;        ///< On feet alone: its steps may be longer or shorter.
     float duration = 0.0f;       ///< [s]
     float speed = 0.0f;          ///< [m/s]
     float length = 0.0f;         ///< [m]

@@ -87,7 +87,10 @@ void MotionReport::observeBody(const CrowdMotion& motion, std::size_t k, float d
     if (clip.motion != "swim") {
         depths_.push_back(depth(joints, playback.size));
         observeFeet(joints, motion, k, dt, seen);
+    } else {
+        seen.held = {};
     }
+    seen.onFloor = clip.motion != "swim";
     observeClip(playback, motion.library(), dt, seen);
     ++figures_.bodySteps;
     seen.steps = std::min(2u, seen.steps + 1);
@@ -102,9 +105,9 @@ void MotionReport::observeFeet(const JointTransforms& joints, const CrowdMotion&
         const auto lowest = static_cast<std::size_t>(
             std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.z < b.z; }) - points.begin());
         const float moved = flatLength(points[lowest] - seen.soles[side][lowest]);
-        if (seen.steps >= 1 && points[lowest].z < kLow && seen.soles[side][lowest].z < kLow)
+        if (seen.onFloor && points[lowest].z < kLow && seen.soles[side][lowest].z < kLow)
             lowSpeeds_.push_back(moved / dt);
-        if (seen.steps >= 1 && held && seen.held[side]) seen.slide[side] += static_cast<double>(moved);
+        if (seen.onFloor && held && seen.held[side]) seen.slide[side] += static_cast<double>(moved);
         if (seen.held[side] && !held) slides_.push_back(static_cast<float>(seen.slide[side]));
         if (!held) seen.slide[side] = 0.0;
         seen.held[side] = held;

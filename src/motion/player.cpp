@@ -184,10 +184,9 @@ void Player::setStride(Mover& mover, const Step& step) const {
     const ClipEntry& entry = table_[mover.clip];
     Vec2 way{1.0, 0.0};
     float stride = 1.0f;
-    const bool fixed = entry.standing || !entry.feetHold || (entry.handsHold && entry.use != ClipUse::Transition);
-    if (!fixed && entry.use == ClipUse::Action && !mover.action.timed && mover.action.patch != 0) {
+    if (entry.use == ClipUse::Action && !mover.action.timed && mover.action.patch != 0) {
         stride = static_cast<float>(mover.action.length) / (entry.length * mover.size);
-    } else if (!fixed) {
+    } else if (entry.strides) {
         const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
         stride = std::min(1.6f, step.speed / clipSpeed);
         way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});

@@ -46,6 +46,7 @@ private:
     struct Seen {
         std::uint32_t id = 0;
         std::uint32_t steps = 0;  ///< Seen without a break, up to 2.
+        bool onFloor = false;     ///< Its soles were seen one step ago.
         std::uint16_t clip = 0;
         float time = 0.0f;
         std::array<std::array<Vec3, kSolePoints>, 2> soles{};
