@@ -1,10 +1,12 @@
 // muster export
-#include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include "commands.h"
+#include "muster/clips/clip_files.h"
 #include "muster/export/formats.h"
 #include "muster/generator/own_clips.h"
+#include "muster/motion/clips_for.h"
 #include "options.h"
 #include "report.h"
 
@@ -15,8 +17,18 @@ struct ExportOptions {
     std::string take;
     std::string format;
     std::string out;
+    std::string clips;
     ExportDef part;
 };
+
+/// The clips that people move by: a folder of clips, or that in which the scenario's clip files lie.
+Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
+    if (options.clips.empty()) return ownClips();
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(options.clips, ignored)) return invalidArgument(options.clips + ": is no folder");
+    const bool list = std::filesystem::exists(options.clips + "/" + kClipList, ignored);
+    return list ? loadClips(options.clips) : clipsFor(take.def.clips, options.clips);
+}
 
 int exportFile(const ExportOptions& options) {
     auto exporter = makeExporter(options.format, options.out);
@@ -55,6 +67,10 @@ void addExportCommand(CLI::App& app, int& exitCode) {
                         "Time of the last frame [s]; left out: the end of the take.");
     command->add_option("--fps", options->part.fps,
                         "Frames a second, 1 to 240; usual are 24, 25, 30 and 60.");
+    command->add_option(
+        "--clips", options->clips,
+        "Folder with a clips.json whose clips are to be used, or the scenario's folder, if it names clip "
+        "files; left out: Muster's own clips.");
     command->add_option("--threads", options->part.threads, "Threads; 0 takes what the machine has.")
         ->check(CLI::Range(0, 256));
     command->footer("Formats:\n" + formatList() +

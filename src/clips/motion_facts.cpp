@@ -8,7 +8,8 @@
 namespace muster {
 namespace {
 
-constexpr float kLeastMotion = 1e-6f;  // A joint that stays within that does not move [m].
+constexpr float kLeastMotion = 1e-6f;    // A joint that stays within that does not move [m].
+constexpr float kLeastTurn = 0.999999f;  // Squared cosine of half a turn that is none.
 
 /// Where a joint is in the world in a frame.
 Vec3 placeOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
@@ -20,8 +21,9 @@ Vec3 placeOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
     return place;
 }
 
-/// The first joint whose positions change; else the first.
+/// The first joint with position channels that moves or turns; else the first.
 std::size_t rootOf(const BvhMotion& motion) {
+    if (isOwnSkeleton(motion)) return 0;
     for (std::size_t j = 0; j < motion.joints.size(); ++j) {
         if (!motion.joints[j].moves) continue;
         for (std::size_t f = 1; f < motion.frames; ++f)

@@ -25,8 +25,8 @@ public:
     Status begin(const ExportInfo& info) override {
         info_ = info;
         std::error_code error;
-        madeFolder_ = fs::create_directories(folder_, error);
-        if (error || !fs::is_directory(folder_, error))
+        madeFolder_ = fs::create_directory(folder_, error);
+        if (!fs::is_directory(folder_, error))
             return cannotWrite(folder_, "it is no folder and cannot be made one");
         return {};
     }

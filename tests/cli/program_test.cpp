@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"studio", "play", "replay", "check", "import", "picture", "peers", "reproduce", "sweep"};
+const std::vector<std::string> kCommands = {"studio", "play", "replay", "check", "import", "picture", "peers", "motion", "export", "reproduce", "sweep"};
 
 std::string path(const char* name) {
     return (workFolder() / name).string();

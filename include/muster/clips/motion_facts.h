@@ -9,7 +9,7 @@
 
 namespace muster {
 
-inline constexpr double kUsualRun = 2.6;      ///< Speed of running where no clip of it is at hand [m/s].
+inline constexpr double kUsualRun = 2.6;     ///< Speed of running where no clip of it is at hand [m/s].
 inline constexpr double kLeastRatio = 0.02;  ///< To running: no clip, not even of standing, counts as slower.
 
 /// Figures of one motion.

@@ -1,0 +1,136 @@
+// muster motion and muster export, as people run them.
+#include <doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+using namespace muster::testing;
+using Json = nlohmann::json;
+
+namespace {
+
+const char* kSmall = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
+    "groups":[{"count":4,"position":[-3.5,0]}]})";
+
+std::string path(const std::string& name) {
+    return (workFolder() / name).string();
+}
+
+std::string smallTake() {
+    const std::string take = path("motion.take");
+    REQUIRE(runProgram("play " + put("motion-small.json", kSmall) + " --seconds 1 --take " + take).code == 0);
+    return take;
+}
+
+std::size_t filesIn(const std::string& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+}  // namespace
+
+TEST_CASE("motion shows Muster's own clips, as a table and as JSON") {
+    const Outcome table = runProgram("motion");
+    CHECK(table.code == 0);
+    for (const char* word : {"clip", "duration s", "speed m/s", "ratio", "\nrun ", "\nwalk ", "\nidle "})
+        CHECK_MESSAGE(table.out.find(word) != std::string::npos, word);
+    const Outcome outcome = runProgram("motion --json");
+    CHECK(outcome.code == 0);
+    const Json list = Json::parse(outcome.out, nullptr, false);
+    REQUIRE(list.is_array());
+    bool run = false;
+    for (const Json& clip : list) {
+        for (const char* key : {"clip", "speed_mps", "ratio", "length_m", "duration_s", "cyclic", "contacts"})
+            CHECK(clip.contains(key));
+        CHECK(clip["ratio"].get<double>() >= 0.02);
+        CHECK(std::abs(clip["speed_mps"].get<double>() * clip["duration_s"].get<double>() -
+                       clip["length_m"].get<double>()) < 1e-6);
+        if (clip["clip"] != "run") continue;
+        run = true;
+        CHECK(clip["ratio"] == 1.0);
+        CHECK(clip["cyclic"] == true);
+        CHECK(clip["contacts"].size() >= 2);
+    }
+    CHECK(run);
+}
+
+TEST_CASE("clips written to a folder are read again, alone and all together") {
+    const std::string folder = path("motions");
+    const Json own = Json::parse(runProgram("motion --json --write " + folder).out, nullptr, false);
+    REQUIRE(own.is_array());
+    CHECK(filesIn(folder) == own.size() + 1);
+    const Json again = Json::parse(runProgram("motion --json " + folder).out, nullptr, false);
+    REQUIRE(again.size() == own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        CHECK(again[i]["clip"] == own[i]["clip"]);
+        CHECK(again[i]["cyclic"] == own[i]["cyclic"]);
+        CHECK(again[i]["contacts"] == own[i]["contacts"]);
+        CHECK(std::abs(again[i]["speed_mps"].get<double>() - own[i]["speed_mps"].get<double>()) < 1e-4);
+    }
+    const Json files = Json::parse(runProgram("motion --json --run " + folder + "/walk.bvh " + folder +
+                                              "/walk.bvh " + folder + "/run.bvh --unit cm")
+                                       .out,
+                                   nullptr, false);
+    REQUIRE(files.size() == 2);
+    CHECK(std::abs(files[0]["ratio"].get<double>() - 1.0) < 1e-6);
+    CHECK(files[1]["clip"] == "run");
+    CHECK(std::abs(files[1]["speed_mps"].get<double>() - 2.6) < 1e-3);
+    // In another unit the same file goes a hundred times as far.
+    const Json metres =
+        Json::parse(runProgram("motion --json --unit m " + folder + "/run.bvh").out, nullptr, false);
+    CHECK(std::abs(metres[0]["speed_mps"].get<double>() - 260.0) < 0.1);
+}
+
+TEST_CASE("motion refuses what it cannot read with one sentence") {
+    for (const std::string& line :
+         {std::string("motion /nowhere.bvh"), "motion " + put("no.bvh", "not a BVH file"),
+          std::string("motion --unit ell"), std::string("motion --run idle"),
+          std::string("motion --write /proc/nowhere"), "motion " + workFolder().string()}) {
+        const Outcome outcome = runProgram(line);
+        CHECK_MESSAGE(outcome.code == 1, line);
+        CHECK_MESSAGE(outcome.errorLines() == 1, outcome.error);
+        CHECK(outcome.out.empty());
+    }
+    CHECK(runProgram("motion " + put("no.bvh", "not a BVH file")).error.find("no.bvh:1: found \"not\"") !=
+          std::string::npos);
+}
+
+TEST_CASE("export writes each simple format") {
+    const std::string take = smallTake();
+    const Outcome text =
+        runProgram("export " + take + " --format pedpy --out " + path("e.txt") + " --fps 25");
+    CHECK_MESSAGE(text.code == 0, text.error);
+    CHECK(slurp(path("e.txt")).rfind("# framerate: 25\n", 0) == 0);
+    const Outcome bodies = runProgram("export " + take + " --format bvh --out " + path("e-bodies") +
+                                      " --from 0.2 --to 0.7 --fps 24");
+    CHECK_MESSAGE(bodies.code == 0, bodies.error);
+    CHECK(filesIn(path("e-bodies")) == 4);
+    CHECK(slurp(path("e-bodies") + "/character-0001.bvh").find("Frames: 13 ") != std::string::npos);
+    const Outcome base = runProgram("export " + take + " --format jupedsim --out " + path("e.sqlite"));
+    if (base.error.find("this build has none") == std::string::npos) {
+        CHECK_MESSAGE(base.code == 0, base.error);
+        CHECK(slurp(path("e.sqlite")).rfind("SQLite format 3", 0) == 0);
+    }
+}
+
+TEST_CASE("export fails with one sentence and no half file") {
+    const std::string take = smallTake(), out = path("half");
+    const std::string torn = put("torn.take", slurp(take).substr(0, slurp(take).size() - 5));
+    for (const std::string& line :
+         {take + " --format doc --out " + out, take + " --format pedpy --from 0.8 --to 0.3 --out " + out,
+          take + " --format pedpy --fps 0 --out " + out, take + " --format bvh --fps -24 --out " + out,
+          take + " --format pedpy --to 99 --out " + out, take + " --format pedpy --out /proc/nowhere/x",
+          take + " --format bvh --out /proc/nowhere/x", take + " --format pedpy --out " + take,
+          torn + " --format pedpy --out " + out, "/nowhere.take --format bvh --out " + out,
+          take + " --format bvh --clips /nowhere/x --out " + out + "/" + std::string(300, 'x')}) {
+        const Outcome outcome = runProgram("export " + line);
+        CHECK_MESSAGE(outcome.code == 1, line);
+        CHECK_MESSAGE(outcome.errorLines() == 1, outcome.error);
+        CHECK_MESSAGE(!std::filesystem::exists(out), line);
+        CHECK_MESSAGE(!std::filesystem::exists(out + ".part"), line);
+        std::filesystem::remove_all(out);
+    }
+    CHECK(runProgram("export " + take + " --format bvh").code == 2);
+    CHECK(runProgram("export " + take + " --format bvh --out x --fps many").code == 2);
+}
