@@ -200,9 +200,7 @@ private:
         Ring inner;
         for (const Section& cut : shape_.arm) {
             if (!wanted(cut)) continue;
-            // The coarse arm fills the sleeve, which has no inside.
-            const bool first = inner.empty() && !detail_.fine;
-            const Ring ring = mesh_.add(armRing(first ? shape_.sleeve.back() : cut, detail_.arm), kBareArm);
+            const Ring ring = mesh_.add(armRing(cut, detail_.arm), kBareArm);
             if (!inner.empty()) mesh_.bridge(inner, ring);
             inner = ring;
         }
@@ -294,7 +292,7 @@ private:
         if (turn <= kBrow) return brow;
         if (turn <= kTemple)
             return brow + (shape_.hairSides - brow) * static_cast<float>((turn - kBrow) / (kTemple - kBrow));
-        const float t = static_cast<float>((turn - kTemple) / (kPi - kTemple));
+        const float t = std::min(1.0f, static_cast<float>((turn - kTemple) / (2.45 - kTemple)));
         return shape_.hairSides + (shape_.hairNape - shape_.hairSides) * t;
     }
 

@@ -30,7 +30,7 @@ const Shape& broadShape() {
         Section{0.082f, 0.054f, 0.061f, 0.065f, true, 0.090f},
     };
     static constexpr std::array kSleeve{
-        Section{0.205f, 0.064f, 0.064f, 0.066f, false, 1.408f},
+        Section{0.205f, 0.061f, 0.063f, 0.065f, false, 1.406f},
         Section{0.245f, 0.062f, 0.062f, 0.063f, false, 1.408f},
         Section{0.335f, 0.060f, 0.060f, 0.058f, true, 1.408f},
     };
@@ -90,7 +90,7 @@ const Shape& narrowShape() {
         Section{0.086f, 0.049f, 0.057f, 0.061f, true, 0.090f},
     };
     static constexpr std::array kSleeve{
-        Section{0.200f, 0.057f, 0.055f, 0.057f, false, 1.406f},
+        Section{0.200f, 0.054f, 0.055f, 0.057f, false, 1.405f},
         Section{0.240f, 0.055f, 0.053f, 0.055f, false, 1.407f},
         Section{0.315f, 0.053f, 0.052f, 0.052f, true, 1.408f},
     };

@@ -37,7 +37,7 @@ void loadTrunk(Vec3 p, Loads& loads) {
     give(loads, JointRole::Chest, sided(JointRole::LeftShoulder, left),
          0.85f * high * passed(y, 0.05f, 0.15f));
     const JointRole shoulder = sided(JointRole::LeftShoulder, left);
-    const float arm = passed(y, 0.125f, 0.225f) * std::max(out, passed(p.z, 1.27f, 1.36f));
+    const float arm = passed(y, 0.115f, 0.265f) * std::max(out, passed(p.z, 1.27f, 1.36f));
     give(loads, shoulder, sided(JointRole::LeftArm, left), arm);
     give(loads, JointRole::Chest, sided(JointRole::LeftArm, left), arm);
 }
