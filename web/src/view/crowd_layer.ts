@@ -5,13 +5,14 @@ import type { Body } from '../people/body';
 import { type ClipPoses, ClipBank } from '../people/clip_bank';
 import { NearPoses } from '../people/near_poses';
 import { makePlainBody } from '../people/plain_body';
+import { type Rig, sameRig } from '../people/rig';
 import type { CameraController } from './camera_controller';
 import { ContactDiscs } from './contact_discs';
 import type { CrowdState } from './crowd_state';
 import type { FrameBlend } from './frame_timeline';
 import { kHidden, kNear, LevelOfDetail } from './level_of_detail';
 import { accentOf, type Palette } from './palette';
-import { DressedBody, linear, PlayWriter } from './people';
+import { DressedBody, linear, PlayWriter, RigPoses } from './people';
 import { PeopleUniforms } from './people_material';
 import { kChosen } from './people_shader';
 import type { Quality } from './quality';
@@ -37,6 +38,8 @@ export class CrowdLayer {
   private ours_: readonly Body[] = [makePlainBody()];
   private own_: { readonly body: Body; readonly clips: readonly ClipPoses[] } | null = null;
   private dressed_: DressedBody[] = [];
+  /** One for all bodies with the same joints. */
+  private poses_: RigPoses[] = [];
   private shades_: (readonly [number, number])[] = [];
   private accents_: Float32Array = new Float32Array(3);
   private groups_ = 1;
@@ -93,10 +96,8 @@ export class CrowdLayer {
   update(state: CrowdState, blend: FrameBlend | null, camera: CameraController): void {
     const whole = this.quality_ === 'full' && blend !== null;
     if (whole) this.near_.mix(blend.from, blend.to, blend.alpha, state.count, kNearMost);
-    for (const body of this.dressed_) {
-      if (whole) body.pose(this.near_);
-      body.begin(state.count);
-    }
+    if (whole) for (const poses of this.poses_) poses.pose(this.near_);
+    for (const body of this.dressed_) body.begin(state.count);
     this.discs_.begin(state.count);
     this.levels_.begin(camera);
     for (let i = 0; i < state.count; ++i) this.add(state, i, whole);
@@ -105,13 +106,13 @@ export class CrowdLayer {
   }
 
   dispose(): void {
-    for (const body of this.dressed_) body.dispose();
+    this.undress();
     this.discs_.dispose();
   }
 
   private add(state: CrowdState, i: number, whole: boolean): void {
     const p = state.placement;
-    const [x, y, heading, size] = [p[4 * i]!, p[4 * i + 1]!, p[4 * i + 2]!, p[4 * i + 3]!];
+    const x = p[4 * i]!, y = p[4 * i + 1]!, heading = p[4 * i + 2]!, size = p[4 * i + 3]!;
     const level = this.levels_.levelAt(x, y);
     if (level === kHidden) return;
     const dressed = this.dressed_[state.body(i, this.dressed_.length)]!;
@@ -135,12 +136,17 @@ export class CrowdLayer {
     this.discs_.add(x, y, heading, size, now[0] + (before[0] - now[0]) * fade, now[1] + (before[1] - now[1]) * fade);
   }
 
-  private dress(): void {
-    for (const body of this.dressed_) body.dispose();
+  private undress(): void {
+    for (const one of [...this.dressed_, ...this.poses_]) one.dispose();
     this.group.clear();
+    this.poses_ = [];
+  }
+
+  private dress(): void {
+    this.undress();
     this.group.add(this.discs_.mesh);
     const bodies = this.own_ ? [this.own_.body] : this.ours_;
-    this.dressed_ = bodies.map((body) => new DressedBody(this.quality_, this.uniforms_, body));
+    this.dressed_ = bodies.map((body) => new DressedBody(this.quality_, this.uniforms_, this.posesOf(body.rig), body));
     for (const body of this.dressed_) this.group.add(body.group);
     this.play();
   }
@@ -149,6 +155,12 @@ export class CrowdLayer {
     this.bank_ = new ClipBank(this.clips_, this.own_?.clips ?? []);
     this.writer_ = new PlayWriter(this.bank_);
     this.shades_ = Array.from({ length: this.bank_.clipCount }, (_, clip) => kShades[this.bank_.motion(clip)] ?? kStanding);
-    for (const body of this.dressed_) body.bake(this.bank_);
+    for (const poses of this.poses_) poses.bake(this.bank_);
+  }
+
+  private posesOf(rig: Rig): RigPoses {
+    let found = this.poses_.find((one) => sameRig(one.rig, rig));
+    if (!found) this.poses_.push((found = new RigPoses(rig)));
+    return found;
   }
 }

@@ -1,31 +1,47 @@
 // Everybody in the scene: one instanced draw call per body and level of detail, and one for the discs of shade.
 
-import { Color, Group, InstancedBufferGeometry, Mesh, Vector3 } from 'three';
+import { type BufferGeometry, Color, Group, InstancedBufferGeometry, type Material, Mesh, ShaderMaterial, Vector3 } from 'three';
 import { type Body, type BodyPart, trianglesOf } from '../people/body';
 import { type ClipBank, type Moment } from '../people/clip_bank';
 import type { NearPoses } from '../people/near_poses';
 import { PoseTexture } from '../people/pose_texture';
+import type { Rig } from '../people/rig';
 import { type BodyUniforms, peopleDepthMaterial, peopleMaterial, type PeopleUniforms } from './people_material';
 import { InstanceList } from './instance_list';
 import type { Quality } from './quality';
 import { kJoints } from '../people/skeleton';
+
+function instancedMesh(source: BufferGeometry, material: Material): Mesh<InstancedBufferGeometry> {
+  const geometry = new InstancedBufferGeometry();
+  for (const [name, attribute] of Object.entries(source.attributes)) geometry.setAttribute(name, attribute);
+  geometry.setIndex(source.index);
+  const mesh = new Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+/** Draws nothing: for what is only to throw shadows. */
+function unseenMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader: 'void main() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }', fragmentShader: 'void main() { discard; }',
+    colorWrite: false, depthWrite: false,
+  });
+}
 
 /** The meshes of one level of a body. */
 class Level {
   readonly meshes: Mesh<InstancedBufferGeometry>[];
   readonly list: InstanceList;
 
-  constructor(quality: Quality, people: PeopleUniforms, body: BodyUniforms, parts: readonly BodyPart[], casts: boolean) {
-    this.meshes = parts.map(({ geometry: source, map }) => {
-      const geometry = new InstancedBufferGeometry();
-      for (const [name, attribute] of Object.entries(source.attributes)) geometry.setAttribute(name, attribute);
-      geometry.setIndex(source.index);
-      const mesh = new Mesh(geometry, peopleMaterial(quality, people, body, map));
+  /** `shadows`: what throws shadows in place of the parts; far fewer triangles look the same there. */
+  constructor(quality: Quality, people: PeopleUniforms, body: BodyUniforms, parts: readonly BodyPart[], shadows: readonly BodyPart[]) {
+    const seen = parts.map(({ geometry, map }) => instancedMesh(geometry, peopleMaterial(quality, people, body, map)));
+    const thrown = shadows.map(({ geometry }) => instancedMesh(geometry, unseenMaterial()));
+    for (const mesh of thrown) {
       mesh.customDepthMaterial = peopleDepthMaterial(people, body);
-      mesh.castShadow = casts;
-      mesh.frustumCulled = false;
-      return mesh;
-    });
+      mesh.castShadow = true;
+    }
+    this.meshes = [...seen, ...thrown];
     this.list = new InstanceList(this.meshes.map((mesh) => mesh.geometry));
   }
 
@@ -43,40 +59,52 @@ class Level {
   }
 }
 
-/** One body with its poses on the graphics card. */
-export class DressedBody {
-  readonly group = new Group();
-  readonly near: Level;
-  readonly far: Level;
-  /** Triangles of one at each level. */
-  readonly triangles: readonly [number, number];
+/** The poses of all bodies that have the same joints. */
+export class RigPoses {
+  readonly uniforms: BodyUniforms;
   private readonly baked_ = new PoseTexture(1);
   private readonly whole_ = new PoseTexture(1);
-  private readonly uniforms_: BodyUniforms;
 
-  constructor(quality: Quality, people: PeopleUniforms, readonly body: Body) {
-    const bind = Array.from({ length: kJoints }, (_, j) => new Vector3().fromArray(body.rig.bind, 3 * j));
-    this.uniforms_ = { uBaked: { value: this.baked_.texture }, uNear: { value: this.whole_.texture }, uBind: { value: bind } };
-    this.near = new Level(quality, people, this.uniforms_, body.near, quality === 'full');
-    this.far = new Level(quality, people, this.uniforms_, body.far, false);
-    this.triangles = [trianglesOf(body.near), trianglesOf(body.far)];
-    this.group.add(...this.near.meshes, ...this.far.meshes);
+  constructor(readonly rig: Rig) {
+    const bind = Array.from({ length: kJoints }, (_, j) => new Vector3().fromArray(rig.bind, 3 * j));
+    this.uniforms = { uBaked: { value: this.baked_.texture }, uNear: { value: this.whole_.texture }, uBind: { value: bind } };
   }
 
   bake(bank: ClipBank): void {
     this.baked_.reserve(bank.poseCount);
-    bank.bake(this.body.rig, this.baked_.data);
+    bank.bake(this.rig, this.baked_.data);
     this.baked_.send();
-    this.uniforms_.uBaked.value = this.baked_.texture;
+    this.uniforms.uBaked.value = this.baked_.texture;
   }
 
   /** Puts whole poses up. */
   pose(near: NearPoses): void {
     if (near.count === 0) return;
     this.whole_.reserve(near.count);
-    near.solve(this.body.rig, this.whole_.data);
+    near.solve(this.rig, this.whole_.data);
     this.whole_.send();
-    this.uniforms_.uNear.value = this.whole_.texture;
+    this.uniforms.uNear.value = this.whole_.texture;
+  }
+
+  dispose(): void {
+    this.baked_.dispose();
+    this.whole_.dispose();
+  }
+}
+
+/** One body on the graphics card. */
+export class DressedBody {
+  readonly group = new Group();
+  readonly near: Level;
+  readonly far: Level;
+  /** Triangles of one at each level. */
+  readonly triangles: readonly [number, number];
+
+  constructor(quality: Quality, people: PeopleUniforms, poses: RigPoses, readonly body: Body) {
+    this.near = new Level(quality, people, poses.uniforms, body.near, quality === 'full' ? body.far : []);
+    this.far = new Level(quality, people, poses.uniforms, body.far, []);
+    this.triangles = [trianglesOf(body.near), trianglesOf(body.far)];
+    this.group.add(...this.near.meshes, ...this.far.meshes);
   }
 
   begin(most: number): void {
@@ -92,8 +120,6 @@ export class DressedBody {
   dispose(): void {
     this.near.dispose();
     this.far.dispose();
-    this.baked_.dispose();
-    this.whole_.dispose();
   }
 }
 
