@@ -4,6 +4,7 @@
 
 #include "muster/export/bvh_export.h"
 #include "muster/export/gltf_export.h"
+#include "muster/export/joint_list.h"
 #include "muster/export/jupedsim.h"
 #include "muster/export/trajectory_text.h"
 
@@ -11,8 +12,10 @@ namespace muster {
 
 std::span<const ExportFormat> exportFormats() {
     static constexpr std::array kFormats{
-        ExportFormat{"glb", "one binary glTF file: bodies in motion on their ground, and a camera", makeGltfExporter},
+        ExportFormat{"glb", "one binary glTF file: bodies in motion on their ground, and a camera",
+                     makeGltfExporter},
         ExportFormat{"bvh", "a folder with one BVH file per character", makeBvhExporter},
+        ExportFormat{"joints", "where all joints are, as JSON", makeJointListExporter},
         ExportFormat{"jupedsim", "trajectories as JuPedSim's SQLite file", makeJupedsimExporter},
         ExportFormat{"pedpy", "trajectories as text for PedPy", makePedpyExporter},
     };

@@ -22,7 +22,6 @@ Vec3 at(Vec2 p, double z) {
 const FinishLook& finishLook(Finish finish) {
     static constexpr std::array<FinishLook, static_cast<std::size_t>(Finish::Count)> kLooks{{
         {"ground", 0xE6E1D9},
-        {"line", 0xCCC6BC},
         {"wall", 0xDDD6CA},
         {"roof", 0xEDE8DF},
         {"stone", 0xE4DED2},

@@ -15,7 +15,7 @@ namespace muster {
 
 /// What a surface is made of.
 enum class Finish : std::uint8_t {
-    Ground, Line, Wall, Roof, Stone, Trunk, Crown, Leaves, Water, Tile, Coping, NetFloor, Net, Brick, Floor,
+    Ground, Wall, Roof, Stone, Trunk, Crown, Leaves, Water, Tile, Coping, NetFloor, Net, Brick, Floor,
     Shade, Glass, Tyre, Paint1, Paint2, Paint3, Paint4, Fur,
     Count
 };

@@ -40,7 +40,8 @@ bool carSized(const Polygon& outline) {
 }
 
 void addTree(const ObstacleDef& tree, SceneMeshBuilder& builder) {
-    const double s = std::clamp(tree.height / 4.0, 0.5, 2.0);
+    // Lower than trees are, as in the studio, so that people under them stay visible.
+    const double s = std::clamp(tree.radius / 0.4, 0.65, 1.0);
     const auto seed = static_cast<std::uint32_t>(thrown(static_cast<std::uint32_t>(tree.centre.x * 64.0),
                                                         static_cast<std::uint32_t>(tree.centre.y * 64.0)) *
                                                  1e6);
