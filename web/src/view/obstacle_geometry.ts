@@ -113,13 +113,15 @@ export interface Blob {
   readonly seed: number;
   readonly rows?: number;
   readonly sides?: number;
+  /** 1 as a rule, 0 for an even ball. */
+  readonly lumps?: number;
 }
 
-export function addBlob(builder: GeometryBuilder, centre: Vec3, { radius, height, colour, seed, rows = 5, sides = 9 }: Blob): void {
+export function addBlob(builder: GeometryBuilder, centre: Vec3, { radius, height, colour, seed, rows = 5, sides = 9, lumps = 1 }: Blob): void {
   const point = (row: number, side: number): Vec3 => {
     const tilt = (Math.PI * row) / rows - Math.PI / 2;
     const s = row === 0 || row === rows ? 0 : side % sides;
-    const lump = 0.88 + 0.2 * Math.abs(Math.sin(seed * 12.9898 + row * 78.233 + s * 37.719));
+    const lump = 1 + lumps * (0.2 * Math.abs(Math.sin(seed * 12.9898 + row * 78.233 + s * 37.719)) - 0.12);
     const turn = (2 * Math.PI * (s + 0.5 * (row % 2))) / sides;
     const flat = Math.cos(tilt) * radius * lump;
     return [centre[0] + flat * Math.cos(turn), centre[1] + flat * Math.sin(turn),
@@ -177,7 +179,7 @@ export function addCar(builder: GeometryBuilder, outline: readonly Point2[], hei
     box.x + c * u * box.length - s * v * box.width, box.y + s * u * box.length + c * v * box.width];
   const slab = (u0: number, u1: number, v: number, low: number, high: number, colour: string): void =>
     builder.prism([at(u0, -v), at(u1, -v), at(u1, v), at(u0, v)], low, high, colour, colour);
-  for (const u of [-0.62, 0.62]) slab(u - 0.15, u + 0.15, 1, 0, 0.6, '#1B1E22');
+  for (const u of [-0.62, 0.62]) for (const side of [-1, 1]) addWheel(builder, at(u, 0.72 * side), at(u, side), Math.min(0.34, 0.15 * box.length));
   const high = Math.min(kCutHeight, Math.max(1.3, height));
   const van = high > 1.9;
   const sill = van ? 0.5 * high : 0.56 * high;
@@ -195,6 +197,23 @@ export function addCar(builder: GeometryBuilder, outline: readonly Point2[], hei
   addSkirt(builder, low, between, sill, pane, palette.glass);
   addSkirt(builder, between, top, pane, high, body);
   builder.floor(top, high, body);
+}
+
+/** A wheel between two points of its axle, standing on the ground. */
+function addWheel(builder: GeometryBuilder, inner: Point2, outer: Point2, radius: number): void {
+  const length = Math.hypot(outer[0] - inner[0], outer[1] - inner[1]) || 1;
+  const [ax, ay] = [(outer[0] - inner[0]) / length, (outer[1] - inner[1]) / length];
+  const sides = 14;
+  const rim = (p: Point2, k: number, share: number): Vec3 => {
+    const turn = (2 * Math.PI * k) / sides;
+    return [p[0] - ay * Math.cos(turn) * radius * share, p[1] + ax * Math.cos(turn) * radius * share, radius + Math.sin(turn) * radius * share];
+  };
+  const hub: Vec3 = [outer[0], outer[1], radius];
+  for (let k = 0; k < sides; ++k) {
+    builder.quad(rim(outer, k, 1), rim(outer, k + 1, 1), rim(inner, k + 1, 1), rim(inner, k, 1), '#1B1E22');
+    builder.quad(rim(outer, k, 0.6), rim(outer, k + 1, 0.6), rim(outer, k + 1, 1), rim(outer, k, 1), '#1B1E22');
+    builder.triangle(hub, rim(outer, k + 1, 0.6), rim(outer, k, 0.6), '#9AA0A6');
+  }
 }
 
 /** Sloping walls between two outlines of as many corners. */

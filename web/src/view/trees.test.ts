@@ -30,7 +30,7 @@ describe('trees', () => {
     expect(pictures).toBeGreaterThan(3);
     expect(trees.solid[0]).toBeLessThan(0.3);
     expect(trees.solid[1]).toBe(1);
-    while (trees.reveal({ count: 1, placement: Float32Array.of(0, -4, 0, 1) }, view));
+    while (trees.reveal({ count: 1, placement: Float32Array.of(0, -5, 0, 1) }, view));
     expect(trees.solid[0]).toBeGreaterThan(0.95);
   });
 

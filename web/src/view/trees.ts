@@ -11,11 +11,11 @@ import type { Palette } from './palette';
 
 /** Height of the middle of a crown, and its reach, for a tree of size 1 [m]. */
 const kCrownHeight = 2.9;
-const kCrownReach = 1.5;
+const kCrownReach = 1.75;
 /** A person's middle [m]. */
 const kPerson = 0.9;
 /** Of a crown with somebody behind it. */
-const kThin = 0.24;
+const kThin = 0.1;
 /** Share of the way to what is wanted, per picture. */
 const kFollow = 0.2;
 

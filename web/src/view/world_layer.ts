@@ -48,7 +48,7 @@ export class WorldLayer {
     this.body_ = bodyMaterial(shade, false);
     this.floor_ = floorMaterial(shade);
     this.water_ = seeThroughMaterial(0.6);
-    this.leaves_ = seeThroughMaterial(0.62);
+    this.leaves_ = Object.assign(seeThroughMaterial(0.36), { depthWrite: true });
   }
 
   /** Builds everything anew in the palette's colours. */

@@ -8,7 +8,7 @@ import { addPlain, blended, type PatchParts, thrown } from './patch_parts';
 /** Where leaves begin: who walks upright is in them, who ducks is below [m]. */
 export const kLeavesFrom = 1.3;
 /** One tuft to so much floor [m²]. */
-const kTuftArea = 0.62;
+const kTuftArea = 0.8;
 
 export function addBranches(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
   const dark = palette.shadowKeeps < 0.65;

@@ -55,16 +55,19 @@ function addMouse(parts: PatchParts, outline: readonly Point2[], palette: Palett
   addRim(parts, outline, palette.brickLine);
   const box = boxOf(outline);
   const size = 0.62 * Math.min(box.length, box.width);
-  const fur = palette.grey;
+  const fur = blended(palette.grey, palette.trunk, 0.4);
+  const skin = blended(palette.grey, '#E8A08C', 0.75);
   const blob = (x: number, y: number, z: number, radius: number, height: number, colour = fur): void =>
-    addBlob(parts.solid, [box.x + x * size, box.y + y * size, z * size], { radius: radius * size, height: height * size, colour, seed: x * 9 + y, rows: 6, sides: 10 });
+    addBlob(parts.solid, [box.x + x * size, box.y + y * size, z * size], { radius: radius * size, height: height * size, colour, seed: 0, rows: 8, sides: 12, lumps: 0 });
   blob(-0.2, 0, 0.38, 0.52, 0.38);
   blob(0.42, 0, 0.33, 0.32, 0.27);
   blob(0.74, 0, 0.27, 0.08, 0.07, palette.ink);
   for (const side of [-1, 1]) {
-    blob(0.3, side * 0.26, 0.6, 0.17, 0.19, blended(fur, palette.brick, 0.4));
+    blob(0.3, side * 0.27, 0.62, 0.15, 0.17);
+    blob(0.345, side * 0.27, 0.62, 0.12, 0.13, skin);
+    for (const x of [-0.35, 0.2]) blob(x, side * 0.3, 0.06, 0.13, 0.07, skin);
     blob(0.62, side * 0.17, 0.42, 0.045, 0.045, palette.ink);
   }
   const tail = (k: number): Vec3 => [box.x - (0.66 + 0.16 * k) * size, box.y + 0.16 * Math.sin(k) * size, 0.06 * size];
-  for (let k = 0; k < 5; ++k) parts.solid.beam(tail(k), tail(k + 1), 0.05 * size, 0.05 * size, blended(fur, palette.brick, 0.4));
+  for (let k = 0; k < 5; ++k) parts.solid.beam(tail(k), tail(k + 1), 0.05 * size, 0.05 * size, skin);
 }
