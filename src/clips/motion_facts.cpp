@@ -8,8 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr float kLeastMotion = 1e-6f;    // A joint that stays within that does not move [m].
-constexpr float kLeastTurn = 0.999999f;  // Squared cosine of half a turn that is none.
+constexpr float kLeastMotion = 1e-6f;  // A joint that stays within that does not move [m].
 
 /// Where a joint is in the world in a frame.
 Vec3 placeOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
@@ -21,7 +20,7 @@ Vec3 placeOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
     return place;
 }
 
-/// The first joint with position channels that moves or turns; else the first.
+/// The first joint with position channels that moves; else the first.
 std::size_t rootOf(const BvhMotion& motion) {
     if (isOwnSkeleton(motion)) return 0;
     for (std::size_t j = 0; j < motion.joints.size(); ++j) {
