@@ -42,20 +42,29 @@ void loadTrunk(Vec3 p, Loads& loads) {
     give(loads, JointRole::Chest, sided(JointRole::LeftArm, left), arm);
 }
 
+/// How much of what hangs on the legs hangs on the one at the side of positive `y`, the rest of the way down
+/// at `down`.
+float legShare(float y, float down) {
+    return std::max(passed(y, -0.02f, 0.035f), y > 0.0f ? down : 0.0f);
+}
+
 /// Thigh and shin. The outer side of a bend passes its load within less length than the inner one, so that
 /// knees keep their size.
 void loadLeg(Vec3 p, Loads& loads) {
-    const bool left = p.y > 0.0f;
-    const float y = std::abs(p.y);
     // The fold of the hip runs from the crotch up to the outer side; behind, the buttock spreads it.
-    const float fold = 0.80f + 0.14f * std::clamp(y / 0.17f, 0.0f, 1.0f);
+    const float fold = 0.775f + 0.165f * std::clamp(std::abs(p.y) / 0.17f, 0.0f, 1.0f);
     const float behind = passed(p.x, 0.02f, -0.08f);
-    float thigh = passed(p.z, fold + 0.075f + 0.03f * behind, fold - 0.075f - 0.04f * behind);
-    thigh *= passed(y, -0.02f, 0.035f);
-    give(loads, JointRole::Hips, sided(JointRole::LeftUpLeg, left), thigh);
+    const float hips = loads[index(JointRole::Hips)];
+    const float thigh = hips * passed(p.z, fold + 0.075f + 0.03f * behind, fold - 0.075f - 0.04f * behind);
+    const float down = passed(p.z, 0.80f, 0.74f);
     const float half = 0.045f + 0.03f * passed(p.x, 0.02f, -0.04f);
-    give(loads, sided(JointRole::LeftUpLeg, left), sided(JointRole::LeftLeg, left),
-         passed(p.z, 0.49f + half, 0.49f - half));
+    const float shin = passed(p.z, 0.49f + half, 0.49f - half);
+    for (const bool left : {true, false}) {
+        const float load = thigh * legShare(left ? p.y : -p.y, down);
+        loads[index(JointRole::Hips)] -= load;
+        loads[index(sided(JointRole::LeftUpLeg, left))] += load * (1.0f - shin);
+        loads[index(sided(JointRole::LeftLeg, left))] += load * shin;
+    }
 }
 
 void loadArm(Vec3 p, Loads& loads) {
