@@ -8,7 +8,7 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kSearchPeriod = 6;  // Steps between searches.
-constexpr float kClearlyBetter = 1.5f;      // A frame must be nearer by so much to be taken [squared spreads].
+constexpr float kClearlyBetter = 1.0f;      // A frame must be nearer by so much to be taken [squared spreads].
 constexpr float kGoingSpeed = 0.25f;        // Faster than this nobody stands [m/s].
 constexpr float kGoingReach = 0.3f;         // ... nor who will be so far away in a second [m].
 constexpr float kStandingSpeed = 0.1f;      // Slower than this one stands, if one stays [m/s].
@@ -31,12 +31,16 @@ Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, fl
     constexpr double dt = 1.0 / 24.0;
     Trajectory trajectory;
     Vec2 moved, v = velocity, face{facing.c, facing.s};
+    double time = 0.0;
     for (std::size_t h = 0; h < kHorizons.size(); ++h) {
         for (int s = 0; s < kSteps; ++s) {
-            const Vec2 arrive = clampLength(bound.placeVelocity + (bound.toPlace - moved) * kPositionGain, bound.topSpeed);
+            // The place goes on as it goes.
+            const Vec2 left = bound.toPlace + bound.placeVelocity * time - moved;
+            const Vec2 arrive = clampLength(bound.placeVelocity + left * kPositionGain, bound.topSpeed);
             const Vec2 wish = bound.arriving ? arrive : bound.cruise;
             v += clampLength((wish - v) * (kVelocityGain * dt), kAcceleration * dt);
             moved += v * dt;
+            time += dt;
             if (lengthSquared(v) > 0.0225) face = normalized(face + (normalized(v) - face) * (kTurnRate * dt), face);
         }
         const Vec2 at = facing.applyInverse(moved) / static_cast<double>(size), to = facing.applyInverse(face);
@@ -87,7 +91,7 @@ float Player::costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int3
     const ClipEntry& entry = table_[mover.clip];
     if (!entry.standing && entry.speed > 0.0f) {
         const auto speed = static_cast<float>(length(mover.velocity)) / mover.size;
-        const float slower = 1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)), 0.75f, 1.25f);
+        const float slower = 1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)), 0.85f, 1.15f);
         for (std::size_t f = 0; f < 6; ++f) trajectory[f] *= slower;
     }
     return features_.cost(features_.query(trajectory, row), row);
