@@ -41,12 +41,17 @@ CharacterLook characterLook(std::uint32_t id, std::uint32_t group, const World& 
 
 NamedColour regionColour(BodyRegion region, const CharacterLook& look) {
     switch (region) {
-        case BodyRegion::Skin: return kSkin[look.skin];
-        case BodyRegion::Hair: return kHair[look.hair];
-        case BodyRegion::Shirt: return kShirt[look.accent];
-        case BodyRegion::Shoes: return {"shoes", 0xE9E5DE};
+        case BodyRegion::Skin:
+            return kSkin[look.skin];
+        case BodyRegion::Hair:
+            return kHair[look.hair];
+        case BodyRegion::Shirt:
+            return kShirt[look.accent];
+        case BodyRegion::Shoes:
+            return {"shoes", 0xE9E5DE};
         case BodyRegion::Trousers:
-        case BodyRegion::Count: break;
+        case BodyRegion::Count:
+            break;
     }
     return {"trousers", 0x2F3B4C};
 }

@@ -7,6 +7,7 @@
 #include "muster/export/joint_list.h"
 #include "muster/export/jupedsim.h"
 #include "muster/export/trajectory_text.h"
+#include "muster/export/usd_export.h"
 
 namespace muster {
 
@@ -14,6 +15,7 @@ std::span<const ExportFormat> exportFormats() {
     static constexpr std::array kFormats{
         ExportFormat{"glb", "one binary glTF file: bodies in motion on their ground, and a camera",
                      makeGltfExporter},
+        ExportFormat{"usda", "one USD text file with the same", makeUsdExporter},
         ExportFormat{"bvh", "a folder with one BVH file per character", makeBvhExporter},
         ExportFormat{"joints", "where all joints are, as JSON", makeJointListExporter},
         ExportFormat{"jupedsim", "trajectories as JuPedSim's SQLite file", makeJupedsimExporter},

@@ -53,9 +53,9 @@ public:
 
     /// Where a value's frames begin, from the front of the stretch.
     std::uint64_t offset(std::size_t value) const { return starts_[value] * frames_; }
-    std::uint64_t begin() const { return begin_; }                         ///< Of the stretch in the buffer.
-    std::uint64_t bytes() const { return starts_.back() * frames_; }       ///< Of the stretch.
-    std::size_t filled() const { return filled_; }                         ///< Frames so far.
+    std::uint64_t begin() const { return begin_; }                    ///< Of the stretch in the buffer.
+    std::uint64_t bytes() const { return starts_.back() * frames_; }  ///< Of the stretch.
+    std::size_t filled() const { return filled_; }                    ///< Frames so far.
     /// Adds frames until there are `frames`, all like the last, or like `record` where there is none yet.
     Status fill(std::size_t frames, std::string_view record);
     /// Adds a frame: all values one behind another.
@@ -68,7 +68,7 @@ private:
     std::size_t frames_;
     std::vector<std::uint64_t> starts_;  ///< Of each value within a frame's record, and the record's end.
     std::uint64_t begin_ = 0;
-    std::string records_;                ///< Not yet written.
+    std::string records_;  ///< Not yet written.
     std::string last_;
     std::string column_;
     std::size_t filled_ = 0;

@@ -62,8 +62,8 @@ std::string GltfList::member(const char* name) const {
 }
 
 std::uint32_t GltfDocument::addView(std::uint64_t offset, std::uint64_t bytes, GltfTarget target) {
-    std::string text = "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
-                       ",\"byteLength\":" + std::to_string(bytes);
+    std::string text =
+        "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) + ",\"byteLength\":" + std::to_string(bytes);
     if (target != GltfTarget::None) text += ",\"target\":" + std::to_string(static_cast<int>(target));
     return views.add(text + "}");
 }

@@ -75,14 +75,15 @@ public:
 
 private:
     Status checkSize(std::size_t characters) const {
-        const double bytes = static_cast<double>(GltfPeople::trackBytes(1)) * static_cast<double>(info_.frames) *
-                             static_cast<double>(characters);
+        const double bytes = static_cast<double>(GltfPeople::trackBytes(1)) *
+                             static_cast<double>(info_.frames) * static_cast<double>(characters);
         if (bytes <= static_cast<double>(kMostBytes) && buffer_.size() <= kMostBytes) return {};
         char text[200];
-        std::snprintf(text, sizeof(text),
-                      "glb: found %zu characters in %zu frames, expected no more than the format's 4 GiB hold; "
-                      "take a shorter part or fewer frames a second",
-                      characters, info_.frames);
+        std::snprintf(
+            text, sizeof(text),
+            "glb: found %zu characters in %zu frames, expected no more than the format's 4 GiB hold; "
+            "take a shorter part or fewer frames a second",
+            characters, info_.frames);
         return {StatusCode::LimitExceeded, text};
     }
 
@@ -108,10 +109,11 @@ private:
         for (SceneThing& thing : makeScene(world)) {
             const auto mesh = meshes_.thing(thing);
             if (!mesh.ok()) return mesh.status();
-            const Vec3 place = gltfAxes(Vec3{static_cast<float>(thing.pivot.x), static_cast<float>(thing.pivot.y), 0});
-            const std::uint32_t node =
-                document_.nodes.add("{\"name\":" + jsonText(thing.name) + ",\"mesh\":" + std::to_string(*mesh) +
-                                    ",\"translation\":" + jsonNumbers(place) + "}");
+            const Vec3 place =
+                gltfAxes(Vec3{static_cast<float>(thing.pivot.x), static_cast<float>(thing.pivot.y), 0});
+            const std::uint32_t node = document_.nodes.add("{\"name\":" + jsonText(thing.name) +
+                                                           ",\"mesh\":" + std::to_string(*mesh) +
+                                                           ",\"translation\":" + jsonNumbers(place) + "}");
             document_.roots.add(std::to_string(node));
             if (thing.path.still()) continue;
             const std::uint32_t widths[] = {3 * sizeof(float), 4 * sizeof(float)};
@@ -150,19 +152,21 @@ private:
         if (!anyone_) fit_.add({static_cast<float>(middle_.x), static_cast<float>(middle_.y), 0.0f});
         const SceneCamera c = fit_.camera();
         const std::uint32_t camera = document_.cameras.add(
-            "{\"name\":\"Camera\",\"type\":\"perspective\",\"perspective\":{\"aspectRatio\":" + jsonNumber(c.aspect) +
-            ",\"yfov\":" + jsonNumber(c.fieldOfView) + ",\"znear\":0.1,\"zfar\":" + jsonNumber(c.farthest) + "}}");
+            "{\"name\":\"Camera\",\"type\":\"perspective\",\"perspective\":{\"aspectRatio\":" +
+            jsonNumber(c.aspect) + ",\"yfov\":" + jsonNumber(c.fieldOfView) +
+            ",\"znear\":0.1,\"zfar\":" + jsonNumber(c.farthest) + "}}");
         const Quat turn = rotationOf(gltfAxes(c.right), gltfAxes(c.up), gltfAxes(-c.forward));
         document_.roots.add(std::to_string(document_.nodes.add(
-            "{\"name\":\"Camera\",\"camera\":" + std::to_string(camera) +
-            ",\"translation\":" + jsonNumbers(gltfAxes(c.eye)) + ",\"rotation\":" + jsonNumbers(turn) + "}")));
+            "{\"name\":\"Camera\",\"camera\":" + std::to_string(camera) + ",\"translation\":" +
+            jsonNumbers(gltfAxes(c.eye)) + ",\"rotation\":" + jsonNumbers(turn) + "}")));
     }
 
     Status assemble() {
         std::string text = document_.text(info_.name, buffer_.size());
         text.resize((text.size() + 3) / 4 * 4, ' ');
         const std::uint64_t total = 12 + 8 + text.size() + 8 + buffer_.size();
-        if (total > 0xFFFFFFFFull) return {StatusCode::LimitExceeded, path_ + ": would be more than 4 GiB large"};
+        if (total > 0xFFFFFFFFull)
+            return {StatusCode::LimitExceeded, path_ + ": would be more than 4 GiB large"};
         std::string head;
         for (const std::uint64_t word : {std::uint64_t{0x46546C67}, std::uint64_t{2}, total,
                                          std::uint64_t{text.size()}, std::uint64_t{0x4E4F534A}})

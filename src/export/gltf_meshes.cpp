@@ -6,7 +6,8 @@
 namespace muster {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "glTF files hold numbers with the lowest byte first");
+static_assert(std::endian::native == std::endian::little,
+              "glTF files hold numbers with the lowest byte first");
 
 template <class T>
 std::string_view bytesOf(const std::vector<T>& values) {
@@ -26,9 +27,9 @@ std::uint32_t GltfMeshes::material(Finish finish) {
     const FinishLook& look = finishLook(finish);
     const auto found = materials_.find(look.name);
     if (found != materials_.end()) return found->second;
-    const std::uint32_t made = document_.addMaterial(look.name, linearColour(look.colour),
-                                                     static_cast<double>(look.alpha),
-                                                     static_cast<double>(look.roughness));
+    const std::uint32_t made =
+        document_.addMaterial(look.name, linearColour(look.colour), static_cast<double>(look.alpha),
+                              static_cast<double>(look.roughness));
     return materials_[look.name] = made;
 }
 
@@ -61,7 +62,8 @@ Result<std::uint32_t> GltfMeshes::writeIndices(std::span<const std::uint32_t> in
     }
     std::vector<std::uint16_t> numbers;
     for (const std::uint32_t i : indices) numbers.push_back(static_cast<std::uint16_t>(i));
-    return write(bytesOf(numbers), GltfTarget::Indices, {GltfNumber::UnsignedShort, "SCALAR", indices.size()});
+    return write(bytesOf(numbers), GltfTarget::Indices,
+                 {GltfNumber::UnsignedShort, "SCALAR", indices.size()});
 }
 
 Result<std::uint32_t> GltfMeshes::thing(const SceneThing& thing) {
@@ -73,12 +75,13 @@ Result<std::uint32_t> GltfMeshes::thing(const SceneThing& thing) {
         if (!normals.ok()) return normals.status();
         const auto indices = writeIndices(surface.indices);
         if (!indices.ok()) return indices.status();
-        primitives += (primitives.empty() ? "" : ",") + std::string("{\"attributes\":{\"POSITION\":") +
+        primitives += std::string(primitives.empty() ? "" : ",") + "{\"attributes\":{\"POSITION\":" +
                       std::to_string(*positions) + ",\"NORMAL\":" + std::to_string(*normals) +
                       "},\"indices\":" + std::to_string(*indices) +
                       ",\"material\":" + std::to_string(material(surface.finish)) + "}";
     }
-    return document_.meshes.add("{\"name\":" + jsonText(thing.name) + ",\"primitives\":[" + primitives + "]}");
+    return document_.meshes.add("{\"name\":" + jsonText(thing.name) + ",\"primitives\":[" + primitives +
+                                "]}");
 }
 
 Status GltfMeshes::writeBody(const BodyMesh& mesh, BodyParts& parts) {
@@ -99,7 +102,8 @@ Status GltfMeshes::writeBody(const BodyMesh& mesh, BodyParts& parts) {
     const char* const names[] = {"POSITION", "NORMAL", "JOINTS_0", "WEIGHTS_0"};
     for (std::size_t k = 0; k < 4; ++k) {
         if (!accessors[k].ok()) return accessors[k].status();
-        parts.attributes += (k == 0 ? "\"" : ",\"") + std::string(names[k]) + "\":" + std::to_string(*accessors[k]);
+        parts.attributes +=
+            (k == 0 ? "\"" : ",\"") + std::string(names[k]) + "\":" + std::to_string(*accessors[k]);
     }
     for (std::size_t r = 0; r < kBodyRegionCount; ++r) {
         const std::size_t from = mesh.regionBegin[r], to = mesh.regionBegin[r + 1];
@@ -129,8 +133,8 @@ Result<std::uint32_t> GltfMeshes::body(const CharacterLook& look) {
     for (std::size_t r = 0; r < kBodyRegionCount; ++r) {
         if ((*parts)->indices[r] < 0) continue;
         const std::uint32_t dressed = material(regionColour(static_cast<BodyRegion>(r), look));
-        primitives += (primitives.empty() ? "" : ",") + std::string("{\"attributes\":{") + (*parts)->attributes +
-                      "},\"indices\":" + std::to_string((*parts)->indices[r]) +
+        primitives += std::string(primitives.empty() ? "" : ",") + "{\"attributes\":{" +
+                      (*parts)->attributes + "},\"indices\":" + std::to_string((*parts)->indices[r]) +
                       ",\"material\":" + std::to_string(dressed) + "}";
     }
     const std::string name = "body " + std::to_string(static_cast<int>(look.body) + 1);

@@ -119,8 +119,8 @@ Status GltfPeople::addNodes(const ExportCharacter& character, const CharacterLoo
     const std::uint32_t skin = document_.skins.add(
         "{\"name\":" + jsonText(name) + ",\"inverseBindMatrices\":" + std::to_string(*binds) +
         ",\"skeleton\":" + std::to_string(root + 1) + ",\"joints\":" + jsonNumbers(joints) + "}");
-    const std::uint32_t body = document_.nodes.add(node(
-        name + "-body", ",\"mesh\":" + std::to_string(*mesh) + ",\"skin\":" + std::to_string(skin), {}));
+    const std::uint32_t body = document_.nodes.add(
+        node(name + "-body", ",\"mesh\":" + std::to_string(*mesh) + ",\"skin\":" + std::to_string(skin), {}));
     document_.roots.add(std::to_string(root));
     document_.roots.add(std::to_string(body));
     return {};
@@ -133,7 +133,8 @@ void GltfPeople::makeRecord(const ExportCharacter& character, Person& person) {
     const Vec3 hips = gltfAxes(character.pose->hips), root = gltfAxes(placeOf(character));
     putFloats(record_, std::array{hips.x, hips.y, hips.z});
     putFloats(record_, std::array{root.x, root.y, root.z});
-    const Quat turn = beside(gltfAxes(yawTurn(static_cast<double>(character.yaw))), person.before[kJointCount]);
+    const Quat turn =
+        beside(gltfAxes(yawTurn(static_cast<double>(character.yaw))), person.before[kJointCount]);
     putFloats(record_, std::array{turn.x, turn.y, turn.z, turn.w});
 }
 

@@ -26,7 +26,7 @@ private:
     struct Person {
         explicit Person(GltfTrack values) : track(std::move(values)) {}
         GltfTrack track;
-        std::uint32_t root = 0;                      ///< Its node; joints follow.
+        std::uint32_t root = 0;  ///< Its node; joints follow.
         float size = 1.0f;
         std::array<Quat, kJointCount + 1> before{};  ///< Of joints and root, as last written.
         std::vector<std::size_t> changes;            ///< Frames at which it comes, goes, comes again...

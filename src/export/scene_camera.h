@@ -9,13 +9,13 @@ namespace muster {
 
 /// A camera that stands still; it looks along `forward`.
 struct SceneCamera {
-    Vec3 eye;               ///< [m]
-    Vec3 right;             ///< Unit, as are up and forward; at right angles.
+    Vec3 eye;    ///< [m]
+    Vec3 right;  ///< Unit, as are up and forward; at right angles.
     Vec3 up;
     Vec3 forward;
-    double fieldOfView = 0; ///< Vertical [rad].
-    double aspect = 0;      ///< Width over height.
-    double farthest = 0;    ///< Nothing beyond is seen [m].
+    double fieldOfView = 0;  ///< Vertical [rad].
+    double aspect = 0;       ///< Width over height.
+    double farthest = 0;     ///< Nothing beyond is seen [m].
 };
 
 /// Finds the place from which all points given are seen: 24 degrees of view, looking 46 degrees down.

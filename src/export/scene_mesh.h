@@ -15,16 +15,36 @@ namespace muster {
 
 /// What a surface is made of.
 enum class Finish : std::uint8_t {
-    Ground, Wall, Roof, Stone, Trunk, Crown, Leaves, Water, Tile, Coping, NetFloor, Net, Brick, Floor,
-    Shade, Glass, Tyre, Paint1, Paint2, Paint3, Paint4, Fur,
+    Ground,
+    Wall,
+    Roof,
+    Stone,
+    Trunk,
+    Crown,
+    Leaves,
+    Water,
+    Tile,
+    Coping,
+    NetFloor,
+    Net,
+    Brick,
+    Floor,
+    Shade,
+    Glass,
+    Tyre,
+    Paint1,
+    Paint2,
+    Paint3,
+    Paint4,
+    Fur,
     Count
 };
 
 /// How a finish looks.
 struct FinishLook {
-    const char* name;       ///< "ground"...
-    std::uint32_t colour;   ///< 0xRRGGBB, as screens take it (sRGB).
-    float alpha = 1.0f;     ///< Below 1 for what one sees through.
+    const char* name;      ///< "ground"...
+    std::uint32_t colour;  ///< 0xRRGGBB, as screens take it (sRGB).
+    float alpha = 1.0f;    ///< Below 1 for what one sees through.
     float roughness = 0.9f;
 };
 /// Of that finish.
@@ -76,7 +96,8 @@ public:
     /// A beam of square section between two points.
     void beam(Finish finish, Vec3 a, Vec3 b, double width);
     /// A lumpy ball of facets: radius on the ground and half its height [m]; `seed` makes the lumps.
-    void blob(Finish finish, Vec3 centre, double radius, double height, std::uint32_t seed, int rows = 5, int sides = 9);
+    void blob(Finish finish, Vec3 centre, double radius, double height, std::uint32_t seed, int rows = 5,
+              int sides = 9);
 
     /// The surfaces so far.
     std::vector<SceneSurface> take() { return std::move(surfaces_); }
@@ -92,9 +113,9 @@ private:
 /// The rectangle round an outline whose longest side gives the direction.
 struct OutlineBox {
     Vec2 centre;
-    Rotation turn;              ///< Of the long side from +x.
-    double halfLength = 0.0;    ///< [m]
-    double halfWidth = 0.0;     ///< [m]
+    Rotation turn;            ///< Of the long side from +x.
+    double halfLength = 0.0;  ///< [m]
+    double halfWidth = 0.0;   ///< [m]
     /// A point, from the centre along the long side and across it [m].
     Vec2 at(double along, double across) const { return centre + turn.apply({along, across}); }
 };

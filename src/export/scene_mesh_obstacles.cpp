@@ -36,7 +36,8 @@ constexpr std::array kCarWords{"car", "coupe", "van", "bus", "taxi", "truck", "l
 bool carSized(const Polygon& outline) {
     const OutlineBox box = outlineBox(outline);
     const double length = 2.0 * box.halfLength, width = 2.0 * box.halfWidth;
-    return length >= kCarLength[0] && length <= kCarLength[1] && width >= kCarWidth[0] && width <= kCarWidth[1];
+    return length >= kCarLength[0] && length <= kCarLength[1] && width >= kCarWidth[0] &&
+           width <= kCarWidth[1];
 }
 
 void addTree(const ObstacleDef& tree, SceneMeshBuilder& builder) {
@@ -63,11 +64,12 @@ void addFountain(const ObstacleDef& fountain, SceneMeshBuilder& builder) {
     builder.walls(Finish::Stone, inner, 0.0, 0.55, true);
     for (std::size_t i = 0; i < outer.size(); ++i) {
         const std::size_t j = (i + 1) % outer.size();
-        builder.quad(Finish::Stone, at(outer[i], 0.55), at(outer[j], 0.55), at(inner[j], 0.55), at(inner[i], 0.55));
+        builder.quad(Finish::Stone, at(outer[i], 0.55), at(outer[j], 0.55), at(inner[j], 0.55),
+                     at(inner[i], 0.55));
     }
     builder.floor(Finish::Water, inner, 0.42);
-    builder.frustum(Finish::Stone, at(fountain.centre, 0.0), 1.25, 0.24 * fountain.radius, 0.17 * fountain.radius,
-                    16);
+    builder.frustum(Finish::Stone, at(fountain.centre, 0.0), 1.25, 0.24 * fountain.radius,
+                    0.17 * fountain.radius, 16);
 }
 
 /// Four corners of a car's slab, at shares of its half length and half width.
@@ -100,7 +102,8 @@ void addCar(const ObstacleDef& car, SceneMeshBuilder& builder) {
     const Polygon low = van ? slab(box, -1.0, 0.94, 0.9) : slab(box, -0.72, 0.45, 0.9);
     const Polygon top = van ? slab(box, -0.99, 0.8, 0.78) : slab(box, -0.55, 0.2, 0.78);
     Polygon between = low;
-    for (std::size_t i = 0; i < low.size(); ++i) between[i] = lerp(low[i], top[i], (pane - sill) / (high - sill));
+    for (std::size_t i = 0; i < low.size(); ++i)
+        between[i] = lerp(low[i], top[i], (pane - sill) / (high - sill));
     addSkirt(builder, Finish::Glass, low, between, sill, pane);
     if (van) addSkirt(builder, paint, between, top, pane, high);
     builder.floor(paint, top, high);

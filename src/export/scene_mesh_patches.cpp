@@ -10,18 +10,18 @@
 namespace muster {
 namespace {
 
-constexpr double kFloor = 0.006;       // Of patches above the ground [m].
-constexpr double kWallHeight = 1.3;    // As the clips expect it [m].
-constexpr double kWallHalf = 0.2;      // Half its thickness [m].
-constexpr double kCap = 0.08;          // Of its top [m].
-constexpr double kHurdle = 0.5;        // [m]
-constexpr double kNet = 0.82;          // Of its posts [m].
-constexpr double kSag = 0.11;          // Of the net between them [m].
-constexpr double kMesh = 0.45;         // Between the net's threads [m].
-constexpr double kWaterLevel = -0.1;   // [m]
-constexpr double kBottom = -1.15;      // Of the pool [m].
-constexpr double kCoping = 0.34;       // Width of its rim [m].
-constexpr double kLeavesFrom = 1.3;    // Who ducks is below [m].
+constexpr double kFloor = 0.006;      // Of patches above the ground [m].
+constexpr double kWallHeight = 1.3;   // As the clips expect it [m].
+constexpr double kWallHalf = 0.2;     // Half its thickness [m].
+constexpr double kCap = 0.08;         // Of its top [m].
+constexpr double kHurdle = 0.5;       // [m]
+constexpr double kNet = 0.82;         // Of its posts [m].
+constexpr double kSag = 0.11;         // Of the net between them [m].
+constexpr double kMesh = 0.45;        // Between the net's threads [m].
+constexpr double kWaterLevel = -0.1;  // [m]
+constexpr double kBottom = -1.15;     // Of the pool [m].
+constexpr double kCoping = 0.34;      // Width of its rim [m].
+constexpr double kLeavesFrom = 1.3;   // Who ducks is below [m].
 
 float f(double value) {
     return static_cast<float>(value);
@@ -72,7 +72,8 @@ void addNet(const Polygon& outline, SceneMeshBuilder& builder) {
         // Long threads lie on those across, as deep as these hang there.
         const double t = static_cast<double>(i) / lengthwise;
         const double deep = kNet - 4.0 * kSag * t * (1.0 - t);
-        builder.beam(Finish::Net, at(box.at(-box.halfLength, v), deep), at(box.at(box.halfLength, v), deep), 0.014);
+        builder.beam(Finish::Net, at(box.at(-box.halfLength, v), deep), at(box.at(box.halfLength, v), deep),
+                     0.014);
     }
 }
 
@@ -101,7 +102,8 @@ void addPool(const Polygon& outline, bool open, SceneMeshBuilder& builder) {
     const Polygon outer = widened(outline, kCoping);
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t j = (i + 1) % outline.size();
-        builder.quad(Finish::Coping, at(outer[i], rim), at(outer[j], rim), at(outline[j], rim), at(outline[i], rim));
+        builder.quad(Finish::Coping, at(outer[i], rim), at(outer[j], rim), at(outline[j], rim),
+                     at(outline[i], rim));
     }
     builder.walls(Finish::Coping, outer, 0.0, rim);
 }
@@ -155,7 +157,8 @@ bool named(const std::string& name, const char* word) {
 void addBeast(const OutlineBox& box, SceneMeshBuilder& builder) {
     const double size = 0.62 * std::min(box.halfLength, box.halfWidth);
     const auto ball = [&](double x, double y, double z, double radius, double height) {
-        builder.blob(Finish::Fur, at(box.at(x * size, y * size), z * size), radius * size, height * size, 7, 7, 12);
+        builder.blob(Finish::Fur, at(box.at(x * size, y * size), z * size), radius * size, height * size, 7,
+                     7, 12);
     };
     ball(-0.2, 0.0, 0.38, 0.52, 0.38);
     ball(0.42, 0.0, 0.33, 0.32, 0.27);
@@ -183,7 +186,8 @@ void addBranches(const Polygon& outline, SceneMeshBuilder& builder) {
         const double radius = 0.26 + 0.2 * thrown(k, 1);
         const double low = kLeavesFrom + 0.3 * thrown(k, 2) + 0.25 * (1.0 - far);
         builder.blob(Finish::Leaves, at(p, low + 0.6 * radius), radius, 0.6 * radius, k, 3, 6);
-        if (i % 3 == 0) builder.beam(Finish::Trunk, at(lerp(box.centre, p, 0.2), 2.2), at(p, low + 0.6 * radius), 0.03);
+        if (i % 3 == 0)
+            builder.beam(Finish::Trunk, at(lerp(box.centre, p, 0.2), 2.2), at(p, low + 0.6 * radius), 0.03);
     }
 }
 

@@ -48,7 +48,8 @@ std::vector<Polygon> poolsOf(const Environment& environment) {
     for (const PatchId id : environment.patchIds()) {
         const PatchDef& patch = *environment.patch(id);
         const auto outline = cleanPolygon(patch.polygon);
-        if (patch.path.still() && outline.ok() && clipOf(environment, patch) == "swim") pools.push_back(*outline);
+        if (patch.path.still() && outline.ok() && clipOf(environment, patch) == "swim")
+            pools.push_back(*outline);
     }
     return pools;
 }
@@ -67,7 +68,8 @@ std::vector<SceneThing> makeScene(const World& world) {
     const auto add = [&](const std::string& name, const char* kind, Vec2 pivot, const TimedPath& path,
                          SceneMeshBuilder&& builder) {
         auto surfaces = builder.take();
-        if (!surfaces.empty()) things.push_back({nameOf(name, kind, names), pivot, path, std::move(surfaces)});
+        if (!surfaces.empty())
+            things.push_back({nameOf(name, kind, names), pivot, path, std::move(surfaces)});
     };
     SceneMeshBuilder ground({});
     const bool open = addGround(environment, poolsOf(environment), ground);
