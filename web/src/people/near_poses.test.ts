@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { NearPoses, type NearFrame } from './near_poses';
 import { kPoseFloats, kPoseNumbers, plainRig } from './rig';
+import { jointIndex } from './skeleton';
 
 /** One pose per entry: hips at that height, turned about z by `angle`. */
 function frame(near: readonly number[], heights: readonly number[], angle = 0): NearFrame {
@@ -51,5 +52,29 @@ describe('NearPoses', () => {
     expect(near.count).toBe(1);
     near.mix(frame([], []), frame([9], [1]), 0.5, 3, 9);
     expect(Array.from(near.slots)).toEqual([-1, -1, -1]);
+  });
+
+  it('keeps a foot that both frames hold within half a millimetre, while the body goes on', () => {
+    const leg = 0.83, ankle = 0.08, thigh = jointIndex('LeftUpLeg');
+    // A stiff leg over a foot at x = 0.2: where the body is tells the angle and the height of the hips.
+    const standing = (x: number): NearFrame => {
+      const angle = Math.asin((0.2 - x) / leg);
+      const { near, nearPoses } = frame([0], [ankle + leg * Math.cos(angle) + 0.04]);
+      const pose = Array.from(nearPoses);
+      pose[3 + 4 * thigh + 1] = Math.round(32767 * Math.sin(-angle / 2));
+      pose[3 + 4 * thigh + 3] = Math.round(32767 * Math.cos(-angle / 2));
+      return { near, nearPoses: pose };
+    };
+    const near = new NearPoses();
+    const out = new Float32Array(kPoseFloats);
+    for (let x = -0.1; x < 0.4; x += 0.05) {
+      for (const alpha of [0, 0.25, 0.5, 0.75]) {
+        near.mix(standing(x), standing(x + 0.05), alpha, 1, 1);
+        near.solve(plainRig(), out);
+        const foot = 8 * jointIndex('LeftFoot') + 4;
+        expect(Math.abs(x + 0.05 * alpha + out[foot]! - 0.2)).toBeLessThan(6e-4);
+        expect(Math.abs(out[foot + 2]! - ankle)).toBeLessThan(1.1e-3);
+      }
+    }
   });
 });

@@ -135,10 +135,10 @@ async function pageTimes(studio, pictures) {
 export async function budgets(studio) {
   await studio.until('bodies from the server', () => globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'));
   await studio.until('near ones', (most) => globalThis.__muster.frame.near.length === most, BUDGET.near);
-  await pageTimes(studio, 10);
+  await pageTimes(studio, 5);
   // Without a GPU the simulation and the drawing share the page's processor: the quietest of three rounds counts.
   const rounds = [];
-  for (let i = 0; i < 3; ++i) rounds.push(await pageTimes(studio, 25));
+  for (let i = 0; i < 3; ++i) rounds.push(await pageTimes(studio, 10));
   const times = rounds.reduce((best, one) => (percentile(one, 0.5) < percentile(best, 0.5) ? one : best));
   const { drawCalls, triangles } = await stats(studio);
   const [half, most] = [percentile(times, 0.5), percentile(times, 0.95)];
