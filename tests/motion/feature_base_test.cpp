@@ -95,13 +95,14 @@ TEST_CASE("faster trajectories lead to faster clips, none to standing") {
     const ClipLibrary library = swingingClips();
     const ClipTable table(library);
     const FeatureBase base(table);
-    const std::int32_t from = base.rowOf(static_cast<std::size_t>(table.find("walk")), 0.2f);
-    const auto found = [&](float speed) {
+    const auto found = [&](const char* clip, float speed) {
+        const std::int32_t from = base.rowOf(static_cast<std::size_t>(table.find(clip)), 0.2f);
         return table[base.clipOf(base.search(base.query(straight(speed), from), ClipFilter::Any, 1e9f).row)].speed;
     };
-    CHECK(found(0.0f) == 0.0f);
-    CHECK(found(1.25f) == doctest::Approx(1.25f));
-    CHECK(found(2.6f) == doctest::Approx(2.6f));
+    CHECK(found("idle", 0.0f) == 0.0f);
+    CHECK(found("walk", 1.25f) == doctest::Approx(1.25f));
+    CHECK(found("walk", 2.6f) == doctest::Approx(2.6f));
+    CHECK(found("run", 1.25f) == doctest::Approx(1.25f));
 }
 
 TEST_CASE("who is foretold to arrive comes to the place, who cruises covers the way") {
