@@ -5,9 +5,9 @@
 namespace muster::generator {
 namespace {
 
-constexpr double kKneeHeight = 0.06;   // [m] of a knee on the ground.
+constexpr double kKneeHeight = 0.065;   // [m] of a knee on the ground.
 constexpr double kWristHeight = 0.05;  // [m] of a wrist over a hand laid flat.
-constexpr double kKneeX = -0.30;       // [m] middle of a knee's stay.
+constexpr double kKneeX = -0.36;       // [m] middle of a knee's stay.
 constexpr double kKneeY = 0.10;
 constexpr double kHandX = 0.20;
 constexpr double kHandY = 0.17;
@@ -34,9 +34,9 @@ Body crawlBody(double phase) {
     Body body;
     body[Channel::HipsX] = -0.26;
     body[Channel::HipsY] = 0.022 * wave(phase - 0.3);
-    body[Channel::PelvisPitch] = degrees(80);
+    body[Channel::PelvisPitch] = degrees(86);
     body[Channel::PelvisYaw] = -degrees(5) * wave(phase);
-    body[Channel::ChestPitch] = degrees(88);
+    body[Channel::ChestPitch] = degrees(90);
     body[Channel::ChestYaw] = degrees(6) * wave(phase);
     body[Channel::ChestRoll] = -degrees(3) * wave(phase - 0.3);
     body[Channel::HeadPitch] = degrees(44);
@@ -44,7 +44,7 @@ Body crawlBody(double phase) {
     return body;
 }
 
-/// Sets height and roll of the pelvis so that both knees lie on the ground.
+/// Sets height and roll of the pelvis so that both knees can be where they should.
 void rest(Body& body, const Vec3 knees[2]) {
     body[Channel::HipsZ] = 0.45;
     for (int round = 0; round < 12; ++round) {
@@ -52,7 +52,7 @@ void rest(Body& body, const Vec3 knees[2]) {
         for (std::size_t side = 0; side < 2; ++side) {
             const Vec3 hip = hipJoint(body, side);
             const double dx = knees[side].x - hip.x, dy = knees[side].y - hip.y;
-            lift[side] = kKneeHeight + std::sqrt(kThigh * kThigh - dx * dx - dy * dy) - hip.z;
+            lift[side] = knees[side].z + std::sqrt(kThigh * kThigh - dx * dx - dy * dy) - hip.z;
         }
         body[Channel::HipsZ] += 0.5 * (lift[0] + lift[1]);
         body[Channel::PelvisRoll] += (lift[0] - lift[1]) / 0.18;
@@ -104,11 +104,11 @@ Figure CrawlTrack::figure(double time) const {
     for (std::size_t side = 0; side < 2; ++side) {
         stroke[side] = strokeAt(phase - (side == 0 ? 0.0 : 0.5));
         knees[side] = {static_cast<float>(kKneeX + stroke[side].along), static_cast<float>(side == 0 ? kKneeY : -kKneeY),
-                       static_cast<float>(kKneeHeight)};
+                       static_cast<float>(kKneeHeight + 0.03 * stroke[side].lift)};
     }
     rest(figure.body, knees);
     for (std::size_t side = 0; side < 2; ++side) {
-        knees[side].z += static_cast<float>(0.05 * stroke[side].lift);
+        knees[side].z += static_cast<float>(0.03 * stroke[side].lift);
         figure.legs[side] = kneelingLeg(figure.body, side, knees[side], -degrees(1) + degrees(3) * stroke[side].lift);
         const Stroke hand = strokeAt(phase - kHandLate - (side == 0 ? 0.5 : 0.0));
         const float out = side == 0 ? 1.0f : -1.0f;

@@ -86,10 +86,10 @@ Clip exitClip() {
     never.end = -0.5;
     never.swing = {};
     planted.begin = kFoot;
-    planted.end = 0.84;
+    planted.end = 0.73;
     planted.anchor.x = static_cast<float>(way(kFoot)) - 0.02f;
     planted.anchor.y = -0.10f;
-    planted.push = degrees(66);
+    planted.push = degrees(58);
     planted.rise = 0.3;
     const LegTrack legs[2] = {
         LegTrack(0, {never, jog.step(0, 0, course), jog.step(0, 1, course)}, course, joinOf(crawling, 0, kUp)),

@@ -13,7 +13,7 @@ inline constexpr double kShin = 0.41;          ///< Knee to ankle [m].
 inline constexpr double kAnkleHeight = 0.08;   ///< Of a flat foot [m].
 inline constexpr Vec3 kHeel{-0.06f, 0.0f, -0.08f};   ///< Where the sole begins, from the ankle [m].
 inline constexpr Vec3 kBall{0.13f, 0.0f, -0.05f};    ///< Where toes bend: the joint, from the ankle [m].
-inline constexpr Vec3 kToeTip{0.20f, 0.0f, -0.07f};  ///< Where the sole ends, from the ankle [m].
+inline constexpr Vec3 kToeTip{0.20f, 0.0f, -0.08f};  ///< Where the sole ends, from the ankle [m].
 
 /// Turns by pitch about y, then roll about x, then yaw about z [rad]: roll stays roll for a body laid on its front.
 Quat turned(double pitch, double roll, double yaw);

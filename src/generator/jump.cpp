@@ -1,5 +1,7 @@
 #include "generator/jump.h"
 
+#include <algorithm>
+
 #include "generator/passages.h"
 
 namespace muster::generator {
@@ -35,21 +37,20 @@ struct Rise {
 /// Height of the hips: in free fall between `off` and `land`, that of running before and after.
 class Arc {
 public:
-    Arc(const JumpShape& shape, const GaitTrack& before, const GaitTrack& after) : shape_(shape), before_(before) {
+    Arc(const JumpShape& shape, const GaitTrack& before, const GaitTrack& after) : shape_(shape), before_(before), after_(after) {
         const double fall = shape.land - shape.off;
         up_ = (shape.landHeight - shape.offHeight) / fall + 0.5 * kGravity * fall;
         const auto z = [](const GaitTrack& track, double t) { return track.body(t)[Channel::HipsZ]; };
         const auto rate = [&](const GaitTrack& track, double t) { return (z(track, t + kMoment) - z(track, t - kMoment)) / (2.0 * kMoment); };
-        const auto bend = [&](const GaitTrack& track, double t) {
-            return (rate(track, t + kMoment) - rate(track, t - kMoment)) / (2.0 * kMoment);
-        };
         spring_ = {shape.plant, shape.off, z(before, shape.plant), rate(before, shape.plant - kMoment), shape.offHeight, up_, -kGravity, -kGravity};
-        absorb_ = {shape.land, kEnd, shape.landHeight, up_ - kGravity * fall, z(after, kEnd), rate(after, kEnd), -kGravity, bend(after, kEnd)};
+        leave_ = after.landing(1, 0) + after.gait().contact * after.gait().cycle;
+        absorb_ = {shape.land, leave_, shape.landHeight, up_ - kGravity * fall, z(after, leave_), rate(after, leave_ + kMoment), -kGravity, -kGravity};
     }
 
     double at(double time) const {
         if (time < shape_.plant) return before_.body(time)[Channel::HipsZ];
         if (time < shape_.off) return spring_.at(time);
+        if (time >= leave_) return after_.body(time)[Channel::HipsZ];
         if (time > shape_.land) return absorb_.at(time);
         const double t = time - shape_.off;
         return shape_.offHeight + up_ * t - 0.5 * kGravity * t * t;
@@ -57,15 +58,16 @@ public:
 
 private:
     JumpShape shape_;
-    GaitTrack before_;
-    double up_ = 0.0;
+    GaitTrack before_, after_;
+    double up_ = 0.0, leave_ = 0.0;
     Rise spring_{}, absorb_{};
 };
 
 Body heldInJump(const JumpShape& shape, Body body, double time) {
-    const double air = hump(shape.off - 0.12, shape.land + 0.12, time), crouch = hump(shape.land - 0.05, kEnd + 0.1, time);
-    body[Channel::ChestPitch] += degrees(11) * air + degrees(12) * crouch - degrees(6) * hump(shape.plant - 0.05, shape.off + 0.05, time);
-    body[Channel::PelvisPitch] += degrees(2) * air + degrees(6) * crouch - degrees(4) * hump(shape.plant - 0.05, shape.off + 0.05, time);
+    const double air = hump(shape.off - 0.14, shape.land + 0.14, time), crouch = hump(shape.land - 0.05, kEnd, time);
+    const double spring = hump(std::max(0.0, shape.plant - 0.05), shape.off + 0.05, time);
+    body[Channel::ChestPitch] += degrees(11) * air + degrees(12) * crouch - degrees(6) * spring;
+    body[Channel::PelvisPitch] += degrees(2) * air + degrees(6) * crouch - degrees(4) * spring;
     body[Channel::HeadPitch] += degrees(6) * air;
     for (std::size_t side = 0; side < 2; ++side) {
         // Arms are thrown up and forwards, the one across from the leading leg highest, and come down on landing.
@@ -94,9 +96,8 @@ Passage jumpOf(const JumpShape& shape) {
         if (time > 0.0 && time < kEnd) body[Channel::HipsZ] = arc.at(time);
         return time > 0.0 && time < kEnd ? heldInJump(shape, body, time) : body;
     };
-    Step plant = before.step(0, 0, passage.course);
+    Step plant = before.step(0, 0, before.course());
     plant.end = shape.off;
-    plant.anchor.x = static_cast<float>(passage.course.travel(0.5 * (shape.plant + shape.off)).x) - 0.08f;
     plant.push = degrees(66);
     plant.swing = shape.trail;
     Step last = before.step(1, -1, before.course());
@@ -105,7 +106,7 @@ Passage jumpOf(const JumpShape& shape) {
     landing.begin = shape.land;
     passage.steps[0] = {before.step(0, -1, before.course()), plant, after.step(0, 1, passage.course)};
     passage.steps[1] = {last, landing, after.step(1, 1, passage.course)};
-    for (Step* step : {&passage.steps[0][0], &passage.steps[1][0]}) step->anchor.x += static_cast<float>(jog.speed * shape.plant);
+    for (Step* step : {&passage.steps[0][0], &passage.steps[0][1], &passage.steps[1][0]}) step->anchor.x += static_cast<float>(jog.speed * shape.plant);
     for (std::size_t side = 0; side < 2; ++side) {
         passage.before[side] = before.leg(side).join(0.0);
         passage.after[side] = after.leg(side).join(kEnd);
@@ -122,12 +123,12 @@ Key key(double share, double angle) { return {share, degrees(angle)}; }
 
 void addJumps(std::vector<Clip>& clips) {
     JumpShape tucked{"jump", 0.08, 0.30, 0.72, 0.945, 0.89, {}, {}, {}};
-    tucked.lead = {{key(0.3, 46), key(0.62, 76), key(0.84, 44)}, {key(0.3, 88), key(0.58, 98), key(0.85, 40)}, {key(0.5, 6), key(0.9, 6)}};
-    tucked.trail = {{key(0.12, -14), key(0.34, 42), key(0.52, 56), key(0.72, 14)}, {key(0.34, 112), key(0.50, 108), key(0.72, 90)}, {key(0.3, -10), key(0.8, 0)}};
+    tucked.lead = {{key(0.3, 50), key(0.62, 84), key(0.74, 78), key(0.88, 42)}, {key(0.3, 92), key(0.62, 112), key(0.74, 98), key(0.88, 46)}, {key(0.5, 8), key(0.9, 6)}};
+    tucked.trail = {{key(0.06, -12), key(0.24, 50), key(0.36, 60), key(0.60, 38), key(0.82, 34)}, {key(0.22, 116), key(0.36, 118), key(0.60, 98), key(0.82, 60)}, {key(0.25, 0), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(tucked)));
-    JumpShape over{"jump-over", 0.08, 0.30, 0.72, 0.945, 0.89, {}, {}, {0.5f, 0.2f}};
-    over.lead = {{key(0.3, 58), key(0.58, 84), key(0.82, 46)}, {key(0.3, 92), key(0.55, 62), key(0.82, 24)}, {key(0.5, 8), key(0.9, 6)}};
-    over.trail = {{key(0.10, -20), key(0.30, 20), key(0.52, 62), key(0.72, 22)}, {key(0.30, 112), key(0.50, 118), key(0.72, 92)}, {key(0.3, -6), key(0.8, 0)}};
+    JumpShape over{"jump-over", 0.03, 0.25, 0.67, 0.945, 0.89, {}, {}, {0.5f, 0.2f}};
+    over.lead = {{key(0.28, 46), key(0.48, 76), key(0.63, 94), key(0.75, 76), key(0.87, 42)}, {key(0.28, 104), key(0.50, 125), key(0.66, 78), key(0.84, 28)}, {key(0.5, 12), key(0.9, 6)}};
+    over.trail = {{key(0.06, -18), key(0.22, 30), key(0.38, 64), key(0.60, 46), key(0.82, 36)}, {key(0.20, 112), key(0.36, 122), key(0.60, 100), key(0.82, 60)}, {key(0.25, 4), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(over)));
 }
 

@@ -18,10 +18,10 @@ std::vector<Path::Point> pointsOf(const std::vector<FootKey>& keys, Vec3 FootKey
     return points;
 }
 
-Curve pitchesOf(const std::vector<FootKey>& keys) {
-    std::vector<Key> pitches;
-    for (const FootKey& key : keys) pitches.push_back({key.time, degrees(key.pitch)});
-    return Curve::eased(std::move(pitches));
+Curve anglesOf(const std::vector<FootKey>& keys, double FootKey::*angle) {
+    std::vector<Key> angles;
+    for (const FootKey& key : keys) angles.push_back({key.time, degrees(key.*angle)});
+    return Curve::eased(std::move(angles));
 }
 
 bool isPlace(Channel channel) {
@@ -57,11 +57,11 @@ Vec3 Path::at(double time) const {
     return {static_cast<float>(x_.at(time)), static_cast<float>(y_.at(time)), static_cast<float>(z_.at(time))};
 }
 
-FootPath::FootPath(const std::vector<FootKey>& keys, double toeBegin, double toeEnd)
+FootPath::FootPath(const std::vector<FootKey>& keys)
     : ankle_(pointsOf(keys, &FootKey::ankle)),
       knee_(pointsOf(keys, &FootKey::knee)),
-      pitch_(pitchesOf(keys)),
-      toe_(Curve::eased({{keys.front().time, toeBegin}, {keys.front().time + 0.15, 0.0}, {keys.back().time - 0.15, 0.0}, {keys.back().time, toeEnd}})) {}
+      pitch_(anglesOf(keys, &FootKey::pitch)),
+      toe_(anglesOf(keys, &FootKey::toe)) {}
 
 Leg FootPath::at(double time) const {
     Leg leg;
@@ -84,7 +84,7 @@ Reach reachAt(const std::vector<HandHold>& holds, std::size_t side, double time)
         if (near <= 0.0) continue;
         // Between two holds the hand goes from one to the other.
         sum += near;
-        const Vec3 above = hold.wrist + Vec3{0.0f, 0.0f, static_cast<float>(0.10 * (1.0 - near))};
+        const Vec3 above = hold.wrist + Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.10 * (1.0 - near)) : 0.0f};
         reach.wrist = lerp(reach.wrist, above, static_cast<float>(near / sum));
     }
     reach.weight = std::min(1.0, sum);
@@ -93,7 +93,7 @@ Reach reachAt(const std::vector<HandHold>& holds, std::size_t side, double time)
 
 void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<HandHold>& holds) {
     for (const HandHold& hold : holds)
-        contacts.push_back({side == 0 ? Limb::LeftHand : Limb::RightHand, hold.begin, hold.end, hold.wrist});
+        if (hold.touches) contacts.push_back({side == 0 ? Limb::LeftHand : Limb::RightHand, hold.begin, hold.end, hold.wrist});
 }
 
 BodyKeys::BodyKeys(const std::vector<ChannelKeys>& channels) {
@@ -130,7 +130,8 @@ LegJoin joinOf(const std::function<Figure(double)>& figure, std::size_t side, do
     const double s = 0.5 / kMoment;
     return {time, shape(time),
             {(b.thigh - a.thigh) * s, (b.knee - a.knee) * s, (b.ankle - a.ankle) * s, (b.side - a.side) * s,
-             (b.yaw - a.yaw) * s, (b.toe - a.toe) * s}};
+             (b.yaw - a.yaw) * s, (b.toe - a.toe) * s},
+            1.0};
 }
 
 }  // namespace muster::generator

@@ -25,19 +25,19 @@ private:
     Curve x_, y_, z_;
 };
 
-/// A foot at a time: its ankle [m], toes raised [degrees], and where the knee points.
+/// A foot at a time: its ankle [m], its pitch with toes up [degrees], and where the knee points.
 struct FootKey {
     double time;
     Vec3 ankle;
     double pitch;
     Vec3 knee;
+    double toe = 0.0;  ///< Toes bent down against the foot [degrees].
 };
 
 /// A leg by keys, in the frame of the keys.
 class FootPath {
 public:
-    /// Toes are bent against the foot as given at both ends [rad], straight between.
-    FootPath(const std::vector<FootKey>& keys, double toeBegin, double toeEnd);
+    explicit FootPath(const std::vector<FootKey>& keys);
     Leg at(double time) const;
 
 private:
@@ -52,6 +52,7 @@ struct HandHold {
     Vec3 wrist;          ///< [m]
     double come = 0.25;  ///< It leaves its free way so long before [s].
     double go = 0.25;    ///< And is back so long after [s].
+    bool touches = true; ///< False for a place on the way that holds nothing.
 };
 
 /// The hand's reach at a time: its holds one after the other.

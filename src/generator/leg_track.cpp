@@ -29,6 +29,16 @@ Vec3 kneeAhead(Vec3 hip, Vec3 ankle, double yaw) {
     return rotate(yawTurn(yaw), normalized(Vec3{-way.z, 0.0f, way.x}, {1.0f, 0.0f, 0.0f}));
 }
 
+/// Lifts the foot so that heel and toes keep above the ground, by the more the larger `share`.
+void keepClear(double share, Leg& leg) {
+    const Quat toes = leg.foot * axisAngle({0.0f, 1.0f, 0.0f}, leg.toe);
+    const Vec3 ball = rotate(leg.foot, kBall);
+    const float low = leg.ankle.z + std::min({rotate(leg.foot, kHeel).z, rotate(leg.foot, kBall - kSole).z,
+                                              (ball + rotate(toes, kToeTip - kBall)).z, (ball - rotate(toes, kSole)).z});
+    const double lack = 0.015 * share - low, soft = 0.01 * share;
+    leg.ankle.z += static_cast<float>(0.5 * (lack + std::sqrt(lack * lack + soft * soft)));
+}
+
 /// Arc cosine by our own arc tangent.
 double arcCosine(double c) {
     c = std::clamp(c, -1.0, 1.0);
@@ -120,14 +130,14 @@ LegShape LegTrack::standingShape(const Step& step, double time) const {
 
 LegJoin LegTrack::edge(const Step& step, double time, bool landing) const {
     const double inner = landing ? time + kMoment : time - kMoment;
-    LegJoin join{time, standingShape(step, time), {}};
+    LegJoin join{time, standingShape(step, time), {}, 0.0};
     join.rate = scaled(difference(standingShape(step, inner), join.shape), 1.0 / (inner - time));
     join.rate.toe = landing ? 0.0 : join.rate.toe;
     return join;
 }
 
 LegTrack::Flight LegTrack::flight(const LegJoin& from, const LegJoin& to, const Swing& swing) const {
-    Flight out{from.time, to.time, {}, {}, {}, {}, {}, {}};
+    Flight out{from.time, to.time, from.clear, to.clear, {}, {}, {}, {}, {}, {}};
     out.thigh = through(from, to, swing.thigh, &LegShape::thigh);
     out.knee = through(from, to, swing.knee, &LegShape::knee);
     out.ankle = through(from, to, swing.ankle, &LegShape::ankle);
@@ -151,7 +161,7 @@ LegShape LegTrack::shapeAt(double time) const {
 }
 
 LegJoin LegTrack::join(double time) const {
-    LegJoin join{time, shapeAt(time), {}};
+    LegJoin join{time, shapeAt(time), {}, clearAt(time)};
     join.rate = scaled(difference(shapeAt(time + kMoment), shapeAt(time - kMoment)), 0.5 / kMoment);
     return join;
 }
@@ -170,15 +180,13 @@ Leg LegTrack::swinging(const Flight& flight, double time) const {
     return leg;
 }
 
-/// Lifts the foot so that heel and toes keep above the ground, most in the middle of the swing.
-void LegTrack::keepClear(const Flight& flight, double time, Leg& leg) const {
-    const double share = (time - flight.begin) / (flight.end - flight.begin), free = 4.0 * share * (1.0 - share);
-    const Quat toes = leg.foot * axisAngle({0.0f, 1.0f, 0.0f}, leg.toe);
-    const Vec3 ball = rotate(leg.foot, kBall);
-    const float low = leg.ankle.z + std::min({rotate(leg.foot, kHeel).z, rotate(leg.foot, kBall - kSole).z,
-                                              (ball + rotate(toes, kToeTip - kBall)).z, (ball - rotate(toes, kSole)).z});
-    const double lack = 0.015 * free - low, soft = 0.01 * free;
-    leg.ankle.z += static_cast<float>(0.5 * (lack + std::sqrt(lack * lack + soft * soft)));
+double LegTrack::clearAt(double time) const {
+    for (const Flight& flight : flights_) {
+        if (time > flight.end || time < flight.begin) continue;
+        const double share = (time - flight.begin) / (flight.end - flight.begin), off = 2.0 * share - 1.0;
+        return 1.0 - (1.0 - (share < 0.5 ? flight.clearBegin : flight.clearEnd)) * off * off;
+    }
+    return 0.0;
 }
 
 Leg LegTrack::standingAt(const Step& step, double time) const {
@@ -195,7 +203,7 @@ Leg LegTrack::legAt(double time, bool clear) const {
     for (const Flight& flight : flights_) {
         if (time > flight.end) continue;
         Leg leg = swinging(flight, time);
-        if (clear) keepClear(flight, time, leg);
+        if (clear) keepClear(clearAt(time), leg);
         return leg;
     }
     return standingAt(steps_.back(), time);

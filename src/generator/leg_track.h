@@ -43,7 +43,8 @@ struct LegShape {
 struct LegJoin {
     double time = 0.0;
     LegShape shape;
-    LegShape rate;  ///< Per second.
+    LegShape rate;       ///< Per second.
+    double clear = 0.0;  ///< How much the foot keeps clear of the ground then, 0 to 1.
 };
 
 /// The ankle of a foot rolled by `pitch` [rad] (toes up: on its heel; else on its ball) with its sole's place kept.
@@ -70,6 +71,7 @@ public:
 private:
     struct Flight {
         double begin = 0.0, end = 0.0;
+        double clearBegin = 0.0, clearEnd = 0.0;
         Curve thigh, knee, ankle, side, yaw, toe;
     };
     const Step* standing(double time) const;
@@ -80,7 +82,7 @@ private:
     Leg standingAt(const Step& step, double time) const;
     Leg swinging(const Flight& flight, double time) const;
     Leg legAt(double time, bool clear) const;
-    void keepClear(const Flight& flight, double time, Leg& leg) const;
+    double clearAt(double time) const;
 
     std::size_t side_;
     std::vector<Step> steps_;

@@ -1,5 +1,6 @@
 #include "generator/passages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "generator/idle.h"
@@ -20,7 +21,7 @@ Step leaving(std::size_t side, double end, double push) {
     Step step = idleStep(side, {});
     step.begin = kStandingSince;
     step.end = end;
-    step.rise = 0.28;
+    step.rise = std::min(0.28, 0.8 * end);
     step.push = push;
     step.swing = {{}, {{0.45, degrees(52)}}, {{0.4, degrees(-4)}}};
     return step;
@@ -97,7 +98,7 @@ Passage turnOf(const char* name, double sign) {
     passage.frames = kFrames;
     passage.course.travel = [sign](double time) { return Place{0.0, 0.0, 0.5 * kPi * sign * rise(0.05, 0.95, time)}; };
     passage.course.body = [sign](double time) {
-        Body body = idleBody(time, kEnd);
+        Body body = blend(idleBody(time), idleBody(time, kEnd), rise(0.0, kEnd, time));
         const double ahead = sign * hump(0.0, 0.75, time);
         body[Channel::HeadYaw] += degrees(24) * ahead;
         body[Channel::ChestYaw] += degrees(12) * ahead;
@@ -136,7 +137,10 @@ Passage changeOf(const Change& change, int frames) {
     before.travel = [from, origin](double time) { return Place{from.travel(time).x - origin.x, 0.0, 0.0}; };
     Step left = from.step(0, 0, before);
     left.end = change.leave;
-    left.push = degrees(42);
+    left.push = degrees(34);
+    left.swing.thigh.clear();
+    left.swing.knee.clear();
+    left.swing.ankle.clear();
     passage.steps[0] = {left, to.step(0, 1, passage.course)};
     passage.steps[1] = {from.step(1, -1, before), to.step(1, 0, passage.course)};
     for (std::size_t side = 0; side < 2; ++side) {
