@@ -36,10 +36,15 @@ double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
+/// The way the hips face, by both hip joints [rad].
 double facingAt(const BvhMotion& motion, std::size_t frame, const RoleJoints& roles) {
     std::vector<Transform> joints;
     globalTransforms(motion, frame, joints);
-    return facingOf(joints[static_cast<std::size_t>(roles[0])].rotation);
+    const auto place = [&](JointRole role) {
+        return joints[static_cast<std::size_t>(roles[index(role)])].translation;
+    };
+    const Vec3 left = place(JointRole::LeftUpLeg) - place(JointRole::RightUpLeg);
+    return arcTangent2(-left.x, left.y);
 }
 
 /// How limbs move on the whole.
