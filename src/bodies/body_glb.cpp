@@ -1,12 +1,17 @@
 #include <numeric>
 
-#include "bodies/gltf_buffer.h"
+#include "bodies/glb_file.h"
 #include "muster/bodies/body.h"
 
 namespace muster {
-namespace bodies {
+namespace {
 
-Json addBodyVertices(const BodyMesh& mesh, bool dressed, GltfBuffer& buffer) {
+using bodies::GlbFile;
+using bodies::Json;
+using bodies::toFile;
+
+/// Attributes for a primitive.
+Json addVertices(const BodyMesh& mesh, GlbFile& file) {
     std::vector<Vec3> positions, normals;
     std::vector<float> weights, colours, regions;
     std::vector<std::uint8_t> joints;
@@ -19,18 +24,17 @@ Json addBodyVertices(const BodyMesh& mesh, bool dressed, GltfBuffer& buffer) {
         regions.push_back(static_cast<float>(v.region));
     }
     Json attributes;
-    attributes["POSITION"] = buffer.addVectors(positions, GltfBuffer::kVertices, true);
-    attributes["NORMAL"] = buffer.addVectors(normals, GltfBuffer::kVertices);
-    attributes["JOINTS_0"] = buffer.addBytes(joints, GltfBuffer::kVertices);
-    attributes["WEIGHTS_0"] = buffer.addFloats(weights, 4, GltfBuffer::kVertices);
-    if (dressed) {
-        attributes["COLOR_0"] = buffer.addFloats(colours, 3, GltfBuffer::kVertices);
-        attributes["_REGION"] = buffer.addFloats(regions, 1, GltfBuffer::kVertices);
-    }
+    attributes["POSITION"] = file.addVectors(positions, GlbFile::kVertices, true);
+    attributes["NORMAL"] = file.addVectors(normals, GlbFile::kVertices);
+    attributes["JOINTS_0"] = file.addBytes(joints, GlbFile::kVertices);
+    attributes["WEIGHTS_0"] = file.addFloats(weights, 4, GlbFile::kVertices);
+    attributes["COLOR_0"] = file.addFloats(colours, 3, GlbFile::kVertices);
+    attributes["_REGION"] = file.addFloats(regions, 1, GlbFile::kVertices);
     return attributes;
 }
 
-std::size_t addInverseBinds(GltfBuffer& buffer) {
+/// The skeleton's inverse bind matrices; returns the accessor.
+std::size_t addInverseBinds(GlbFile& file) {
     JointTransforms rest;
     jointTransforms(restPose(), {}, rest);
     std::vector<float> numbers;
@@ -38,14 +42,15 @@ std::size_t addInverseBinds(GltfBuffer& buffer) {
         const Vec3 p = toFile(joint.translation);
         numbers.insert(numbers.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -p.x, -p.y, -p.z, 1});
     }
-    return buffer.addMatrices(numbers);
+    return file.addMatrices(numbers);
 }
 
-void addJointNodes(std::size_t first, const std::string& suffix, Json& nodes) {
+/// The joints' nodes in the rest pose, numbered from `first` in the skeleton's order.
+void addJointNodes(std::size_t first, Json& nodes) {
     const auto& bones = skeleton();
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const Vec3 p = toFile(bones[j].offset);
-        Json node = {{"name", bones[j].name + suffix}, {"translation", {p.x, p.y, p.z}}};
+        Json node = {{"name", bones[j].name}, {"translation", {p.x, p.y, p.z}}};
         for (std::size_t child = j + 1; child < kJointCount; ++child)
             if (bones[child].parent == static_cast<std::int32_t>(j))
                 node["children"].push_back(first + child);
@@ -53,22 +58,21 @@ void addJointNodes(std::size_t first, const std::string& suffix, Json& nodes) {
     }
 }
 
-}  // namespace bodies
+}  // namespace
 
 std::string bodyGlb(BodyKind kind, BodyLevel level) {
-    using bodies::Json;
     const BodyMesh mesh = makeBody(kind, level);
     const std::string name = kind == BodyKind::Broad ? "Broad" : "Narrow";
-    bodies::GltfBuffer buffer;
-    Json attributes = bodies::addBodyVertices(mesh, true, buffer);
-    const std::size_t indices = buffer.addIndices(mesh.indices, mesh.vertices.size());
+    GlbFile file;
+    Json attributes = addVertices(mesh, file);
+    const std::size_t indices = file.addIndices(mesh.indices, mesh.vertices.size());
     Json primitive = {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", 0}};
 
     std::vector<std::size_t> joints(kJointCount);
     std::iota(joints.begin(), joints.end(), std::size_t{2});
     Json nodes =
         Json::array({{{"name", name}, {"mesh", 0}, {"skin", 0}}, {{"name", "Root"}, {"children", {2}}}});
-    bodies::addJointNodes(2, "", nodes);
+    addJointNodes(2, nodes);
 
     Json document;
     document["asset"] = {{"version", "2.0"}, {"generator", "Muster"}};
@@ -78,9 +82,9 @@ std::string bodyGlb(BodyKind kind, BodyLevel level) {
     document["meshes"] = Json::array({{{"name", name}, {"primitives", Json::array({std::move(primitive)})}}});
     document["materials"] = Json::array(
         {{{"name", "Body"}, {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.85}}}}});
-    document["skins"] = Json::array(
-        {{{"inverseBindMatrices", bodies::addInverseBinds(buffer)}, {"skeleton", 1}, {"joints", joints}}});
-    return *buffer.file(std::move(document));
+    document["skins"] =
+        Json::array({{{"inverseBindMatrices", addInverseBinds(file)}, {"skeleton", 1}, {"joints", joints}}});
+    return file.bytes(std::move(document));
 }
 
 }  // namespace muster
