@@ -76,7 +76,7 @@ Course climbCourse() {
 
 FootPath leftPath(Leg from, Leg to) {
     const Vec3 out{0.4f, 0.8f, 0.5f}, ahead{1.0f, 0.2f, 0.2f};
-    return FootPath({{kLeftUp, from.ankle, -48, ahead, from.toe / degrees(1)}, {1.18, {0.10f, 0.14f, 0.50f}, -60, ahead}, {1.36, {0.08f, 0.36f, 0.98f}, -30, out},
+    return FootPath({{kLeftUp, from.ankle, -48, ahead, from.toe / degrees(1)}, {1.18, {0.05f, 0.15f, 0.50f}, -60, out}, {1.36, {0.08f, 0.36f, 0.98f}, -30, out},
                      {1.50, {0.24f, 0.45f, 1.42f}, -5, out}, {1.66, {0.57f, 0.20f, 1.38f}, 0, out}, {2.14, {0.57f, 0.20f, 1.38f}, 0, out},
                      {2.26, {0.74f, 0.36f, 1.46f}, -25, out}, {2.34, {0.89f, 0.38f, 1.36f}, -25, out}, {2.46, {0.99f, 0.22f, 0.80f}, -25, ahead},
                      {kLeftDown, to.ankle, kLandingPitch, ahead, kLandingPitch}});

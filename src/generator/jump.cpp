@@ -127,8 +127,8 @@ void addJumps(std::vector<Clip>& clips) {
     tucked.trail = {{key(0.06, -12), key(0.24, 50), key(0.36, 60), key(0.60, 38), key(0.82, 34)}, {key(0.22, 116), key(0.36, 118), key(0.60, 98), key(0.82, 60)}, {key(0.25, 0), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(tucked)));
     JumpShape over{"jump-over", 0.03, 0.25, 0.67, 0.945, 0.89, {}, {}, {0.5f, 0.2f}};
-    over.lead = {{key(0.28, 46), key(0.48, 76), key(0.63, 94), key(0.75, 76), key(0.87, 42)}, {key(0.28, 104), key(0.50, 125), key(0.66, 78), key(0.84, 28)}, {key(0.5, 12), key(0.9, 6)}};
-    over.trail = {{key(0.06, -18), key(0.22, 30), key(0.38, 64), key(0.60, 46), key(0.82, 36)}, {key(0.20, 112), key(0.36, 122), key(0.60, 100), key(0.82, 60)}, {key(0.25, 4), key(0.8, 0)}};
+    over.lead = {{key(0.28, 46), key(0.48, 80), key(0.63, 95), key(0.76, 76), key(0.87, 42)}, {key(0.28, 106), key(0.52, 128), key(0.68, 78), key(0.85, 28)}, {key(0.5, 12), key(0.9, 6)}};
+    over.trail = {{key(0.06, -18), key(0.22, 30), key(0.38, 64), key(0.60, 46), key(0.82, 36)}, {key(0.20, 116), key(0.36, 122), key(0.60, 100), key(0.82, 60)}, {key(0.25, 4), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(over)));
 }
 
