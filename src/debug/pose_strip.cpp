@@ -9,10 +9,10 @@
 namespace muster {
 namespace {
 
-constexpr double kRowTop = 2.0;     // [m] above the ground that a row shows.
-constexpr double kRowBottom = 0.65; // [m] below it.
-constexpr double kTitle = 0.3;      // [m]
-constexpr double kWater = -0.10;    // [m]
+constexpr double kRowTop = 2.0;      // [m] above the ground that a row shows.
+constexpr double kRowBottom = 0.65;  // [m] below it.
+constexpr double kTitle = 0.3;       // [m]
+constexpr double kWater = -0.10;     // [m]
 
 /// From where a row is seen, by parallel light.
 struct View {
@@ -36,7 +36,9 @@ struct Part {
 };
 
 Colour mixed(Colour a, Colour b, double t) {
-    const auto part = [t](std::uint8_t x, std::uint8_t y) { return static_cast<std::uint8_t>(x + (y - x) * t); };
+    const auto part = [t](std::uint8_t x, std::uint8_t y) {
+        return static_cast<std::uint8_t>(x + (y - x) * t);
+    };
     return {part(a.red, b.red), part(a.green, b.green), part(a.blue, b.blue), a.opacity};
 }
 
@@ -47,7 +49,8 @@ std::vector<Vec2> outline(Vec2 a, Vec2 b, double ra, double rb) {
     std::vector<Vec2> loop;
     const bool apart = d > std::fabs(ra - rb) + 1e-6;
     const double heading = apart ? arcTangent2(way.y, way.x) : 0.0;
-    const double tilt = apart ? arcTangent2(std::sqrt(std::max(0.0, d * d - (ra - rb) * (ra - rb))), ra - rb) : kPi;
+    const double tilt =
+        apart ? arcTangent2(std::sqrt(std::max(0.0, d * d - (ra - rb) * (ra - rb))), ra - rb) : kPi;
     const auto arc = [&](Vec2 centre, double radius, double from, double to) {
         for (int i = 0; i <= 12; ++i) {
             const double angle = from + (to - from) * i / 12.0;
@@ -83,17 +86,22 @@ std::vector<Part> partsOf(const JointTransforms& joints) {
         const auto of = [&](JointRole left) {
             return static_cast<JointRole>(index(left) + side * (index(left) < index(LeftUpLeg) ? 4 : 4));
         };
-        const Colour leg = sides[side], sleeve = sleeves[side], bare = mixed(skin, sleeve, side == 0 ? 0.35 : 0.0);
+        const Colour leg = sides[side], sleeve = sleeves[side],
+                     bare = mixed(skin, sleeve, side == 0 ? 0.35 : 0.0);
         const float out = side == 0 ? 1.0f : -1.0f;
         parts.push_back({off(of(LeftUpLeg), {0.0f, 0.0f, -0.02f}), at(of(LeftLeg)), 0.088f, 0.058f, leg});
         parts.push_back({at(of(LeftLeg)), off(of(LeftLeg), {-0.012f, 0.0f, -0.15f}), 0.057f, 0.056f, leg});
         parts.push_back({off(of(LeftLeg), {-0.012f, 0.0f, -0.15f}), at(of(LeftFoot)), 0.056f, 0.04f, leg});
-        parts.push_back({off(of(LeftFoot), {-0.02f, 0.0f, -0.04f}), off(of(LeftToeBase), {0.0f, 0.0f, 0.0f}), 0.04f, 0.03f, mixed(leg, hair, 0.6)});
-        parts.push_back({at(of(LeftToeBase)), off(of(LeftToeBase), {0.045f, 0.0f, -0.006f}), 0.03f, 0.024f, mixed(leg, hair, 0.6)});
+        parts.push_back({off(of(LeftFoot), {-0.02f, 0.0f, -0.04f}), off(of(LeftToeBase), {0.0f, 0.0f, 0.0f}),
+                         0.04f, 0.03f, mixed(leg, hair, 0.6)});
+        parts.push_back({at(of(LeftToeBase)), off(of(LeftToeBase), {0.045f, 0.0f, -0.006f}), 0.03f, 0.024f,
+                         mixed(leg, hair, 0.6)});
         parts.push_back({at(of(LeftArm)), at(of(LeftForeArm)), 0.055f, 0.042f, sleeve});
         parts.push_back({at(of(LeftForeArm)), at(of(LeftHand)), 0.042f, 0.03f, bare});
-        parts.push_back({at(of(LeftHand)), off(of(LeftHand), {0.0f, 0.08f * out, 0.0f}), 0.03f, 0.036f, bare});
-        parts.push_back({off(of(LeftHand), {0.0f, 0.08f * out, 0.0f}), off(of(LeftHand), {0.0f, 0.15f * out, 0.0f}), 0.03f, 0.02f, bare});
+        parts.push_back(
+            {at(of(LeftHand)), off(of(LeftHand), {0.0f, 0.08f * out, 0.0f}), 0.03f, 0.036f, bare});
+        parts.push_back({off(of(LeftHand), {0.0f, 0.08f * out, 0.0f}),
+                         off(of(LeftHand), {0.0f, 0.15f * out, 0.0f}), 0.03f, 0.02f, bare});
     }
     return parts;
 }
@@ -101,9 +109,9 @@ std::vector<Part> partsOf(const JointTransforms& joints) {
 /// One pose's place in the strip.
 struct Cell {
     View view;
-    Vec2 origin;   // Of the character's frame in the picture [m].
-    double half;   // Half its width [m].
-    Travel travel; // The character's frame on the clip's ground.
+    Vec2 origin;    // Of the character's frame in the picture [m].
+    double half;    // Half its width [m].
+    Travel travel;  // The character's frame on the clip's ground.
 };
 
 class Strip {
@@ -143,12 +151,14 @@ private:
         if (hull.size() > 2) draw_.area({{hull}}, colour, {Colour::of(0x555555, 0.6), 0.8});
     }
     static std::vector<Vec2> hullOf(std::vector<Vec2> points) {
-        std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+        std::sort(points.begin(), points.end(),
+                  [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
         std::vector<Vec2> hull;
         for (int pass = 0; pass < 2; ++pass) {
             const std::size_t base = hull.size();
             for (Vec2 p : points) {
-                while (hull.size() >= base + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
+                while (hull.size() >= base + 2 &&
+                       cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
                     hull.pop_back();
                 hull.push_back(p);
             }
@@ -160,25 +170,30 @@ private:
     bool wet() const { return clip_.motion == "swim"; }
     void surroundings(const Cell& cell) {
         const double left = cell.origin.x - cell.half, right = cell.origin.x + cell.half;
-        draw_.line(std::vector<Vec2>{{left, cell.origin.y}, {right, cell.origin.y}}, {Colour::of(0x777777), 1.2, wet() ? 3.0 : 0.0});
+        draw_.line(std::vector<Vec2>{{left, cell.origin.y}, {right, cell.origin.y}},
+                   {Colour::of(0x777777), 1.2, wet() ? 3.0 : 0.0});
         if (clip_.obstacle.height > 0.0f) {
-            const float middle = static_cast<float>(clip_.length()) * 0.5f - cell.travel.x, deep = 0.5f * clip_.obstacle.thickness;
+            const float middle = static_cast<float>(clip_.length()) * 0.5f - cell.travel.x,
+                        deep = 0.5f * clip_.obstacle.thickness;
             const float wide = 0.45f;
-            box(cell, {middle - deep, -wide, 0.0f}, {middle + deep, wide, clip_.obstacle.height}, Colour::of(0xB9A58F, 0.75));
+            box(cell, {middle - deep, -wide, 0.0f}, {middle + deep, wide, clip_.obstacle.height},
+                Colour::of(0xB9A58F, 0.75));
         }
     }
     void water(const Cell& cell) {
         if (!wet()) return;
-        const double left = cell.origin.x - cell.half, right = cell.origin.x + cell.half, top = cell.origin.y + kWater;
-        draw_.area({{std::vector<Vec2>{{left, top}, {right, top}, {right, top - 0.45}, {left, top - 0.45}}}}, Colour::of(0x4FA3C7, 0.28),
-                   {});
+        const double left = cell.origin.x - cell.half, right = cell.origin.x + cell.half,
+                     top = cell.origin.y + kWater;
+        draw_.area({{std::vector<Vec2>{{left, top}, {right, top}, {right, top - 0.45}, {left, top - 0.45}}}},
+                   Colour::of(0x4FA3C7, 0.28), {});
     }
     void part(const Cell& cell, const Part& p) {
         const Vec2 a = flat(cell, p.a), b = flat(cell, p.b);
         const Colour dark = mixed(p.colour, Colour::of(0x101010), 0.45);
         draw_.area({{outline(a, b, p.ra, p.rb)}}, p.colour, {dark, 0.9});
         const Vec2 light{-0.25, 0.3};
-        draw_.area({{outline(a + light * static_cast<double>(p.ra), b + light * static_cast<double>(p.rb), 0.55 * p.ra, 0.55 * p.rb)}},
+        draw_.area({{outline(a + light * static_cast<double>(p.ra), b + light * static_cast<double>(p.rb),
+                             0.55 * p.ra, 0.55 * p.rb)}},
                    mixed(p.colour, Colour::of(0xFFFFFF), 0.18), {});
     }
     void marks(const Cell& cell, double time) {
@@ -191,7 +206,8 @@ private:
                 const Quat back = yawTurn(-cycle.yaw);
                 anchor = rotate(back, anchor - Vec3{cycle.x, cycle.y, 0.0f});
             }
-            draw_.disc(flat(cell, seen(cell, anchor)), 0.022, Colour::of(limb % 2 == 0 ? 0x2D8A3E : 0x9BE36B), {Colour::of(0x134D1D), 0.8});
+            draw_.disc(flat(cell, seen(cell, anchor)), 0.022, Colour::of(limb % 2 == 0 ? 0x2D8A3E : 0x9BE36B),
+                       {Colour::of(0x134D1D), 0.8});
         }
     }
 
@@ -209,14 +225,17 @@ std::string poseStrip(const Clip& clip, const PoseStripDef& def, bool png) {
     const double width = def.poses * def.columnWidth, row = kRowTop + kRowBottom;
     const Box view{{0.0, 0.0}, {width, kTitle + row * static_cast<double>(rows.size())}};
     const auto pixels = static_cast<std::int32_t>(width * def.pixelsPerMetre);
-    const auto draw = png ? makePngDraw(view, pixels, Colour::of(0xF4F1EA)) : makeSvgDraw(view, pixels, Colour::of(0xF4F1EA));
+    const auto draw = png ? makePngDraw(view, pixels, Colour::of(0xF4F1EA))
+                          : makeSvgDraw(view, pixels, Colour::of(0xF4F1EA));
     char title[160];
-    std::snprintf(title, sizeof(title), "%s   %.2f s   %.2f m   %.2f m/s", clip.name.c_str(), clip.duration(), clip.length(), clip.speed());
+    std::snprintf(title, sizeof(title), "%s   %.2f s   %.2f m   %.2f m/s", clip.name.c_str(), clip.duration(),
+                  clip.length(), clip.speed());
     draw->text({0.1, view.max.y - 0.5 * kTitle}, title, 16.0, Colour::of(0x222222), TextAnchor::Left);
     Strip strip(clip, *draw);
     const double step = 1.0 / std::max(1, clip.cyclic ? def.poses : def.poses - 1);
     for (std::int32_t column = 0; column < def.poses; ++column) {
-        const double share = def.begin + (def.end - def.begin) * column * step, time = share * clip.duration();
+        const double share = def.begin + (def.end - def.begin) * column * step,
+                     time = share * clip.duration();
         const double x = (column + 0.5) * def.columnWidth;
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const double y = view.max.y - kTitle - row * static_cast<double>(r) - kRowTop;

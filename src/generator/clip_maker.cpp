@@ -18,14 +18,16 @@ Clip makeClip(ClipPlan plan) {
     for (int frame = 0; frame < poses; ++frame) clip.poses.push_back(poseOf(plan.figure(frame / kFrameRate)));
     for (int frame = 0; frame <= plan.frames; ++frame) {
         const Place place = plan.travel(frame / kFrameRate);
-        clip.travel.push_back({static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.yaw)});
+        clip.travel.push_back(
+            {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.yaw)});
     }
     std::stable_sort(clip.contacts.begin(), clip.contacts.end(),
                      [](const Contact& a, const Contact& b) { return a.begin < b.begin; });
     return clip;
 }
 
-void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<Step>& steps, double duration, bool cyclic) {
+void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<Step>& steps,
+                 double duration, bool cyclic) {
     const Limb limb = side == 0 ? Limb::LeftFoot : Limb::RightFoot;
     for (const Step& step : steps) {
         if (cyclic) {

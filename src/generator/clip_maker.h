@@ -17,10 +17,10 @@ struct ClipPlan {
     std::string name;
     std::string motion;
     bool cyclic = false;
-    int frames = 60;                         ///< Intervals between poses in one play.
-    std::function<Figure(double)> figure;    ///< In the travelling frame, by time [s].
-    std::function<Place(double)> travel;     ///< Starts at the ground's origin.
-    std::vector<Contact> contacts;           ///< In any order.
+    int frames = 60;                       ///< Intervals between poses in one play.
+    std::function<Figure(double)> figure;  ///< In the travelling frame, by time [s].
+    std::function<Place(double)> travel;   ///< Starts at the ground's origin.
+    std::vector<Contact> contacts;         ///< In any order.
     double entryPhase = 0.0;
     double exitPhase = 0.0;
     ClipObstacle obstacle;
@@ -30,6 +30,7 @@ struct ClipPlan {
 Clip makeClip(ClipPlan plan);
 
 /// Adds a foot's stays that reach into the clip; in a cyclic one those that begin in it.
-void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<Step>& steps, double duration, bool cyclic);
+void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<Step>& steps,
+                 double duration, bool cyclic);
 
 }  // namespace muster::generator

@@ -4,7 +4,8 @@ namespace muster::generator {
 
 Vec3 toGround(const Place& place, Vec3 p) {
     const double c = cosine(place.yaw), s = sine(place.yaw);
-    return {static_cast<float>(place.x + c * p.x - s * p.y), static_cast<float>(place.y + s * p.x + c * p.y), p.z};
+    return {static_cast<float>(place.x + c * p.x - s * p.y), static_cast<float>(place.y + s * p.x + c * p.y),
+            p.z};
 }
 
 Vec3 fromGround(const Place& place, Vec3 p) {

@@ -5,13 +5,13 @@
 namespace muster::generator {
 namespace {
 
-constexpr double kKneeHeight = 0.065;   // [m] of a knee on the ground.
+constexpr double kKneeHeight = 0.065;  // [m] of a knee on the ground.
 constexpr double kWristHeight = 0.05;  // [m] of a wrist over a hand laid flat.
 constexpr double kKneeX = -0.36;       // [m] middle of a knee's stay.
 constexpr double kKneeY = 0.10;
 constexpr double kHandX = 0.20;
 constexpr double kHandY = 0.17;
-constexpr double kHandLate = 0.04;     // Share of the cycle by which a hand lands after the knee across.
+constexpr double kHandLate = 0.04;  // Share of the cycle by which a hand lands after the knee across.
 
 /// Fore and aft about the middle of the stay, and the height of the swing, by phase since landing.
 struct Stroke {
@@ -23,12 +23,16 @@ Stroke strokeAt(double phase) {
     phase -= std::floor(phase);
     const double cycle = CrawlTrack::kCycle, half = 0.5 * CrawlTrack::kContact * cycle * CrawlTrack::kSpeed;
     if (phase < CrawlTrack::kContact) return {half - CrawlTrack::kSpeed * phase * cycle, 0.0};
-    const double length = (1.0 - CrawlTrack::kContact) * cycle, since = (phase - CrawlTrack::kContact) * cycle;
-    const Curve along = Curve::spline({{0.0, -half}, {length, half}}, -CrawlTrack::kSpeed, -CrawlTrack::kSpeed);
+    const double length = (1.0 - CrawlTrack::kContact) * cycle,
+                 since = (phase - CrawlTrack::kContact) * cycle;
+    const Curve along =
+        Curve::spline({{0.0, -half}, {length, half}}, -CrawlTrack::kSpeed, -CrawlTrack::kSpeed);
     return {along.at(since), hump(0.0, length, since)};
 }
 
-double wave(double phase) { return cosine(2.0 * kPi * (phase - std::floor(phase))); }
+double wave(double phase) {
+    return cosine(2.0 * kPi * (phase - std::floor(phase)));
+}
 
 Body crawlBody(double phase) {
     Body body;
@@ -103,13 +107,15 @@ Figure CrawlTrack::figure(double time) const {
     Stroke stroke[2];
     for (std::size_t side = 0; side < 2; ++side) {
         stroke[side] = strokeAt(phase - (side == 0 ? 0.0 : 0.5));
-        knees[side] = {static_cast<float>(kKneeX + stroke[side].along), static_cast<float>(side == 0 ? kKneeY : -kKneeY),
+        knees[side] = {static_cast<float>(kKneeX + stroke[side].along),
+                       static_cast<float>(side == 0 ? kKneeY : -kKneeY),
                        static_cast<float>(kKneeHeight + 0.03 * stroke[side].lift)};
     }
     rest(figure.body, knees);
     for (std::size_t side = 0; side < 2; ++side) {
         knees[side].z += static_cast<float>(0.03 * stroke[side].lift);
-        figure.legs[side] = kneelingLeg(figure.body, side, knees[side], -degrees(1) + degrees(3) * stroke[side].lift);
+        figure.legs[side] =
+            kneelingLeg(figure.body, side, knees[side], -degrees(1) + degrees(3) * stroke[side].lift);
         const Stroke hand = strokeAt(phase - kHandLate - (side == 0 ? 0.5 : 0.0));
         const float out = side == 0 ? 1.0f : -1.0f;
         Reach& reach = figure.reach[side];
@@ -134,8 +140,10 @@ Clip crawlClip() {
     const double stay = CrawlTrack::kContact * CrawlTrack::kCycle;
     for (std::size_t side = 0; side < 2; ++side) {
         const double knee = track.kneeLanding(side, 0), hand = track.handLanding(side, 0);
-        plan.contacts.push_back({side == 0 ? Limb::LeftKnee : Limb::RightKnee, knee, knee + stay, track.kneeAnchor(side, 0)});
-        plan.contacts.push_back({side == 0 ? Limb::LeftHand : Limb::RightHand, hand, hand + stay, track.handAnchor(side, 0)});
+        plan.contacts.push_back(
+            {side == 0 ? Limb::LeftKnee : Limb::RightKnee, knee, knee + stay, track.kneeAnchor(side, 0)});
+        plan.contacts.push_back(
+            {side == 0 ? Limb::LeftHand : Limb::RightHand, hand, hand + stay, track.handAnchor(side, 0)});
     }
     return makeClip(std::move(plan));
 }

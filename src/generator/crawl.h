@@ -5,7 +5,8 @@
 
 namespace muster::generator {
 
-/// Crawling in time; phase 0 (the left knee lands) at time `start`, where the travelling frame is at the origin.
+/// Crawling in time; phase 0 (the left knee lands) at time `start`, where the travelling frame is at the
+/// origin.
 class CrawlTrack {
 public:
     static constexpr double kCycle = 64.0 / kFrameRate;  ///< [s]
@@ -17,7 +18,8 @@ public:
     Place travel(double time) const { return {kSpeed * (time - start_), 0.0, 0.0}; }
     /// In the travelling frame.
     Figure figure(double time) const;
-    /// Where a limb is planted in its stay that begins in the cycle, in the travelling frame of time `start` [m].
+    /// Where a limb is planted in its stay that begins in the cycle, in the travelling frame of time `start`
+    /// [m].
     Vec3 kneeAnchor(std::size_t side, int cycle) const;
     Vec3 handAnchor(std::size_t side, int cycle) const;
     /// When these stays begin [s].

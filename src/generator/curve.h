@@ -27,12 +27,15 @@ private:
     std::vector<double> slopes_;
 };
 
-/// 0 before `begin`, 1 after `end`, between them a rise whose first and second derivatives vanish at its ends.
+/// 0 before `begin`, 1 after `end`, between them a rise whose first and second derivatives vanish at its
+/// ends.
 double rise(double begin, double end, double time);
 /// 0 outside (begin, end), 1 in the middle, as smooth as rise().
 double hump(double begin, double end, double time);
 
 /// Degrees in radians.
-constexpr double degrees(double angle) { return angle * (3.14159265358979323846 / 180.0); }
+constexpr double degrees(double angle) {
+    return angle * (3.14159265358979323846 / 180.0);
+}
 
 }  // namespace muster::generator

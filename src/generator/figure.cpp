@@ -9,17 +9,24 @@ constexpr std::size_t at(JointRole role, std::size_t side, JointRole right) {
     return side == 0 ? index(role) : index(right);
 }
 
-Vec3 mirrored(Vec3 p) { return {p.x, -p.y, p.z}; }
-Quat mirrored(Quat q) { return {-q.x, q.y, -q.z, q.w}; }
+Vec3 mirrored(Vec3 p) {
+    return {p.x, -p.y, p.z};
+}
+Quat mirrored(Quat q) {
+    return {-q.x, q.y, -q.z, q.w};
+}
 /// To the left side and back: limbs are worked out as left ones.
 template <class T>
-T sided(std::size_t side, T value) { return side == 0 ? value : mirrored(value); }
+T sided(std::size_t side, T value) {
+    return side == 0 ? value : mirrored(value);
+}
 
 /// The rotation that takes the axes to these three right-angled unit vectors.
 Quat fromAxes(Vec3 x, Vec3 y, Vec3 z) {
     const float trace = x.x + y.y + z.z;
     if (trace > 0.0f) return normalized(Quat{y.z - z.y, z.x - x.z, x.y - y.x, 1.0f + trace});
-    if (x.x > y.y && x.x > z.z) return normalized(Quat{1.0f + x.x - y.y - z.z, x.y + y.x, x.z + z.x, y.z - z.y});
+    if (x.x > y.y && x.x > z.z)
+        return normalized(Quat{1.0f + x.x - y.y - z.z, x.y + y.x, x.z + z.x, y.z - z.y});
     if (y.y > z.z) return normalized(Quat{x.y + y.x, 1.0f - x.x + y.y - z.z, y.z + z.y, z.x - x.z});
     return normalized(Quat{x.z + z.x, y.z + z.y, 1.0f - x.x - y.y + z.z, x.y - y.x});
 }
@@ -36,7 +43,8 @@ TwoBones solve(Vec3 origin, Vec3 target, float l1, float l2, Vec3 pole) {
     const float d = std::clamp(length(way), std::fabs(l1 - l2) + 1e-3f, (l1 + l2) * 0.9999f);
     const Vec3 u = normalized(way, {0.0f, 0.0f, -1.0f});
     const Vec3 n = normalized(pole - dot(pole, u) * u, {0.0f, 1.0f, 0.0f});
-    const float c = (l1 * l1 + d * d - l2 * l2) / (2.0f * l1 * d), s = std::sqrt(std::max(0.0f, 1.0f - c * c));
+    const float c = (l1 * l1 + d * d - l2 * l2) / (2.0f * l1 * d),
+                s = std::sqrt(std::max(0.0f, 1.0f - c * c));
     const Vec3 first = c * u + s * n;
     return {first, normalized(d * u - l1 * first), cross(u, -n)};
 }
@@ -54,7 +62,8 @@ struct Frames {
 };
 
 void putTrunk(const Body& body, Frames& frames) {
-    const Quat pelvis = turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll], body[Channel::PelvisYaw]);
+    const Quat pelvis =
+        turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll], body[Channel::PelvisYaw]);
     const Quat chest = turned(body[Channel::ChestPitch], body[Channel::ChestRoll], body[Channel::ChestYaw]);
     const Quat head = turned(body[Channel::HeadPitch], body[Channel::HeadRoll], body[Channel::HeadYaw]);
     frames.turn[0] = pelvis;
@@ -81,13 +90,14 @@ void putLeg(const Leg& leg, std::size_t side, Frames& frames) {
 /// Turn of the left upper arm against the chest.
 Quat armTurn(const Body& body, std::size_t side) {
     return turned(-body.arm(side, Channel::LeftArmForward), 0.0, 0.0) *
-           turned(0.0, body.arm(side, Channel::LeftArmOut), 0.0) *
-           turned(0.0, -0.5 * kPi, -0.0) * axisAngle({0.0f, 1.0f, 0.0f}, body.arm(side, Channel::LeftArmTurn));
+           turned(0.0, body.arm(side, Channel::LeftArmOut), 0.0) * turned(0.0, -0.5 * kPi, -0.0) *
+           axisAngle({0.0f, 1.0f, 0.0f}, body.arm(side, Channel::LeftArmTurn));
 }
 
 /// How far the collar bone lifts with the arm [rad].
 double collarLift(Vec3 arm) {
-    const double raised = arcTangent2(std::sqrt(static_cast<double>(arm.x) * arm.x + static_cast<double>(arm.y) * arm.y), -arm.z);
+    const double raised = arcTangent2(
+        std::sqrt(static_cast<double>(arm.x) * arm.x + static_cast<double>(arm.y) * arm.y), -arm.z);
     return std::clamp(0.35 * (raised - 1.4), 0.0, 0.45);
 }
 
@@ -111,7 +121,8 @@ void putArm(const Body& body, const Reach& reach, std::size_t side, Frames& fram
     put(upper, chest);
     Vec3 direction = rotate(free, {0.0f, 1.0f, 0.0f});
     if (reach.weight > 0.0) {
-        const Vec3 aim = normalized(rotate(conjugate(chest), sided(side, reach.wrist) - place(upper)), direction);
+        const Vec3 aim =
+            normalized(rotate(conjugate(chest), sided(side, reach.wrist) - place(upper)), direction);
         direction = normalized(lerp(direction, aim, static_cast<float>(reach.weight)), aim);
     }
     put(collar, chest * turned(0.0, collarLift(direction), 0.0));
@@ -120,13 +131,15 @@ void putArm(const Body& body, const Reach& reach, std::size_t side, Frames& fram
     put(hand, sided(side, frames.turn[fore]) * turned(0.0, -body.arm(side, Channel::LeftWrist), 0.0));
     if (reach.weight <= 0.0) return;
     const auto share = static_cast<float>(reach.weight);
-    const Vec3 freeElbow = normalized(place(fore) - lerp(place(upper), place(hand), 0.5f), {-1.0f, 0.0f, 0.0f});
+    const Vec3 freeElbow =
+        normalized(place(fore) - lerp(place(upper), place(hand), 0.5f), {-1.0f, 0.0f, 0.0f});
     const Vec3 wrist = lerp(place(hand), sided(side, reach.wrist), share);
     const Vec3 pole = normalized(lerp(freeElbow, normalized(sided(side, reach.elbow)), share), freeElbow);
     const TwoBones bones = solve(place(upper), wrist, 0.28f, 0.25f, pole);
     const auto hinge = [&](Vec3 bone) { return fromAxes(cross(bone, -bones.bend), bone, -bones.bend); };
     Quat foreTurn = hinge(bones.second);
-    const Quat palm = nlerp(sided(side, frames.turn[hand]), reach.follows ? foreTurn : sided(side, reach.hand), share);
+    const Quat palm =
+        nlerp(sided(side, frames.turn[hand]), reach.follows ? foreTurn : sided(side, reach.hand), share);
     shareTwist(foreTurn, palm);
     put(upper, hinge(bones.first));
     put(fore, foreTurn);
@@ -151,19 +164,21 @@ Figure blend(const Figure& a, const Figure& b, double t) {
     out.body = blend(a.body, b.body, t);
     for (std::size_t side = 0; side < 2; ++side) {
         const Leg &la = a.legs[side], &lb = b.legs[side];
-        out.legs[side] = {lerp(la.ankle, lb.ankle, share), nlerp(la.foot, lb.foot, share), la.toe + (lb.toe - la.toe) * t,
-                          normalized(lerp(la.knee, lb.knee, share), lb.knee)};
+        out.legs[side] = {lerp(la.ankle, lb.ankle, share), nlerp(la.foot, lb.foot, share),
+                          la.toe + (lb.toe - la.toe) * t, normalized(lerp(la.knee, lb.knee, share), lb.knee)};
         const Reach &ra = a.reach[side], &rb = b.reach[side];
         const double sum = ra.weight * (1.0 - t) + rb.weight * t;
         // Where only one of both reaches, its target stands.
         const float mix = sum > 0.0 ? static_cast<float>(rb.weight * t / sum) : share;
-        out.reach[side] = {sum, lerp(ra.wrist, rb.wrist, mix), nlerp(ra.hand, rb.hand, mix), lerp(ra.elbow, rb.elbow, mix), mix < 0.5f ? ra.follows : rb.follows};
+        out.reach[side] = {sum, lerp(ra.wrist, rb.wrist, mix), nlerp(ra.hand, rb.hand, mix),
+                           lerp(ra.elbow, rb.elbow, mix), mix < 0.5f ? ra.follows : rb.follows};
     }
     return out;
 }
 
 Vec3 hipJoint(const Body& body, std::size_t side) {
-    const Quat pelvis = turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll], body[Channel::PelvisYaw]);
+    const Quat pelvis =
+        turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll], body[Channel::PelvisYaw]);
     const Vec3 hips{static_cast<float>(body[Channel::HipsX]), static_cast<float>(body[Channel::HipsY]),
                     static_cast<float>(body[Channel::HipsZ])};
     return hips + rotate(pelvis, skeleton()[at(JointRole::LeftUpLeg, side, JointRole::RightUpLeg)].offset);

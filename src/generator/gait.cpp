@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
 
-double wave(double phase) { return cosine(2.0 * kPi * (phase - std::floor(phase))); }
+double wave(double phase) {
+    return cosine(2.0 * kPi * (phase - std::floor(phase)));
+}
 
 }  // namespace
 
@@ -31,8 +33,8 @@ double GaitTrack::height(double phase) const {
     const double up = 0.5 * kGravity * flight, t = since - stay;
     if (t > 0.0) return gait_.height + up * t - 0.5 * kGravity * t * t;
     const double force = 0.5 * kPi * kGravity * (stay + flight) / stay, slow = stay / kPi;
-    return gait_.height - up * since - 0.5 * kGravity * since * since - force * slow * slow * sine(since / slow) +
-           force * slow * since;
+    return gait_.height - up * since - 0.5 * kGravity * since * since -
+           force * slow * slow * sine(since / slow) + force * slow * since;
 }
 
 void GaitTrack::addTrunk(double phase, Body& body) const {
@@ -58,7 +60,8 @@ void GaitTrack::addArms(double phase, Body& body) const {
         body.arm(side, Channel::LeftArmForward) = gait_.arm.middle + gait_.arm.swing * forward;
         body.arm(side, Channel::LeftArmOut) = gait_.armOut;
         body.arm(side, Channel::LeftArmTurn) = gait_.armTurn + gait_.armAcross * forward;
-        body.arm(side, Channel::LeftElbow) = gait_.elbow.middle - gait_.elbow.swing * wave(phase + half - gait_.elbow.late);
+        body.arm(side, Channel::LeftElbow) =
+            gait_.elbow.middle - gait_.elbow.swing * wave(phase + half - gait_.elbow.late);
         body.arm(side, Channel::LeftWrist) = gait_.wrist;
     }
 }
@@ -85,7 +88,8 @@ Body GaitTrack::body(double time) const {
 
 Course GaitTrack::course() const {
     const GaitTrack copy = *this;
-    return {[copy](double time) { return copy.travel(time); }, [copy](double time) { return copy.body(time); }};
+    return {[copy](double time) { return copy.travel(time); },
+            [copy](double time) { return copy.body(time); }};
 }
 
 double GaitTrack::landing(std::size_t side, int cycle) const {
@@ -99,9 +103,10 @@ Step GaitTrack::step(std::size_t side, int cycle, const Course& course) const {
     const Place middle = course.travel(0.5 * (step.begin + step.end));
     const double sign = side == 0 ? 1.0 : -1.0;
     const double bank = 0.8 * arcTangent2(gait_.speed * gait_.speed * gait_.bend, kGravity);
-    step.anchor = toGround(middle, {static_cast<float>(gait_.footForward),
-                                    static_cast<float>(sign * gait_.footOut - 0.4 * gait_.height * sine(bank)),
-                                    static_cast<float>(kAnkleHeight)});
+    step.anchor =
+        toGround(middle, {static_cast<float>(gait_.footForward),
+                          static_cast<float>(sign * gait_.footOut - 0.4 * gait_.height * sine(bank)),
+                          static_cast<float>(kAnkleHeight)});
     step.yaw = middle.yaw + sign * gait_.toeOut;
     step.strike = gait_.strike;
     step.flat = gait_.flat * gait_.cycle;
@@ -118,7 +123,9 @@ std::vector<Step> GaitTrack::steps(std::size_t side, int first, int last) const 
     return steps;
 }
 
-LegTrack GaitTrack::leg(std::size_t side) const { return {side, steps(side, -3, 3), course()}; }
+LegTrack GaitTrack::leg(std::size_t side) const {
+    return {side, steps(side, -3, 3), course()};
+}
 
 Clip gaitClip(const std::string& name, const std::string& motion, const Gait& gait) {
     const GaitTrack track(gait);

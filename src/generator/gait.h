@@ -17,38 +17,38 @@ struct Wave {
 
 /// A gait. Angles in radians; shares are of a cycle. Phase 0: the left foot lands.
 struct Gait {
-    double cycle = 1.0;      ///< [s]
-    double speed = 1.0;      ///< Along its way [m/s].
-    double contact = 0.6;    ///< Share of the cycle that a foot stands, 0.2 to 0.7.
-    double bend = 0.0;       ///< One over the radius of its way, to the left [1/m].
+    double cycle = 1.0;    ///< [s]
+    double speed = 1.0;    ///< Along its way [m/s].
+    double contact = 0.6;  ///< Share of the cycle that a foot stands, 0.2 to 0.7.
+    double bend = 0.0;     ///< One over the radius of its way, to the left [1/m].
 
     double footForward = 0.0;  ///< Of the foot before the hips in the middle of its stay [m].
     double footOut = 0.06;     ///< Of the foot from the middle line [m].
     double toeOut = 0.1;
-    double strike = 0.3;       ///< Toes raised at landing.
-    double flat = 0.08;        ///< Share of the cycle from landing until flat.
-    double heelRise = 0.25;    ///< Share of the cycle from heel-off to toe-off.
-    double push = 1.0;         ///< Heel raised at toe-off.
+    double strike = 0.3;     ///< Toes raised at landing.
+    double flat = 0.08;      ///< Share of the cycle from landing until flat.
+    double heelRise = 0.25;  ///< Share of the cycle from heel-off to toe-off.
+    double push = 1.0;       ///< Heel raised at toe-off.
     Swing swing;
 
-    double height = 0.9;       ///< Mean height of the hips (running: at landing) [m].
-    double bob = 0.025;        ///< Rise and fall of the hips in walking [m]; running follows from flight.
-    double surge = 0.01;       ///< Fore and aft against even travel [m].
-    double sway = 0.02;        ///< Sideways over the standing foot [m].
-    double forward = 0.0;      ///< Of the hips before the travelling frame [m].
+    double height = 0.9;   ///< Mean height of the hips (running: at landing) [m].
+    double bob = 0.025;    ///< Rise and fall of the hips in walking [m]; running follows from flight.
+    double surge = 0.01;   ///< Fore and aft against even travel [m].
+    double sway = 0.02;    ///< Sideways over the standing foot [m].
+    double forward = 0.0;  ///< Of the hips before the travelling frame [m].
     double pelvisPitch = 0.05;
     double pelvisYaw = 0.08;
     double pelvisRoll = 0.06;
-    double lean = 0.03;        ///< Of the chest, forwards.
-    double nod = 0.0;          ///< Change of the lean, twice a cycle.
+    double lean = 0.03;  ///< Of the chest, forwards.
+    double nod = 0.0;    ///< Change of the lean, twice a cycle.
     double chestYaw = 0.08;
     double chestRoll = 0.03;
     double headPitch = 0.0;
 
-    Wave arm;                  ///< Upper arm forwards.
+    Wave arm;  ///< Upper arm forwards.
     double armOut = 0.15;
     double armTurn = 0.3;
-    double armAcross = 0.0;    ///< More turned inwards when it is forward.
+    double armAcross = 0.0;  ///< More turned inwards when it is forward.
     Wave elbow;
     double wrist = 0.15;
 

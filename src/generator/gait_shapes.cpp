@@ -6,9 +6,13 @@ namespace muster::generator {
 namespace {
 
 /// A share of the swing and an angle in degrees.
-Key key(double share, double angle) { return {share, degrees(angle)}; }
+Key key(double share, double angle) {
+    return {share, degrees(angle)};
+}
 
-double frames(int count) { return count / kFrameRate; }
+double frames(int count) {
+    return count / kFrameRate;
+}
 
 }  // namespace
 
@@ -24,7 +28,8 @@ Gait walkGait() {
     gait.flat = 0.09;
     gait.heelRise = 0.30;
     gait.push = degrees(64);
-    gait.swing = {{key(0.45, 18), key(0.75, 30)}, {key(0.30, 68), key(0.62, 42)}, {key(0.25, -12), key(0.6, 3)}};
+    gait.swing = {
+        {key(0.45, 18), key(0.75, 30)}, {key(0.30, 68), key(0.62, 42)}, {key(0.25, -12), key(0.6, 3)}};
     gait.height = 0.918;
     gait.bob = 0.028;
     gait.surge = 0.008;
@@ -58,7 +63,9 @@ Gait jogGait() {
     gait.flat = 0.05;
     gait.heelRise = 0.18;
     gait.push = degrees(48);
-    gait.swing = {{key(0.10, -13), key(0.38, 10), key(0.70, 36)}, {key(0.40, 98), key(0.75, 62)}, {key(0.3, -16), key(0.65, 4)}};
+    gait.swing = {{key(0.10, -13), key(0.38, 10), key(0.70, 36)},
+                  {key(0.40, 98), key(0.75, 62)},
+                  {key(0.3, -16), key(0.65, 4)}};
     gait.height = 0.930;
     gait.surge = 0.008;
     gait.sway = 0.012;
@@ -84,7 +91,9 @@ Gait runGait() {
     gait.contact = 0.31;
     gait.footForward = -0.15;
     gait.push = degrees(54);
-    gait.swing = {{key(0.09, -18), key(0.38, 12), key(0.68, 41)}, {key(0.40, 108), key(0.75, 66)}, {key(0.3, -18), key(0.65, 5)}};
+    gait.swing = {{key(0.09, -18), key(0.38, 12), key(0.68, 41)},
+                  {key(0.40, 108), key(0.75, 66)},
+                  {key(0.3, -18), key(0.65, 5)}};
     gait.height = 0.930;
     gait.lean = degrees(9);
     gait.pelvisPitch = degrees(8);
@@ -104,7 +113,9 @@ Gait sprintGait() {
     gait.footOut = 0.03;
     gait.strike = degrees(3);
     gait.push = degrees(66);
-    gait.swing = {{key(0.09, -22), key(0.40, 24), key(0.66, 58)}, {key(0.38, 116), key(0.72, 84)}, {key(0.3, -22), key(0.65, 8)}};
+    gait.swing = {{key(0.09, -22), key(0.40, 24), key(0.66, 58)},
+                  {key(0.38, 116), key(0.72, 84)},
+                  {key(0.3, -22), key(0.65, 8)}};
     gait.height = 0.908;
     gait.lean = degrees(13);
     gait.pelvisPitch = degrees(11);

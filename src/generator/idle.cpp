@@ -7,7 +7,9 @@ namespace {
 
 constexpr double kEver = 1000.0;  // [s]
 
-double wave(double cycles, double late) { return cosine(2.0 * kPi * (cycles - late)); }
+double wave(double cycles, double late) {
+    return cosine(2.0 * kPi * (cycles - late));
+}
 
 }  // namespace
 
@@ -58,7 +60,8 @@ Clip idleClip() {
     plan.figure = [&](double time) { return Figure{idleBody(time), {left.at(time), right.at(time)}, {}}; };
     plan.travel = course.travel;
     for (std::size_t side = 0; side < 2; ++side)
-        plan.contacts.push_back({side == 0 ? Limb::LeftFoot : Limb::RightFoot, 0.0, kIdleCycle, idleStep(side, {}).anchor});
+        plan.contacts.push_back(
+            {side == 0 ? Limb::LeftFoot : Limb::RightFoot, 0.0, kIdleCycle, idleStep(side, {}).anchor});
     return makeClip(std::move(plan));
 }
 

@@ -16,9 +16,9 @@ constexpr double kMoment = 1e-3;               // [s]
 /// What tells one jump from another. Times [s], heights of the hips [m].
 struct JumpShape {
     const char* name;
-    double plant, off, land;      ///< The left foot lands, leaves; the right one lands.
+    double plant, off, land;  ///< The left foot lands, leaves; the right one lands.
     double offHeight, landHeight;
-    Swing lead, trail;            ///< Of the right leg, of the left one.
+    Swing lead, trail;  ///< Of the right leg, of the left one.
     ClipObstacle obstacle;
 };
 
@@ -28,8 +28,10 @@ struct Rise {
 
     double at(double time) const {
         const double h = end - begin, u = (time - begin) / h;
-        const double p = z1 - z0 - v0 * h - 0.5 * a0 * h * h, v = (v1 - v0) * h - a0 * h * h, a = (a1 - a0) * h * h;
-        const double c3 = 10.0 * p - 4.0 * v + 0.5 * a, c4 = -15.0 * p + 7.0 * v - a, c5 = 6.0 * p - 3.0 * v + 0.5 * a;
+        const double p = z1 - z0 - v0 * h - 0.5 * a0 * h * h, v = (v1 - v0) * h - a0 * h * h,
+                     a = (a1 - a0) * h * h;
+        const double c3 = 10.0 * p - 4.0 * v + 0.5 * a, c4 = -15.0 * p + 7.0 * v - a,
+                     c5 = 6.0 * p - 3.0 * v + 0.5 * a;
         return z0 + u * (v0 * h + u * (0.5 * a0 * h * h + u * (c3 + u * (c4 + u * c5))));
     }
 };
@@ -37,14 +39,27 @@ struct Rise {
 /// Height of the hips: in free fall between `off` and `land`, that of running before and after.
 class Arc {
 public:
-    Arc(const JumpShape& shape, const GaitTrack& before, const GaitTrack& after) : shape_(shape), before_(before), after_(after) {
+    Arc(const JumpShape& shape, const GaitTrack& before, const GaitTrack& after)
+        : shape_(shape), before_(before), after_(after) {
         const double fall = shape.land - shape.off;
         up_ = (shape.landHeight - shape.offHeight) / fall + 0.5 * kGravity * fall;
         const auto z = [](const GaitTrack& track, double t) { return track.body(t)[Channel::HipsZ]; };
-        const auto rate = [&](const GaitTrack& track, double t) { return (z(track, t + kMoment) - z(track, t - kMoment)) / (2.0 * kMoment); };
-        spring_ = {shape.plant, shape.off, z(before, shape.plant), rate(before, shape.plant - kMoment), shape.offHeight, up_, -kGravity, -kGravity};
+        const auto rate = [&](const GaitTrack& track, double t) {
+            return (z(track, t + kMoment) - z(track, t - kMoment)) / (2.0 * kMoment);
+        };
+        spring_ = {shape.plant,
+                   shape.off,
+                   z(before, shape.plant),
+                   rate(before, shape.plant - kMoment),
+                   shape.offHeight,
+                   up_,
+                   -kGravity,
+                   -kGravity};
         leave_ = after.landing(1, 0) + after.gait().contact * after.gait().cycle;
-        absorb_ = {shape.land, leave_, shape.landHeight, up_ - kGravity * fall, z(after, leave_), rate(after, leave_ + kMoment), -kGravity, -kGravity};
+        absorb_ = {shape.land,       leave_,
+                   shape.landHeight, up_ - kGravity * fall,
+                   z(after, leave_), rate(after, leave_ + kMoment),
+                   -kGravity,        -kGravity};
     }
 
     double at(double time) const {
@@ -64,13 +79,15 @@ private:
 };
 
 Body heldInJump(const JumpShape& shape, Body body, double time) {
-    const double air = hump(shape.off - 0.14, shape.land + 0.14, time), crouch = hump(shape.land - 0.05, kEnd, time);
+    const double air = hump(shape.off - 0.14, shape.land + 0.14, time),
+                 crouch = hump(shape.land - 0.05, kEnd, time);
     const double spring = hump(std::max(0.0, shape.plant - 0.05), shape.off + 0.05, time);
     body[Channel::ChestPitch] += degrees(11) * air + degrees(12) * crouch - degrees(6) * spring;
     body[Channel::PelvisPitch] += degrees(2) * air + degrees(6) * crouch - degrees(4) * spring;
     body[Channel::HeadPitch] += degrees(6) * air;
     for (std::size_t side = 0; side < 2; ++side) {
-        // Arms are thrown up and forwards, the one across from the leading leg highest, and come down on landing.
+        // Arms are thrown up and forwards, the one across from the leading leg highest, and come down on
+        // landing.
         const double most = side == 0 ? 60.0 : 12.0;
         body.arm(side, Channel::LeftArmForward) += degrees(most) * air;
         body.arm(side, Channel::LeftArmOut) += degrees(side == 0 ? 14 : 30) * air + degrees(14) * crouch;
@@ -106,7 +123,8 @@ Passage jumpOf(const JumpShape& shape) {
     landing.begin = shape.land;
     passage.steps[0] = {before.step(0, -1, before.course()), plant, after.step(0, 1, passage.course)};
     passage.steps[1] = {last, landing, after.step(1, 1, passage.course)};
-    for (Step* step : {&passage.steps[0][0], &passage.steps[0][1], &passage.steps[1][0]}) step->anchor.x += static_cast<float>(jog.speed * shape.plant);
+    for (Step* step : {&passage.steps[0][0], &passage.steps[0][1], &passage.steps[1][0]})
+        step->anchor.x += static_cast<float>(jog.speed * shape.plant);
     for (std::size_t side = 0; side < 2; ++side) {
         passage.before[side] = before.leg(side).join(0.0);
         passage.after[side] = after.leg(side).join(kEnd);
@@ -117,18 +135,28 @@ Passage jumpOf(const JumpShape& shape) {
     return passage;
 }
 
-Key key(double share, double angle) { return {share, degrees(angle)}; }
+Key key(double share, double angle) {
+    return {share, degrees(angle)};
+}
 
 }  // namespace
 
 void addJumps(std::vector<Clip>& clips) {
     JumpShape tucked{"jump", 0.08, 0.30, 0.72, 0.945, 0.89, {}, {}, {}};
-    tucked.lead = {{key(0.3, 50), key(0.62, 84), key(0.74, 78), key(0.88, 42)}, {key(0.3, 92), key(0.62, 112), key(0.74, 98), key(0.88, 46)}, {key(0.5, 8), key(0.9, 6)}};
-    tucked.trail = {{key(0.06, -12), key(0.24, 50), key(0.36, 60), key(0.60, 38), key(0.82, 34)}, {key(0.22, 116), key(0.36, 118), key(0.60, 98), key(0.82, 60)}, {key(0.25, 0), key(0.8, 0)}};
+    tucked.lead = {{key(0.3, 50), key(0.62, 84), key(0.74, 78), key(0.88, 42)},
+                   {key(0.3, 92), key(0.62, 112), key(0.74, 98), key(0.88, 46)},
+                   {key(0.5, 8), key(0.9, 6)}};
+    tucked.trail = {{key(0.06, -12), key(0.24, 50), key(0.36, 60), key(0.60, 38), key(0.82, 34)},
+                    {key(0.22, 116), key(0.36, 118), key(0.60, 98), key(0.82, 60)},
+                    {key(0.25, 0), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(tucked)));
     JumpShape over{"jump-over", 0.03, 0.25, 0.67, 0.945, 0.89, {}, {}, {0.5f, 0.2f}};
-    over.lead = {{key(0.28, 46), key(0.48, 80), key(0.63, 95), key(0.76, 76), key(0.87, 42)}, {key(0.28, 106), key(0.52, 128), key(0.68, 78), key(0.85, 28)}, {key(0.5, 12), key(0.9, 6)}};
-    over.trail = {{key(0.06, -18), key(0.22, 30), key(0.38, 64), key(0.60, 46), key(0.82, 36)}, {key(0.20, 116), key(0.36, 122), key(0.60, 100), key(0.82, 60)}, {key(0.25, 4), key(0.8, 0)}};
+    over.lead = {{key(0.28, 46), key(0.48, 80), key(0.63, 95), key(0.76, 76), key(0.87, 42)},
+                 {key(0.28, 106), key(0.52, 128), key(0.68, 78), key(0.85, 28)},
+                 {key(0.5, 12), key(0.9, 6)}};
+    over.trail = {{key(0.06, -18), key(0.22, 30), key(0.38, 64), key(0.60, 46), key(0.82, 36)},
+                  {key(0.20, 116), key(0.36, 122), key(0.60, 100), key(0.82, 60)},
+                  {key(0.25, 4), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(over)));
 }
 

@@ -30,15 +30,18 @@ bool isPlace(Channel channel) {
 
 LegShape shapeOf(const Leg& leg, Vec3 hip) {
     const Vec3 way = leg.ankle - hip;
-    const double d = std::clamp(std::sqrt(static_cast<double>(way.x) * way.x + static_cast<double>(way.z) * way.z), 0.05,
-                                (kThigh + kShin) * 0.9999);
+    const double d =
+        std::clamp(std::sqrt(static_cast<double>(way.x) * way.x + static_cast<double>(way.z) * way.z), 0.05,
+                   (kThigh + kShin) * 0.9999);
     const auto arcCosine = [](double c) { return arcTangent2(std::sqrt(std::max(0.0, 1.0 - c * c)), c); };
     LegShape shape;
     shape.knee = kPi - arcCosine((kThigh * kThigh + kShin * kShin - d * d) / (2.0 * kThigh * kShin));
-    shape.thigh = arcTangent2(way.x, -way.z) + arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
+    shape.thigh = arcTangent2(way.x, -way.z) +
+                  arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
     if (shape.thigh > 0.75 * kPi) shape.thigh -= 2.0 * kPi;
     const Vec3 toes = rotate(leg.foot, {1.0f, 0.0f, 0.0f});
-    const double flat = std::sqrt(static_cast<double>(toes.x) * toes.x + static_cast<double>(toes.y) * toes.y);
+    const double flat =
+        std::sqrt(static_cast<double>(toes.x) * toes.x + static_cast<double>(toes.y) * toes.y);
     shape.ankle = arcTangent2(toes.z, toes.x < 0.0f ? -flat : flat) - (shape.thigh - shape.knee);
     if (shape.ankle > 1.5) shape.ankle -= 2.0 * kPi;
     if (shape.ankle < -2.5) shape.ankle += 2.0 * kPi;
@@ -54,7 +57,8 @@ Path::Path(const std::vector<Point>& points)
     : x_(curveOf(points, &Vec3::x)), y_(curveOf(points, &Vec3::y)), z_(curveOf(points, &Vec3::z)) {}
 
 Vec3 Path::at(double time) const {
-    return {static_cast<float>(x_.at(time)), static_cast<float>(y_.at(time)), static_cast<float>(z_.at(time))};
+    return {static_cast<float>(x_.at(time)), static_cast<float>(y_.at(time)),
+            static_cast<float>(z_.at(time))};
 }
 
 FootPath::FootPath(const std::vector<FootKey>& keys)
@@ -84,7 +88,8 @@ Reach reachAt(const std::vector<HandHold>& holds, std::size_t side, double time)
         if (near <= 0.0) continue;
         // Between two holds the hand goes from one to the other.
         sum += near;
-        const Vec3 above = hold.wrist + Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.10 * (1.0 - near)) : 0.0f};
+        const Vec3 above =
+            hold.wrist + Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.10 * (1.0 - near)) : 0.0f};
         reach.wrist = lerp(reach.wrist, above, static_cast<float>(near / sum));
     }
     reach.weight = std::min(1.0, sum);
@@ -93,7 +98,9 @@ Reach reachAt(const std::vector<HandHold>& holds, std::size_t side, double time)
 
 void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<HandHold>& holds) {
     for (const HandHold& hold : holds)
-        if (hold.touches) contacts.push_back({side == 0 ? Limb::LeftHand : Limb::RightHand, hold.begin, hold.end, hold.wrist});
+        if (hold.touches)
+            contacts.push_back(
+                {side == 0 ? Limb::LeftHand : Limb::RightHand, hold.begin, hold.end, hold.wrist});
 }
 
 BodyKeys::BodyKeys(const std::vector<ChannelKeys>& channels) {
@@ -128,7 +135,8 @@ LegJoin joinOf(const std::function<Figure(double)>& figure, std::size_t side, do
     };
     const LegShape a = shape(time - kMoment), b = shape(time + kMoment);
     const double s = 0.5 / kMoment;
-    return {time, shape(time),
+    return {time,
+            shape(time),
             {(b.thigh - a.thigh) * s, (b.knee - a.knee) * s, (b.ankle - a.ankle) * s, (b.side - a.side) * s,
              (b.yaw - a.yaw) * s, (b.toe - a.toe) * s},
             1.0};

@@ -47,12 +47,12 @@ private:
 
 /// A time in which a hand lies flat somewhere, in the ground's frame.
 struct HandHold {
-    double begin = 0.0;  ///< [s]
-    double end = 0.0;    ///< [s]
-    Vec3 wrist;          ///< [m]
-    double come = 0.25;  ///< It leaves its free way so long before [s].
-    double go = 0.25;    ///< And is back so long after [s].
-    bool touches = true; ///< False for a place on the way that holds nothing.
+    double begin = 0.0;   ///< [s]
+    double end = 0.0;     ///< [s]
+    Vec3 wrist;           ///< [m]
+    double come = 0.25;   ///< It leaves its free way so long before [s].
+    double go = 0.25;     ///< And is back so long after [s].
+    bool touches = true;  ///< False for a place on the way that holds nothing.
 };
 
 /// The hand's reach at a time: its holds one after the other.
@@ -85,7 +85,8 @@ private:
 Leg fromGround(const Place& place, const Leg& leg);
 Reach fromGround(const Place& place, Reach reach);
 
-/// The shape of a leg at a time and how it changes, to begin or end a swing with; `figure` is in the travelling frame.
+/// The shape of a leg at a time and how it changes, to begin or end a swing with; `figure` is in the
+/// travelling frame.
 LegJoin joinOf(const std::function<Figure(double)>& figure, std::size_t side, double time);
 
 }  // namespace muster::generator

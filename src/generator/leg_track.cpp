@@ -33,8 +33,9 @@ Vec3 kneeAhead(Vec3 hip, Vec3 ankle, double yaw) {
 void keepClear(double share, Leg& leg) {
     const Quat toes = leg.foot * axisAngle({0.0f, 1.0f, 0.0f}, leg.toe);
     const Vec3 ball = rotate(leg.foot, kBall);
-    const float low = leg.ankle.z + std::min({rotate(leg.foot, kHeel).z, rotate(leg.foot, kBall - kSole).z,
-                                              (ball + rotate(toes, kToeTip - kBall)).z, (ball - rotate(toes, kSole)).z});
+    const float low =
+        leg.ankle.z + std::min({rotate(leg.foot, kHeel).z, rotate(leg.foot, kBall - kSole).z,
+                                (ball + rotate(toes, kToeTip - kBall)).z, (ball - rotate(toes, kSole)).z});
     const double lack = 0.015 * share - low, soft = 0.01 * share;
     leg.ankle.z += static_cast<float>(0.5 * (lack + std::sqrt(lack * lack + soft * soft)));
 }
@@ -45,13 +46,16 @@ double arcCosine(double c) {
     return arcTangent2(std::sqrt(1.0 - c * c), c);
 }
 
-Quat footTurn(double yaw, double pitch) { return turned(-pitch, 0.0, yaw); }
+Quat footTurn(double yaw, double pitch) {
+    return turned(-pitch, 0.0, yaw);
+}
 
 LegShape scaled(const LegShape& a, double s) {
     return {a.thigh * s, a.knee * s, a.ankle * s, a.side * s, a.yaw * s, a.toe * s};
 }
 LegShape difference(const LegShape& a, const LegShape& b) {
-    return {a.thigh - b.thigh, a.knee - b.knee, a.ankle - b.ankle, a.side - b.side, a.yaw - b.yaw, a.toe - b.toe};
+    return {a.thigh - b.thigh, a.knee - b.knee, a.ankle - b.ankle,
+            a.side - b.side,   a.yaw - b.yaw,   a.toe - b.toe};
 }
 
 /// Through the keys between the ends, with the ends' rates.
@@ -64,7 +68,8 @@ Curve through(const LegJoin& from, const LegJoin& to, const std::vector<Key>& ke
 }
 
 /// What is left of a swing's keys when it begins or ends in its middle.
-std::vector<Key> inside(const std::vector<Key>& keys, double wholeBegin, double wholeEnd, double begin, double end) {
+std::vector<Key> inside(const std::vector<Key>& keys, double wholeBegin, double wholeEnd, double begin,
+                        double end) {
     std::vector<Key> out;
     for (const Key& key : keys) {
         const double share = (wholeBegin + key.time * (wholeEnd - wholeBegin) - begin) / (end - begin);
@@ -115,12 +120,14 @@ const Step* LegTrack::standing(double time) const {
 LegShape LegTrack::standingShape(const Step& step, double time) const {
     const Place place = course_.travel(time);
     const double pitch = pitchOf(step, time);
-    const Vec3 ankle = fromGround(place, rolledAnkle(step.anchor, step.yaw, pitch)), hip = hipJoint(course_.body(time), side_);
+    const Vec3 ankle = fromGround(place, rolledAnkle(step.anchor, step.yaw, pitch)),
+               hip = hipJoint(course_.body(time), side_);
     const double x = ankle.x - hip.x, z = hip.z - ankle.z;
     const double d = std::clamp(std::sqrt(x * x + z * z), 0.05, (kThigh + kShin) * 0.9999);
     LegShape shape;
     shape.knee = kPi - arcCosine((kThigh * kThigh + kShin * kShin - d * d) / (2.0 * kThigh * kShin));
-    shape.thigh = arcTangent2(x, z) + arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
+    shape.thigh =
+        arcTangent2(x, z) + arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
     shape.ankle = pitch - (shape.thigh - shape.knee);
     shape.side = ankle.y - hip.y;
     shape.yaw = step.yaw - place.yaw;
@@ -155,7 +162,7 @@ LegShape LegTrack::shapeAt(double time) const {
     for (const Flight& flight : flights_) {
         if (time > flight.end) continue;
         return {flight.thigh.at(time), flight.knee.at(time), flight.ankle.at(time),
-                flight.side.at(time), flight.yaw.at(time), flight.toe.at(time)};
+                flight.side.at(time),  flight.yaw.at(time),  flight.toe.at(time)};
     }
     return standingShape(steps_.back(), time);
 }
@@ -209,8 +216,12 @@ Leg LegTrack::legAt(double time, bool clear) const {
     return standingAt(steps_.back(), time);
 }
 
-Leg LegTrack::at(double time) const { return legAt(time, true); }
+Leg LegTrack::at(double time) const {
+    return legAt(time, true);
+}
 
-Leg LegTrack::inAir(double time) const { return legAt(time, false); }
+Leg LegTrack::inAir(double time) const {
+    return legAt(time, false);
+}
 
 }  // namespace muster::generator

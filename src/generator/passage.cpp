@@ -11,7 +11,9 @@ Clip passageClip(const Passage& passage) {
     plan.name = passage.name;
     plan.motion = passage.motion;
     plan.frames = passage.frames;
-    plan.figure = [&](double time) { return Figure{passage.course.body(time), {left.at(time), right.at(time)}, {}}; };
+    plan.figure = [&](double time) {
+        return Figure{passage.course.body(time), {left.at(time), right.at(time)}, {}};
+    };
     plan.travel = passage.course.travel;
     addContacts(plan.contacts, 0, left.steps(), passage.frames / kFrameRate, false);
     addContacts(plan.contacts, 1, right.steps(), passage.frames / kFrameRate, false);
@@ -23,7 +25,8 @@ Clip passageClip(const Passage& passage) {
 
 std::function<double(double)> changingSpeed(double from, double to, double begin, double end) {
     return [=](double time) {
-        const double u = std::clamp((time - begin) / (end - begin), 0.0, 1.0), after = std::max(0.0, time - end);
+        const double u = std::clamp((time - begin) / (end - begin), 0.0, 1.0),
+                     after = std::max(0.0, time - end);
         return from * time + (to - from) * ((end - begin) * u * u * u * (1.0 - 0.5 * u) + after);
     };
 }

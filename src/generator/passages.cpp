@@ -38,7 +38,8 @@ Step arriving(std::size_t side, double begin, const Place& place, double strike)
 }
 
 /// From standing into a gait: the left foot lands first, at `landing`; the right one leaves at `leave`.
-Passage startOf(const char* name, const Gait& gait, int frames, double landing, double leave, double fullSpeed) {
+Passage startOf(const char* name, const Gait& gait, int frames, double landing, double leave,
+                double fullSpeed) {
     const GaitTrack track(gait, landing);
     const double end = frames / kFrameRate;
     Passage passage;
@@ -55,8 +56,10 @@ Passage startOf(const char* name, const Gait& gait, int frames, double landing, 
         body[Channel::HipsZ] -= 0.012 * lean;
         return body;
     };
-    passage.steps[0] = {leaving(0, 0.4 * landing, degrees(28)), track.step(0, 0, passage.course), track.step(0, 1, passage.course)};
-    passage.steps[1] = {leaving(1, leave, degrees(55)), track.step(1, 0, passage.course), track.step(1, 1, passage.course)};
+    passage.steps[0] = {leaving(0, 0.4 * landing, degrees(28)), track.step(0, 0, passage.course),
+                        track.step(0, 1, passage.course)};
+    passage.steps[1] = {leaving(1, leave, degrees(55)), track.step(1, 0, passage.course),
+                        track.step(1, 1, passage.course)};
     for (std::size_t side = 0; side < 2; ++side) passage.after[side] = track.leg(side).join(end);
     passage.entryPhase = shareOfCycle(track, end);
     return passage;
@@ -84,7 +87,8 @@ Passage stopOf(const char* name, const Gait& gait, int frames, double leave, dou
     first.end = leave;
     first.swing = {{}, {{0.4, degrees(62)}}, {{0.4, degrees(-4)}}};
     passage.steps[0] = {track.step(0, -1, track.course()), first, arriving(0, landing, last, degrees(6))};
-    passage.steps[1] = {track.step(1, -1, track.course()), arriving(1, track.landing(1, 0), last, degrees(16))};
+    passage.steps[1] = {track.step(1, -1, track.course()),
+                        arriving(1, track.landing(1, 0), last, degrees(16))};
     for (std::size_t side = 0; side < 2; ++side) passage.before[side] = track.leg(side).join(0.0);
     return passage;
 }
@@ -96,7 +100,9 @@ Passage turnOf(const char* name, double sign) {
     Passage passage;
     passage.name = name;
     passage.frames = kFrames;
-    passage.course.travel = [sign](double time) { return Place{0.0, 0.0, 0.5 * kPi * sign * rise(0.05, 0.95, time)}; };
+    passage.course.travel = [sign](double time) {
+        return Place{0.0, 0.0, 0.5 * kPi * sign * rise(0.05, 0.95, time)};
+    };
     passage.course.body = [sign](double time) {
         Body body = blend(idleBody(time), idleBody(time, kEnd), rise(0.0, kEnd, time));
         const double ahead = sign * hump(0.0, 0.75, time);
@@ -131,7 +137,9 @@ Passage changeOf(const Change& change, int frames) {
     passage.motion = "duck";
     passage.frames = frames;
     passage.course.travel = straight(changingSpeed(change.from.speed, change.to.speed, 0.0, end));
-    passage.course.body = [=](double time) { return blend(from.body(time), to.body(time), rise(0.0, end, time)); };
+    passage.course.body = [=](double time) {
+        return blend(from.body(time), to.body(time), rise(0.0, end, time));
+    };
     const Place origin = from.travel(0.0);
     Course before = from.course();
     before.travel = [from, origin](double time) { return Place{from.travel(time).x - origin.x, 0.0, 0.0}; };

@@ -12,9 +12,9 @@ struct Passage {
     std::string motion = "run";
     int frames = 60;
     Course course;
-    std::vector<Step> steps[2];           ///< Left, right.
-    std::optional<LegJoin> before[2];     ///< Where a leg is in mid-swing at the start.
-    std::optional<LegJoin> after[2];      ///< Where one is at the end.
+    std::vector<Step> steps[2];        ///< Left, right.
+    std::optional<LegJoin> before[2];  ///< Where a leg is in mid-swing at the start.
+    std::optional<LegJoin> after[2];   ///< Where one is at the end.
     double entryPhase = 0.0;
     double exitPhase = 0.0;
     ClipObstacle obstacle;

@@ -5,7 +5,9 @@
 namespace muster::generator {
 namespace {
 
-double wave(double phase) { return cosine(2.0 * kPi * (phase - std::floor(phase))); }
+double wave(double phase) {
+    return cosine(2.0 * kPi * (phase - std::floor(phase)));
+}
 
 /// A wrist's place from its shoulder over one stroke: x forward, y out, z up [m].
 struct StrokeKey {
@@ -30,7 +32,8 @@ Curve around(float Vec3::*part) {
 Vec3 strokeAt(double phase) {
     static const Curve x = around(&Vec3::x), y = around(&Vec3::y), z = around(&Vec3::z);
     phase -= std::floor(phase);
-    return {static_cast<float>(x.at(phase)), static_cast<float>(y.at(phase)), static_cast<float>(z.at(phase))};
+    return {static_cast<float>(x.at(phase)), static_cast<float>(y.at(phase)),
+            static_cast<float>(z.at(phase))};
 }
 
 /// How much of the way an arm is over the water.
@@ -60,7 +63,8 @@ Body swimBody(double phase) {
 
 Leg kickingLeg(const Body& body, std::size_t side, double phase) {
     const double beat = 3.0 * phase + (side == 0 ? 0.0 : 0.5);
-    const double thigh = degrees(8) + degrees(9) * wave(beat), knee = degrees(15) - degrees(11) * wave(beat - 0.18);
+    const double thigh = degrees(8) + degrees(9) * wave(beat),
+                 knee = degrees(15) - degrees(11) * wave(beat - 0.18);
     const double shin = thigh - knee;
     Leg leg;
     const Vec3 hip = hipJoint(body, side);
@@ -93,7 +97,8 @@ Figure swimFigure(double time, double start) {
         Reach& reach = figure.reach[side];
         reach.wrist = shoulderOf(figure, side) + wrist;
         reach.weight = 1.0;
-        reach.elbow = normalized(lerp(Vec3{0.1f, 0.8f * out, 0.5f}, Vec3{-0.1f, 0.5f * out, 1.0f}, static_cast<float>(over)));
+        reach.elbow = normalized(
+            lerp(Vec3{0.1f, 0.8f * out, 0.5f}, Vec3{-0.1f, 0.5f * out, 1.0f}, static_cast<float>(over)));
         reach.follows = true;
     }
     return figure;

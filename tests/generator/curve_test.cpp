@@ -10,7 +10,9 @@ using namespace muster::generator;
 
 namespace {
 
-double rateOf(const Curve& curve, double time) { return (curve.at(time + 1e-6) - curve.at(time - 1e-6)) / 2e-6; }
+double rateOf(const Curve& curve, double time) {
+    return (curve.at(time + 1e-6) - curve.at(time - 1e-6)) / 2e-6;
+}
 
 std::vector<Key> anyKeys() {
     const int count = *rc::gen::inRange(2, 9);
@@ -54,7 +56,8 @@ TEST_CASE("an eased curve never leaves the span of neighbouring keys") {
         const auto keys = anyKeys();
         const Curve curve = Curve::eased(keys);
         for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-            const double low = std::min(keys[i].value, keys[i + 1].value), high = std::max(keys[i].value, keys[i + 1].value);
+            const double low = std::min(keys[i].value, keys[i + 1].value),
+                         high = std::max(keys[i].value, keys[i + 1].value);
             for (int k = 0; k <= 20; ++k) {
                 const double at = curve.at(keys[i].time + (keys[i + 1].time - keys[i].time) * k / 20.0);
                 RC_ASSERT(at >= low - 1e-9);

@@ -11,7 +11,8 @@ TEST_CASE("soles in contact slide by a centimetre at most") {
         for (const Contact& contact : clip.contacts) {
             if (!isFoot(contact.limb) || onTheWall(clip, contact)) continue;
             const double slide = slideOf(clip, contact);
-            CHECK_MESSAGE(slide <= 0.01, clip.name << ", " << std::string(limbName(contact.limb)) << " from " << contact.begin << " s: " << slide);
+            CHECK_MESSAGE(slide <= 0.01, clip.name << ", " << std::string(limbName(contact.limb)) << " from "
+                                                   << contact.begin << " s: " << slide);
             worst = std::max(worst, slide);
             ++contacts;
         }
@@ -35,7 +36,8 @@ TEST_CASE("hands, knees and feet on the wall stay at their anchors") {
                 const Vec3 joint = jointsOnGround(clip, time)[index(limbJoint(contact.limb))].translation;
                 far = std::max(far, static_cast<double>(distance(joint, contact.anchor)));
             }
-            CHECK_MESSAGE(far <= 0.01, clip.name << ", " << std::string(limbName(contact.limb)) << " from " << contact.begin << " s: " << far);
+            CHECK_MESSAGE(far <= 0.01, clip.name << ", " << std::string(limbName(contact.limb)) << " from "
+                                                 << contact.begin << " s: " << far);
         }
     }
 }
@@ -55,7 +57,9 @@ TEST_CASE("a foot in contact has its sole on the ground, its ankle at the anchor
                 flat = flat || distance(ankle, contact.anchor) < 0.005f;
             }
             const bool whole = contact.begin > 0.02 && (clip.cyclic || contact.end < clip.duration() - 0.02);
-            if (whole) CHECK_MESSAGE(flat, clip.name << ", " << std::string(limbName(contact.limb)) << " from " << contact.begin << " s is never flat");
+            if (whole)
+                CHECK_MESSAGE(flat, clip.name << ", " << std::string(limbName(contact.limb)) << " from "
+                                              << contact.begin << " s is never flat");
         }
     }
 }
@@ -71,7 +75,8 @@ TEST_CASE("no part of a foot, hand or knee goes deeper than a centimetre into th
                 low = std::min(low, joints[sided(JointRole::LeftLeg, side)].translation.z - 0.05);
                 low = std::min(low, joints[sided(JointRole::LeftHand, side)].translation.z - 0.035);
                 const float out = side == 0 ? 1.0f : -1.0f;
-                low = std::min(low, joints[sided(JointRole::LeftHand, side)].apply({0.0f, 0.15f * out, 0.0f}).z - 0.01);
+                low = std::min(
+                    low, joints[sided(JointRole::LeftHand, side)].apply({0.0f, 0.15f * out, 0.0f}).z - 0.01);
             }
             CHECK_MESSAGE(low >= -0.01, clip.name << " at frame " << frame << ": " << low);
         }
@@ -93,8 +98,11 @@ TEST_CASE("knees bend one way, never quite straight in gaits, and turn at less t
         }
         CHECK_MESSAGE(speed.most < 20.0, clip.name << ": " << speed.most);
         if (clip.cyclic && clip.motion != "swim")
-            CHECK_MESSAGE(rangeOver(clip, [](const BodyPose& pose, const JointTransforms&, std::size_t side) {
-                              return bendOf(pose, JointRole::LeftLeg, side);
-                          }).least > 5.0, clip.name);
+            CHECK_MESSAGE(rangeOver(
+                              clip,
+                              [](const BodyPose& pose, const JointTransforms&, std::size_t side) {
+                                  return bendOf(pose, JointRole::LeftLeg, side);
+                              }).least > 5.0,
+                          clip.name);
     }
 }

@@ -10,7 +10,9 @@ using namespace muster::generator;
 
 namespace {
 
-double between(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; }
+double between(double low, double high) {
+    return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+}
 
 Figure standing() {
     Figure figure;
@@ -45,8 +47,10 @@ TEST_CASE("ankles within reach are where they should be, feet held as they shoul
             RC_ASSERT(angleBetween(joints[up + 2].rotation, figure.legs[side].foot) < 1e-3);
             const Vec3 middle = lerp(joints[up].translation, joints[up + 2].translation, 0.5f);
             RC_ASSERT(joints[up + 1].translation.x > middle.x - 1e-4f);
-            RC_ASSERT(std::fabs(distance(joints[up].translation, joints[up + 1].translation) - 0.42f) < 1e-4f);
-            RC_ASSERT(std::fabs(distance(joints[up + 1].translation, joints[up + 2].translation) - 0.41f) < 1e-4f);
+            RC_ASSERT(std::fabs(distance(joints[up].translation, joints[up + 1].translation) - 0.42f) <
+                      1e-4f);
+            RC_ASSERT(std::fabs(distance(joints[up + 1].translation, joints[up + 2].translation) - 0.41f) <
+                      1e-4f);
         }
     }));
 }
@@ -55,7 +59,8 @@ TEST_CASE("an ankle out of reach leaves the leg straight towards it") {
     Figure figure = standing();
     figure.legs[0].ankle = {0.9f, 0.1f, 0.1f};
     const JointTransforms joints = jointsOf(figure);
-    const Vec3 hip = joints[index(JointRole::LeftUpLeg)].translation, ankle = joints[index(JointRole::LeftFoot)].translation;
+    const Vec3 hip = joints[index(JointRole::LeftUpLeg)].translation,
+               ankle = joints[index(JointRole::LeftFoot)].translation;
     CHECK(distance(hip, ankle) == doctest::Approx(0.83).epsilon(0.001));
     CHECK(dot(normalized(ankle - hip), normalized(figure.legs[0].ankle - hip)) > 0.9999f);
 }
@@ -68,9 +73,13 @@ TEST_CASE("wrists reach what is within reach; hands lie flat") {
         for (std::size_t side = 0; side < 2; ++side) {
             const float out = side == 0 ? 1.0f : -1.0f;
             const Vec3 shoulder = before[index(JointRole::LeftArm) + 4 * side].translation;
-            const Vec3 way = normalized(Vec3{static_cast<float>(between(0.2, 1.0)), out * static_cast<float>(between(-0.2, 0.5)),
+            const Vec3 way = normalized(Vec3{static_cast<float>(between(0.2, 1.0)),
+                                             out * static_cast<float>(between(-0.2, 0.5)),
                                              static_cast<float>(between(-1.0, 0.3))});
-            figure.reach[side] = {1.0, shoulder + way * static_cast<float>(between(0.2, 0.45)), flatHand(side, 0.0), {-0.6f, 0.6f * out, 0.0f}};
+            figure.reach[side] = {1.0,
+                                  shoulder + way * static_cast<float>(between(0.2, 0.45)),
+                                  flatHand(side, 0.0),
+                                  {-0.6f, 0.6f * out, 0.0f}};
         }
         const JointTransforms joints = jointsOf(figure);
         for (std::size_t side = 0; side < 2; ++side) {
@@ -90,7 +99,8 @@ TEST_CASE("a mirrored figure makes the mirrored pose") {
     figure.body[Channel::LeftArmOut] = 0.3;
     figure.body[Channel::LeftElbow] = 1.2;
     Figure other = standing();
-    for (Channel channel : {Channel::LeftArmForward, Channel::LeftArmOut, Channel::LeftElbow}) other.body.arm(1, channel) = figure.body[channel];
+    for (Channel channel : {Channel::LeftArmForward, Channel::LeftArmOut, Channel::LeftElbow})
+        other.body.arm(1, channel) = figure.body[channel];
     const JointTransforms a = jointsOf(figure), b = jointsOf(other);
     for (JointRole role : {JointRole::LeftArm, JointRole::LeftForeArm, JointRole::LeftHand}) {
         Vec3 mirrored = b[index(role) + 4].translation;
@@ -120,7 +130,9 @@ TEST_CASE("a blend of figures is either at its ends") {
     b.legs[0].ankle.x = 0.2f;
     b.reach[0].weight = 1.0;
     b.reach[0].wrist = {0.5f, 0.2f, 1.0f};
-    CHECK(jointsOf(blend(a, b, 0.0))[index(JointRole::LeftFoot)].translation == jointsOf(a)[index(JointRole::LeftFoot)].translation);
-    CHECK(distance(jointsOf(blend(a, b, 1.0))[index(JointRole::LeftHand)].translation, jointsOf(b)[index(JointRole::LeftHand)].translation) < 1e-5f);
+    CHECK(jointsOf(blend(a, b, 0.0))[index(JointRole::LeftFoot)].translation ==
+          jointsOf(a)[index(JointRole::LeftFoot)].translation);
+    CHECK(distance(jointsOf(blend(a, b, 1.0))[index(JointRole::LeftHand)].translation,
+                   jointsOf(b)[index(JointRole::LeftHand)].translation) < 1e-5f);
     CHECK(blend(a, b, 0.5).body[Channel::HipsZ] == doctest::Approx(0.8));
 }

@@ -19,13 +19,19 @@ Range hipsOf(const Clip& clip) {
 }
 
 Range kneeOf(const Clip& clip) {
-    return rangeOver(clip, [](const BodyPose& pose, const JointTransforms&, std::size_t side) { return bendOf(pose, JointRole::LeftLeg, side); });
+    return rangeOver(clip, [](const BodyPose& pose, const JointTransforms&, std::size_t side) {
+        return bendOf(pose, JointRole::LeftLeg, side);
+    });
 }
 Range elbowOf(const Clip& clip) {
-    return rangeOver(clip, [](const BodyPose& pose, const JointTransforms&, std::size_t side) { return bendOf(pose, JointRole::LeftForeArm, side); });
+    return rangeOver(clip, [](const BodyPose& pose, const JointTransforms&, std::size_t side) {
+        return bendOf(pose, JointRole::LeftForeArm, side);
+    });
 }
 Range thighsOf(const Clip& clip) {
-    return rangeOver(clip, [](const BodyPose&, const JointTransforms& joints, std::size_t side) { return thighOf(joints, side); });
+    return rangeOver(clip, [](const BodyPose&, const JointTransforms& joints, std::size_t side) {
+        return thighOf(joints, side);
+    });
 }
 
 /// Lean of the trunk, hips to neck [deg].
@@ -34,7 +40,8 @@ double leanOf(const Clip& clip) {
     for (const BodyPose& pose : clip.poses) {
         JointTransforms joints;
         jointTransforms(pose, {}, joints);
-        const Vec3 way = joints[index(JointRole::Neck)].translation - joints[index(JointRole::Hips)].translation;
+        const Vec3 way =
+            joints[index(JointRole::Neck)].translation - joints[index(JointRole::Hips)].translation;
         sum += degreesOf(arcTangent2(way.x, way.z));
     }
     return sum / static_cast<double>(clip.poses.size());
@@ -99,8 +106,10 @@ TEST_CASE("hips are highest over the standing foot in walking, lowest in running
         clip.sample(0.5 * (contact.begin + contact.end), middle);
         const Range hips = hipsOf(clip);
         const double place = (middle.hips.z - hips.least) / (hips.most - hips.least);
-        if (clip.name == "walk") CHECK(place > 0.95);
-        else CHECK(place < 0.05);
+        if (clip.name == "walk")
+            CHECK(place > 0.95);
+        else
+            CHECK(place < 0.05);
     }
 }
 
@@ -129,7 +138,9 @@ TEST_CASE("in flight the hips fall freely") {
         for (std::size_t i = 1; i + 1 < clip.poses.size(); ++i) {
             const double time = static_cast<double>(i) * frame;
             if (!inAir(clip, time - frame) || !inAir(clip, time) || !inAir(clip, time + frame)) continue;
-            const double bend = (clip.poses[i + 1].hips.z - 2.0 * clip.poses[i].hips.z + clip.poses[i - 1].hips.z) / (frame * frame);
+            const double bend =
+                (clip.poses[i + 1].hips.z - 2.0 * clip.poses[i].hips.z + clip.poses[i - 1].hips.z) /
+                (frame * frame);
             CHECK_MESSAGE(bend == doctest::Approx(-9.81).epsilon(0.02), name << " at " << time << " s");
             ++checked;
         }
@@ -144,7 +155,8 @@ TEST_CASE("arms go against the legs, shoulders against the hips") {
         for (std::size_t i = 0; i < clip.poses.size(); ++i) {
             const JointTransforms joints = jointsAt(clip, static_cast<int>(i));
             const auto ahead = [&](JointRole left) {
-                return static_cast<double>(joints[index(left)].translation.x - joints[sided(left, 1)].translation.x);
+                return static_cast<double>(joints[index(left)].translation.x -
+                                           joints[sided(left, 1)].translation.x);
             };
             arms += ahead(JointRole::LeftForeArm) * ahead(JointRole::LeftLeg);
             trunk += ahead(JointRole::LeftArm) * ahead(JointRole::LeftUpLeg);
@@ -160,8 +172,10 @@ TEST_CASE("half a cycle later the other side does the same") {
         const int half = static_cast<int>(clip.poses.size()) / 2;
         if (clip.poses.size() % 2 != 0) continue;
         for (std::size_t i = 0; i < clip.poses.size(); ++i) {
-            const JointTransforms now = jointsAt(clip, static_cast<int>(i)), later = jointsAt(clip, static_cast<int>(i) + half);
-            for (JointRole role : {JointRole::LeftHand, JointRole::LeftLeg, JointRole::LeftFoot, JointRole::LeftToeBase}) {
+            const JointTransforms now = jointsAt(clip, static_cast<int>(i)),
+                                  later = jointsAt(clip, static_cast<int>(i) + half);
+            for (JointRole role :
+                 {JointRole::LeftHand, JointRole::LeftLeg, JointRole::LeftFoot, JointRole::LeftToeBase}) {
                 Vec3 other = later[sided(role, 1)].translation;
                 other.y = -other.y;
                 // A swimmer breathes on one side only, and the head moves the arms a little.
@@ -174,7 +188,8 @@ TEST_CASE("half a cycle later the other side does the same") {
 TEST_CASE("left and right bends are mirror images half a cycle apart") {
     const Clip &left = clipNamed("walk-left"), &right = clipNamed("walk-right");
     for (int i = 0; i < static_cast<int>(left.poses.size()); ++i) {
-        const JointTransforms a = jointsAt(left, i), b = jointsAt(right, i + static_cast<int>(left.poses.size()) / 2);
+        const JointTransforms a = jointsAt(left, i),
+                              b = jointsAt(right, i + static_cast<int>(left.poses.size()) / 2);
         Vec3 mirrored = b[index(JointRole::RightFoot)].translation;
         mirrored.y = -mirrored.y;
         CHECK(distance(a[index(JointRole::LeftFoot)].translation, mirrored) < 0.002f);
@@ -202,17 +217,21 @@ TEST_CASE("loops close: across the wrap nothing moves faster than next to it") {
         if (!clip.cyclic) continue;
         const int n = static_cast<int>(clip.poses.size());
         const auto bend = [&](int frame, std::size_t joint) {
-            return static_cast<double>(length(jointsAt(clip, frame + 1)[joint].translation - 2.0f * jointsAt(clip, frame)[joint].translation +
+            return static_cast<double>(length(jointsAt(clip, frame + 1)[joint].translation -
+                                              2.0f * jointsAt(clip, frame)[joint].translation +
                                               jointsAt(clip, frame - 1)[joint].translation));
         };
         for (std::size_t joint = 0; joint < kJointCount; ++joint) {
             double inside = 0.0;
             for (int frame = 1; frame + 1 < n; ++frame) inside = std::max(inside, bend(frame, joint));
-            // Left landings lie at the wrap, right ones in the middle of the loop: the mirrored joint sees the same.
-            const std::size_t other = joint < 5 ? joint : (joint < 13 ? 5 + (joint - 5 + 4) % 8 : 13 + (joint - 13 + 4) % 8);
+            // Left landings lie at the wrap, right ones in the middle of the loop: the mirrored joint sees
+            // the same.
+            const std::size_t other =
+                joint < 5 ? joint : (joint < 13 ? 5 + (joint - 5 + 4) % 8 : 13 + (joint - 13 + 4) % 8);
             for (int frame = 1; frame + 1 < n; ++frame) inside = std::max(inside, bend(frame, other));
             CHECK_MESSAGE(bend(0, joint) <= 1.3 * inside + 1e-4, clip.name << ", " << skeleton()[joint].name);
-            CHECK_MESSAGE(bend(n - 1, joint) <= 1.3 * inside + 1e-4, clip.name << ", " << skeleton()[joint].name);
+            CHECK_MESSAGE(bend(n - 1, joint) <= 1.3 * inside + 1e-4,
+                          clip.name << ", " << skeleton()[joint].name);
         }
     }
 }
@@ -221,14 +240,18 @@ TEST_CASE("heads stay level and low where they must") {
     for (const std::string name : {"walk", "jog", "run", "sprint"}) {
         const Clip& clip = clipNamed(name);
         for (std::size_t i = 0; i < clip.poses.size(); ++i) {
-            const Vec3 up = rotate(jointsAt(clip, static_cast<int>(i))[index(JointRole::Head)].rotation, {0.0f, 0.0f, 1.0f});
+            const Vec3 up = rotate(jointsAt(clip, static_cast<int>(i))[index(JointRole::Head)].rotation,
+                                   {0.0f, 0.0f, 1.0f});
             CHECK_MESSAGE(up.z > 0.995f, name);
         }
     }
     const auto top = [](const std::string& name) {
-        return rangeOver(clipNamed(name), [](const BodyPose&, const JointTransforms& joints, std::size_t) {
-                   return static_cast<double>(joints[index(JointRole::Head)].apply({0.0f, 0.0f, 0.19f}).z);
-               }).most;
+        return rangeOver(clipNamed(name),
+                         [](const BodyPose&, const JointTransforms& joints, std::size_t) {
+                             return static_cast<double>(
+                                 joints[index(JointRole::Head)].apply({0.0f, 0.0f, 0.19f}).z);
+                         })
+            .most;
     };
     CHECK(top("duck") < 1.27);
     CHECK(top("crawl") < 0.72);

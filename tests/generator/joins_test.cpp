@@ -13,10 +13,11 @@ struct Neighbours {
 };
 
 const Neighbours kNeighbours[] = {
-    {"start", "idle", "jog"},      {"start-walk", "idle", "walk"}, {"stop", "jog", "idle"},       {"stop-walk", "walk", "idle"},
-    {"turn-left", "idle", "idle"}, {"turn-right", "idle", "idle"}, {"duck-enter", "jog", "duck"}, {"duck-exit", "duck", "jog"},
-    {"crawl-enter", "jog", "crawl"}, {"crawl-exit", "crawl", "jog"}, {"swim-enter", "jog", "swim"}, {"swim-exit", "swim", "jog"},
-    {"jump", "jog", "jog"},        {"jump-over", "jog", "jog"},    {"climb", "jog", "jog"},
+    {"start", "idle", "jog"},       {"start-walk", "idle", "walk"}, {"stop", "jog", "idle"},
+    {"stop-walk", "walk", "idle"},  {"turn-left", "idle", "idle"},  {"turn-right", "idle", "idle"},
+    {"duck-enter", "jog", "duck"},  {"duck-exit", "duck", "jog"},   {"crawl-enter", "jog", "crawl"},
+    {"crawl-exit", "crawl", "jog"}, {"swim-enter", "jog", "swim"},  {"swim-exit", "swim", "jog"},
+    {"jump", "jog", "jog"},         {"jump-over", "jog", "jog"},    {"climb", "jog", "jog"},
 };
 
 /// The farthest joint between two poses in their own frames [m].
@@ -25,7 +26,8 @@ double apart(const BodyPose& a, const BodyPose& b) {
     jointTransforms(a, {}, ja);
     jointTransforms(b, {}, jb);
     double most = 0.0;
-    for (std::size_t j = 0; j < kJointCount; ++j) most = std::max(most, static_cast<double>(distance(ja[j].translation, jb[j].translation)));
+    for (std::size_t j = 0; j < kJointCount; ++j)
+        most = std::max(most, static_cast<double>(distance(ja[j].translation, jb[j].translation)));
     return most;
 }
 
@@ -43,11 +45,13 @@ double hasteApart(const Clip& a, double timeA, const Clip& b, double timeB) {
         const JointTransforms from = jointsOnGround(clip, time), to = jointsOnGround(clip, time + kStep);
         const Quat back = yawTurn(-clip.travelAt(time).yaw);
         std::array<Vec3, kJointCount> out;
-        for (std::size_t j = 0; j < kJointCount; ++j) out[j] = rotate(back, to[j].translation - from[j].translation) * static_cast<float>(1.0 / kStep);
+        for (std::size_t j = 0; j < kJointCount; ++j)
+            out[j] = rotate(back, to[j].translation - from[j].translation) * static_cast<float>(1.0 / kStep);
         return out;
     };
     const auto va = speeds(a, timeA), vb = speeds(b, timeB);
-    for (std::size_t j = 0; j < kJointCount; ++j) most = std::max(most, static_cast<double>(distance(va[j], vb[j])));
+    for (std::size_t j = 0; j < kJointCount; ++j)
+        most = std::max(most, static_cast<double>(distance(va[j], vb[j])));
     return most;
 }
 
@@ -71,7 +75,8 @@ TEST_CASE("every clip between motions ends where the one after is entered") {
 
 TEST_CASE("speeds of all joints carry over, but where a wall stops the body") {
     for (const Neighbours& three : kNeighbours) {
-        const Clip &clip = clipNamed(three.clip), &before = clipNamed(three.before), &after = clipNamed(three.after);
+        const Clip &clip = clipNamed(three.clip), &before = clipNamed(three.before),
+                   &after = clipNamed(three.after);
         if (clip.motion == "climb") continue;
         const double in = hasteApart(clip, 0.0, before, clip.exitPhase * before.duration());
         const double last = clip.duration() - 1.0 / 60.0;
@@ -89,7 +94,8 @@ TEST_CASE("a foot that stands at the end of a clip stands at the same place in t
         for (std::size_t side = 0; side < 2; ++side) {
             const Limb limb = side == 0 ? Limb::LeftFoot : Limb::RightFoot;
             const double entry = clip.entryPhase * after.duration();
-            const bool now = clip.touches(limb, clip.duration() - 1e-3), next = after.touches(limb, entry + 1e-3);
+            const bool now = clip.touches(limb, clip.duration() - 1e-3),
+                       next = after.touches(limb, entry + 1e-3);
             CHECK_MESSAGE(now == next, three.clip << ", " << std::string(limbName(limb)));
         }
     }

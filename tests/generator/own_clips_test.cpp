@@ -7,10 +7,11 @@ using namespace muster;
 using namespace muster::test;
 
 TEST_CASE("every clip is there, by its name, and valid") {
-    const char* names[] = {"idle", "walk", "jog", "run", "sprint", "duck", "crawl", "swim", "walk-left", "walk-right", "jog-left",
-                           "jog-right", "run-left", "run-right", "turn-left", "turn-right", "start", "start-walk", "stop",
-                           "stop-walk", "duck-enter", "duck-exit", "crawl-enter", "crawl-exit", "swim-enter", "swim-exit", "jump",
-                           "jump-over", "climb"};
+    const char* names[] = {"idle",       "walk",      "jog",        "run",        "sprint",      "duck",
+                           "crawl",      "swim",      "walk-left",  "walk-right", "jog-left",    "jog-right",
+                           "run-left",   "run-right", "turn-left",  "turn-right", "start",       "start-walk",
+                           "stop",       "stop-walk", "duck-enter", "duck-exit",  "crawl-enter", "crawl-exit",
+                           "swim-enter", "swim-exit", "jump",       "jump-over",  "climb"};
     for (const char* name : names) clipNamed(name);
     CHECK(ownClips().clips.size() == std::size(names));
     std::set<std::string> seen;
@@ -29,12 +30,14 @@ TEST_CASE("every clip is there, by its name, and valid") {
 }
 
 TEST_CASE("motions and cycles are as named") {
-    const std::set<std::string> cyclic{"idle", "walk", "jog", "run", "sprint", "duck", "crawl", "swim", "walk-left", "walk-right",
+    const std::set<std::string> cyclic{"idle",     "walk",      "jog",      "run",       "sprint",
+                                       "duck",     "crawl",     "swim",     "walk-left", "walk-right",
                                        "jog-left", "jog-right", "run-left", "run-right"};
     for (const Clip& clip : ownClips().clips) {
         CHECK_MESSAGE(clip.cyclic == (cyclic.count(clip.name) == 1), clip.name);
         const std::string head = clip.name.substr(0, clip.name.find('-'));
-        const bool special = head == "duck" || head == "crawl" || head == "swim" || head == "jump" || head == "climb";
+        const bool special =
+            head == "duck" || head == "crawl" || head == "swim" || head == "jump" || head == "climb";
         CHECK_MESSAGE(clip.motion == (special ? head : "run"), clip.name);
     }
 }
@@ -77,4 +80,6 @@ TEST_CASE("bends go round circles, turns turn by a quarter") {
     CHECK(clipNamed("turn-right").travel.back().yaw == doctest::Approx(-0.5 * kPi).epsilon(1e-5));
 }
 
-TEST_CASE("made twice, the library is the same object") { CHECK(&ownClips() == &ownClips()); }
+TEST_CASE("made twice, the library is the same object") {
+    CHECK(&ownClips() == &ownClips());
+}

@@ -32,19 +32,24 @@ Deepest deepest(const Clip& clip, double margin, double from = 0.0) {
             const std::string which = side == 0 ? "left " : "right ";
             for (Vec3 p : soleOf(joints, side)) most.add(depthIn(clip, p), which + "sole", time);
             const float out = side == 0 ? 1.0f : -1.0f;
-            most.add(depthIn(clip, joints[sided(JointRole::LeftHand, side)].apply({0.0f, 0.15f * out, 0.0f})), which + "fingers", time);
-            for (JointRole role : {JointRole::LeftFoot, JointRole::LeftLeg, JointRole::LeftHand, JointRole::LeftForeArm})
-                most.add(depthIn(clip, joints[sided(role, side)].translation) + margin, skeleton()[sided(role, side)].name, time);
+            most.add(depthIn(clip, joints[sided(JointRole::LeftHand, side)].apply({0.0f, 0.15f * out, 0.0f})),
+                     which + "fingers", time);
+            for (JointRole role :
+                 {JointRole::LeftFoot, JointRole::LeftLeg, JointRole::LeftHand, JointRole::LeftForeArm})
+                most.add(depthIn(clip, joints[sided(role, side)].translation) + margin,
+                         skeleton()[sided(role, side)].name, time);
         }
         for (JointRole role : {JointRole::Hips, JointRole::Chest, JointRole::Head})
-            most.add(depthIn(clip, joints[index(role)].translation) + margin, skeleton()[index(role)].name, time);
+            most.add(depthIn(clip, joints[index(role)].translation) + margin, skeleton()[index(role)].name,
+                     time);
     }
     return most;
 }
 
 }  // namespace
 
-TEST_CASE("the climber's limbs stay out of the wall, once the runner's hands that come ahead of him are drawn in") {
+TEST_CASE(
+    "the climber's limbs stay out of the wall, once the runner's hands that come ahead of him are drawn in") {
     const Deepest most = deepest(clipNamed("climb"), 0.02, 0.12);
     CHECK_MESSAGE(most.depth < 0.012, most.what);
 }
@@ -90,7 +95,8 @@ TEST_CASE("hands or feet carry the climber until the drop") {
     double held = 0.0;
     for (double time = 0.0; time < climb.duration(); time += 0.01) {
         bool any = false;
-        for (std::size_t limb = 0; limb < kLimbCount; ++limb) any = any || climb.touches(static_cast<Limb>(limb), time);
+        for (std::size_t limb = 0; limb < kLimbCount; ++limb)
+            any = any || climb.touches(static_cast<Limb>(limb), time);
         held += any ? 0.01 : 0.0;
     }
     CHECK(climb.duration() - held < 0.40);
