@@ -1,4 +1,5 @@
 // muster export
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -23,8 +24,15 @@ struct ExportOptions {
 
 /// The clips that people move by: a folder of clips, or that in which the scenario's clip files lie.
 Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
-    if (options.clips.empty()) return ownClips();
     std::error_code ignored;
+    if (options.clips.empty()) {
+        for (const ClipFacts& facts : take.def.clips) {
+            if (facts.file.empty()) continue;
+            std::fprintf(stderr, "muster export: %s moves by %s in the scenario; --clips FOLDER says where that file is\n",
+                         facts.name.c_str(), facts.file.c_str());
+        }
+        return ownClips();
+    }
     if (!std::filesystem::is_directory(options.clips, ignored)) return invalidArgument(options.clips + ": is no folder");
     const bool list = std::filesystem::exists(options.clips + "/" + kClipList, ignored);
     return list ? loadClips(options.clips) : clipsFor(take.def.clips, options.clips);
@@ -40,9 +48,11 @@ int exportFile(const ExportOptions& options) {
         return reportFailure({StatusCode::Corrupt,
                               options.take + ": its last record is torn; muster replay says what is left"});
     }
+    const auto clips = clipsOf(options, *take);
+    if (!clips.ok()) return reportFailure(clips.status());
     Progress progress("exporting");
     const Status done =
-        exportTake(*take, ownClips(), options.part, **exporter, [&](double share) { progress.show(share); });
+        exportTake(*take, *clips, options.part, **exporter, [&](double share) { progress.show(share); });
     return done.ok() ? kExitOk : reportFailure(done);
 }
 

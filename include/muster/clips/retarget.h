@@ -31,7 +31,7 @@ bool isOwnSkeleton(const BvhMotion& motion);
 bool isCyclic(const BvhMotion& motion);
 
 /// Adds to a clip the contacts that heights and speeds of its limbs tell, in place of those it has
-/// (shared/notes: a foot within 5 cm of the ground and slower than 0.5 m/s, 1 m/s where the clip is fast).
+/// (a foot within 5 cm of the ground and slower than 0.5 m/s, 1 m/s where the clip is fast).
 void findContacts(Clip& clip);
 
 }  // namespace muster
