@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kHeldReach = 0.985f;  // Share of a leg's length at which held feet are to be reached.
 constexpr float kMostDrop = 0.12f;    // Hips are lowered no more [m].
+constexpr float kStanceTime = 0.1f;   // Over which the middles of steps are smoothed [s].
 constexpr float kSole = 0.08f;        // Height of the ankle above the sole [m].
 constexpr float kSink = 0.003f;       // A sole so little below the floor is left alone [m].
 
@@ -140,8 +141,9 @@ private:
     }
 
     // The foot where longer or shorter steps, into the direction of travel, put it.
-    Vec3 strode(Vec3 ankle, std::size_t side) const {
-        const Vec3 middle = entry_.stance[side];
+    Vec3 strode(Vec3 ankle, std::size_t side) {
+        Vec3& middle = body_.stance[side];
+        middle += (entry_.stance[side] - middle) * (body_.fresh ? 1.0f : std::min(1.0f, dt_ / kStanceTime));
         const Vec3 d = ankle - middle;
         const float x = mover_.goX, y = mover_.goY, low = 0.3f + 0.7f * std::min(1.0f, std::sqrt(x * x + y * y));
         return {middle.x + x * d.x - y * d.y, middle.y + y * d.x + x * d.y, d.z > 0.0f ? middle.z + d.z * low : ankle.z};

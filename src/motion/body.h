@@ -36,6 +36,7 @@ struct Body {
     BodyPose before;        ///< ... two steps ago.
     Inertia inertia;
     std::array<HeldLimb, kHeldLimbCount> limbs;
+    std::array<Vec3, 2> stance;  ///< About which steps are stretched: those of the clip, smoothed [m].
     float drop = 0.0f;      ///< By which the hips are lowered so that held feet are reached [m].
 };
 

@@ -7,6 +7,7 @@ namespace {
 
 constexpr float kLow = 0.02f;   // A sole lower than this is on the floor [m].
 constexpr float kFast = 0.5f;   // ... and should be slower than this [m/s].
+constexpr double kPutElsewhere = 0.5;  // Who moves farther in a step was put there [m].
 constexpr float kSole = 0.08f;  // Of the ankle above the sole [m].
 
 // Where the sole is: heel, ball, tip of the toes.
@@ -58,7 +59,10 @@ void MotionReport::observe(const World& world, const CrowdMotion& motion) {
         while (old < seen_.size() && seen_[old].id < id) ++old;
         Seen& seen = now_.emplace_back();
         if (old < seen_.size() && seen_[old].id == id) seen = seen_[old];
+        const Vec2 position = motion.playbacks()[motion.near()[k]].position;
+        if (distance(position, seen.position) > kPutElsewhere) seen = {};
         seen.id = id;
+        seen.position = position;
         observeBody(motion, k, dt, seen);
     }
     seen_.swap(now_);

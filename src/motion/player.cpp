@@ -188,8 +188,9 @@ void Player::setStride(Mover& mover, const Step& step) const {
         stride = static_cast<float>(mover.action.length) / (entry.length * mover.size);
     } else if (entry.strides) {
         const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
-        stride = std::min(1.6f, step.speed / clipSpeed);
-        way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});
+        const bool leaps = entry.use == ClipUse::Action;  // Tucked legs bear no stretching.
+        stride = std::clamp(step.speed / clipSpeed, leaps ? 0.7f : 0.0f, leaps ? 1.15f : 1.6f);
+        if (!leaps) way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});
     }
     const Vec2 go = way * static_cast<double>(stride);
     const float share = mover.fresh ? 1.0f : std::min(1.0f, static_cast<float>(step.dt) / kStrideTime);

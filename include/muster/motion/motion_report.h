@@ -45,6 +45,7 @@ private:
     /// A body as it was one step ago.
     struct Seen {
         std::uint32_t id = 0;
+        Vec2 position;            ///< [m]
         std::uint32_t steps = 0;  ///< Seen without a break, up to 2.
         bool onFloor = false;     ///< Its soles were seen one step ago.
         std::uint16_t clip = 0;
