@@ -14,7 +14,7 @@ const TILE = { width: 296, height: 380, gap: 4 };
 /** When [s], whom to look at (who plays this clip; all where empty), the height of the picture on the ground [m]. */
 const FILMS = [
   { name: 'film-x04', scenario: 'paper/x04-woodland', turn: 0.33, moments: [
-    [2.4, '', 10], [7.5, 'duck', 9], [13, 'duck', 9], [18.6, 'duck', 9], [25, 'duck', 9], [33, '', 10]] },
+    [2.4, '', 10], [7.5, 'duck', 7.5], [13, 'duck', 7.5], [18.6, 'duck', 7.5], [25, 'duck', 7.5], [33, '', 10]] },
   { name: 'film-x05', scenario: 'paper/x05-traffic', turn: 0.33, moments: [
     [0.8, '', 10], [3.2, 'jump', 8], [7, '', 10], [13.6, '', 11], [19.5, '', 11], [26.6, 'jump', 8]] },
   { name: 'film-x06', scenario: 'paper/x06-course', turn: 0.6, moments: [
