@@ -9,10 +9,11 @@
 namespace muster {
 namespace {
 
-constexpr double kRowTop = 2.0;      // [m] above the ground that a row shows.
-constexpr double kRowBottom = 0.65;  // [m] below it.
-constexpr double kTitle = 0.3;       // [m]
-constexpr double kWater = -0.10;     // [m]
+constexpr double kAbove = 0.15;   // [m] that a row shows above the highest head.
+constexpr double kBelow = 0.45;   // [m] below the ground.
+constexpr double kDeep = 1.0;     // [m] below a pool's rim.
+constexpr double kTitle = 0.3;    // [m]
+constexpr double kWater = -0.10;  // [m]
 
 /// From where a row is seen, by parallel light.
 struct View {
@@ -215,6 +216,17 @@ private:
     DebugDraw& draw_;
 };
 
+/// The highest that a head gets [m].
+double topOf(const Clip& clip) {
+    double top = clip.obstacle.height;
+    for (const BodyPose& pose : clip.poses) {
+        JointTransforms joints;
+        jointTransforms(pose, {}, joints);
+        top = std::max(top, static_cast<double>(joints[index(JointRole::Head)].apply({0.0f, 0.0f, 0.19f}).z));
+    }
+    return top;
+}
+
 }  // namespace
 
 std::string poseStrip(const Clip& clip, const PoseStripDef& def, bool png) {
@@ -222,7 +234,8 @@ std::string poseStrip(const Clip& clip, const PoseStripDef& def, bool png) {
     if (def.side) rows.push_back(viewFrom(-0.5 * kPi, 0.0));
     if (def.front) rows.push_back(viewFrom(0.0, 0.0));
     if (def.oblique) rows.push_back(viewFrom(-0.25 * kPi, 0.35));
-    const double width = def.poses * def.columnWidth, row = kRowTop + kRowBottom;
+    const double width = def.poses * def.columnWidth, rowTop = std::max(0.5, topOf(clip)) + kAbove,
+                 row = rowTop + (clip.motion == "swim" ? kDeep : kBelow);
     const Box view{{0.0, 0.0}, {width, kTitle + row * static_cast<double>(rows.size())}};
     const auto pixels = static_cast<std::int32_t>(width * def.pixelsPerMetre);
     const auto draw = png ? makePngDraw(view, pixels, Colour::of(0xF4F1EA))
@@ -238,7 +251,7 @@ std::string poseStrip(const Clip& clip, const PoseStripDef& def, bool png) {
                      time = share * clip.duration();
         const double x = (column + 0.5) * def.columnWidth;
         for (std::size_t r = 0; r < rows.size(); ++r) {
-            const double y = view.max.y - kTitle - row * static_cast<double>(r) - kRowTop;
+            const double y = view.max.y - kTitle - row * static_cast<double>(r) - rowTop;
             strip.cell({rows[r], {x, y}, 0.5 * def.columnWidth, clip.travelAt(time)}, time);
         }
         char label[32];

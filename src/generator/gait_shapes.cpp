@@ -42,11 +42,11 @@ Gait walkGait() {
     gait.chestYaw = degrees(6);
     gait.chestRoll = degrees(1.5);
     gait.headPitch = degrees(2);
-    gait.arm = {degrees(-5), degrees(21), 0.03};
+    gait.arm = {degrees(-5), degrees(20), 0.03};
     gait.armOut = degrees(9);
     gait.armTurn = degrees(18);
     gait.armAcross = degrees(8);
-    gait.elbow = {degrees(31), degrees(15), 0.07};
+    gait.elbow = {degrees(36), degrees(22), 0.06};
     gait.wrist = degrees(8);
     return gait;
 }
@@ -94,13 +94,13 @@ Gait runGait() {
     gait.swing = {{key(0.09, -18), key(0.38, 12), key(0.68, 41)},
                   {key(0.40, 108), key(0.75, 66)},
                   {key(0.3, -18), key(0.65, 5)}};
-    gait.height = 0.930;
+    gait.height = 0.922;
     gait.lean = degrees(9);
     gait.pelvisPitch = degrees(8);
     gait.pelvisYaw = degrees(8);
     gait.chestYaw = degrees(13);
     gait.arm = {degrees(-8), degrees(38), 0.02};
-    gait.elbow = {degrees(100), degrees(13), 0.1};
+    gait.elbow = {degrees(98), degrees(17), 0.1};
     return gait;
 }
 
