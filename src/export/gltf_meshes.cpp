@@ -75,8 +75,9 @@ Result<std::uint32_t> GltfMeshes::thing(const SceneThing& thing) {
         if (!normals.ok()) return normals.status();
         const auto indices = writeIndices(surface.indices);
         if (!indices.ok()) return indices.status();
-        primitives += std::string(primitives.empty() ? "" : ",") + "{\"attributes\":{\"POSITION\":" +
-                      std::to_string(*positions) + ",\"NORMAL\":" + std::to_string(*normals) +
+        primitives += std::string(primitives.empty() ? "" : ",") +
+                      "{\"attributes\":{\"POSITION\":" + std::to_string(*positions) +
+                      ",\"NORMAL\":" + std::to_string(*normals) +
                       "},\"indices\":" + std::to_string(*indices) +
                       ",\"material\":" + std::to_string(material(surface.finish)) + "}";
     }

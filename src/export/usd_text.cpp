@@ -88,6 +88,7 @@ std::string body(BodyKind kind) {
                        listOf(joints, [](int j) { return std::to_string(j); }) + four +
                        "            float[] primvars:skel:jointWeights = " +
                        listOf(weights, [](float w) { return usdNumber(static_cast<double>(w)); }) + four +
+                       "            rel skel:skeleton = </World/Bodies/Skeleton>\n" +
                        "            uniform token subsetFamily:materialBind:familyType = \"partition\"\n";
     for (std::size_t r = 0; r < kBodyRegionCount; ++r) text += subset(mesh, r);
     return text + "        }\n";
@@ -117,8 +118,8 @@ std::string usdNumber(double value) {
 }
 
 std::string usdPoint(Vec3 p) {
-    return "(" + usdNumber(static_cast<double>(p.x)) + ", " + usdNumber(static_cast<double>(p.y)) + ", " +
-           usdNumber(static_cast<double>(p.z)) + ")";
+    return std::string("(") + usdNumber(static_cast<double>(p.x)) + ", " +
+           usdNumber(static_cast<double>(p.y)) + ", " + usdNumber(static_cast<double>(p.z)) + ")";
 }
 
 void usdFixed(double value, int width, int decimals, std::string& text) {
@@ -175,7 +176,9 @@ std::string usdBodies() {
 std::string usdThing(const SceneThing& thing, double from, double fps, std::size_t frames) {
     std::string text = "    def Xform \"" + usdName(thing.name) + "\"\n    {\n";
     std::string places, turns;
-    const auto place = [](Vec2 p) { return "(" + usdNumber(p.x) + ", " + usdNumber(p.y) + ", 0)"; };
+    const auto place = [](Vec2 p) {
+        return std::string("(") + usdNumber(p.x) + ", " + usdNumber(p.y) + ", 0)";
+    };
     for (std::size_t k = 0; k < frames && !thing.path.still(); ++k) {
         const double time = from + static_cast<double>(k) / fps;
         places += "            " + std::to_string(k) + ": " + place(thing.place(time)) + ",\n";
@@ -202,8 +205,9 @@ std::string usdThing(const SceneThing& thing, double from, double fps, std::size
 
 std::string usdCamera(const SceneCamera& camera) {
     const auto row = [](Vec3 v, int w) {
-        return "(" + usdNumber(static_cast<double>(v.x)) + ", " + usdNumber(static_cast<double>(v.y)) + ", " +
-               usdNumber(static_cast<double>(v.z)) + ", " + std::to_string(w) + ")";
+        return std::string("(") + usdNumber(static_cast<double>(v.x)) + ", " +
+               usdNumber(static_cast<double>(v.y)) + ", " + usdNumber(static_cast<double>(v.z)) + ", " +
+               std::to_string(w) + ")";
     };
     const double half = 0.5 * camera.fieldOfView, high = 24.0;  // As on film of 24 mm.
     return "    def Camera \"Camera\"\n    {\n        float2 clippingRange = (0.1, " +
