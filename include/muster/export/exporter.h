@@ -45,8 +45,8 @@ struct ExportInfo {
 /// the last.
 class Exporter {
 public:
-    Exporter() = default;
-    Exporter(const Exporter&) = delete;
+    Exporter() = default;                           ///< Nothing is open.
+    Exporter(const Exporter&) = delete;             ///< A file has one writer.
     Exporter& operator=(const Exporter&) = delete;
     /// Removes what was written, unless finish() went well.
     virtual ~Exporter() = default;

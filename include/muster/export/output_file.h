@@ -15,7 +15,7 @@ namespace muster {
 /// before that.
 class OutputFile {
 public:
-    OutputFile();
+    OutputFile();  ///< Nothing is open.
     ~OutputFile();
     OutputFile(OutputFile&&) noexcept;             ///< Moves.
     OutputFile& operator=(OutputFile&&) noexcept;  ///< Moves; removes what was here.
