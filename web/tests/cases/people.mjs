@@ -109,11 +109,14 @@ export async function ownCharacter(studio) {
   await studio.until('everybody to be it', () => globalThis.__muster.view.people.drawn.every((one) => one.body === 'robot.glb' && one.near + one.far > 0));
   expect(/robot\.glb now, with run of its own/.test(await notice(studio)), `it is told: ${await notice(studio)}`);
   await studio.shot('own-character');
+  await choose(studio, 'painted.glb', madeCharacter({ picture: true }));
+  await studio.until('one with a picture', () => globalThis.__muster.view.people.drawn.every((one) => one.body === 'painted.glb' && one.near + one.far > 0));
+  await studio.wait(600);
   await choose(studio, 'legless.glb', madeCharacter({ rename: (name) => (name === 'LeftLeg' ? null : name) }));
   await studio.until('what is missing', () => /no joint for the left knee/.test(document.querySelector('.banner.notice strong').textContent));
-  expect((await drawn(studio))[0].body === 'robot.glb', 'the one before stays');
+  expect((await drawn(studio))[0].body === 'painted.glb', 'the one before stays');
   await studio.page.evaluate(() => [...document.querySelectorAll('.menu-item')].find((one) => one.textContent === 'Our people').click());
-  await studio.until('our people', () => globalThis.__muster.view.people.drawn.every((one) => one.body !== 'robot.glb'));
+  await studio.until('our people', () => globalThis.__muster.view.people.drawn.every((one) => one.body !== 'painted.glb'));
 }
 
 /** Page time of pictures [ms], while everybody runs. */

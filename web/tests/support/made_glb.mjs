@@ -46,15 +46,20 @@ class Bytes {
   views = [];
   accessors = [];
 
-  /** Returns the accessor's index. */
-  add(array, type, componentType, extra = {}) {
+  /** Returns the view's index. */
+  view(array) {
     const padded = Buffer.alloc(Math.ceil(array.byteLength / 4) * 4);
     Buffer.from(array.buffer).copy(padded);
     this.views.push({ buffer: 0, byteOffset: this.size, byteLength: array.byteLength });
     this.chunks.push(padded);
     this.size += padded.length;
-    const width = { SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16 }[type];
-    this.accessors.push({ bufferView: this.views.length - 1, componentType, count: array.length / width, type, ...extra });
+    return this.views.length - 1;
+  }
+
+  /** Returns the accessor's index. */
+  add(array, type, componentType, extra = {}) {
+    const width = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 }[type];
+    this.accessors.push({ bufferView: this.view(array), componentType, count: array.length / width, type, ...extra });
     return this.accessors.length - 1;
   }
 }
@@ -79,6 +84,17 @@ function animation(bytes, name, unit) {
     channels: [{ sampler: 0, target: { node: 0, path: 'rotation' } }, { sampler: 1, target: { node: 0, path: 'translation' } }] };
 }
 
+/** One opaque pixel. */
+const PICTURE = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==', 'base64');
+
+/** A material, with a picture where wanted: what goes into the file for it. */
+function paint(bytes, picture) {
+  const pbrMetallicRoughness = { baseColorFactor: [0.8, 0.1, 0.6, 1], ...(picture ? { baseColorTexture: { index: 0 } } : {}) };
+  if (!picture) return { materials: [{ pbrMetallicRoughness }] };
+  const bufferView = bytes.view(Uint8Array.from(PICTURE));
+  return { materials: [{ pbrMetallicRoughness }], textures: [{ source: 0 }], images: [{ bufferView, mimeType: 'image/png' }] };
+}
+
 function container(json, binary) {
   const text = Buffer.from(JSON.stringify(json));
   const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 32)]);
@@ -98,9 +114,9 @@ function container(json, binary) {
 
 /**
  * `rename`: names of joints from ours; null leaves a joint out, with all below it. `unit`: numbers per metre.
- * `clip`: an animation's name. The figure stands with arms held down at 45 degrees.
+ * `clip`: an animation's name. `picture`: the skin has a texture. The figure stands with arms held down at 45 degrees.
  */
-export function madeCharacter({ rename = (name) => name, unit = 1, clip = '' } = {}) {
+export function madeCharacter({ rename = (name) => name, unit = 1, clip = '', picture = false } = {}) {
   const kept = [];
   JOINTS.forEach(([name, parent, ...at], j) => {
     const above = parent < 0 ? -1 : kept.findIndex((one) => one.from === parent);
@@ -116,6 +132,7 @@ export function madeCharacter({ rename = (name) => name, unit = 1, clip = '' } =
     JOINTS_0: bytes.add(Uint8Array.from(skin.jointsOf), 'VEC4', 5121),
     WEIGHTS_0: bytes.add(Float32Array.from(skin.weights), 'VEC4', 5126),
   };
+  if (picture) attributes.TEXCOORD_0 = bytes.add(new Float32Array((2 * skin.positions.length) / 3), 'VEC2', 5126);
   const indices = bytes.add(Uint16Array.from(skin.indices), 'SCALAR', 5123);
   const inverse = bytes.add(Float32Array.from(inverseBinds(joints, unit)), 'MAT4', 5126);
   const animations = clip ? [animation(bytes, clip, unit)] : [];
@@ -128,7 +145,7 @@ export function madeCharacter({ rename = (name) => name, unit = 1, clip = '' } =
   return container({
     asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0, nodes.length - 1] }], nodes,
     meshes: [{ primitives: [{ attributes, indices, material: 0 }] }],
-    materials: [{ pbrMetallicRoughness: { baseColorFactor: [0.8, 0.1, 0.6, 1] } }],
+    ...paint(bytes, picture),
     skins: [{ joints: joints.map((_, j) => j), inverseBindMatrices: inverse }], animations,
     buffers: [{ byteLength: bytes.size }], bufferViews: bytes.views, accessors: bytes.accessors,
   }, Buffer.concat(bytes.chunks));
