@@ -84,6 +84,7 @@ private:
     void play(Mover& mover, const Step& step);
     bool playAction(Mover& mover, const Step& step);
     void startAction(Mover& mover, const Step& step) const;
+    float leapRate(const Mover& mover, const Step& step, float middle) const;
     static void endAction(Mover& mover);
     void playTransition(Mover& mover, const Step& step, std::int32_t clip, double transition) const;
     void playCycle(Mover& mover, const Step& step, std::int32_t clip) const;

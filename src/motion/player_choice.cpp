@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "motion/player.h"
+#include "muster/geometry/polygon.h"
 
 namespace muster {
 namespace {
@@ -148,6 +149,17 @@ void Player::endAction(Mover& mover) {
     mover.action = {};
 }
 
+// Over a thing that runs by: as fast as brings the clip to its middle when the thing is nearest.
+float Player::leapRate(const Mover& mover, const Step& step, float middle) const {
+    const Environment& environment = *step.crowd->environment;
+    const PatchDef* patch = environment.patch(PatchId{mover.action.patch});
+    if (patch == nullptr || mover.time >= middle) return 1.0f;
+    const Vec2 centre = centroid(patch->polygon) + patch->path.at(environment.time()).position;
+    const Vec2 nearing = mover.velocity - patch->path.velocity(environment.time());
+    const double left = dot(centre - mover.position, nearing) / std::max(0.01, lengthSquared(nearing));
+    return std::clamp((middle - mover.time) / std::max(0.05f, static_cast<float>(left)), 0.8f, 1.3f);
+}
+
 bool Player::playAction(Mover& mover, const Step& step) {
     const Characters& characters = *step.crowd->characters;
     const Environment& environment = *step.crowd->environment;
@@ -173,7 +185,7 @@ bool Player::playAction(Mover& mover, const Step& step) {
     const auto dt = static_cast<float>(step.dt);
     const float before = mover.time;
     if (action.timed) {
-        mover.rate = std::clamp(step.speed / (std::max(0.1f, entry.speed) * mover.size), 0.8f, 1.2f);
+        mover.rate = leapRate(mover, step, ways_[clip].time(0.5f));
     } else {
         bool airborne = true;
         for (std::size_t limb = 0; limb < kHeldLimbCount; ++limb)
