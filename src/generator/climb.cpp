@@ -175,7 +175,8 @@ Stands standsOf(const Course& course) {
     left.end = kLeftUp;
     left.rise = 0.25;
     left.push = degrees(48);
-    const Step swung = jogs.before.step(1, -1, jogs.before.course());
+    Step swung = jogs.before.step(1, -1, jogs.before.course());
+    swung.swing = {{}, {{0.8, degrees(70)}}, {}};
     Step right = left;
     right.strike = 0.0;
     right.begin = 0.30;

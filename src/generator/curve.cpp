@@ -56,6 +56,16 @@ double Curve::at(double time) const {
            keys_[i + 1].value * u * u * (1.0 + 2.0 * v) - slopes_[i + 1] * h * u * u * v;
 }
 
+double between(const State& begin, const State& end, double time) {
+    const double h = end.time - begin.time, u = (time - begin.time) / h;
+    const double bend = begin.acceleration * h * h;
+    const double p = end.place - begin.place - begin.speed * h - 0.5 * bend;
+    const double v = (end.speed - begin.speed) * h - bend, a = end.acceleration * h * h - bend;
+    const double c3 = 10.0 * p - 4.0 * v + 0.5 * a, c4 = -15.0 * p + 7.0 * v - a,
+                 c5 = 6.0 * p - 3.0 * v + 0.5 * a;
+    return begin.place + u * (begin.speed * h + u * (0.5 * bend + u * (c3 + u * (c4 + u * c5))));
+}
+
 double rise(double begin, double end, double time) {
     const double u = std::clamp((time - begin) / (end - begin), 0.0, 1.0);
     return u * u * u * (10.0 + u * (6.0 * u - 15.0));

@@ -27,6 +27,16 @@ private:
     std::vector<double> slopes_;
 };
 
+/// A place, its speed and its acceleration at a time.
+struct State {
+    double time = 0.0;
+    double place = 0.0;
+    double speed = 0.0;
+    double acceleration = 0.0;
+};
+/// At a time between two states, by the one polynomial of fifth degree that meets both.
+double between(const State& begin, const State& end, double time);
+
 /// 0 before `begin`, 1 after `end`, between them a rise whose first and second derivatives vanish at its
 /// ends.
 double rise(double begin, double end, double time);

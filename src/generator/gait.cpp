@@ -27,14 +27,14 @@ Place GaitTrack::travel(double time) const {
 double GaitTrack::height(double phase) const {
     const double middle = 0.5 * gait_.contact;
     if (!gait_.flies()) return gait_.height + 0.5 * gait_.bob * wave(2.0 * (phase - middle));
-    // Half a cycle is a stay under a half sine of force, then free flight.
+    // Half a cycle is a stay, from falling to rising, then free flight.
     const double half = 2.0 * phase, since = (half - std::floor(half)) * 0.5 * gait_.cycle;
     const double stay = gait_.contact * gait_.cycle, flight = 0.5 * gait_.cycle - stay;
-    const double up = 0.5 * kGravity * flight, t = since - stay;
-    if (t > 0.0) return gait_.height + up * t - 0.5 * kGravity * t * t;
-    const double force = 0.5 * kPi * kGravity * (stay + flight) / stay, slow = stay / kPi;
-    return gait_.height - up * since - 0.5 * kGravity * since * since -
-           force * slow * slow * sine(since / slow) + force * slow * since;
+    const double up = 0.5 * kGravity * flight - gait_.lift / flight, high = gait_.height + gait_.lift,
+                 t = since - stay;
+    if (t > 0.0) return high + up * t - 0.5 * kGravity * t * t;
+    return between({0.0, gait_.height, up - kGravity * flight, -kGravity}, {stay, high, up, -kGravity},
+                   since);
 }
 
 void GaitTrack::addTrunk(double phase, Body& body) const {

@@ -31,7 +31,8 @@ struct Gait {
     double push = 1.0;       ///< Heel raised at toe-off.
     Swing swing;
 
-    double height = 0.9;   ///< Mean height of the hips (running: at landing) [m].
+    double height = 0.9;   ///< Mean height of the hips; running: at landing [m].
+    double lift = 0.0;     ///< Running: so much higher they are where a foot leaves than where it lands [m].
     double bob = 0.025;    ///< Rise and fall of the hips in walking [m]; running follows from flight.
     double surge = 0.01;   ///< Fore and aft against even travel [m].
     double sway = 0.02;    ///< Sideways over the standing foot [m].

@@ -21,16 +21,17 @@ Gait walkGait() {
     gait.cycle = frames(64);
     gait.speed = 1.25;
     gait.contact = 0.60;
-    gait.footForward = -0.11;
+    gait.footForward = -0.098;
     gait.footOut = 0.055;
     gait.toeOut = degrees(7);
     gait.strike = degrees(20);
     gait.flat = 0.09;
-    gait.heelRise = 0.30;
-    gait.push = degrees(64);
-    gait.swing = {
-        {key(0.45, 18), key(0.75, 30)}, {key(0.30, 68), key(0.62, 42)}, {key(0.25, -12), key(0.6, 3)}};
-    gait.height = 0.918;
+    gait.heelRise = 0.22;
+    gait.push = degrees(58);
+    gait.swing = {{key(0.25, 11), key(0.5, 28), key(0.75, 31)},
+                  {key(0.28, 71), key(0.5, 64), key(0.75, 30)},
+                  {key(0.13, -15), key(0.30, 2), key(0.6, 11)}};
+    gait.height = 0.911;
     gait.bob = 0.028;
     gait.surge = 0.008;
     gait.sway = 0.022;
@@ -61,12 +62,13 @@ Gait jogGait() {
     gait.toeOut = degrees(6);
     gait.strike = degrees(8);
     gait.flat = 0.05;
-    gait.heelRise = 0.18;
+    gait.heelRise = 0.22;
     gait.push = degrees(48);
-    gait.swing = {{key(0.10, -13), key(0.38, 10), key(0.70, 36)},
-                  {key(0.40, 98), key(0.75, 62)},
-                  {key(0.3, -16), key(0.65, 4)}};
-    gait.height = 0.930;
+    gait.swing = {{key(0.08, -10), key(0.26, 1), key(0.42, 21), key(0.56, 35), key(0.72, 32)},
+                  {key(0.26, 74), key(0.42, 98), key(0.52, 97), key(0.71, 56), key(0.86, 32)},
+                  {key(0.07, -12), key(0.16, -5), key(0.275, 6), key(0.5, 12), key(0.75, 17)}};
+    gait.height = 0.915;
+    gait.lift = 0.03;
     gait.surge = 0.008;
     gait.sway = 0.012;
     gait.pelvisPitch = degrees(6);
@@ -91,10 +93,12 @@ Gait runGait() {
     gait.contact = 0.31;
     gait.footForward = -0.15;
     gait.push = degrees(54);
-    gait.swing = {{key(0.09, -18), key(0.38, 12), key(0.68, 41)},
-                  {key(0.40, 108), key(0.75, 66)},
-                  {key(0.3, -18), key(0.65, 5)}};
-    gait.height = 0.922;
+    gait.swing = {
+        {key(0.10, -15), key(0.275, 1), key(0.42, 24), key(0.565, 39), key(0.71, 36)},
+        {key(0.09, 40), key(0.275, 82), key(0.42, 107), key(0.52, 105), key(0.71, 60), key(0.86, 32)},
+        {key(0.06, -13), key(0.15, -6), key(0.275, 6), key(0.5, 13), key(0.75, 20)}};
+    gait.height = 0.912;
+    gait.lift = 0.026;
     gait.lean = degrees(9);
     gait.pelvisPitch = degrees(8);
     gait.pelvisYaw = degrees(8);
@@ -113,10 +117,11 @@ Gait sprintGait() {
     gait.footOut = 0.03;
     gait.strike = degrees(3);
     gait.push = degrees(66);
-    gait.swing = {{key(0.09, -22), key(0.40, 24), key(0.66, 58)},
-                  {key(0.38, 116), key(0.72, 84)},
-                  {key(0.3, -22), key(0.65, 8)}};
-    gait.height = 0.908;
+    gait.swing = {{key(0.08, -20), key(0.275, 6), key(0.42, 36), key(0.565, 56), key(0.71, 50)},
+                  {key(0.275, 90), key(0.42, 120), key(0.52, 117), key(0.71, 72), key(0.86, 36)},
+                  {key(0.06, -13), key(0.15, -6), key(0.275, 6), key(0.5, 13), key(0.75, 18)}};
+    gait.height = 0.893;
+    gait.lift = 0.03;
     gait.lean = degrees(13);
     gait.pelvisPitch = degrees(11);
     gait.pelvisYaw = degrees(10);

@@ -22,20 +22,6 @@ struct JumpShape {
     ClipObstacle obstacle;
 };
 
-/// From one height and speed to another under given accelerations at both ends: a quintic.
-struct Rise {
-    double begin, end, z0, v0, z1, v1, a0, a1;
-
-    double at(double time) const {
-        const double h = end - begin, u = (time - begin) / h;
-        const double p = z1 - z0 - v0 * h - 0.5 * a0 * h * h, v = (v1 - v0) * h - a0 * h * h,
-                     a = (a1 - a0) * h * h;
-        const double c3 = 10.0 * p - 4.0 * v + 0.5 * a, c4 = -15.0 * p + 7.0 * v - a,
-                     c5 = 6.0 * p - 3.0 * v + 0.5 * a;
-        return z0 + u * (v0 * h + u * (0.5 * a0 * h * h + u * (c3 + u * (c4 + u * c5))));
-    }
-};
-
 /// Height of the hips: in free fall between `off` and `land`, that of running before and after.
 class Arc {
 public:
@@ -47,26 +33,18 @@ public:
         const auto rate = [&](const GaitTrack& track, double t) {
             return (z(track, t + kMoment) - z(track, t - kMoment)) / (2.0 * kMoment);
         };
-        spring_ = {shape.plant,
-                   shape.off,
-                   z(before, shape.plant),
-                   rate(before, shape.plant - kMoment),
-                   shape.offHeight,
-                   up_,
-                   -kGravity,
-                   -kGravity};
+        spring_[0] = {shape.plant, z(before, shape.plant), rate(before, shape.plant - kMoment), -kGravity};
+        spring_[1] = {shape.off, shape.offHeight, up_, -kGravity};
         leave_ = after.landing(1, 0) + after.gait().contact * after.gait().cycle;
-        absorb_ = {shape.land,       leave_,
-                   shape.landHeight, up_ - kGravity * fall,
-                   z(after, leave_), rate(after, leave_ + kMoment),
-                   -kGravity,        -kGravity};
+        absorb_[0] = {shape.land, shape.landHeight, up_ - kGravity * fall, -kGravity};
+        absorb_[1] = {leave_, z(after, leave_), rate(after, leave_ + kMoment), -kGravity};
     }
 
     double at(double time) const {
         if (time < shape_.plant) return before_.body(time)[Channel::HipsZ];
-        if (time < shape_.off) return spring_.at(time);
+        if (time < shape_.off) return between(spring_[0], spring_[1], time);
         if (time >= leave_) return after_.body(time)[Channel::HipsZ];
-        if (time > shape_.land) return absorb_.at(time);
+        if (time > shape_.land) return between(absorb_[0], absorb_[1], time);
         const double t = time - shape_.off;
         return shape_.offHeight + up_ * t - 0.5 * kGravity * t * t;
     }
@@ -75,7 +53,7 @@ private:
     JumpShape shape_;
     GaitTrack before_, after_;
     double up_ = 0.0, leave_ = 0.0;
-    Rise spring_{}, absorb_{};
+    State spring_[2], absorb_[2];
 };
 
 Body heldInJump(const JumpShape& shape, Body body, double time) {
@@ -154,7 +132,7 @@ void addJumps(std::vector<Clip>& clips) {
     over.lead = {{key(0.28, 46), key(0.48, 80), key(0.63, 95), key(0.76, 76), key(0.87, 42)},
                  {key(0.28, 106), key(0.52, 128), key(0.68, 78), key(0.85, 28)},
                  {key(0.5, 12), key(0.9, 6)}};
-    over.trail = {{key(0.06, -18), key(0.22, 30), key(0.38, 64), key(0.60, 46), key(0.82, 36)},
+    over.trail = {{key(0.06, -18), key(0.22, 34), key(0.38, 65), key(0.60, 46), key(0.82, 36)},
                   {key(0.20, 116), key(0.36, 122), key(0.60, 100), key(0.82, 60)},
                   {key(0.25, 4), key(0.8, 0)}};
     clips.push_back(passageClip(jumpOf(over)));

@@ -72,8 +72,8 @@ TEST_CASE("our walk follows the recorded one in hip and knee") {
     if (!theirs) return;
     const Angles off = apart(clipNamed("walk"), *theirs);
     MESSAGE("walk: thigh " << off.thigh << " deg, knee " << off.knee << " deg");
-    CHECK(off.thigh < 8.0);
-    CHECK(off.knee < 14.0);
+    CHECK(off.thigh < 6.0);
+    CHECK(off.knee < 11.0);
 }
 
 TEST_CASE("our run follows the recorded jog, which is as fast") {
@@ -81,8 +81,8 @@ TEST_CASE("our run follows the recorded jog, which is as fast") {
     if (!theirs) return;
     const Angles off = apart(clipNamed("run"), *theirs);
     MESSAGE("run: thigh " << off.thigh << " deg, knee " << off.knee << " deg");
-    CHECK(off.thigh < 9.0);
-    CHECK(off.knee < 16.0);
+    CHECK(off.thigh < 6.0);
+    CHECK(off.knee < 9.0);
     // A walk is much farther from it: the measure tells gaits apart.
     CHECK(apart(clipNamed("walk"), *theirs).knee > 1.5 * off.knee);
 }
