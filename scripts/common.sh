@@ -8,6 +8,7 @@ build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-
 test_packages=(doctest-dev librapidcheck-dev liblemon-dev)
 browser_packages=(chromium libgl1-mesa-dri libegl1)
 wasm_packages=(emscripten)
+blender_packages=(blender python3-numpy)
 configure_again=no  # Once packages have come, for what is found now.
 
 say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
@@ -54,14 +55,18 @@ build_program() {
     }
 }
 
+# install_page_packages: what web/package-lock.json asks for.
+install_page_packages() {
+    [ ! -f web/node_modules/.package-lock.json ] || [ web/package-lock.json -nt web/node_modules/.package-lock.json ] || return 0
+    say "Installing the page's packages"
+    # No progress, but the reason where it fails.
+    (cd web && npm ci --no-audit --no-fund --loglevel=error >&2) || fail "npm ci failed in web/"
+    touch web/node_modules/.package-lock.json
+}
+
 # build_page: installs the page's packages and builds web/dist where sources are newer than it.
 build_page() {
-    if [ ! -f web/node_modules/.package-lock.json ] || [ web/package-lock.json -nt web/node_modules/.package-lock.json ]; then
-        say "Installing the page's packages"
-        # No progress, but the reason where it fails.
-        (cd web && npm ci --no-audit --no-fund --loglevel=error >&2) || fail "npm ci failed in web/"
-        touch web/node_modules/.package-lock.json
-    fi
+    install_page_packages
     if [ ! -f web/dist/index.html ] ||
         [ -n "$(find web protocol -newer web/dist/index.html -type f -not -path 'web/node_modules/*' -not -path 'web/dist/*' -not -path 'web/test-results/*' -print -quit)" ]; then
         say "Building the page"
