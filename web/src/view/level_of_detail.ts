@@ -10,12 +10,16 @@ export const kNear = 2;
 const kFinePixels = 13;
 /** Beyond this many fine bodies, only larger ones are fine. */
 const kFineMost = 250;
+/** The limit changes by so much from picture to picture. */
+const kStep = 1.06;
 /** A person's reach round its place, and the longest shadow that may fall into view [m]. */
 const kMargin = 3;
 
 export class LevelOfDetail {
   private least_ = kFinePixels;
   private fine_ = 0;
+  /** Who would be fine too, were the limit one step lower. */
+  private nearly_ = 0;
   private basis_: ReturnType<CameraController['basis']> | null = null;
   private tanX_ = 1;
   private tanY_ = 1;
@@ -23,9 +27,10 @@ export class LevelOfDetail {
 
   /** Begins a frame; the limit follows how many were fine in the last. */
   begin(camera: CameraController): void {
-    if (this.fine_ > kFineMost) this.least_ *= 1.15;
-    else if (this.fine_ < 0.7 * kFineMost) this.least_ = Math.max(kFinePixels, this.least_ / 1.15);
+    if (this.fine_ > kFineMost) this.least_ *= kStep;
+    else if (this.fine_ + this.nearly_ <= kFineMost) this.least_ = Math.max(kFinePixels, this.least_ / kStep);
     this.fine_ = 0;
+    this.nearly_ = 0;
     this.basis_ = camera.basis();
     this.tanY_ = Math.tan(camera.fieldOfView / 2);
     this.tanX_ = (this.tanY_ * camera.width) / camera.height;
@@ -40,7 +45,11 @@ export class LevelOfDetail {
     const across = Math.abs(dx * right[0] + dy * right[1]);
     const high = Math.abs(dx * up[0] + dy * up[1] + dz * up[2]);
     if (depth < 0.1 || across > depth * this.tanX_ + kMargin || high > depth * this.tanY_ + kMargin) return kHidden;
-    if (this.scale_ / depth < this.least_) return kFar;
+    const pixels = this.scale_ / depth;
+    if (pixels < this.least_) {
+      if (pixels * kStep >= this.least_) this.nearly_ += 1;
+      return kFar;
+    }
     this.fine_ += 1;
     return kNear;
   }
