@@ -39,7 +39,9 @@ void motion(benchmark::State& state) {
 }
 
 // The choice of clips alone: nobody near.
-void choiceOnly(benchmark::State& state) { motion(state); }
+void choiceOnly(benchmark::State& state) {
+    motion(state);
+}
 
 }  // namespace
 

@@ -45,8 +45,9 @@ Result<Measured> measure(const std::string& path, const MeasureOptions& options)
         def->groups[0].count = options.count;
         def->groups[0].starts.clear();
     }
-    const auto clips = options.clips.empty() ? clipsFor(def->clips, std::filesystem::path(path).parent_path().string())
-                                             : loadClips(options.clips);
+    const auto clips = options.clips.empty()
+                           ? clipsFor(def->clips, std::filesystem::path(path).parent_path().string())
+                           : loadClips(options.clips);
     if (!clips.ok()) return clips.status().within(path);
     double lastTouch = 0.0;
     auto world = worldFor(*def, path, lastTouch);
@@ -62,10 +63,12 @@ Result<Measured> measure(const std::string& path, const MeasureOptions& options)
         motion.update(*world);
         report.observe(*world, motion);
         progress.show(world->time() / end);
-        const bool due = options.seconds <= 0.0 && world->time() > lastTouch + 1.0 && world->stepCount() % 30 == 0;
+        const bool due =
+            options.seconds <= 0.0 && world->time() > lastTouch + 1.0 && world->stepCount() % 30 == 0;
         if (due && metrics.settled(*world)) break;
     }
-    return Measured{path, static_cast<std::int32_t>(world->characters().size()), world->time(), report.figures()};
+    return Measured{path, static_cast<std::int32_t>(world->characters().size()), world->time(),
+                    report.figures()};
 }
 
 nlohmann::ordered_json jsonOf(const Measured& m) {
@@ -93,15 +96,16 @@ nlohmann::ordered_json jsonOf(const Measured& m) {
 }
 
 void printTable(const std::vector<Measured>& all) {
-    std::printf("%-34s %5s %8s %17s %9s %15s %15s %11s %9s\n", "scenario", "count", "contacts", "slide 50/95/max cm",
-                "low fast", "knee p999/max", "deep p999/max cm", "rates", "steps");
+    std::printf("%-34s %5s %8s %17s %9s %15s %15s %11s %9s\n", "scenario", "count", "contacts",
+                "slide 50/95/max cm", "low fast", "knee p999/max", "deep p999/max cm", "rates", "steps");
     for (const Measured& m : all) {
         const MotionFigures& f = m.figures;
-        std::printf("%-34s %5d %8llu %5.2f %5.2f %6.2f %8.2f%% %7.1f %7.1f %7.2f %8.2f %5.2f %5.2f %4llu/%llu\n",
-                    m.scenario.c_str(), m.characters, static_cast<unsigned long long>(f.contacts), 100.0 * f.slideMedian,
-                    100.0 * f.slide95, 100.0 * f.slideMax, 100.0 * f.lowFast, f.knee999, f.kneeMax,
-                    100.0 * f.penetration999, 100.0 * f.penetration, f.rateLeast, f.rateMost,
-                    static_cast<unsigned long long>(f.actions), static_cast<unsigned long long>(f.singleSteps));
+        std::printf(
+            "%-34s %5d %8llu %5.2f %5.2f %6.2f %8.2f%% %7.1f %7.1f %7.2f %8.2f %5.2f %5.2f %4llu/%llu\n",
+            m.scenario.c_str(), m.characters, static_cast<unsigned long long>(f.contacts),
+            100.0 * f.slideMedian, 100.0 * f.slide95, 100.0 * f.slideMax, 100.0 * f.lowFast, f.knee999,
+            f.kneeMax, 100.0 * f.penetration999, 100.0 * f.penetration, f.rateLeast, f.rateMost,
+            static_cast<unsigned long long>(f.actions), static_cast<unsigned long long>(f.singleSteps));
     }
 }
 

@@ -6,9 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr float kEvenShare = 0.1f;        // Of the way, spread evenly over time: time never stands still.
-constexpr double kStraightOn = 0.6427876; // Cosine of 50 degrees.
-constexpr double kFit = 0.15;             // A clip may be stretched by so much [share].
+constexpr float kEvenShare = 0.1f;         // Of the way, spread evenly over time: time never stands still.
+constexpr double kStraightOn = 0.6427876;  // Cosine of 50 degrees.
+constexpr double kFit = 0.15;              // A clip may be stretched by so much [share].
 
 Vec2 narrowest(const Polygon& polygon) {
     Vec2 best{1.0, 0.0};

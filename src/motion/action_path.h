@@ -9,7 +9,8 @@
 
 namespace muster {
 
-/// The time in a clip at which a share of its way is behind, so that feet do not slide where it goes unevenly.
+/// The time in a clip at which a share of its way is behind, so that feet do not slide where it goes
+/// unevenly.
 class WayToTime {
 public:
     /// Of a clip that ends.
@@ -24,19 +25,19 @@ private:
 
 /// One crossing of a patch.
 struct ActionPath {
-    std::uint32_t patch = 0;   ///< Patch crossed; 0 for no action.
-    std::int32_t clip = -1;    ///< Clip played.
-    bool timed = false;        ///< The patch moves: the clip runs by time, not by the way.
-    Vec2 normal{1.0, 0.0};     ///< Direction of the crossing.
-    double begin = 0.0;        ///< Along it, where the clip begins [m].
-    double length = 1.0;       ///< Of the way that the clip is spread over [m] > 0.
-    double farthest = 0.0;     ///< Share of the clip's way behind; never falls.
+    std::uint32_t patch = 0;  ///< Patch crossed; 0 for no action.
+    std::int32_t clip = -1;   ///< Clip played.
+    bool timed = false;       ///< The patch moves: the clip runs by time, not by the way.
+    Vec2 normal{1.0, 0.0};    ///< Direction of the crossing.
+    double begin = 0.0;       ///< Along it, where the clip begins [m].
+    double length = 1.0;      ///< Of the way that the clip is spread over [m] > 0.
+    double farthest = 0.0;    ///< Share of the clip's way behind; never falls.
 };
 
-/// The crossing of a patch by somebody at `position` who faces `heading`, with a clip that covers `clipLength` [m].
-/// The patch is crossed at right angles to the side that makes it narrowest, where the heading is within 50 degrees
-/// of that; else straight on. A clip that suits the patch within 15 % is spread over all of it; in a longer one it
-/// is played in the middle; beyond a shorter one it is completed.
+/// The crossing of a patch by somebody at `position` who faces `heading`, with a clip that covers
+/// `clipLength` [m]. The patch is crossed at right angles to the side that makes it narrowest, where the
+/// heading is within 50 degrees of that; else straight on. A clip that suits the patch within 15 % is spread
+/// over all of it; in a longer one it is played in the middle; beyond a shorter one it is completed.
 ActionPath crossing(const Environment& environment, std::uint32_t patch, Vec2 position, Vec2 heading,
                     double clipLength);
 

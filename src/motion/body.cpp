@@ -14,7 +14,9 @@ constexpr float kStanceTime = 0.1f;   // Over which the middles of steps are smo
 constexpr float kSole = 0.08f;        // Height of the ankle above the sole [m].
 constexpr float kSink = 0.003f;       // A sole so little below the floor is left alone [m].
 
-std::size_t at(JointRole role) { return index(role); }
+std::size_t at(JointRole role) {
+    return index(role);
+}
 
 /// Joints of one limb, from the trunk outwards.
 struct Chain {
@@ -26,7 +28,7 @@ static_assert(index(JointRole::LeftUpLeg) == 13 && index(JointRole::RightUpLeg) 
 
 /// A limb as the pose has it, in the body's frame.
 struct LimbPose {
-    Quat parent;   ///< Rotation of the joint that bears the limb.
+    Quat parent;  ///< Rotation of the joint that bears the limb.
     Quat upper, lower, end;
     TwoBones bones;
 };
@@ -60,7 +62,8 @@ float sunk(const LimbTarget& target, Quat toes) {
     const auto height = [&](Vec3 p) { return target.place.z + rotate(target.rotation, p).z; };
     const Vec3 toeBase = skeleton()[at(JointRole::LeftToeBase)].offset;
     const Vec3 tip = toeBase + rotate(toes, Vec3{0.07f, 0.0f, -kSole - toeBase.z});
-    const float lowest = std::min({height({-0.05f, 0.0f, -kSole}), height({toeBase.x, 0.0f, -kSole}), height(tip)});
+    const float lowest =
+        std::min({height({-0.05f, 0.0f, -kSole}), height({toeBase.x, 0.0f, -kSole}), height(tip)});
     return std::max(0.0f, -lowest - kSink);
 }
 
@@ -98,13 +101,15 @@ public:
             legs[side] = limbPose(pose, hips, kChains[side]);
             const LimbTarget free{strode(legs[side].bones.end, side), legs[side].end};
             targets[side] = holdLimb(table_, mover_, frame_, side, free, dt_, body_);
-            if (entry_.onFloor) targets[side].place.z += sunk(targets[side], pose.rotation[kChains[side].end + 1]);
+            if (entry_.onFloor)
+                targets[side].place.z += sunk(targets[side], pose.rotation[kChains[side].end + 1]);
         }
         lowerHips(legs, targets);
         for (std::size_t side = 0; side < 2; ++side) {
             LimbPose& leg = legs[side];
             for (Vec3* p : {&leg.bones.root, &leg.bones.middle, &leg.bones.end}) p->z -= body_.drop;
-            const bool there = lengthSquared(targets[side].place - leg.bones.end) < 1e-10f && targets[side].rotation == leg.end;
+            const bool there = lengthSquared(targets[side].place - leg.bones.end) < 1e-10f &&
+                               targets[side].rotation == leg.end;
             if (!there) bend(leg, targets[side], rotate(leg.upper, {1.0f, 0.0f, 0.0f}), kChains[side], pose);
         }
         pose.hips.z -= body_.drop;
@@ -145,8 +150,10 @@ private:
         Vec3& middle = body_.stance[side];
         middle += (entry_.stance[side] - middle) * (body_.fresh ? 1.0f : std::min(1.0f, dt_ / kStanceTime));
         const Vec3 d = ankle - middle;
-        const float x = mover_.goX, y = mover_.goY, low = 0.3f + 0.7f * std::min(1.0f, std::sqrt(x * x + y * y));
-        return {middle.x + x * d.x - y * d.y, middle.y + y * d.x + x * d.y, d.z > 0.0f ? middle.z + d.z * low : ankle.z};
+        const float x = mover_.goX, y = mover_.goY,
+                    low = 0.3f + 0.7f * std::min(1.0f, std::sqrt(x * x + y * y));
+        return {middle.x + x * d.x - y * d.y, middle.y + y * d.x + x * d.y,
+                d.z > 0.0f ? middle.z + d.z * low : ankle.z};
     }
 
     void lowerHips(const std::array<LimbPose, 2>& legs, const std::array<LimbTarget, 2>& targets) {

@@ -23,7 +23,9 @@ std::size_t wrapped(const Clip& clip, std::int64_t frame) {
     return static_cast<std::size_t>(((frame % count) + count) % count);
 }
 
-Quat turnQuat(float yaw) { return yawTurn(yaw); }
+Quat turnQuat(float yaw) {
+    return yawTurn(yaw);
+}
 
 // Travel speed between frames, smoothed over a tenth of a second so that play rates do not tremble.
 std::vector<float> localSpeeds(const Clip& clip) {
@@ -91,7 +93,8 @@ ClipTable::ClipTable(const ClipLibrary& library) : library_(&library) {
     }
     idle_ = library.indexOf("idle");
     for (std::size_t c = 0; idle_ < 0 && c < entries_.size(); ++c)
-        if (entries_[c].use == ClipUse::Locomotion && entries_[c].standing) idle_ = static_cast<std::int32_t>(c);
+        if (entries_[c].use == ClipUse::Locomotion && entries_[c].standing)
+            idle_ = static_cast<std::int32_t>(c);
 }
 
 void ClipTable::addContacts(ClipEntry& entry) const {
@@ -100,10 +103,12 @@ void ClipTable::addContacts(ClipEntry& entry) const {
     for (const Contact& contact : clip.contacts) {
         const auto limb = std::find(kHeldLimbs.begin(), kHeldLimbs.end(), contact.limb);
         if (limb == kHeldLimbs.end()) continue;
-        HeldContact held{static_cast<float>(contact.begin), static_cast<float>(contact.end), contact.anchor.z, 0, 0, 0};
+        HeldContact held{
+            static_cast<float>(contact.begin), static_cast<float>(contact.end), contact.anchor.z, 0, 0, 0};
         held.firstFrame = static_cast<std::int32_t>(contact.begin * clip.rate);
         held.frames = static_cast<std::uint32_t>(entry.frames.size());
-        held.count = static_cast<std::uint32_t>(static_cast<std::int32_t>(contact.end * clip.rate) + 2 - held.firstFrame);
+        held.count = static_cast<std::uint32_t>(static_cast<std::int32_t>(contact.end * clip.rate) + 2 -
+                                                held.firstFrame);
         const Travel start = clip.travelAt(contact.begin);
         for (std::uint32_t k = 0; k < held.count; ++k) {
             const std::int64_t frame = held.firstFrame + static_cast<std::int64_t>(k);
@@ -122,7 +127,8 @@ void ClipTable::addContacts(ClipEntry& entry) const {
 
 float ClipTable::speedAt(std::size_t clip, float time) const {
     const ClipEntry& entry = entries_[clip];
-    const auto frame = static_cast<std::size_t>(std::max(0.0f, time * static_cast<float>(entry.clip->rate) + 0.5f));
+    const auto frame =
+        static_cast<std::size_t>(std::max(0.0f, time * static_cast<float>(entry.clip->rate) + 0.5f));
     return entry.localSpeed[std::min(frame, entry.localSpeed.size() - 1)];
 }
 
@@ -138,12 +144,14 @@ const HeldContact* ClipTable::contactAt(std::size_t clip, std::size_t limb, floa
 HeldFrame ClipTable::heldAt(std::size_t clip, const HeldContact& contact, float time) const {
     const ClipEntry& entry = entries_[clip];
     if (time < contact.begin && entry.cyclic) time += entry.duration;
-    const float at = std::max(0.0f, time * static_cast<float>(entry.clip->rate) - static_cast<float>(contact.firstFrame));
+    const float at =
+        std::max(0.0f, time * static_cast<float>(entry.clip->rate) - static_cast<float>(contact.firstFrame));
     const auto frame = std::min(static_cast<std::uint32_t>(at), contact.count - 2);
     const float share = std::clamp(at - static_cast<float>(frame), 0.0f, 1.0f);
     const HeldFrame& a = entry.frames[contact.frames + frame];
     const HeldFrame& b = entry.frames[contact.frames + frame + 1];
-    return {lerp(a.roll, b.roll, share), nlerp(a.rotation, b.rotation, share), a.turn + (b.turn - a.turn) * share};
+    return {lerp(a.roll, b.roll, share), nlerp(a.rotation, b.rotation, share),
+            a.turn + (b.turn - a.turn) * share};
 }
 
 }  // namespace muster

@@ -20,13 +20,13 @@ struct CrowdMotion::Impl {
     ClipTable table;
     Player player;
     std::vector<Playback> playbacks;
-    std::vector<std::uint32_t> wanted;  ///< Ids, ascending.
-    bool named = false;                 ///< setNear() was called.
-    std::vector<std::uint32_t> near;    ///< Indices, ascending.
-    std::vector<std::uint32_t> nearIds; ///< Their ids.
-    std::vector<Body> bodies;           ///< One per entry of `near`.
+    std::vector<std::uint32_t> wanted;   ///< Ids, ascending.
+    bool named = false;                  ///< setNear() was called.
+    std::vector<std::uint32_t> near;     ///< Indices, ascending.
+    std::vector<std::uint32_t> nearIds;  ///< Their ids.
+    std::vector<Body> bodies;            ///< One per entry of `near`.
     std::vector<Body> spare;
-    std::vector<PlacesView> places;     ///< By group.
+    std::vector<PlacesView> places;  ///< By group.
 };
 
 void CrowdMotion::Impl::findNear(const Characters& characters) {
@@ -130,9 +130,15 @@ void CrowdMotion::setNear(std::span<const std::uint32_t> ids) {
     impl_->named = true;
 }
 
-std::span<const Playback> CrowdMotion::playbacks() const { return impl_->playbacks; }
-std::span<const std::uint32_t> CrowdMotion::near() const { return impl_->near; }
-const BodyPose& CrowdMotion::pose(std::size_t k) const { return impl_->bodies[k].pose; }
+std::span<const Playback> CrowdMotion::playbacks() const {
+    return impl_->playbacks;
+}
+std::span<const std::uint32_t> CrowdMotion::near() const {
+    return impl_->near;
+}
+const BodyPose& CrowdMotion::pose(std::size_t k) const {
+    return impl_->bodies[k].pose;
+}
 
 bool CrowdMotion::held(std::size_t k, Limb limb) const {
     for (std::size_t h = 0; h < kHeldLimbCount; ++h)
@@ -140,7 +146,9 @@ bool CrowdMotion::held(std::size_t k, Limb limb) const {
     return false;
 }
 
-const ClipLibrary& CrowdMotion::library() const { return *impl_->library; }
+const ClipLibrary& CrowdMotion::library() const {
+    return *impl_->library;
+}
 
 void worldJoints(const Playback& playback, const BodyPose& pose, JointTransforms& joints) {
     const Quat turn = yawTurn(static_cast<double>(playback.yaw));

@@ -5,9 +5,9 @@
 namespace muster {
 namespace {
 
-constexpr float kRate = 30.0f;       // Rows a second.
-constexpr double kTail = 0.2;        // Nobody is sent into the last so many seconds of a clip that ends.
-constexpr float kNowhere = 1.0e4f;   // Features of lanes that hold no row.
+constexpr float kRate = 30.0f;      // Rows a second.
+constexpr double kTail = 0.2;       // Nobody is sent into the last so many seconds of a clip that ends.
+constexpr float kNowhere = 1.0e4f;  // Features of lanes that hold no row.
 
 /// Features that share a unit share a spread, so that none is blown up because it hardly varies.
 struct Group {
@@ -15,12 +15,14 @@ struct Group {
     std::size_t count;
     float weight;
 };
-constexpr std::array<Group, 8> kGroups{{{0, 2, 1.5f}, {2, 2, 1.5f}, {4, 2, 1.5f},  // Trajectory, by horizon.
-                                        {6, 6, 1.5f},                              // Facing.
-                                        {12, 6, 1.0f},                             // Feet.
-                                        {18, 6, 1.0f},                             // Velocity of feet.
-                                        {24, 3, 0.75f},                            // Velocity of hips.
-                                        {27, 2, 0.75f}}};                          // Feet that touch.
+constexpr std::array<Group, 8> kGroups{{{0, 2, 1.5f},
+                                        {2, 2, 1.5f},
+                                        {4, 2, 1.5f},      // Trajectory, by horizon.
+                                        {6, 6, 1.5f},      // Facing.
+                                        {12, 6, 1.0f},     // Feet.
+                                        {18, 6, 1.0f},     // Velocity of feet.
+                                        {24, 3, 0.75f},    // Velocity of hips.
+                                        {27, 2, 0.75f}}};  // Feet that touch.
 
 // Travel of a clip that ends goes on as it ended.
 Travel travelBeyond(const Clip& clip, double time) {
@@ -213,7 +215,8 @@ std::int32_t FeatureBase::nearestPose(std::size_t clip, std::int32_t row) const 
     for (std::int32_t r = range.firstRow; r < range.firstRow + range.rows; ++r) {
         float sum = 0.0f;
         const Features& it = rows_[static_cast<std::size_t>(r)];
-        for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f) sum += (it[f] - now[f]) * (it[f] - now[f]);
+        for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f)
+            sum += (it[f] - now[f]) * (it[f] - now[f]);
         if (best.row < 0 || sum < best.cost) best = {r, sum};
     }
     return best.row;

@@ -11,8 +11,9 @@
 namespace muster {
 
 inline constexpr std::size_t kTrajectoryCount = 12;  ///< Numbers of a trajectory.
-inline constexpr std::size_t kPoseCount = 17;        ///< Feet's places and velocities, velocity of the hips, feet that touch.
-inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;  ///< 29.
+inline constexpr std::size_t kPoseCount =
+    17;  ///< Feet's places and velocities, velocity of the hips, feet that touch.
+inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;       ///< 29.
 inline constexpr std::array<float, 3> kHorizons{1.0f / 3.0f, 2.0f / 3.0f, 1.0f};  ///< Looked ahead [s].
 
 /// Where one will be at each horizon (x, y) [m], then which way one will face (x, y), in the own frame now.
@@ -41,8 +42,12 @@ public:
 
     /// The row of a clip's frame nearest to a time [s].
     std::int32_t rowOf(std::size_t clip, float time) const;
-    std::size_t clipOf(std::int32_t row) const { return clipOfRow_[static_cast<std::size_t>(row)]; }  ///< Of a row.
-    float timeOf(std::int32_t row) const { return timeOfRow_[static_cast<std::size_t>(row)]; }        ///< Of a row [s].
+    std::size_t clipOf(std::int32_t row) const {
+        return clipOfRow_[static_cast<std::size_t>(row)];
+    }  ///< Of a row.
+    float timeOf(std::int32_t row) const {
+        return timeOfRow_[static_cast<std::size_t>(row)];
+    }  ///< Of a row [s].
 
     /// What is sought: to go that way, from the body as it is at a row.
     Features query(const Trajectory& trajectory, std::int32_t row) const;
@@ -62,7 +67,7 @@ private:
         std::int32_t firstRow = 0;
         std::int32_t rows = 0;
         std::int32_t firstBlock = 0;
-        std::int32_t blocks = 0;    ///< That a search looks at.
+        std::int32_t blocks = 0;  ///< That a search looks at.
         bool locomotion = false;
         bool standing = false;
         bool ends = false;
@@ -73,8 +78,8 @@ private:
     void fillBlocks();
     void searchBlocks(const Features& query, const Range& range, Match& best) const;
 
-    std::vector<Range> ranges_;             ///< By clip.
-    std::vector<Features> rows_;            ///< Normalised and weighted.
+    std::vector<Range> ranges_;   ///< By clip.
+    std::vector<Features> rows_;  ///< Normalised and weighted.
     std::vector<Block> blocks_;
     std::vector<std::uint16_t> clipOfRow_;
     std::vector<float> timeOfRow_;

@@ -14,14 +14,17 @@ public:
     void clear() { active_ = false; }
     /// True while something is left.
     bool active() const { return active_; }
-    /// From now on the poses played are such that `played` follows `playedBefore` by `dt` [s]; shown were `before`
-    /// and `shown`, equally far apart, the latter one step ago.
-    void begin(const BodyPose& before, const BodyPose& shown, const BodyPose& playedBefore, const BodyPose& played, float dt);
-    /// Goes on by a step of `dt` [s] whose decay is `decay` = exp(-kInertiaRate dt), and adds what is left to `pose`.
+    /// From now on the poses played are such that `played` follows `playedBefore` by `dt` [s]; shown were
+    /// `before` and `shown`, equally far apart, the latter one step ago.
+    void begin(const BodyPose& before, const BodyPose& shown, const BodyPose& playedBefore,
+               const BodyPose& played, float dt);
+    /// Goes on by a step of `dt` [s] whose decay is `decay` = exp(-kInertiaRate dt), and adds what is left to
+    /// `pose`.
     void apply(float dt, float decay, BodyPose& pose);
 
 private:
-    std::array<Vec3, kJointCount + 1> offset_{};    ///< Vector part of a rotation per joint; last, of the hips [m].
+    std::array<Vec3, kJointCount + 1>
+        offset_{};  ///< Vector part of a rotation per joint; last, of the hips [m].
     std::array<Vec3, kJointCount + 1> velocity_{};  ///< Of these [1/s, m/s].
     bool active_ = false;
 };

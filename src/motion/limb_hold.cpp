@@ -5,17 +5,19 @@
 namespace muster {
 namespace {
 
-constexpr float kLetGo = 0.15f;         // A held limb this far from where it belongs is let go [m].
-constexpr float kLetGoBoth = 0.25f;     // ... even while the other foot steps [m].
-constexpr double kTwisted = 0.82533561; // A standing foot turned away by more is let go (cosine of 0.6 rad).
-constexpr float kReleaseTime = 0.2f;   // Difference fades after a contact [s].
-constexpr float kTakeTime = 0.08f;      // Height and turn of a foot that touches down fade in [s].
-constexpr float kShortest = 0.08f;      // Rest of a contact for which nothing is taken any more [s].
-constexpr float kTouchHeight = 0.05f;   // A limb is taken no higher above its contact [m].
-constexpr float kStepTime = 0.26f;      // Of a step aside [s].
-constexpr float kStepHeight = 0.05f;    // Lift of a step aside [m].
+constexpr float kLetGo = 0.15f;          // A held limb this far from where it belongs is let go [m].
+constexpr float kLetGoBoth = 0.25f;      // ... even while the other foot steps [m].
+constexpr double kTwisted = 0.82533561;  // A standing foot turned away by more is let go (cosine of 0.6 rad).
+constexpr float kReleaseTime = 0.2f;     // Difference fades after a contact [s].
+constexpr float kTakeTime = 0.08f;       // Height and turn of a foot that touches down fade in [s].
+constexpr float kShortest = 0.08f;       // Rest of a contact for which nothing is taken any more [s].
+constexpr float kTouchHeight = 0.05f;    // A limb is taken no higher above its contact [m].
+constexpr float kStepTime = 0.26f;       // Of a step aside [s].
+constexpr float kStepHeight = 0.05f;     // Lift of a step aside [m].
 
-float smooth(float t) { return t * t * (3.0f - 2.0f * t); }
+float smooth(float t) {
+    return t * t * (3.0f - 2.0f * t);
+}
 
 // The turn from one direction to another; `otherwise` where either is too steep to point anywhere.
 Rotation between(Vec2 from, Vec2 to, const Rotation& otherwise) {
@@ -34,9 +36,15 @@ struct Spot {
 /// One limb in one step.
 class LimbStep {
 public:
-    LimbStep(const ClipTable& table, const Mover& mover, const BodyFrame& frame, std::size_t number, Body& body)
-        : table_(table), mover_(mover), frame_(frame), number_(number), limb_(body.limbs[number]),
-          other_(body.limbs[number ^ 1u]), contact_(table.contactAt(mover.clip, number, mover.time)) {
+    LimbStep(const ClipTable& table, const Mover& mover, const BodyFrame& frame, std::size_t number,
+             Body& body)
+        : table_(table),
+          mover_(mover),
+          frame_(frame),
+          number_(number),
+          limb_(body.limbs[number]),
+          other_(body.limbs[number ^ 1u]),
+          contact_(table.contactAt(mover.clip, number, mover.time)) {
         if (contact_ != nullptr) held_ = table.heldAt(mover.clip, *contact_, mover.time);
     }
 
@@ -63,7 +71,8 @@ private:
     Spot heldSpot() const {
         const double size = static_cast<double>(frame_.size);
         const Vec2 roll = limb_.frame.apply({held_.roll.x, held_.roll.y}) * size;
-        return {limb_.anchor + roll, limb_.height + held_.roll.z * frame_.size, uprightTurn(limb_.frame) * held_.rotation};
+        return {limb_.anchor + roll, limb_.height + held_.roll.z * frame_.size,
+                uprightTurn(limb_.frame) * held_.rotation};
     }
 
     // With what is left of a difference.
@@ -111,7 +120,8 @@ private:
         limb_.frame = frame_.facing;
         if (turn != 0.0) {
             const double c = cosine(turn), s = sine(turn);
-            limb_.frame = {frame_.facing.c * c + frame_.facing.s * s, frame_.facing.s * c - frame_.facing.c * s};
+            limb_.frame = {frame_.facing.c * c + frame_.facing.s * s,
+                           frame_.facing.s * c - frame_.facing.c * s};
         }
         hold(softened(free_));
     }

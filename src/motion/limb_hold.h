@@ -10,9 +10,9 @@ inline constexpr float kFixedHeight = 0.3f;
 
 /// Between the world and a body of size 1.
 struct BodyFrame {
-    Vec2 position;       ///< [m]
+    Vec2 position;  ///< [m]
     Rotation facing;
-    Quat turn;           ///< The same as `facing`.
+    Quat turn;  ///< The same as `facing`.
     float size = 1.0f;
 
     /// Where a character stands.
@@ -28,13 +28,13 @@ Quat uprightTurn(const Rotation& rotation);
 
 /// Where a joint is to be, in the body's frame, and how it is turned.
 struct LimbTarget {
-    Vec3 place;     ///< [m]
+    Vec3 place;  ///< [m]
     Quat rotation;
 };
 
-/// Takes, keeps or lets go limb `limb` of the body, which would be at `free` if nothing were held, and tells where it
-/// is to be. A limb is taken where it is when its contact begins, and held there until the contact ends or the body has
-/// moved on too far; what differs then fades away.
+/// Takes, keeps or lets go limb `limb` of the body, which would be at `free` if nothing were held, and tells
+/// where it is to be. A limb is taken where it is when its contact begins, and held there until the contact
+/// ends or the body has moved on too far; what differs then fades away.
 LimbTarget holdLimb(const ClipTable& table, const Mover& mover, const BodyFrame& frame, std::size_t limb,
                     const LimbTarget& free, float dt, Body& body);
 

@@ -5,17 +5,20 @@
 namespace muster {
 namespace {
 
-constexpr float kLow = 0.02f;   // A sole lower than this is on the floor [m].
-constexpr float kFast = 0.5f;   // ... and should be slower than this [m/s].
+constexpr float kLow = 0.02f;          // A sole lower than this is on the floor [m].
+constexpr float kFast = 0.5f;          // ... and should be slower than this [m/s].
 constexpr double kPutElsewhere = 0.5;  // Who moves farther in a step was put there [m].
-constexpr float kSole = 0.08f;  // Of the ankle above the sole [m].
+constexpr float kSole = 0.08f;         // Of the ankle above the sole [m].
 
 // Where the sole is: heel, ball, tip of the toes.
 std::array<Vec3, 3> solePoints(const JointTransforms& joints, std::size_t side, float size) {
     const Transform& foot = joints[index(side == 0 ? JointRole::LeftFoot : JointRole::RightFoot)];
     const Transform& toes = joints[index(side == 0 ? JointRole::LeftToeBase : JointRole::RightToeBase)];
-    const auto at = [size](const Transform& joint, Vec3 p) { return joint.translation + rotate(joint.rotation, p) * size; };
-    return {at(foot, {-0.05f, 0.0f, -kSole}), at(foot, {0.13f, 0.0f, -kSole}), at(toes, {0.07f, 0.0f, -0.03f})};
+    const auto at = [size](const Transform& joint, Vec3 p) {
+        return joint.translation + rotate(joint.rotation, p) * size;
+    };
+    return {at(foot, {-0.05f, 0.0f, -kSole}), at(foot, {0.13f, 0.0f, -kSole}),
+            at(toes, {0.07f, 0.0f, -0.03f})};
 }
 
 float kneeAngle(const BodyPose& pose, std::size_t side) {
@@ -30,10 +33,16 @@ double quantile(std::vector<float> values, double share) {
     return static_cast<double>(values[static_cast<std::size_t>(k)]);
 }
 
-float flatLength(Vec3 v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+float flatLength(Vec3 v) {
+    return std::sqrt(v.x * v.x + v.y * v.y);
+}
 
-bool isAction(const Clip& clip) { return !clip.cyclic && (clip.motion == "jump" || clip.motion == "climb"); }
-bool isLocomotion(const Clip& clip) { return clip.motion == "run" || clip.motion == "walk"; }
+bool isAction(const Clip& clip) {
+    return !clip.cyclic && (clip.motion == "jump" || clip.motion == "climb");
+}
+bool isLocomotion(const Clip& clip) {
+    return clip.motion == "run" || clip.motion == "walk";
+}
 
 // The deepest point below the floor [m].
 float depth(const JointTransforms& joints, float size) {
@@ -100,14 +109,15 @@ void MotionReport::observeBody(const CrowdMotion& motion, std::size_t k, float d
     seen.steps = std::min(2u, seen.steps + 1);
 }
 
-void MotionReport::observeFeet(const JointTransforms& joints, const CrowdMotion& motion, std::size_t k, float dt,
-                               Seen& seen) {
+void MotionReport::observeFeet(const JointTransforms& joints, const CrowdMotion& motion, std::size_t k,
+                               float dt, Seen& seen) {
     const float size = motion.playbacks()[motion.near()[k]].size;
     for (std::size_t side = 0; side < 2; ++side) {
         const auto points = solePoints(joints, side, size);
         const bool held = motion.held(k, side == 0 ? Limb::LeftFoot : Limb::RightFoot);
         const auto lowest = static_cast<std::size_t>(
-            std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.z < b.z; }) - points.begin());
+            std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.z < b.z; }) -
+            points.begin());
         const float moved = flatLength(points[lowest] - seen.soles[side][lowest]);
         if (seen.onFloor && points[lowest].z < kLow && seen.soles[side][lowest].z < kLow)
             lowSpeeds_.push_back(moved / dt);

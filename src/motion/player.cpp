@@ -78,16 +78,20 @@ void Player::matchMovers(const Characters& characters) {
     for (std::size_t i = 0; i < characters.size(); ++i) {
         while (old < movers_.size() && movers_[old].id < characters.id[i]) ++old;
         Mover& mover = spare_.emplace_back();
-        if (old < movers_.size() && movers_[old].id == characters.id[i]) mover = movers_[old];
-        else begin(mover, characters, i);
+        if (old < movers_.size() && movers_[old].id == characters.id[i])
+            mover = movers_[old];
+        else
+            begin(mover, characters, i);
     }
     movers_.swap(spare_);
 }
 
 void Player::follow(Mover& mover, const Characters& characters, std::size_t i, double dt) const {
     const Vec2 moved = characters.position[i] - mover.position;
-    if (lengthSquared(moved) > kPutElsewhere * kPutElsewhere) begin(mover, characters, i);
-    else mover.velocity += (moved / dt - mover.velocity) * std::min(1.0, dt / kVelocityTime);
+    if (lengthSquared(moved) > kPutElsewhere * kPutElsewhere)
+        begin(mover, characters, i);
+    else
+        mover.velocity += (moved / dt - mover.velocity) * std::min(1.0, dt / kVelocityTime);
     mover.position = characters.position[i];
     mover.switched = false;
 }
@@ -138,7 +142,8 @@ void Player::play(Mover& mover, const Step& step) {
         case MotionPhase::Leaving:
             if (cycle.exit >= 0) return playTransition(mover, step, cycle.exit, motion.transition);
             return playLocomotion(mover, step);
-        default: return playCycle(mover, step, motion.clip);
+        default:
+            return playCycle(mover, step, motion.clip);
     }
 }
 
@@ -155,14 +160,19 @@ void Player::playCycle(Mover& mover, const Step& step, std::int32_t clip) const 
     const ClipEntry& entry = table_[static_cast<std::size_t>(clip)];
     if (mover.clip != clip) {
         const bool entered = mover.clip == entry.enter;
-        const std::int32_t row = entered ? -1 : features_.nearestPose(static_cast<std::size_t>(clip), features_.rowOf(mover.clip, mover.time));
-        const float time = entered ? static_cast<float>(table_[mover.clip].clip->entryPhase) * entry.duration : features_.timeOf(row);
+        const std::int32_t row = entered ? -1
+                                         : features_.nearestPose(static_cast<std::size_t>(clip),
+                                                                 features_.rowOf(mover.clip, mover.time));
+        const float time = entered ? static_cast<float>(table_[mover.clip].clip->entryPhase) * entry.duration
+                                   : features_.timeOf(row);
         show(mover, static_cast<std::size_t>(clip), time);
     }
     const float raw = entry.speed > 0.0f ? step.speed / (entry.speed * mover.size) : 1.0f;
-    float wanted = std::min(raw, 1.5f);                              // On hands and knees steps are not stretched.
-    if (!entry.feetHold) wanted = std::clamp(raw * mover.cadence, 0.5f, 1.5f);  // Swimmers tread water.
-    else if (!entry.handsHold) wanted = std::clamp(raw * mover.cadence, 0.7f, 1.3f) * std::min(1.0f, step.speed / 0.15f);
+    float wanted = std::min(raw, 1.5f);  // On hands and knees steps are not stretched.
+    if (!entry.feetHold)
+        wanted = std::clamp(raw * mover.cadence, 0.5f, 1.5f);  // Swimmers tread water.
+    else if (!entry.handsHold)
+        wanted = std::clamp(raw * mover.cadence, 0.7f, 1.3f) * std::min(1.0f, step.speed / 0.15f);
     mover.rate += (wanted - mover.rate) * std::min(1.0f, static_cast<float>(step.dt) / 0.08f);
     advance(mover, step.dt);
 }
@@ -172,8 +182,11 @@ void Player::turnToCrossing(Mover& mover, const Step& step) const {
     const Vec2 heading = step.crowd->characters->heading[step.i];
     double wanted = 0.0;
     if (mover.action.patch != 0 && !mover.action.timed)
-        wanted = std::clamp(arcTangent2(cross(heading, mover.action.normal), dot(heading, mover.action.normal)), -kMost, kMost);
-    mover.shift += (static_cast<float>(wanted) - mover.shift) * std::min(1.0f, static_cast<float>(step.dt) / 0.12f);
+        wanted =
+            std::clamp(arcTangent2(cross(heading, mover.action.normal), dot(heading, mover.action.normal)),
+                       -kMost, kMost);
+    mover.shift +=
+        (static_cast<float>(wanted) - mover.shift) * std::min(1.0f, static_cast<float>(step.dt) / 0.12f);
     const double yaw = arcTangent2(heading.y, heading.x) + static_cast<double>(mover.shift);
     mover.yaw = static_cast<float>(yaw);
     mover.facing = mover.shift == 0.0f ? Rotation{heading.x, heading.y} : Rotation{cosine(yaw), sine(yaw)};
@@ -187,7 +200,8 @@ void Player::setStride(Mover& mover, const Step& step) const {
     if (entry.use == ClipUse::Action && !mover.action.timed && mover.action.patch != 0) {
         stride = static_cast<float>(mover.action.length) / (entry.length * mover.size);
     } else if (entry.strides) {
-        const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
+        const float clipSpeed =
+            std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
         const bool leaps = entry.use == ClipUse::Action;  // Tucked legs bear no stretching.
         stride = std::clamp(step.speed / clipSpeed, leaps ? 0.7f : 0.0f, leaps ? 1.15f : 1.6f);
         if (!leaps) way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});

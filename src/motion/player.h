@@ -14,38 +14,38 @@ namespace muster {
 /// One character's way of going.
 struct Mover {
     std::uint32_t id = 0;
-    bool fresh = true;           ///< It has just appeared.
-    bool switched = false;       ///< It plays another clip, or another part of it, since this step.
-    Vec2 position;               ///< Simulated [m].
-    Vec2 velocity;               ///< Of the simulated position, smoothed [m/s].
+    bool fresh = true;      ///< It has just appeared.
+    bool switched = false;  ///< It plays another clip, or another part of it, since this step.
+    Vec2 position;          ///< Simulated [m].
+    Vec2 velocity;          ///< Of the simulated position, smoothed [m/s].
     float size = 1.0f;
-    float cadence = 1.0f;        ///< Steps a second relative to others of its speed.
+    float cadence = 1.0f;  ///< Steps a second relative to others of its speed.
     std::uint16_t clip = 0;
     std::uint16_t fromClip = 0;
-    float time = 0.0f;           ///< [s]
-    float fromTime = 0.0f;       ///< [s]
+    float time = 0.0f;      ///< [s]
+    float fromTime = 0.0f;  ///< [s]
     float fade = 0.0f;
-    float rate = 1.0f;           ///< Clip seconds a second.
-    float goX = 1.0f;            ///< Steps relative to the clip's: ahead...
-    float goY = 0.0f;            ///< ... and to the left.
-    float yaw = 0.0f;            ///< Facing [rad].
-    Rotation facing;             ///< The same.
-    float shift = 0.0f;          ///< Turned from the simulated heading towards a crossing [rad].
+    float rate = 1.0f;   ///< Clip seconds a second.
+    float goX = 1.0f;    ///< Steps relative to the clip's: ahead...
+    float goY = 0.0f;    ///< ... and to the left.
+    float yaw = 0.0f;    ///< Facing [rad].
+    Rotation facing;     ///< The same.
+    float shift = 0.0f;  ///< Turned from the simulated heading towards a crossing [rad].
     ActionPath action;
-    std::uint32_t donePatch = 0; ///< Single-step patch done last, until the simulation forgets it.
+    std::uint32_t donePatch = 0;  ///< Single-step patch done last, until the simulation forgets it.
 };
 
 /// What a character is bound for, as the simulation steers it.
 struct Bound {
-    Vec2 cruise;              ///< Velocity on the way there [m/s].
-    bool arriving = false;    ///< The place is near and aimed at itself.
-    Vec2 toPlace;             ///< From here [m].
-    Vec2 placeVelocity;       ///< [m/s]
-    double topSpeed = 2.0;    ///< [m/s]
+    Vec2 cruise;            ///< Velocity on the way there [m/s].
+    bool arriving = false;  ///< The place is near and aimed at itself.
+    Vec2 toPlace;           ///< From here [m].
+    Vec2 placeVelocity;     ///< [m/s]
+    double topSpeed = 2.0;  ///< [m/s]
 };
 
-/// Where somebody who goes at `velocity` [m/s] and faces along `facing` will be, in its own frame, for a body of
-/// size 1.
+/// Where somebody who goes at `velocity` [m/s] and faces along `facing` will be, in its own frame, for a body
+/// of size 1.
 Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, float size);
 
 /// Plays clips for all characters of a world.
@@ -72,9 +72,9 @@ private:
     /// One step of one character.
     struct Step {
         const CrowdView* crowd;
-        std::size_t i;        ///< Index of the character.
-        double dt;            ///< [s]
-        float speed;          ///< Of travel [m/s].
+        std::size_t i;  ///< Index of the character.
+        double dt;      ///< [s]
+        float speed;    ///< Of travel [m/s].
     };
 
     void learnMotions(const Environment& environment);
@@ -83,6 +83,8 @@ private:
     void follow(Mover& mover, const Characters& characters, std::size_t i, double dt) const;
     void play(Mover& mover, const Step& step);
     bool playAction(Mover& mover, const Step& step);
+    static bool asksForAction(Mover& mover, const Step& step);
+    bool airborne(std::size_t clip, float time) const;
     void startAction(Mover& mover, const Step& step) const;
     float leapRate(const Mover& mover, const Step& step, float middle) const;
     static void endAction(Mover& mover);

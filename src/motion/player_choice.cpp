@@ -9,10 +9,10 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kSearchPeriod = 6;  // Steps between searches.
-constexpr float kClearlyBetter = 1.0f;      // A frame must be nearer by so much to be taken [squared spreads].
-constexpr float kGoingSpeed = 0.25f;        // Faster than this nobody stands [m/s].
-constexpr float kGoingReach = 0.3f;         // ... nor who will be so far away in a second [m].
-constexpr float kStandingSpeed = 0.1f;      // Slower than this one stands, if one stays [m/s].
+constexpr float kClearlyBetter = 1.0f;  // A frame must be nearer by so much to be taken [squared spreads].
+constexpr float kGoingSpeed = 0.25f;    // Faster than this nobody stands [m/s].
+constexpr float kGoingReach = 0.3f;     // ... nor who will be so far away in a second [m].
+constexpr float kStandingSpeed = 0.1f;  // Slower than this one stands, if one stays [m/s].
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
 // Steering's own gains, so that what is foretold comes true (SteeringDef).
@@ -42,9 +42,11 @@ Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, fl
             v += clampLength((wish - v) * (kVelocityGain * dt), kAcceleration * dt);
             moved += v * dt;
             time += dt;
-            if (lengthSquared(v) > 0.0225) face = normalized(face + (normalized(v) - face) * (kTurnRate * dt), face);
+            if (lengthSquared(v) > 0.0225)
+                face = normalized(face + (normalized(v) - face) * (kTurnRate * dt), face);
         }
-        const Vec2 at = facing.applyInverse(moved) / static_cast<double>(size), to = facing.applyInverse(face);
+        const Vec2 at = facing.applyInverse(moved) / static_cast<double>(size),
+                   to = facing.applyInverse(face);
         trajectory[2 * h] = static_cast<float>(at.x);
         trajectory[2 * h + 1] = static_cast<float>(at.y);
         trajectory[6 + 2 * h] = static_cast<float>(to.x);
@@ -57,7 +59,8 @@ Bound Player::boundOf(const Step& step) const {
     const Characters& characters = *step.crowd->characters;
     const std::size_t i = step.i;
     Bound bound;
-    bound.topSpeed = step.crowd->maxSpeed * step.crowd->environment->ground(characters.position[i]).travelSpeed;
+    bound.topSpeed =
+        step.crowd->maxSpeed * step.crowd->environment->ground(characters.position[i]).travelSpeed;
     bound.cruise = characters.direction[i] * bound.topSpeed;
     const std::int32_t place = characters.place[i];
     const std::uint32_t group = characters.group[i];
@@ -92,7 +95,8 @@ float Player::costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int3
     const ClipEntry& entry = table_[mover.clip];
     if (!entry.standing && entry.speed > 0.0f) {
         const auto speed = static_cast<float>(length(mover.velocity)) / mover.size;
-        const float slower = 1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)), 0.85f, 1.15f);
+        const float slower =
+            1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)), 0.85f, 1.15f);
         for (std::size_t f = 0; f < 6; ++f) trajectory[f] *= slower;
     }
     return features_.cost(features_.query(trajectory, row), row);
@@ -117,7 +121,8 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
     Features sought = features_.query(trajectory, row);
     // Those who stand alike do not all set off with the same foot.
     if (now.standing)
-        for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f) sought[f] += 0.35f * unevenness(mover.id, f);
+        for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f)
+            sought[f] += 0.35f * unevenness(mover.id, f);
     const bool unfit = filter != ClipFilter::Any && now.standing != (filter == ClipFilter::Standing);
     const float cost = must || unfit ? kInfinite : costOfGoingOn(mover, trajectory, row);
     if (cost <= kClearlyBetter) return;
@@ -161,40 +166,44 @@ float Player::leapRate(const Mover& mover, const Step& step, float middle) const
 }
 
 bool Player::playAction(Mover& mover, const Step& step) {
-    const Characters& characters = *step.crowd->characters;
-    const Environment& environment = *step.crowd->environment;
-    const bool locked = characters.phase[step.i] == MotionPhase::Locked;
-    const std::uint32_t patch = characters.patch[step.i];
     ActionPath& action = mover.action;
-    if (action.patch == 0) {
-        if (characters.lastSingle[step.i] == 0) mover.donePatch = 0;
-        const bool done = patch == mover.donePatch || environment.onePatch(PatchId{patch}, PatchId{mover.donePatch});
-        if (!locked || (mover.donePatch != 0 && done)) return false;
-        startAction(mover, step);
-        if (action.patch == 0) return false;
-    }
-    const auto clip = static_cast<std::size_t>(action.clip);
+    if (action.patch == 0 && asksForAction(mover, step)) startAction(mover, step);
+    if (action.patch == 0) return false;
+    const bool locked = step.crowd->characters->phase[step.i] == MotionPhase::Locked;
     const double share = action.timed ? 0.0 : shareBehind(action, mover.position);
     if (!locked && share < 0.15 && !action.timed) {  // Turned back before it had begun.
         endAction(mover);
         return false;
     }
     if (share < 0.0) return false;
-    const ClipEntry& entry = table_[clip];
+    const auto clip = static_cast<std::size_t>(action.clip);
     if (mover.clip != action.clip) show(mover, clip, 0.0f);
-    const auto dt = static_cast<float>(step.dt);
-    const float before = mover.time;
     if (action.timed) {
         mover.rate = leapRate(mover, step, ways_[clip].time(0.5f));
     } else {
-        bool airborne = true;
-        for (std::size_t limb = 0; limb < kHeldLimbCount; ++limb)
-            airborne = airborne && table_.contactAt(clip, limb, before) == nullptr;
-        const float least = !locked ? 0.8f : airborne ? 0.7f : 0.0f;
-        mover.rate = std::clamp((ways_[clip].time(static_cast<float>(share)) - before) / dt, least, 1.5f);
+        // Nobody stops in the air, nor half-way once the patch is left.
+        const float least = !locked ? 0.8f : airborne(clip, mover.time) ? 0.7f : 0.0f;
+        const float due = ways_[clip].time(static_cast<float>(share)) - mover.time;
+        mover.rate = std::clamp(due / static_cast<float>(step.dt), least, 1.5f);
     }
     advance(mover, step.dt);
-    if (mover.time >= entry.duration - 1.0e-4f) endAction(mover);
+    if (mover.time >= table_[clip].duration - 1.0e-4f) endAction(mover);
+    return true;
+}
+
+// In a single-step patch that was not done just now.
+bool Player::asksForAction(Mover& mover, const Step& step) {
+    const Characters& characters = *step.crowd->characters;
+    if (characters.lastSingle[step.i] == 0) mover.donePatch = 0;
+    if (characters.phase[step.i] != MotionPhase::Locked) return false;
+    if (mover.donePatch == 0) return true;
+    const PatchId patch{characters.patch[step.i]}, done{mover.donePatch};
+    return patch.value != done.value && !step.crowd->environment->onePatch(patch, done);
+}
+
+bool Player::airborne(std::size_t clip, float time) const {
+    for (std::size_t limb = 0; limb < kHeldLimbCount; ++limb)
+        if (table_.contactAt(clip, limb, time) != nullptr) return false;
     return true;
 }
 

@@ -7,11 +7,11 @@ namespace muster {
 
 /// A limb of two bones as it hangs now, in any one frame.
 struct TwoBones {
-    Vec3 root;             ///< Hip or shoulder [m].
-    Vec3 middle;           ///< Knee or elbow [m].
-    Vec3 end;              ///< Ankle or wrist [m].
-    float upper = 0.0f;    ///< Length of the bone from root to middle [m] > 0.
-    float lower = 0.0f;    ///< Length of the bone from middle to end [m] > 0.
+    Vec3 root;           ///< Hip or shoulder [m].
+    Vec3 middle;         ///< Knee or elbow [m].
+    Vec3 end;            ///< Ankle or wrist [m].
+    float upper = 0.0f;  ///< Length of the bone from root to middle [m] > 0.
+    float lower = 0.0f;  ///< Length of the bone from middle to end [m] > 0.
 };
 
 /// What turns its bones so that the end comes to the target.
@@ -21,14 +21,16 @@ struct TwoBoneTurn {
     Vec3 end;    ///< Where the end comes to: the target, or as near to it as the limb reaches [m].
 };
 
-/// Share of a limb's full length from which on it straightens ever more slowly, so that the knee does not snap.
+/// Share of a limb's full length from which on it straightens ever more slowly, so that the knee does not
+/// snap.
 inline constexpr float kSoftReach = 0.99f;
 
-/// The distance to which a limb of full length `reach` stretches for a target at `distance` [m]: the same up to
-/// kSoftReach of it, then ever less, never quite `reach`.
+/// The distance to which a limb of full length `reach` stretches for a target at `distance` [m]: the same up
+/// to kSoftReach of it, then ever less, never quite `reach`.
 float softReach(float distance, float reach);
 
-/// Turns both bones; `pole` is where the middle joint points (need be neither of unit length nor at right angles).
+/// Turns both bones; `pole` is where the middle joint points (need be neither of unit length nor at right
+/// angles).
 TwoBoneTurn reach(const TwoBones& limb, Vec3 target, Vec3 pole);
 
 }  // namespace muster

@@ -24,7 +24,9 @@ Environment with(const Polygon& polygon, bool moving = false) {
 
 const Polygon kWall{{-0.6, -5}, {0.6, -5}, {0.6, 5}, {-0.6, 5}};
 
-Vec2 facing(double degrees) { return {cosine(degrees * kPi / 180.0), sine(degrees * kPi / 180.0)}; }
+Vec2 facing(double degrees) {
+    return {cosine(degrees * kPi / 180.0), sine(degrees * kPi / 180.0)};
+}
 
 }  // namespace
 
@@ -61,7 +63,9 @@ TEST_CASE("a clip fills what suits it, lies in the middle of longer patches, goe
     CHECK(shorter.begin == doctest::Approx(-0.25));
 }
 
-TEST_CASE("a moving patch is crossed by time") { CHECK(crossing(with(kWall, true), 1, {-0.6, 0.0}, {1, 0}, 1.2).timed); }
+TEST_CASE("a moving patch is crossed by time") {
+    CHECK(crossing(with(kWall, true), 1, {-0.6, 0.0}, {1, 0}, 1.2).timed);
+}
 
 TEST_CASE("what is behind never falls, and lies between 0 and 1") {
     CHECK(rc::check("share", [] {

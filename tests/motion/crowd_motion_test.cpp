@@ -4,15 +4,16 @@
 
 #include <cmath>
 
-#include "muster/motion/motion_report.h"
 #include "motion/crowd_scene.h"
 #include "motion/swinging_clips.h"
+#include "muster/motion/motion_report.h"
 
 using namespace muster;
 using namespace muster::testing;
 
 TEST_CASE("the clips of these tests are sound") {
-    for (const Clip& clip : swingingClips().clips) CHECK_MESSAGE(validate(clip).ok(), clip.name, ": ", validate(clip).message());
+    for (const Clip& clip : swingingClips().clips)
+        CHECK_MESSAGE(validate(clip).ok(), clip.name, ": ", validate(clip).message());
 }
 
 TEST_CASE("a crowd that walks off and stops keeps its feet where they touch") {
@@ -30,8 +31,10 @@ TEST_CASE("a crowd that walks off and stops keeps its feet where they touch") {
     CHECK(f.penetration < 0.01);
     CHECK(f.rateLeast >= 0.69);
     CHECK(f.rateMost <= 1.31);
-    MESSAGE("slide " << f.slideMedian << " " << f.slide95 << " max " << f.slideMax << " low fast " << f.lowFast << " knee " << f.knee999 << " " << f.kneeMax
-            << " depth " << f.penetration << " acc " << f.acceleration999 << " switches " << f.switches << " rates " << f.rateLeast << " " << f.rateMost);
+    MESSAGE("slide " << f.slideMedian << " " << f.slide95 << " max " << f.slideMax << " low fast "
+                     << f.lowFast << " knee " << f.knee999 << " " << f.kneeMax << " depth " << f.penetration
+                     << " acc " << f.acceleration999 << " switches " << f.switches << " rates " << f.rateLeast
+                     << " " << f.rateMost);
 }
 
 TEST_CASE("watching a world changes nothing in it") {

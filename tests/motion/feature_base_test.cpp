@@ -97,7 +97,8 @@ TEST_CASE("faster trajectories lead to faster clips, none to standing") {
     const FeatureBase base(table);
     const auto found = [&](const char* clip, float speed) {
         const std::int32_t from = base.rowOf(static_cast<std::size_t>(table.find(clip)), 0.2f);
-        return table[base.clipOf(base.search(base.query(straight(speed), from), ClipFilter::Any, 1e9f).row)].speed;
+        return table[base.clipOf(base.search(base.query(straight(speed), from), ClipFilter::Any, 1e9f).row)]
+            .speed;
     };
     CHECK(found("idle", 0.0f) == 0.0f);
     CHECK(found("walk", 1.25f) == doctest::Approx(1.25f));
@@ -122,5 +123,6 @@ TEST_CASE("who is foretold to arrive comes to the place, who cruises covers the 
     const Rotation left{0.0, 1.0};
     bound.cruise = {-2.0, 0.0};
     const Trajectory turned = predict({0.0, 2.0}, left, bound, 1.0f);
-    for (std::size_t k = 0; k < kTrajectoryCount; ++k) CHECK(turned[k] == doctest::Approx(turning[k]).epsilon(1e-4));
+    for (std::size_t k = 0; k < kTrajectoryCount; ++k)
+        CHECK(turned[k] == doctest::Approx(turning[k]).epsilon(1e-4));
 }

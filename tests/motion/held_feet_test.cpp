@@ -59,8 +59,9 @@ std::pair<double, int> stray(Walker& walker, Vec2 velocity, float rate, float st
                 taken[side] = at;
                 ++contacts;
             }
-            const double away = std::sqrt(static_cast<double>((at.x - taken[side].x) * (at.x - taken[side].x) +
-                                                              (at.y - taken[side].y) * (at.y - taken[side].y)));
+            const double away =
+                std::sqrt(static_cast<double>((at.x - taken[side].x) * (at.x - taken[side].x) +
+                                              (at.y - taken[side].y) * (at.y - taken[side].y)));
             if (now && held[side]) worst = std::max(worst, away);
             held[side] = now;
         }
@@ -80,7 +81,8 @@ TEST_CASE("a walker at the clip's own speed treads without a slide") {
 TEST_CASE("longer and shorter steps carry other speeds") {
     for (const float stride : {0.5f, 0.8f, 1.2f}) {
         Walker walker("walk");
-        const auto [worst, contacts] = stray(walker, {1.25 * static_cast<double>(stride), 0.0}, 1.0f, stride, 600);
+        const auto [worst, contacts] =
+            stray(walker, {1.25 * static_cast<double>(stride), 0.0}, 1.0f, stride, 600);
         CHECK(worst < 3e-3);
         CHECK(contacts >= 18);
     }
@@ -101,8 +103,8 @@ TEST_CASE("a body that is carried off too fast lets its feet go, and they step")
         for (std::size_t side = 0; side < 2; ++side) highest = std::max(highest, walker.ankle(side).z);
     }
     CHECK(steps > 20);
-    CHECK(both == 0);          // One foot at a time.
-    CHECK(highest > 0.11f);    // Lifted, not dragged.
+    CHECK(both == 0);        // One foot at a time.
+    CHECK(highest > 0.11f);  // Lifted, not dragged.
     for (std::size_t side = 0; side < 2; ++side)
         CHECK(std::fabs(static_cast<double>(walker.ankle(side).x) - walker.mover.position.x) < 0.2);
 }

@@ -16,7 +16,10 @@ BodyPose bent(double angle) {
     return pose;
 }
 
-double kneeOf(const BodyPose& pose) { return 2.0 * arcTangent2(static_cast<double>(pose.rotation[index(JointRole::LeftLeg)].y), static_cast<double>(pose.rotation[index(JointRole::LeftLeg)].w)); }
+double kneeOf(const BodyPose& pose) {
+    return 2.0 * arcTangent2(static_cast<double>(pose.rotation[index(JointRole::LeftLeg)].y),
+                             static_cast<double>(pose.rotation[index(JointRole::LeftLeg)].w));
+}
 
 }  // namespace
 
@@ -43,7 +46,8 @@ TEST_CASE("a knee that swings on swings on through a switch, without a jump") {
         BodyPose pose = bent(0.1);
         inertia.apply(kStep, decay, pose);
         const double now = kneeOf(pose), speedNow = (now - before) * 60.0;
-        CHECK(std::fabs(speedNow - speedBefore) < 2.2);  // From 3 rad/s at 16 /s: under 2.2 rad/s a step at first.
+        CHECK(std::fabs(speedNow - speedBefore) <
+              2.2);  // From 3 rad/s at 16 /s: under 2.2 rad/s a step at first.
         before = now;
         speedBefore = speedNow;
     }
@@ -58,5 +62,6 @@ TEST_CASE("without a difference nothing changes") {
     CHECK(pose.rotation[index(JointRole::LeftLeg)] == bent(0.7).rotation[index(JointRole::LeftLeg)]);
     inertia.begin(bent(0.7), bent(0.7), bent(0.7), bent(0.7), kStep);
     inertia.apply(kStep, 0.8f, pose);
-    CHECK(angleBetween(pose.rotation[index(JointRole::LeftLeg)], bent(0.7).rotation[index(JointRole::LeftLeg)]) < 1e-3);
+    CHECK(angleBetween(pose.rotation[index(JointRole::LeftLeg)],
+                       bent(0.7).rotation[index(JointRole::LeftLeg)]) < 1e-3);
 }

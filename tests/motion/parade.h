@@ -1,4 +1,5 @@
-// A crowd without a simulation, of any number: everybody runs rounds of their own, at speeds that rise and fall.
+// A crowd without a simulation, of any number: everybody runs rounds of their own, at speeds that rise and
+// fall.
 #pragma once
 
 #include <vector>

@@ -13,12 +13,12 @@ namespace muster::testing {
 struct SwingDef {
     std::string name = "walk";
     std::string motion = "run";
-    double duration = 1.0;   ///< Of a cycle [s].
-    double speed = 1.25;     ///< [m/s]
-    double duty = 0.6;       ///< Share of the cycle that a foot touches the floor.
-    double lift = 0.1;       ///< Of the swinging foot [m].
+    double duration = 1.0;  ///< Of a cycle [s].
+    double speed = 1.25;    ///< [m/s]
+    double duty = 0.6;      ///< Share of the cycle that a foot touches the floor.
+    double lift = 0.1;      ///< Of the swinging foot [m].
     bool cyclic = true;
-    int cycles = 1;          ///< Of a clip that ends.
+    int cycles = 1;  ///< Of a clip that ends.
 };
 
 /// Where an ankle is at a share of its cycle, in the travelling frame; it touches from 0 to `duty`.
@@ -26,9 +26,11 @@ inline Vec3 swingingAnkle(const SwingDef& def, double share, float side) {
     share -= share >= 1.0 ? 1.0 : 0.0;
     const double stance = def.speed * def.duration * def.duty;
     if (share < def.duty || def.speed == 0.0)
-        return {static_cast<float>(stance * (0.5 - share / def.duty)) * (def.speed > 0.0 ? 1.0f : 0.0f), side, 0.08f};
+        return {static_cast<float>(stance * (0.5 - share / def.duty)) * (def.speed > 0.0 ? 1.0f : 0.0f), side,
+                0.08f};
     const double t = (share - def.duty) / (1.0 - def.duty), smooth = t * t * (3.0 - 2.0 * t);
-    return {static_cast<float>(stance * (smooth - 0.5)), side, static_cast<float>(0.08 + def.lift * 4.0 * t * (1.0 - t))};
+    return {static_cast<float>(stance * (smooth - 0.5)), side,
+            static_cast<float>(0.08 + def.lift * 4.0 * t * (1.0 - t))};
 }
 
 /// Bends a leg of the pose so that its ankle comes to a place, foot level.
@@ -64,10 +66,12 @@ inline Clip swingingClip(const SwingDef& def) {
         placeAnkle(pose, false, swingingAnkle(def, right, -0.09f));
         clip.poses.push_back(pose);
     }
-    for (int f = 0; f <= frames; ++f) clip.travel.push_back({static_cast<float>(def.speed * f / clip.rate), 0.0f, 0.0f});
+    for (int f = 0; f <= frames; ++f)
+        clip.travel.push_back({static_cast<float>(def.speed * f / clip.rate), 0.0f, 0.0f});
     const double reachAhead = 0.5 * def.speed * def.duration * def.duty;
     for (int half = 0; half < 2 * cycles; ++half) {
-        const double begin = 0.5 * half * def.duration, end = begin + (def.speed > 0.0 ? def.duty : 1.0) * def.duration;
+        const double begin = 0.5 * half * def.duration,
+                     end = begin + (def.speed > 0.0 ? def.duty : 1.0) * def.duration;
         const bool left = half % 2 == 0;
         const Vec3 anchor{static_cast<float>(begin * def.speed + reachAhead), left ? 0.09f : -0.09f, 0.08f};
         clip.contacts.push_back({left ? Limb::LeftFoot : Limb::RightFoot, begin,

@@ -64,7 +64,8 @@ TEST_CASE("bones keep their lengths and reach as far as they can, whatever is as
         RC_ASSERT(distance(end, turn.end) < 1e-3f);
         const float asked = distance(leg.root, target);
         if (asked > 0.05f) {
-            RC_ASSERT(distance(turn.end, leg.root + (target - leg.root) * (softReach(asked, 0.83f) / asked)) < 1e-4f);
+            RC_ASSERT(distance(turn.end, leg.root + (target - leg.root) * (softReach(asked, 0.83f) / asked)) <
+                      1e-4f);
         }
     }));
 }

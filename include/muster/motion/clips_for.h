@@ -9,8 +9,9 @@
 
 namespace muster {
 
-/// Muster's own clips, and in place of those of the same name the motions of the files that clip facts name (BVH,
-/// relative to `folder`), brought onto Muster's skeleton. Fails as readBvh and retarget do, naming the motion.
+/// Muster's own clips, and in place of those of the same name the motions of the files that clip facts name
+/// (BVH, relative to `folder`), brought onto Muster's skeleton. Fails as readBvh and retarget do, naming the
+/// motion.
 Result<ClipLibrary> clipsFor(std::span<const ClipFacts> facts, const std::string& folder);
 
 }  // namespace muster
