@@ -81,6 +81,7 @@ export class CrowdLayer {
     this.uniforms_.uGreyed.value = greyed ? 1 : 0;
     this.uniforms_.uGreyTint.value.set(palette.grey);
     this.uniforms_.light(palette.sun, palette.sky);
+    this.uniforms_.uTrousers.value = dark ? 2.6 : 1;
     this.discs_.strength = dark ? 0.5 : 0.3;
   }
 

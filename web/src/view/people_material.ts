@@ -14,6 +14,8 @@ export class PeopleUniforms {
   readonly uSkins = { value: kSkins.map((hex) => new Color(hex)) };
   readonly uHairs = { value: kHairs.map((hex) => new Color(hex)) };
   readonly uGreyed = { value: 0 };
+  /** Trousers are lighter where the ground is dark. */
+  readonly uTrousers = { value: 1 };
   readonly uGreyTint = { value: new Color('#A9A6A2') };
   readonly uSun = { value: new Color() };
   readonly uSky = { value: new Color() };

@@ -87,6 +87,7 @@ export const kPeopleColour = `
 uniform vec3 uSkins[5];
 uniform vec3 uHairs[5];
 uniform float uGreyed;
+uniform float uTrousers;
 varying vec3 vPerson;
 varying float vGrey;
 
@@ -99,7 +100,7 @@ void colourPerson() {
   if (region > 4.5) colour = mix(tint, aLook.rgb, 0.3);
   else if (region > 3.5) colour = vec3(0.8);
   else if (region > 2.5) colour = uHairs[hair];
-  else if (region > 1.5) colour = mix(aLook.rgb * 0.16, vec3(0.012, 0.016, 0.026), 0.55);
+  else if (region > 1.5) colour = uTrousers * mix(aLook.rgb * 0.16, vec3(0.012, 0.016, 0.026), 0.55);
   else if (region < 0.5) colour = uSkins[skin];
   vPerson = colour;
   vGrey = uGreyed * (1.0 - chosen);
