@@ -11,6 +11,7 @@ namespace {
 constexpr float kHeldReach = 0.985f;  // Share of a leg's length at which held feet are to be reached.
 constexpr float kMostDrop = 0.12f;    // Hips are lowered no more [m].
 constexpr float kStanceTime = 0.1f;   // Over which the middles of steps are smoothed [s].
+constexpr float kKnee = 0.04f;        // Of the knee's joint above the floor, kneeling [m].
 constexpr float kSole = 0.08f;        // Height of the ankle above the sole [m].
 constexpr float kSink = 0.003f;       // A sole so little below the floor is left alone [m].
 
@@ -67,6 +68,18 @@ float sunk(const LimbTarget& target, Quat toes) {
     return std::max(0.0f, -lowest - kSink);
 }
 
+// By how much the lower knee is below the floor [m].
+float kneesSunk(const BodyPose& pose) {
+    const auto& joints = skeleton();
+    float lowest = kKnee;
+    for (const std::size_t hip : {at(JointRole::LeftUpLeg), at(JointRole::RightUpLeg)}) {
+        const Vec3 knee =
+            rotate(pose.rotation[0], joints[hip].offset + rotate(pose.rotation[hip], joints[hip + 1].offset));
+        lowest = std::min(lowest, pose.hips.z + knee.z);
+    }
+    return kKnee - lowest;
+}
+
 /// One step of one body.
 class BodyStep {
 public:
@@ -113,6 +126,7 @@ public:
             if (!there) bend(leg, targets[side], rotate(leg.upper, {1.0f, 0.0f, 0.0f}), kChains[side], pose);
         }
         pose.hips.z -= body_.drop;
+        if (entry_.onFloor && entry_.handsHold) pose.hips.z += kneesSunk(pose);
     }
 
     void holdArms() {
