@@ -36,6 +36,10 @@ const kSided: Readonly<Record<string, readonly string[]>> = {
   ToeBase: ['toebase', 'toe', 'toes', 'ball', 'toe0'],
 };
 
+const kPrefixes = /^(mixamorig\d*|armature|def|org|valvebiped|cc_base|bip\d*|j_bip|j)[_\-. ]+/i;
+/** Names that are counted though there is but one. */
+const kCounted = /^(thigh|shin|calf|foot|hand|forearm|shoulder|clavicle|upperarm)0*1?$/;
+
 interface Words {
   readonly side: 'Left' | 'Right' | '';
   readonly base: string;
@@ -43,9 +47,9 @@ interface Words {
 
 /** Takes a name apart: "mixamorig1:LeftUpLeg" is left and upleg. */
 export function wordsOf(name: string): Words {
-  const bare = name.replace(/^.*[:|]/, '').replace(/^(mixamorig\d*|armature|def|org|valvebiped|cc_base|bip\d*|j_bip|j)[_\-. ]+/i, '')
-    .replace(/^mixamorig\d*/i, '').replace(/^(bip\d*)[_\-. ]*/i, '').replace(/^def-/i, '');
-  const parts = bare.replace(/([a-z])([A-Z])/g, '$1 $2').replace(/([A-Za-z])(\d)/g, '$1 $2').toLowerCase().split(/[^a-z0-9]+/).filter(Boolean);
+  const bare = name.replace(/^.*[:|]/, '').replace(kPrefixes, '').replace(/^(mixamorig\d*|bip\d*[_\-. ]*)/i, '');
+  const apart = bare.replace(/([a-z])([A-Z])/g, '$1 $2').replace(/([A-Za-z])(\d)/g, '$1 $2').toLowerCase();
+  const parts = apart.split(/[^a-z0-9]+/).filter(Boolean);
   let side: Words['side'] = '';
   const rest: string[] = [];
   for (const part of parts) {
@@ -60,7 +64,7 @@ export function wordsOf(name: string): Words {
     side = glued[1]!.startsWith('l') ? 'Left' : 'Right';
     base = glued[2]!;
   }
-  return { side, base: base.replace(/^(upper|lower)(arm|leg)\d+$/, '$1$2').replace(/^(thigh|shin|calf|foot|hand|forearm|shoulder|clavicle|upperarm)0*1?$/, '$1') };
+  return { side, base: base.replace(/^(upper|lower)(arm|leg)\d+$/, '$1$2').replace(kCounted, '$1') };
 }
 
 function isSided(base: string): boolean {

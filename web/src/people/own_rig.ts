@@ -52,10 +52,14 @@ export function readRig(name: string, skins: readonly SkinnedMesh[], lowest: num
   const parents = bones.map((bone) => (bone.parent ? index.get(bone.parent) ?? -1 : -1));
   const roles = rolesOf(bones.map((bone, i) => ({ name: nameOf(bone), parent: parents[i]! })));
   const missing = missingRoles(roles);
-  if (missing.length > 0) throw new CharacterError(`${name} cannot be used: there is no joint for ${missing.slice(0, 3).join(', ')}${missing.length > 3 ? ` and ${missing.length - 3} more` : ''}`);
+  if (missing.length > 0) {
+    const more = missing.length > 3 ? ` and ${missing.length - 3} more` : '';
+    throw new CharacterError(`${name} cannot be used: there is no joint for ${missing.slice(0, 3).join(', ')}${more}`);
+  }
   const axes = axesOf(name, bones, roles, lowest);
   const bind = bindOf(bones, roles, axes);
-  return { rig: { bind, align: alignOf(bind, roles), scale: bind[2]! / restPositions()[2]! }, axes, roles, bones, carriers: carriersOf(parents, roles) };
+  const rig: Rig = { bind, align: alignOf(bind, roles), scale: bind[2]! / restPositions()[2]! };
+  return { rig, axes, roles, bones, carriers: carriersOf(parents, roles) };
 }
 
 function worldOf(bones: readonly Object3D[], roles: Roles, role: string): Vector3 {

@@ -66,14 +66,18 @@ export function lowestOf(meshes: readonly Mesh[]): number {
   for (const mesh of meshes) {
     const position = mesh.geometry.attributes['position'] as Attribute;
     const stander = new Stander(mesh);
-    for (let i = 0; i < position.count; ++i) lowest = Math.min(lowest, at.fromBufferAttribute(position as BufferAttribute, i).applyMatrix4(stander.matrix(i)).y);
+    for (let i = 0; i < position.count; ++i) {
+      at.fromBufferAttribute(position as BufferAttribute, i).applyMatrix4(stander.matrix(i));
+      lowest = Math.min(lowest, at.y);
+    }
   }
   return lowest;
 }
 
 /** Collects corners of meshes that share a picture. */
 class PartBuilder {
-  readonly numbers = { position: [] as number[], normal: [] as number[], uv: [] as number[], joints: [] as number[], weights: [] as number[], tint: [] as number[] };
+  readonly numbers: Record<'position' | 'normal' | 'uv' | 'joints' | 'weights' | 'tint', number[]> =
+    { position: [], normal: [], uv: [], joints: [], weights: [], tint: [] };
   readonly indices: number[] = [];
 
   constructor(private readonly own_: OwnRig) {}
@@ -94,12 +98,14 @@ class PartBuilder {
     const { numbers, own_ } = this;
     const at = new Vector3().fromBufferAttribute(attributes['position'] as BufferAttribute, i).applyMatrix4(matrix);
     numbers.position.push(...pointToOurs(own_.axes, at));
-    const n = new Vector3().fromBufferAttribute(attributes['normal'] as BufferAttribute, i).applyMatrix3(new Matrix3().setFromMatrix4(matrix)).normalize();
+    const turn = new Matrix3().setFromMatrix4(matrix);
+    const n = new Vector3().fromBufferAttribute(attributes['normal'] as BufferAttribute, i).applyMatrix3(turn).normalize();
     numbers.normal.push(own_.axes.facing * n.z, own_.axes.facing * n.x, n.y);
     const uv = attributes['uv'];
     numbers.uv.push(uv ? uv.getX(i) : 0, uv ? uv.getY(i) : 0);
     const colour = attributes['color'];
-    for (const [k, part] of (paint.color ?? new Color(1, 1, 1)).toArray().entries()) numbers.tint.push(part * (colour ? colour.getComponent(i, k) : 1));
+    const base = (paint.color ?? new Color(1, 1, 1)).toArray();
+    for (const [k, part] of base.entries()) numbers.tint.push(part * (colour ? colour.getComponent(i, k) : 1));
     this.hang(mesh, i);
   }
 

@@ -46,7 +46,8 @@ function addHedge(parts: PatchParts, outline: readonly Point2[], palette: Palett
     const v = 0.03 * (thrown(i, 3) - 0.5);
     const colour = blended(palette.crown, palette.trunk, 0.28 * thrown(i, 7));
     const high = kHurdleHeight * (0.94 + 0.06 * thrown(i, 1));
-    addBlob(parts.solid, [box.x + c * u - s * v, box.y + s * u + c * v, high / 2], { radius: half + 0.09, height: high / 2, colour, seed: i, rows: 4, sides: 7 });
+    addBlob(parts.solid, [box.x + c * u - s * v, box.y + s * u + c * v, high / 2],
+      { radius: half + 0.09, height: high / 2, colour, seed: i, rows: 4, sides: 7 });
   }
 }
 
@@ -58,7 +59,8 @@ function addMouse(parts: PatchParts, outline: readonly Point2[], palette: Palett
   const fur = blended(palette.grey, palette.trunk, 0.4);
   const skin = blended(palette.grey, '#E8A08C', 0.75);
   const blob = (x: number, y: number, z: number, radius: number, height: number, colour = fur): void =>
-    addBlob(parts.solid, [box.x + x * size, box.y + y * size, z * size], { radius: radius * size, height: height * size, colour, seed: 0, rows: 8, sides: 12, lumps: 0 });
+    addBlob(parts.solid, [box.x + x * size, box.y + y * size, z * size],
+      { radius: radius * size, height: height * size, colour, seed: 0, rows: 8, sides: 12, lumps: 0 });
   blob(-0.2, 0, 0.38, 0.52, 0.38);
   blob(0.42, 0, 0.33, 0.32, 0.27);
   blob(0.74, 0, 0.27, 0.08, 0.07, palette.ink);
