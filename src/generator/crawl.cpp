@@ -45,6 +45,13 @@ Body crawlBody(double phase) {
     body[Channel::ChestRoll] = -degrees(3) * wave(phase - 0.3);
     body[Channel::HeadPitch] = degrees(44);
     body[Channel::HeadYaw] = degrees(2) * wave(phase);
+    // Near where the hands are led, for clips in which they come and go.
+    for (std::size_t side = 0; side < 2; ++side) {
+        body.arm(side, Channel::LeftArmForward) = degrees(68);
+        body.arm(side, Channel::LeftArmOut) = degrees(10);
+        body.arm(side, Channel::LeftElbow) = degrees(62);
+        body.arm(side, Channel::LeftWrist) = -degrees(60);
+    }
     return body;
 }
 

@@ -93,7 +93,11 @@ Clip clip() {
     plan.figure = [&](double time) {
         Figure figure = crawl.figure(time);
         figure.body = course.body(time);
-        for (Reach& reach : figure.reach) reach.weight = rise(0.22, kLow - 0.02, time);
+        for (Reach& reach : figure.reach) {
+            reach.weight = rise(0.16, kLow - 0.02, time);
+            reach.follow = 1.0 - rise(0.20, 0.44, time);
+            reach.wrist.z += static_cast<float>(0.10 * (1.0 - rise(0.36, kLow - 0.02, time)));
+        }
         if (time < kLow) figure.legs[0] = left.at(time);
         if (time < kRightLow) figure.legs[1] = right.at(time);
         return figure;
@@ -153,7 +157,11 @@ Clip clip() {
     plan.figure = [&](double time) {
         Figure figure = crawl.figure(time);
         figure.body = course.body(time);
-        for (Reach& reach : figure.reach) reach.weight = 1.0 - rise(0.40, 0.72, time);
+        for (Reach& reach : figure.reach) {
+            reach.weight = 1.0 - rise(0.40, 0.80, time);
+            reach.follow = rise(0.44, 0.66, time);
+            reach.wrist.z += static_cast<float>(0.12 * rise(0.38, 0.60, time));
+        }
         if (time >= kUp) figure.legs[0] = left.at(time);
         if (time >= kRightUp) figure.legs[1] = right.at(time);
         return figure;

@@ -101,11 +101,35 @@ double collarLift(Vec3 arm) {
     return std::clamp(0.35 * (raised - 1.4), 0.0, 0.45);
 }
 
-/// Shares the turn of the hand about the forearm between both.
+/// Shares the turn of the hand about the forearm between both; less so the less of a turn it is about that
+/// axis.
 void shareTwist(Quat& fore, Quat hand) {
     const Quat local = conjugate(fore) * hand;
-    const Quat twist = normalized(Quat{0.0f, local.y, 0.0f, local.w});
-    fore = fore * nlerp({}, twist, 0.5f);
+    const float about = local.y * local.y + local.w * local.w;
+    fore = fore * nlerp({}, normalized(Quat{0.0f, local.y, 0.0f, local.w}), 0.5f * about);
+}
+
+/// The three rotations of a left arm, each against the one before; the first against the chest.
+struct ArmTurns {
+    Quat upper, fore, hand;
+};
+
+/// As the body's channels say.
+ArmTurns freeArm(const Body& body, std::size_t side) {
+    return {armTurn(body, side), turned(0.0, 0.0, -body.arm(side, Channel::LeftElbow)),
+            turned(0.0, -body.arm(side, Channel::LeftWrist), 0.0)};
+}
+
+/// The wrist where `reach` says, all in the frame of a left arm; `shoulder` is the upper arm's joint.
+ArmTurns reachingArm(const Reach& reach, std::size_t side, Quat chest, Vec3 shoulder) {
+    const TwoBones bones =
+        solve(shoulder, sided(side, reach.wrist), 0.28f, 0.25f, normalized(sided(side, reach.elbow)));
+    const auto hinge = [&](Vec3 bone) { return fromAxes(cross(bone, -bones.bend), bone, -bones.bend); };
+    const Quat upper = hinge(bones.first);
+    Quat fore = hinge(bones.second);
+    const Quat palm = nlerp(sided(side, reach.hand), fore, static_cast<float>(reach.follow));
+    shareTwist(fore, palm);
+    return {conjugate(chest) * upper, conjugate(upper) * fore, conjugate(fore) * palm};
 }
 
 /// Works out the arm as a left one; `chest` and results are mirrored for the right.
@@ -115,35 +139,27 @@ void putArm(const Body& body, const Reach& reach, std::size_t side, Frames& fram
     const std::size_t fore = at(LeftForeArm, side, RightForeArm), hand = at(LeftHand, side, RightHand);
     const Quat chest = sided(side, frames.turn[index(Chest)]);
     const auto put = [&](std::size_t joint, Quat q) { frames.put(joint, sided(side, q)); };
-    const auto place = [&](std::size_t joint) { return sided(side, frames.place[joint]); };
-    const Quat free = armTurn(body, side);
+    const auto shoulder = [&] { return sided(side, frames.place[upper]); };
+    const auto share = static_cast<float>(reach.weight);
+    ArmTurns arm = freeArm(body, side);
     put(collar, chest);
     put(upper, chest);
-    Vec3 direction = rotate(free, {0.0f, 1.0f, 0.0f});
-    if (reach.weight > 0.0) {
+    Vec3 direction = rotate(arm.upper, {0.0f, 1.0f, 0.0f});
+    if (share > 0.0f) {
         const Vec3 aim =
-            normalized(rotate(conjugate(chest), sided(side, reach.wrist) - place(upper)), direction);
-        direction = normalized(lerp(direction, aim, static_cast<float>(reach.weight)), aim);
+            normalized(rotate(conjugate(chest), sided(side, reach.wrist) - shoulder()), direction);
+        direction = normalized(lerp(direction, aim, share), aim);
     }
     put(collar, chest * turned(0.0, collarLift(direction), 0.0));
-    put(upper, chest * free);
-    put(fore, chest * free * turned(0.0, 0.0, -body.arm(side, Channel::LeftElbow)));
-    put(hand, sided(side, frames.turn[fore]) * turned(0.0, -body.arm(side, Channel::LeftWrist), 0.0));
-    if (reach.weight <= 0.0) return;
-    const auto share = static_cast<float>(reach.weight);
-    const Vec3 freeElbow =
-        normalized(place(fore) - lerp(place(upper), place(hand), 0.5f), {-1.0f, 0.0f, 0.0f});
-    const Vec3 wrist = lerp(place(hand), sided(side, reach.wrist), share);
-    const Vec3 pole = normalized(lerp(freeElbow, normalized(sided(side, reach.elbow)), share), freeElbow);
-    const TwoBones bones = solve(place(upper), wrist, 0.28f, 0.25f, pole);
-    const auto hinge = [&](Vec3 bone) { return fromAxes(cross(bone, -bones.bend), bone, -bones.bend); };
-    Quat foreTurn = hinge(bones.second);
-    const Quat palm =
-        nlerp(sided(side, frames.turn[hand]), reach.follows ? foreTurn : sided(side, reach.hand), share);
-    shareTwist(foreTurn, palm);
-    put(upper, hinge(bones.first));
-    put(fore, foreTurn);
-    put(hand, palm);
+    put(upper, chest);
+    if (share > 0.0f) {
+        const ArmTurns reached = reachingArm(reach, side, chest, shoulder());
+        arm = {nlerp(arm.upper, reached.upper, share), nlerp(arm.fore, reached.fore, share),
+               nlerp(arm.hand, reached.hand, share)};
+    }
+    put(upper, chest * arm.upper);
+    put(fore, chest * arm.upper * arm.fore);
+    put(hand, chest * arm.upper * arm.fore * arm.hand);
 }
 
 }  // namespace
@@ -171,7 +187,7 @@ Figure blend(const Figure& a, const Figure& b, double t) {
         // Where only one of both reaches, its target stands.
         const float mix = sum > 0.0 ? static_cast<float>(rb.weight * t / sum) : share;
         out.reach[side] = {sum, lerp(ra.wrist, rb.wrist, mix), nlerp(ra.hand, rb.hand, mix),
-                           lerp(ra.elbow, rb.elbow, mix), mix < 0.5f ? ra.follows : rb.follows};
+                           lerp(ra.elbow, rb.elbow, mix), ra.follow + (rb.follow - ra.follow) * mix};
     }
     return out;
 }

@@ -33,7 +33,7 @@ struct Reach {
     Vec3 wrist;
     Quat hand;                       ///< Rest: fingers to the side, palm down.
     Vec3 elbow{-1.0f, 0.0f, -0.3f};  ///< Where the elbow points.
-    bool follows = false;            ///< The hand goes on straight from the forearm, whatever `hand` says.
+    double follow = 0.0;  ///< 0: the hand is held as `hand` says; 1: it goes on straight from the forearm.
 };
 
 /// All that makes a pose, in one frame: the travelling one, or the ground's.

@@ -89,7 +89,7 @@ Reach reachAt(const std::vector<HandHold>& holds, std::size_t side, double time)
         // Between two holds the hand goes from one to the other.
         sum += near;
         const Vec3 above =
-            hold.wrist + Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.10 * (1.0 - near)) : 0.0f};
+            hold.wrist + Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.15 * (1.0 - near)) : 0.0f};
         reach.wrist = lerp(reach.wrist, above, static_cast<float>(near / sum));
     }
     reach.weight = std::min(1.0, sum);

@@ -99,7 +99,7 @@ Figure swimFigure(double time, double start) {
         reach.weight = 1.0;
         reach.elbow = normalized(
             lerp(Vec3{0.1f, 0.8f * out, 0.5f}, Vec3{-0.1f, 0.5f * out, 1.0f}, static_cast<float>(over)));
-        reach.follows = true;
+        reach.follow = 1.0;
     }
     return figure;
 }

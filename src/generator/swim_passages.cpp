@@ -87,7 +87,7 @@ Clip clip() {
         Figure figure = swimming(time);
         figure.body = course.body(time);
         if (time < kEnd) figure.legs = {left.inAir(time), right.inAir(time)};
-        for (Reach& reach : figure.reach) reach.weight = rise(0.55, kEnd, time);
+        for (Reach& reach : figure.reach) reach.weight = rise(0.38, kEnd, time);
         return figure;
     };
     addContacts(plan.contacts, 0, {push}, kEnd, false);
@@ -103,7 +103,7 @@ namespace out {
 constexpr double kPhase = 0.95;    // Of swimming at the beginning.
 constexpr double kEntry = 0.30;    // Of jogging at the end.
 constexpr double kGrip = 0.20;     // Both hands lie on the rim [s].
-constexpr double kRelease = 0.35;  // And leave it [s].
+constexpr double kRelease = 0.32;  // And leave it [s].
 constexpr double kStep = 0.44;     // The left foot stands on the ground [s].
 
 Figure swimming(double time) {
@@ -116,7 +116,7 @@ BodyKeys riseOf(const Body& wet, const Body& dry) {
     const auto angle = [](const Body& body, Channel channel) { return body[channel] / degrees(1.0); };
     return BodyKeys({
         {HipsZ,
-         {{0.0, wet[HipsZ]}, {0.10, -0.22}, {0.24, 0.06}, {0.38, 0.42}, {0.52, 0.68}, {kEnd, dry[HipsZ]}}},
+         {{0.0, wet[HipsZ]}, {0.10, -0.19}, {0.24, 0.09}, {0.38, 0.38}, {0.52, 0.66}, {kEnd, dry[HipsZ]}}},
         {PelvisPitch,
          {{0.0, angle(wet, PelvisPitch)},
           {0.18, 66},
@@ -142,7 +142,7 @@ Course courseOf(const GaitTrack& jog) {
 /// From the stroke to the rim, and off it.
 Reach reachOf(const Course& course, std::size_t side, double time) {
     const std::vector<HandHold> hold{
-        {kGrip, kRelease, {0.52f, side == 0 ? 0.20f : -0.20f, 0.045f}, kGrip, 0.22}};
+        {kGrip, kRelease, {0.64f, side == 0 ? 0.20f : -0.20f, 0.045f}, kGrip, 0.42}};
     Figure stroke = swimming(time), rim;
     rim.reach[side] = fromGround(course.travel(time), reachAt(hold, side, time));
     if (time >= kGrip) return rim.reach[side];
@@ -174,7 +174,7 @@ Clip clip() {
     addContacts(plan.contacts, 0, {foot}, kEnd, false);
     for (std::size_t side = 0; side < 2; ++side)
         addContacts(plan.contacts, side,
-                    {HandHold{kGrip, kRelease, {0.52f, side == 0 ? 0.20f : -0.20f, 0.045f}}});
+                    {HandHold{kGrip, kRelease, {0.64f, side == 0 ? 0.20f : -0.20f, 0.045f}}});
     plan.entryPhase = kEntry;
     plan.exitPhase = kPhase;
     return makeClip(std::move(plan));

@@ -61,7 +61,7 @@ TEST_CASE("every clip between motions begins where the one before is left") {
     for (const Neighbours& three : kNeighbours) {
         const Clip &clip = clipNamed(three.clip), &before = clipNamed(three.before);
         const double gap = apart(clip.poses.front(), poseAt(before, clip.exitPhase * before.duration()));
-        CHECK_MESSAGE(gap < 0.03, three.clip << " after " << three.before << ": " << gap);
+        CHECK_MESSAGE(gap < 0.005, three.clip << " after " << three.before << ": " << gap);
     }
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("every clip between motions ends where the one after is entered") {
     for (const Neighbours& three : kNeighbours) {
         const Clip &clip = clipNamed(three.clip), &after = clipNamed(three.after);
         const double gap = apart(clip.poses.back(), poseAt(after, clip.entryPhase * after.duration()));
-        CHECK_MESSAGE(gap < 0.03, three.clip << " before " << three.after << ": " << gap);
+        CHECK_MESSAGE(gap < 0.005, three.clip << " before " << three.after << ": " << gap);
     }
 }
 
