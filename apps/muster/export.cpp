@@ -38,10 +38,20 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     return list ? loadClips(options.clips) : clipsFor(take.def.clips, options.clips);
 }
 
+/// Where to write where nobody said it: here, by the take's name.
+std::string outOf(const ExportOptions& options) {
+    if (!options.out.empty()) return options.out;
+    const std::string stem = std::filesystem::path(options.take).stem().string();
+    for (const ExportFormat& format : exportFormats())
+        if (options.format == format.name) return stem + format.ending;
+    return stem;
+}
+
 int exportFile(const ExportOptions& options) {
-    auto exporter = makeExporter(options.format, options.out);
+    const std::string out = outOf(options);
+    auto exporter = makeExporter(options.format, out);
     if (!exporter.ok()) return reportFailure(exporter.status());
-    if (Status s = differentFiles({options.take}, {options.out}); !s.ok()) return reportFailure(s);
+    if (Status s = differentFiles({options.take}, {out}); !s.ok()) return reportFailure(s);
     const auto take = readTake(options.take);
     if (!take.ok()) return reportFailure(take.status());
     if (take->tornBytes > 0) {
@@ -53,7 +63,9 @@ int exportFile(const ExportOptions& options) {
     Progress progress("exporting");
     const Status done =
         exportTake(*take, *clips, options.part, **exporter, [&](double share) { progress.show(share); });
-    return done.ok() ? kExitOk : reportFailure(done);
+    if (!done.ok()) return reportFailure(done);
+    std::printf("wrote %s\n", out.c_str());
+    return kExitOk;
 }
 
 std::string formatList() {
@@ -71,7 +83,7 @@ void addExportCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<ExportOptions>();
     command->add_option("TAKE", options->take, "Take file.")->required();
     command->add_option("--format", options->format, "One of those below.")->required();
-    command->add_option("--out", options->out, "File to be written; for bvh a folder.")->required();
+    command->add_option("--out", options->out, "File to be written, for bvh a folder; left out: here, by the take's name.");
     command->add_option("--from", options->part.from, "Time of the first frame [s].");
     command->add_option("--to", options->part.to,
                         "Time of the last frame [s]; left out: the end of the take.");

@@ -57,6 +57,10 @@ Row ownRow(const Clip& clip) {
 }
 
 Status addRow(const std::string& name, double unit, std::vector<Row>& rows) {
+    if (const Clip* own = ownClips().find(name)) {
+        rows.push_back(ownRow(*own));
+        return {};
+    }
     std::error_code ignored;
     if (std::filesystem::is_directory(name, ignored)) {
         const auto library = loadClips(name);
@@ -65,14 +69,9 @@ Status addRow(const std::string& name, double unit, std::vector<Row>& rows) {
             rows.push_back({clip.name, name + "/" + clip.name + ".bvh", factsOf(clip)});
         return {};
     }
-    const std::filesystem::path path(name);
-    if (const Clip* own = ownClips().find(name); own != nullptr && !std::filesystem::exists(path, ignored)) {
-        rows.push_back(ownRow(*own));
-        return {};
-    }
     const auto motion = readBvh(name, {unit});
     if (!motion.ok()) return motion.status();
-    rows.push_back({path.stem().string(), name, factsOf(*motion)});
+    rows.push_back({std::filesystem::path(name).stem().string(), name, factsOf(*motion)});
     return {};
 }
 
@@ -133,6 +132,10 @@ Result<double> runSpeed(const MotionOptions& options, double unit) {
 
 /// Own clips by name, those of a folder, or a file's motion brought onto Muster's skeleton.
 Status addClips(const std::string& name, double unit, std::vector<Clip>& clips) {
+    if (const Clip* own = ownClips().find(name)) {
+        clips.push_back(*own);
+        return {};
+    }
     std::error_code ignored;
     if (std::filesystem::is_directory(name, ignored)) {
         auto library = loadClips(name);
@@ -140,14 +143,9 @@ Status addClips(const std::string& name, double unit, std::vector<Clip>& clips) 
         for (Clip& clip : library->clips) clips.push_back(std::move(clip));
         return {};
     }
-    const std::filesystem::path path(name);
-    if (const Clip* own = ownClips().find(name); own != nullptr && !std::filesystem::exists(path, ignored)) {
-        clips.push_back(*own);
-        return {};
-    }
     const auto motion = readBvh(name, {unit});
     if (!motion.ok()) return motion.status();
-    auto clip = retarget(*motion, {path.stem().string()});
+    auto clip = retarget(*motion, {std::filesystem::path(name).stem().string()});
     if (!clip.ok()) return clip.status().within(name);
     clips.push_back(std::move(clip).value());
     return {};
@@ -207,7 +205,7 @@ void addMotionCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<MotionOptions>();
     command->add_option(
         "CLIPS", options->clips,
-        "BVH files, folders with a clips.json, or names of Muster's own clips; all of these if left out.");
+        "Names of Muster's own clips, BVH files, or folders with a clips.json; all of Muster's own if left out.");
     command->add_option("--run", options->run, "Ratios are to this clip; left out: Muster's own run.");
     command->add_option("--unit", options->unit,
                         "Unit of the files: m, cm, mm, in, ft, cmu or a number of metres; left out: guessed "

@@ -13,13 +13,13 @@ namespace muster {
 
 std::span<const ExportFormat> exportFormats() {
     static constexpr std::array kFormats{
-        ExportFormat{"glb", "one binary glTF file: bodies in motion on their ground, and a camera",
+        ExportFormat{"glb", ".glb", "one binary glTF file: bodies in motion on their ground, and a camera",
                      makeGltfExporter},
-        ExportFormat{"usda", "one USD text file with the same", makeUsdExporter},
-        ExportFormat{"bvh", "a folder with one BVH file per character", makeBvhExporter},
-        ExportFormat{"joints", "where all joints are, as JSON", makeJointListExporter},
-        ExportFormat{"jupedsim", "trajectories as JuPedSim's SQLite file", makeJupedsimExporter},
-        ExportFormat{"pedpy", "trajectories as text for PedPy", makePedpyExporter},
+        ExportFormat{"usda", ".usda", "one USD text file with the same", makeUsdExporter},
+        ExportFormat{"bvh", "-bvh", "a folder with one BVH file per character", makeBvhExporter},
+        ExportFormat{"joints", "-joints.json", "where all joints are, as JSON", makeJointListExporter},
+        ExportFormat{"jupedsim", ".sqlite", "trajectories as JuPedSim's SQLite file", makeJupedsimExporter},
+        ExportFormat{"pedpy", ".txt", "trajectories as text for PedPy", makePedpyExporter},
     };
     return kFormats;
 }

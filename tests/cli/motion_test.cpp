@@ -131,6 +131,38 @@ TEST_CASE("export fails with one sentence and no half file") {
         CHECK_MESSAGE(!std::filesystem::exists(out + ".part"), line);
         std::filesystem::remove_all(out);
     }
-    CHECK(runProgram("export " + take + " --format bvh").code == 2);
     CHECK(runProgram("export " + take + " --format bvh --out x --fps many").code == 2);
+}
+
+TEST_CASE("an export that is told no place lies here, by the take's name") {
+    const std::string take = std::filesystem::absolute(smallTake()).string(), here = path("here");
+    std::filesystem::remove_all(here);
+    std::filesystem::create_directories(here);
+    const std::string stem = here + "/" + std::filesystem::path(take).stem().string();
+    for (const auto& [format, file] : {std::pair{"glb", ".glb"}, {"usda", ".usda"}, {"bvh", "-bvh"}, {"pedpy", ".txt"}}) {
+        const Outcome outcome = runProgram("export " + take + " --format " + format + " --to 0.2", "cd " + here);
+        CHECK_MESSAGE(outcome.code == 0, outcome.error);
+        CHECK_MESSAGE(std::filesystem::exists(stem + file), format);
+        CHECK(outcome.out.find(file) != std::string::npos);
+    }
+}
+
+TEST_CASE("motion draws strips, writes bodies and measures") {
+    const std::string strips = path("strips"), bodies = path("bodies");
+    const Outcome outcome = runProgram("motion run climb --json --strip " + strips + " --bodies " + bodies);
+    CHECK_MESSAGE(outcome.code == 0, outcome.error);
+    CHECK(slurp(strips + "/run.svg").find("</svg>") != std::string::npos);
+    CHECK(filesIn(strips) == 2);
+    CHECK(filesIn(bodies) == 4);
+    CHECK(slurp(bodies + "/body-2-far.glb").rfind("glTF", 0) == 0);
+    CHECK(runProgram("motion --measure").code == 1);
+    CHECK(runProgram("motion --measure /nowhere.json").error.find("/nowhere.json") != std::string::npos);
+    CHECK(runProgram("motion run --strip /proc/nowhere").code == 1);
+    const Outcome measured =
+        runProgram("motion --measure " + std::string(MUSTER_SOURCE_DIR) + "/scenarios/paper/x04-woodland.json --seconds 5 --json");
+    CHECK_MESSAGE(measured.code == 0, measured.error);
+    const auto json = nlohmann::json::parse(measured.out);
+    CHECK(json[0]["characters"] == 36);
+    CHECK(json[0]["contacts"] > 4);
+    CHECK(json[0]["slide_median_cm"] < 0.5);
 }

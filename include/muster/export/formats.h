@@ -14,6 +14,7 @@ namespace muster {
 /// A format by name.
 struct ExportFormat {
     const char* name;                                            ///< "glb", "bvh"...
+    const char* ending;                                          ///< Of files: ".glb"; of bvh's folder: "-bvh".
     const char* about;                                           ///< One line for people.
     std::unique_ptr<Exporter> (*make)(const std::string& path);  ///< An exporter that writes to `path`.
 };
