@@ -198,7 +198,7 @@ void Player::setStride(Mover& mover, const Step& step) const {
     Vec2 way{1.0, 0.0};
     float stride = 1.0f;
     if (entry.use == ClipUse::Action && !mover.action.timed && mover.action.patch != 0) {
-        stride = static_cast<float>(mover.action.length) / (entry.length * mover.size);
+        stride = static_cast<float>(mover.action.length) / (std::max(0.1f, entry.length) * mover.size);
     } else if (entry.strides) {
         const float clipSpeed =
             std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
