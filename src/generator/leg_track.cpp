@@ -191,7 +191,8 @@ double LegTrack::clearAt(double time) const {
     for (const Flight& flight : flights_) {
         if (time > flight.end || time < flight.begin) continue;
         const double share = (time - flight.begin) / (flight.end - flight.begin), off = 2.0 * share - 1.0;
-        return 1.0 - (1.0 - (share < 0.5 ? flight.clearBegin : flight.clearEnd)) * off * off;
+        const double free = 1.0 - off * off;
+        return 1.0 - (1.0 - (share < 0.5 ? flight.clearBegin : flight.clearEnd)) * (1.0 - free * free);
     }
     return 0.0;
 }
