@@ -3,7 +3,7 @@
 #
 #   blender -b --factory-startup -P check_export.py -- --joints J.json [--glb F.glb] [--bvh FOLDER]
 #       [--still PICTURE.png --time SECONDS [--width 1600] [--height 900] [--samples 48]
-#        [--eye X,Y,Z --target X,Y,Z]]
+#        [--sun DEGREES] [--eye=X,Y,Z --target=X,Y,Z]]
 #
 # Prints one line per file, "OK ..." or "FAILED ...", and "DONE" at the end: Blender exits 0 whatever happens.
 import argparse
@@ -31,6 +31,7 @@ def arguments():
     parser.add_argument("--width", type=int, default=1600)
     parser.add_argument("--height", type=int, default=900)
     parser.add_argument("--samples", type=int, default=48)
+    parser.add_argument("--sun", type=float, default=145.0)
     parser.add_argument("--eye")
     parser.add_argument("--target")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
@@ -135,19 +136,22 @@ def check_bvh(folder, listed):
     compare(listed, lambda i: by_id[i], "bvh", 1)
 
 
-def light():
+def light(turn):
+    """A sun in that direction [degrees from +x, to the left], and a pale sky."""
     sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
-    sun.data.energy = 2.6
+    sun.data.energy = 2.1
     sun.data.angle = math.radians(1.5)
     sun.data.color = (1.0, 0.95, 0.87)
-    # 52 degrees high, far left.
-    sun.rotation_euler = (math.radians(38), 0, math.radians(-150))
+    # 52 degrees high, as in the studio.
+    high, turn = math.radians(52), math.radians(turn)
+    towards = Vector((math.cos(high) * math.cos(turn), math.cos(high) * math.sin(turn), math.sin(high)))
+    sun.rotation_euler = towards.to_track_quat("Z", "Y").to_euler()
     bpy.context.scene.collection.objects.link(sun)
     world = bpy.data.worlds.new("sky")
     world.use_nodes = True
     background = world.node_tree.nodes["Background"]
     background.inputs[0].default_value = (0.72, 0.82, 0.95, 1.0)
-    background.inputs[1].default_value = 0.38
+    background.inputs[1].default_value = 0.42
     bpy.context.scene.world = world
 
 
@@ -163,7 +167,7 @@ def aim(options):
 
 def render(options):
     scene = bpy.context.scene
-    light()
+    light(options.sun)
     aim(options)
     show(options.time)
     scene.render.engine = "CYCLES"
