@@ -46,7 +46,10 @@ Lines linesOf(std::size_t frame, const ExportCharacter& c, double turn) {
     fixed(3, static_cast<double>(c.pose->hips.x), 10, 5, ",");
     fixed(3, static_cast<double>(c.pose->hips.y), 10, 5, ",");
     fixed(3, static_cast<double>(c.pose->hips.z), 10, 5, ")");
-    for (std::size_t j = 1; j < kJointCount; ++j) lines[3] += std::string(",") + usdPoint(skeleton()[j].offset);
+    for (std::size_t j = 1; j < kJointCount; ++j) {
+        lines[3] += ',';
+        lines[3] += usdPoint(skeleton()[j].offset);
+    }
     lines[3] += "],\n";
     return lines;
 }
