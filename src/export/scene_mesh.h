@@ -129,7 +129,9 @@ Polygon circle(Vec2 centre, double radius, int corners);
 
 /// Adds an obstacle as defined.
 void addObstacle(const ObstacleDef& obstacle, SceneMeshBuilder& builder);
-/// Adds a patch as defined, played by the clip of that name; `open` where the ground below it is left out.
-void addPatch(const PatchDef& patch, const std::string& clip, bool open, SceneMeshBuilder& builder);
+/// Adds a patch as defined, played by the clip of that name; `open` where the ground below it is left out,
+/// `floor` how high its own lies [m].
+void addPatch(const PatchDef& patch, const std::string& clip, bool open, double floor,
+              SceneMeshBuilder& builder);
 
 }  // namespace muster

@@ -10,7 +10,6 @@
 namespace muster {
 namespace {
 
-constexpr double kFloor = 0.006;      // Of patches above the ground [m].
 constexpr double kWallHeight = 1.3;   // As the clips expect it [m].
 constexpr double kWallHalf = 0.2;     // Half its thickness [m].
 constexpr double kCap = 0.08;         // Of its top [m].
@@ -53,8 +52,8 @@ void addThread(const Polygon& outline, Vec2 from, Vec2 to, SceneMeshBuilder& bui
     }
 }
 
-void addNet(const Polygon& outline, SceneMeshBuilder& builder) {
-    builder.floor(Finish::NetFloor, outline, kFloor);
+void addNet(const Polygon& outline, double floor, SceneMeshBuilder& builder) {
+    builder.floor(Finish::NetFloor, outline, floor);
     const Polygon posts = along(outline, 1.9);
     for (std::size_t i = 0; i < posts.size(); ++i) {
         builder.frustum(Finish::Net, at(posts[i], 0.0), kNet + 0.05, 0.05, 0.042, 8);
@@ -90,14 +89,14 @@ Polygon widened(const Polygon& outline, double width) {
     return wide;
 }
 
-void addPool(const Polygon& outline, bool open, SceneMeshBuilder& builder) {
+void addPool(const Polygon& outline, bool open, double floor, SceneMeshBuilder& builder) {
     const double rim = 0.022;
     if (open) {
         builder.floor(Finish::Tile, outline, kBottom);
         builder.walls(Finish::Tile, outline, kBottom, rim, true);
         builder.floor(Finish::Water, outline, kWaterLevel);
     } else {
-        builder.floor(Finish::Water, outline, kFloor);
+        builder.floor(Finish::Water, outline, floor);
     }
     const Polygon outer = widened(outline, kCoping);
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -108,8 +107,8 @@ void addPool(const Polygon& outline, bool open, SceneMeshBuilder& builder) {
     builder.walls(Finish::Coping, outer, 0.0, rim);
 }
 
-void addWall(const Polygon& outline, SceneMeshBuilder& builder) {
-    builder.floor(Finish::Floor, outline, kFloor);
+void addWall(const Polygon& outline, double floor, SceneMeshBuilder& builder) {
+    builder.floor(Finish::Floor, outline, floor);
     const OutlineBox box = outlineBox(outline);
     const double reach = std::max(0.2, box.halfLength - 0.04);
     const double half = std::min(kWallHalf, 0.5 * box.halfWidth);
@@ -165,16 +164,16 @@ void addBeast(const OutlineBox& box, SceneMeshBuilder& builder) {
     for (const double side : {-1.0, 1.0}) ball(0.3, 0.26 * side, 0.6, 0.17, 0.19);
 }
 
-void addJump(const PatchDef& patch, const Polygon& outline, SceneMeshBuilder& builder) {
+void addJump(const PatchDef& patch, const Polygon& outline, double floor, SceneMeshBuilder& builder) {
     const OutlineBox box = outlineBox(outline);
     if (named(patch.name, "mouse") || named(patch.name, "mice")) return addBeast(box, builder);
-    builder.floor(Finish::Floor, outline, kFloor);
+    builder.floor(Finish::Floor, outline, floor);
     const bool hedge = named(patch.name, "hedge") || named(patch.name, "bush");
     hedge ? addHedge(box, builder) : addHurdle(box, builder);
 }
 
-void addBranches(const Polygon& outline, SceneMeshBuilder& builder) {
-    builder.floor(Finish::Shade, outline, kFloor);
+void addBranches(const Polygon& outline, double floor, SceneMeshBuilder& builder) {
+    builder.floor(Finish::Shade, outline, floor);
     const OutlineBox box = outlineBox(outline);
     const int count = std::max(4, static_cast<int>(5.0 * box.halfLength * box.halfWidth));
     for (int i = 0; i < count; ++i) {
@@ -193,15 +192,16 @@ void addBranches(const Polygon& outline, SceneMeshBuilder& builder) {
 
 }  // namespace
 
-void addPatch(const PatchDef& patch, const std::string& clip, bool open, SceneMeshBuilder& builder) {
+void addPatch(const PatchDef& patch, const std::string& clip, bool open, double floor,
+              SceneMeshBuilder& builder) {
     const auto outline = cleanPolygon(patch.polygon);
     if (!outline.ok()) return;
-    if (clip == "crawl") return addNet(*outline, builder);
-    if (clip == "swim") return addPool(*outline, open, builder);
-    if (clip == "climb") return addWall(*outline, builder);
-    if (clip == "jump") return addJump(patch, *outline, builder);
-    if (clip == "duck") return addBranches(*outline, builder);
-    builder.floor(Finish::Floor, *outline, kFloor);
+    if (clip == "crawl") return addNet(*outline, floor, builder);
+    if (clip == "swim") return addPool(*outline, open, floor, builder);
+    if (clip == "climb") return addWall(*outline, floor, builder);
+    if (clip == "jump") return addJump(patch, *outline, floor, builder);
+    if (clip == "duck") return addBranches(*outline, floor, builder);
+    builder.floor(Finish::Floor, *outline, floor);
 }
 
 }  // namespace muster

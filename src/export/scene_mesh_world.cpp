@@ -8,7 +8,10 @@
 namespace muster {
 namespace {
 
-constexpr double kApron = 40.0;  // Ground beyond the world's edge [m].
+constexpr double kFloor = 0.006;          // Of patches above the ground [m],
+constexpr double kFloorStep = 0.0007;     // each a little higher than the one before,
+constexpr double kHighestFloor = 0.0155;  // so that where they overlap one is seen.
+constexpr double kApron = 40.0;           // Ground beyond the world's edge [m].
 
 /// A name that nothing else has: things without one are called by `kind`, later ones get a number.
 std::string nameOf(const std::string& given, const char* kind, std::set<std::string>& names) {
@@ -82,11 +85,13 @@ std::vector<SceneThing> makeScene(const World& world) {
         addObstacle(def, builder);
         add(def.name, "Obstacle", pivot, def.path, std::move(builder));
     }
+    double floor = kFloor;
     for (const PatchId id : environment.patchIds()) {
         const PatchDef& def = *environment.patch(id);
         const Vec2 pivot = pivotOf(def.polygon);
         SceneMeshBuilder builder(pivot);
-        addPatch(def, clipOf(environment, def), open && def.path.still(), builder);
+        addPatch(def, clipOf(environment, def), open && def.path.still(), floor, builder);
+        floor = floor < kHighestFloor ? floor + kFloorStep : kFloor;
         add(def.name, "Patch", pivot, def.path, std::move(builder));
     }
     return things;

@@ -102,8 +102,15 @@ TEST_CASE("pools that overlap lie on ground without holes") {
     const Box box = world->environment().def().box.grown(40.0);
     CHECK(areaAt(find(things, "Ground").surfaces, Finish::Ground, 0.0f) ==
           doctest::Approx(box.width() * box.height()).epsilon(1e-5));
-    CHECK(areaAt(find(things, "Pool 2").surfaces, Finish::Water, 0.006f) ==
+    for (const char* name : {"Pool", "Pool 2"}) {
+        const auto& surfaces = find(things, name).surfaces;
+        CHECK(areaAt(surfaces, Finish::Tile, -1.15f) == 0.0);
+        CHECK(surfaces.front().finish == Finish::Water);
+    }
+    CHECK(areaAt(find(things, "Pool").surfaces, Finish::Water, 0.006f) ==
           doctest::Approx(30.0).epsilon(1e-5));
+    // Where they overlap, one lies higher.
+    CHECK(find(things, "Pool 2").surfaces.front().positions.front().z > 0.0065f);
 }
 
 TEST_CASE("every motion has ground of its own, and everything a name of its own") {
