@@ -25,13 +25,14 @@ double runSpeed(const std::vector<ClipFacts>& clips) {
 
 void readClipFile(FieldReader& v, ClipFacts& clip, const std::string& folder, double run) {
     if (v.failed() || clip.file.empty()) return;
+    // Bodies are moved by the file even where all figures stand beside it.
+    if (!staysInside(clip.file)) return v.fail("file", describeJson(clip.file), kInsideExpected);
     const bool cyclicKnown = v.find("cyclic") != nullptr;
     if (v.find("speed") && v.find("length") && v.find("duration") && cyclicKnown) return;
     if (folder.empty()) {
         return v.fail("file", describeJson(clip.file),
                       "speed, length, duration and cyclic beside it, since files are not read here");
     }
-    if (!staysInside(clip.file)) return v.fail("file", describeJson(clip.file), kInsideExpected);
     const auto motion = readBvh(folder + (folder.back() == '/' ? "" : "/") + clip.file);
     if (!motion.ok()) return v.fail("file", motion.status().message(), "a BVH file");
     const RootPath path = rootPath(*motion);

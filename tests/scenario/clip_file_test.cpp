@@ -103,6 +103,10 @@ TEST_CASE("clip files that cannot be read are told by path") {
     has(failure(R"({"name": "a", "file": "../bad.bvh"})", here), "in the scenario's folder");
     has(failure(R"({"name": "a", "file": "/etc/passwd"})", here), "in the scenario's folder");
     has(failure(R"({"name": "a", "file": "bad.bvh"})", ""), "files are not read here");
+    // Nor may a scenario or a take that says all figures itself name a file elsewhere.
+    const std::string figures = R"(, "speed": 1, "length": 0, "duration": 0, "cyclic": true})";
+    has(failure(R"({"name": "a", "file": "/etc/passwd")" + figures, ""), "in the scenario's folder");
+    has(failure(R"({"name": "a", "file": "clips/../../bad.bvh")" + figures, here), "in the scenario's folder");
     CHECK(
         parseScenario(
             scenario(
