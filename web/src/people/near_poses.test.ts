@@ -3,8 +3,8 @@ import { NearPoses, type NearFrame } from './near_poses';
 import { kPoseFloats, kPoseNumbers, plainRig } from './rig';
 import { jointIndex } from './skeleton';
 
-/** One pose per entry: hips at that height, turned about z by `angle`. */
-function frame(near: readonly number[], heights: readonly number[], angle = 0): NearFrame {
+/** One pose per entry: hips at that height, turned about z by `angle`; `members` are there. */
+function frame(near: readonly number[], heights: readonly number[], angle = 0, members = 8): NearFrame {
   const numbers = heights.flatMap((height) => {
     const pose = new Array<number>(kPoseNumbers).fill(0);
     pose[2] = Math.round(1000 * height);
@@ -13,7 +13,7 @@ function frame(near: readonly number[], heights: readonly number[], angle = 0): 
     pose[6] = Math.round(32767 * Math.cos(angle / 2));
     return pose;
   });
-  return { near, nearPoses: Int16Array.from(numbers) };
+  return { x: new Float32Array(members), near, nearPoses: Int16Array.from(numbers) };
 }
 
 function solvedHeights(near: NearPoses): number[] {
@@ -44,11 +44,17 @@ describe('NearPoses', () => {
     expect(near.slots[1]).toBe(-1);
   });
 
+  it('mixes nobody where somebody came or went, as who is who in the frame before is not known', () => {
+    const near = new NearPoses();
+    near.mix(frame([0, 1], [0.3, 0.3], 0, 3), frame([0, 1], [0.9, 0.9], 0, 2), 0.5, 2, 9);
+    for (const height of solvedHeights(near)) expect(height).toBeCloseTo(0.9);
+  });
+
   it('bears more near ones than it shows, torn lists and strangers', () => {
     const near = new NearPoses();
     near.mix(frame([0, 1, 2], [1, 1, 1]), frame([0, 1, 2], [1, 1, 1]), 0.5, 3, 2);
     expect(near.count).toBe(2);
-    near.mix(frame([], []), { near: [0, 1], nearPoses: new Int16Array(kPoseNumbers + 5) }, 0.5, 3, 9);
+    near.mix(frame([], []), { x: [0, 0, 0], near: [0, 1], nearPoses: new Int16Array(kPoseNumbers + 5) }, 0.5, 3, 9);
     expect(near.count).toBe(1);
     near.mix(frame([], []), frame([9], [1]), 0.5, 3, 9);
     expect(Array.from(near.slots)).toEqual([-1, -1, -1]);
@@ -59,11 +65,11 @@ describe('NearPoses', () => {
     // A stiff leg over a foot at x = 0.2: where the body is tells the angle and the height of the hips.
     const standing = (x: number): NearFrame => {
       const angle = Math.asin((0.2 - x) / leg);
-      const { near, nearPoses } = frame([0], [ankle + leg * Math.cos(angle) + 0.04]);
+      const { x: places, near, nearPoses } = frame([0], [ankle + leg * Math.cos(angle) + 0.04]);
       const pose = Array.from(nearPoses);
       pose[3 + 4 * thigh + 1] = Math.round(32767 * Math.sin(-angle / 2));
       pose[3 + 4 * thigh + 3] = Math.round(32767 * Math.cos(-angle / 2));
-      return { near, nearPoses: pose };
+      return { x: places, near, nearPoses: pose };
     };
     const near = new NearPoses();
     const out = new Float32Array(kPoseFloats);

@@ -8,6 +8,8 @@ import { kJoints } from './skeleton';
 
 /** What a frame says of them. */
 export interface NearFrame {
+  /** One per character: how many there are. */
+  readonly x: Numbers;
   readonly near: Numbers;
   readonly nearPoses: Numbers;
 }
@@ -30,7 +32,8 @@ export class NearPoses {
     this.reserve(members);
     this.slots.fill(-1);
     this.earlier_.fill(-1);
-    const sameCrowd = from !== to && alpha < 1;
+    // Where somebody came or went, indices of the one frame are not those of the other.
+    const sameCrowd = from !== to && alpha < 1 && from.x.length === to.x.length;
     if (sameCrowd) for (let k = 0; k < from.near.length; ++k) this.earlier_[from.near[k]!] = k;
     for (let k = 0; k < this.count; ++k) {
       const who = to.near[k]!;
@@ -43,11 +46,6 @@ export class NearPoses {
   /** Solves them on a body: kPoseFloats per slot. */
   solve(rig: Rig, out: Float32Array): void {
     for (let k = 0; k < this.count; ++k) solveRig(rig, this.poses_, kPoseNumbers * k, out, kPoseFloats * k);
-  }
-
-  /** Height of the hips of a slot [m]. */
-  hipHeight(slot: number): number {
-    return this.poses_[kPoseNumbers * slot + 2] ?? 0;
   }
 
   private reserve(members: number): void {

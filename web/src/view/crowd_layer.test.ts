@@ -1,4 +1,4 @@
-import { InstancedBufferGeometry, Mesh, type InterleavedBufferAttribute } from 'three';
+import { InstancedBufferGeometry, Mesh, type InterleavedBufferAttribute, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { standingClip, type ClipPoses } from '../people/clip_bank';
 import { makePlainBody } from '../people/plain_body';
@@ -57,6 +57,27 @@ function instances(layer: CrowdLayer): Map<number, number[]> {
 }
 
 describe('CrowdLayer', () => {
+  it('gives back the pictures of a visitor’s body that goes', () => {
+    const layer = new CrowdLayer('full');
+    const gone: string[] = [];
+    const dressed = (name: string) => {
+      const map = new Texture();
+      map.addEventListener('dispose', () => gone.push(name));
+      return { ...makePlainBody(), near: makePlainBody().near.map((part) => ({ ...part, map })), name };
+    };
+    const first = dressed('first');
+    layer.setOwn(first);
+    layer.setOwn(first);
+    expect(gone).toEqual([]);
+    layer.setOwn(dressed('second'));
+    expect(new Set(gone)).toEqual(new Set(['first']));
+    layer.setOwn(null);
+    expect(new Set(gone)).toEqual(new Set(['first', 'second']));
+    layer.setOwn(dressed('third'));
+    layer.dispose();
+    expect(new Set(gone).has('third')).toBe(true);
+  });
+
   it('draws everybody once, by body and level', () => {
     const near = drawn('full', [-3, -1, 1, 3]).layer.drawn;
     expect(near.map((one) => one.near).reduce((a, b) => a + b)).toBe(4);

@@ -1,7 +1,7 @@
 // The crowd as drawn: picks body and level for everybody, and tells the graphics card what each one plays.
 
 import { Group } from 'three';
-import type { Body } from '../people/body';
+import { type Body, disposeBody } from '../people/body';
 import { type ClipPoses, ClipBank } from '../people/clip_bank';
 import { NearPoses } from '../people/near_poses';
 import { makePlainBody } from '../people/plain_body';
@@ -73,8 +73,10 @@ export class CrowdLayer {
 
   /** A visitor's body for everybody, with clips that take the place of ours; null brings our people back. */
   setOwn(body: Body | null, clips: readonly ClipPoses[] = []): void {
+    const before = this.own_?.body;
     this.own_ = body ? { body, clips } : null;
     this.dress();
+    if (before && before !== body) disposeBody(before);
   }
 
   setPalette(palette: Palette, greyed: boolean, dark: boolean): void {
@@ -108,6 +110,7 @@ export class CrowdLayer {
 
   dispose(): void {
     this.undress();
+    if (this.own_) disposeBody(this.own_.body);
     this.discs_.dispose();
   }
 
