@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLeastTurn = 0.35;    // A cycle that turns less goes straight [rad].
 constexpr double kLeastLength = 0.15;  // A way shorter than that gives no direction [m].
+constexpr double kLeastLever = 0.3;    // Sine of half a turn below which the chord tells nothing of the arc.
 constexpr double kAskance = 0.8;       // Who goes more askance than that keeps its facing [rad].
 
 double wrapped(double angle) {
@@ -30,6 +31,18 @@ void smooth(std::vector<double>& values, std::size_t half) {
     }
 }
 
+/// Length of the arc over a chord; who turns all the way round has no chord that tells, but a way of the hips.
+double arcOf(std::span<const HipsAt> hips, double chord, double turn) {
+    const double lever = std::fabs(sine(0.5 * turn));
+    if (std::fabs(turn) < kPi || (lever > kLeastLever && std::fabs(turn) < 2.0 * kPi)) return 0.5 * chord * std::fabs(turn) / lever;
+    double way = 0.0;
+    for (std::size_t i = 1; i < hips.size(); ++i) {
+        const double dx = hips[i].x - hips[i - 1].x, dy = hips[i].y - hips[i - 1].y;
+        way += std::sqrt(dx * dx + dy * dy);
+    }
+    return way;
+}
+
 }  // namespace
 
 void unwrap(std::vector<HipsAt>& hips) {
@@ -47,7 +60,7 @@ std::vector<Travel> evenTravel(std::span<const HipsAt> hips) {
     // The middle of the arc faces along the chord, where the body does so roughly.
     const double middle = std::fabs(wrapped(along - mean)) < kAskance ? mean + wrapped(along - mean) : mean;
     const double begin = middle - 0.5 * turn, askance = chord > kLeastLength ? wrapped(along - middle) : 0.0;
-    const double arc = turn == 0.0 ? chord : 0.5 * chord * turn / sine(0.5 * turn);
+    const double arc = turn == 0.0 ? chord : arcOf(hips, chord, turn);
     std::vector<Travel> travel;
     double shiftX = 0.0, shiftY = 0.0;
     for (std::size_t i = 0; i < hips.size(); ++i) {

@@ -34,6 +34,26 @@ TEST_CASE("an even way round a curve is an arc from end to end") {
     });
 }
 
+TEST_CASE("a way all round a circle is as long as the circle") {
+    for (const double turn : {2.0 * kPi, -2.0 * kPi, 1.98 * kPi, 2.05 * kPi}) {
+        const double side = turn > 0.0 ? 1.0 : -1.0;
+        std::vector<HipsAt> hips;
+        for (int i = 0; i <= 200; ++i) {
+            const double facing = turn * i / 200.0;
+            hips.push_back({1.5 * side * sine(facing), 1.5 - 1.5 * side * cosine(facing), facing});
+        }
+        const std::vector<Travel> travel = evenTravel(hips);
+        double way = 0.0;
+        for (std::size_t i = 1; i < travel.size(); ++i)
+            way += std::hypot(travel[i].x - travel[i - 1].x, travel[i].y - travel[i - 1].y);
+        CHECK(way == doctest::Approx(1.5 * std::fabs(turn)).epsilon(0.01));
+        // Nor does who turns on the spot go anywhere, whatever its hips sway by.
+        for (HipsAt& at : hips) at = {0.01 * sine(3.0 * at.facing), 0.0, at.facing};
+        hips.back().x = 0.02;
+        for (const Travel& at : evenTravel(hips)) CHECK(std::hypot(at.x, at.y) < 0.3);
+    }
+}
+
 TEST_CASE("a smoothed way keeps its ends and a straight even way as it is") {
     std::vector<HipsAt> hips;
     for (int i = 0; i < 50; ++i) hips.push_back({0.1 * i, 0.0, 0.3});
