@@ -141,6 +141,7 @@ Result<Clip> clipOf(const Json& json, std::size_t i, const std::string& folder) 
     FieldsOf fields(json, "$.clips[" + std::to_string(i) + "]");
     const RetargetOptions options{fields.text("clip"), fields.text("motion"), fields.flag("cyclic")};
     const std::string file = fields.text("file");
+    if (!isFileName(options.name)) fields.fail("clip", "letters, digits, \"-\", \"_\" and \".\"");
     if (!isFileName(file)) fields.fail("file", "the name of a file beside the list");
     const double entry = fields.number("entry_phase", 0.0, 1.0), exit = fields.number("exit_phase", 0.0, 1.0);
     FieldsOf obstacle(fields.object("obstacle"), fields.path() + ".obstacle");

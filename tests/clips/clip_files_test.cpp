@@ -110,6 +110,9 @@ TEST_CASE("bad lists are refused by what is wrong") {
     has(with("/clips", 3), "$.clips: expected a list");
     has(with("/clips/0", 3), "$.clips[0]: expected an object");
     has(with("/clips/1/clip", "wave"), "\"wave\" a second time");
+    // Pictures of clips are called like them.
+    has(with("/clips/1/clip", "../../up"), "$.clips[1].clip");
+    has(with("/clips/1/clip", ""), "$.clips[1].clip");
     has(with("/clips/1/file", "../x.bvh"), "$.clips[1].file");
     has(with("/clips/1/file", "gone.bvh"), "gone.bvh: cannot be opened");
     has(with("/clips/1/cyclic", "no"), "$.clips[1].cyclic: expected true or false");
