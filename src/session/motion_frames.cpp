@@ -7,6 +7,9 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kStepsBetweenChoices = 6;
+constexpr std::size_t kMostClips = 256;      // Their indices are single bytes.
+constexpr double kLongestClip = 65.0;        // Times in them are 16 bits of milliseconds [s].
+constexpr std::size_t kMostPoses = 50'000;   // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
 constexpr float kWhole = 32767.0f;  // What 1 is in the numbers of a rotation.
 
 std::int16_t share(float value) {
@@ -26,6 +29,11 @@ void appendRotations(const BodyPose& pose, std::vector<std::int16_t>& list) {
         for (const float value : {q.x, q.y, q.z, q.w}) list.push_back(share(value));
 }
 
+Status tooMany(const std::string& what, std::size_t found, std::size_t most) {
+    return {StatusCode::LimitExceeded,
+            what + ": found " + std::to_string(found) + ", expected at most " + std::to_string(most)};
+}
+
 protocol::ClipFrames clipFrames(const Clip& clip) {
     protocol::ClipFrames frames;
     frames.name = clip.name;
@@ -41,6 +49,20 @@ protocol::ClipFrames clipFrames(const Clip& clip) {
 }
 
 }  // namespace
+
+Status MotionFrames::fits(const ClipLibrary& library) {
+    if (library.clips.size() > kMostClips) return tooMany("motions", library.clips.size(), kMostClips);
+    std::size_t poses = 0;
+    for (const Clip& clip : library.clips) {
+        const double seconds = std::ceil(clip.duration());
+        if (seconds > kLongestClip) {
+            return tooMany("motion \"" + clip.name + "\" in seconds", static_cast<std::size_t>(seconds),
+                           static_cast<std::size_t>(kLongestClip));
+        }
+        poses += clip.poses.size();
+    }
+    return poses <= kMostPoses ? Status() : tooMany("frames of all motions", poses, kMostPoses);
+}
 
 void MotionFrames::restart(ClipLibrary library) {
     motion_.reset();

@@ -55,6 +55,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
 // Where the scenario names clips that cannot be read, its people move by Muster's own.
 void Session::Impl::beginMotion() {
     auto clips = def.loadClips ? def.loadClips(name, worldDef) : Result<ClipLibrary>(ownClips());
+    if (Status s = clips.ok() ? MotionFrames::fits(*clips) : Status(); !s.ok()) clips = std::move(s);
     clipsRead = clips.status();
     for (auto& [id, client] : clients)
         if (client.greeted) warnOfClips(client);

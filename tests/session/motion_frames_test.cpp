@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "muster/generator/own_clips.h"
@@ -161,6 +162,36 @@ TEST_CASE("clips that cannot be read are told, and people move by Muster's own")
     FakeClient late(session);
     run(session, 0.1, {&late});
     CHECK(late.noticed("clips").find("hop.bvh") != std::string::npos);
+}
+
+TEST_CASE("clips that frames cannot tell of are refused by name, and people move by Muster's own") {
+    const auto refused = [](const std::function<void(ClipLibrary&)>& change) {
+        SessionDef def = sessionDef();
+        def.loadClips = [&change](const std::string&, const WorldDef&) -> Result<ClipLibrary> {
+            ClipLibrary library = ownClips();
+            change(library);
+            return library;
+        };
+        Session session(std::move(def));
+        FakeClient client(session);
+        REQUIRE(session.load("small", smallFloor()).ok());
+        run(session, 0.1, {&client});
+        CHECK(client.motions.front().clips.size() == ownClips().clips.size());
+        return client.noticed("clips");
+    };
+    const auto slowed = [](double rate) { return [rate](ClipLibrary& library) { library.clips[1].rate = rate; }; };
+    const double frames = static_cast<double>(ownClips().clips[1].poses.size());
+    CHECK(refused(slowed(frames / 70.0)).find("motion \"walk\" in seconds: found 70, expected at most 65") != std::string::npos);
+    CHECK(refused(slowed(frames / 60.0)).empty());
+    const std::string many = refused([](ClipLibrary& library) { library.clips.resize(257, library.clips.front()); });
+    CHECK(many.find("motions: found 257, expected at most 256") != std::string::npos);
+    const std::string long_ = refused([](ClipLibrary& library) {
+        Clip& clip = library.clips[0];
+        clip.rate = 2000.0;
+        clip.poses.resize(50'001, clip.poses.front());
+        clip.travel.resize(50'002);
+    });
+    CHECK(long_.find("frames of all motions: found ") != std::string::npos);
 }
 
 TEST_CASE("another library is sent anew, the same one is not") {
