@@ -1,4 +1,5 @@
 // muster export
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -35,7 +36,10 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     }
     if (!std::filesystem::is_directory(options.clips, ignored)) return invalidArgument(options.clips + ": is no folder");
     const bool list = std::filesystem::exists(options.clips + "/" + kClipList, ignored);
-    return list ? loadClips(options.clips) : clipsFor(take.def.clips, options.clips);
+    if (list) return loadClips(options.clips);
+    const bool named = std::any_of(take.def.clips.begin(), take.def.clips.end(), [](const ClipFacts& facts) { return !facts.file.empty(); });
+    if (!named) return invalidArgument(options.clips + ": found no " + kClipList + ", and the take's scenario names no clip files");
+    return clipsFor(take.def.clips, options.clips);
 }
 
 /// Where to write where nobody said it: here, by the take's name.

@@ -1,6 +1,7 @@
 // muster motion
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,22 +57,45 @@ Row ownRow(const Clip& clip) {
     return {clip.name, {}, factsOf(clip)};
 }
 
-Status addRow(const std::string& name, double unit, std::vector<Row>& rows) {
+/// What a name on the command line stands for.
+struct Named {
+    std::vector<Clip> clips;          ///< One of Muster's own, or those of a folder.
+    bool own = false;
+    std::optional<BvhMotion> motion;  ///< Of a file.
+};
+
+Result<Named> named(const std::string& name, double unit) {
+    Named found;
     if (const Clip* own = ownClips().find(name)) {
-        rows.push_back(ownRow(*own));
-        return {};
+        found.clips.push_back(*own);
+        found.own = true;
+        return found;
     }
     std::error_code ignored;
+    if (!std::filesystem::exists(name, ignored))
+        return Status(StatusCode::NotFound, name + ": is none of Muster's clips, and there is no such file or folder");
     if (std::filesystem::is_directory(name, ignored)) {
-        const auto library = loadClips(name);
+        auto library = loadClips(name);
         if (!library.ok()) return library.status();
-        for (const Clip& clip : library->clips)
-            rows.push_back({clip.name, name + "/" + clip.name + ".bvh", factsOf(clip)});
-        return {};
+        found.clips = std::move(library).value().clips;
+        return found;
     }
-    const auto motion = readBvh(name, {unit});
+    auto motion = readBvh(name, {unit});
     if (!motion.ok()) return motion.status();
-    rows.push_back({std::filesystem::path(name).stem().string(), name, factsOf(*motion)});
+    found.motion = std::move(motion).value();
+    return found;
+}
+
+std::string stemOf(const std::string& file) {
+    return std::filesystem::path(file).stem().string();
+}
+
+Status addRow(const std::string& name, double unit, std::vector<Row>& rows) {
+    const auto found = named(name, unit);
+    if (!found.ok()) return found.status();
+    for (const Clip& clip : found->clips)
+        rows.push_back(found->own ? ownRow(clip) : Row{clip.name, name + "/" + clip.name + ".bvh", factsOf(clip)});
+    if (found->motion) rows.push_back({stemOf(name), name, factsOf(*found->motion)});
     return {};
 }
 
@@ -132,20 +156,11 @@ Result<double> runSpeed(const MotionOptions& options, double unit) {
 
 /// Own clips by name, those of a folder, or a file's motion brought onto Muster's skeleton.
 Status addClips(const std::string& name, double unit, std::vector<Clip>& clips) {
-    if (const Clip* own = ownClips().find(name)) {
-        clips.push_back(*own);
-        return {};
-    }
-    std::error_code ignored;
-    if (std::filesystem::is_directory(name, ignored)) {
-        auto library = loadClips(name);
-        if (!library.ok()) return library.status();
-        for (Clip& clip : library->clips) clips.push_back(std::move(clip));
-        return {};
-    }
-    const auto motion = readBvh(name, {unit});
-    if (!motion.ok()) return motion.status();
-    auto clip = retarget(*motion, {std::filesystem::path(name).stem().string()});
+    auto found = named(name, unit);
+    if (!found.ok()) return found.status();
+    for (Clip& clip : found->clips) clips.push_back(std::move(clip));
+    if (!found->motion) return {};
+    auto clip = retarget(*found->motion, {stemOf(name)});
     if (!clip.ok()) return clip.status().within(name);
     clips.push_back(std::move(clip).value());
     return {};

@@ -107,7 +107,10 @@ Result<std::vector<Command>> ScenarioFolder::gestures(const std::string& name, c
 
 Result<ClipLibrary> ScenarioFolder::clips(const std::string& name, const WorldDef& def) const {
     const std::string* path = pathOf(name);
-    return clipsFor(def.clips, path != nullptr ? fs::path(*path).parent_path().string() : ".");
+    if (path != nullptr) return clipsFor(def.clips, fs::path(*path).parent_path().string());
+    // A take from elsewhere: where its files would lie nobody knows.
+    const bool named = std::any_of(def.clips.begin(), def.clips.end(), [](const ClipFacts& facts) { return !facts.file.empty(); });
+    return named ? notFound(name).within("clip files") : clipsFor({}, {});
 }
 
 }  // namespace muster

@@ -92,6 +92,7 @@ TEST_CASE("motion refuses what it cannot read with one sentence") {
         CHECK_MESSAGE(outcome.errorLines() == 1, outcome.error);
         CHECK(outcome.out.empty());
     }
+    CHECK(runProgram("motion sprnt").error.find("sprnt: is none of Muster's clips") != std::string::npos);
     CHECK(runProgram("motion " + put("no.bvh", "not a BVH file")).error.find("no.bvh:1: found \"not\"") !=
           std::string::npos);
 }
@@ -123,7 +124,8 @@ TEST_CASE("export fails with one sentence and no half file") {
           take + " --format pedpy --to 99 --out " + out, take + " --format pedpy --out /proc/nowhere/x",
           take + " --format bvh --out /proc/nowhere/x", take + " --format pedpy --out " + take,
           torn + " --format pedpy --out " + out, "/nowhere.take --format bvh --out " + out,
-          take + " --format bvh --clips /nowhere/x --out " + out + "/" + std::string(300, 'x')}) {
+          take + " --format bvh --clips " + workFolder().string() + " --out " + out,
+         take + " --format bvh --clips /nowhere/x --out " + out + "/" + std::string(300, 'x')}) {
         const Outcome outcome = runProgram("export " + line);
         CHECK_MESSAGE(outcome.code == 1, line);
         CHECK_MESSAGE(outcome.errorLines() == 1, outcome.error);
