@@ -13,6 +13,7 @@ constexpr float kMostDrop = 0.12f;    // Hips are lowered no more [m].
 constexpr float kStanceTime = 0.1f;   // Over which the middles of steps are smoothed [s].
 constexpr float kKnee = 0.04f;        // Of the knee's joint above the floor, kneeling [m].
 constexpr float kSole = 0.08f;        // Height of the ankle above the sole [m].
+constexpr float kKneePace = 20.0f;    // A knee turns no faster [rad/s].
 constexpr float kSink = 0.003f;       // A sole so little below the floor is left alone [m].
 
 std::size_t at(JointRole role) {
@@ -49,13 +50,14 @@ LimbPose limbPose(const BodyPose& pose, const Transform& parent, const Chain& ch
     return limb;
 }
 
-// Turns the limb's joints so that its end comes to the target, turned as given.
-void bend(const LimbPose& limb, const LimbTarget& target, Vec3 pole, const Chain& chain, BodyPose& pose) {
+// Turns the limb's joints so that its end comes to the target, turned as given. Returns where it came to.
+Vec3 bend(const LimbPose& limb, const LimbTarget& target, Vec3 pole, const Chain& chain, BodyPose& pose) {
     const TwoBoneTurn turn = reach(limb.bones, target.place, pole);
     const Quat upper = turn.upper * limb.upper, lower = turn.lower * limb.lower;
     pose.rotation[chain.upper] = normalized(conjugate(limb.parent) * upper);
     pose.rotation[chain.lower] = normalized(conjugate(upper) * lower);
     pose.rotation[chain.end] = normalized(conjugate(lower) * target.rotation);
+    return turn.end;
 }
 
 // By how much the ankle must rise for the sole to be on the floor [m].
@@ -118,14 +120,14 @@ public:
                 targets[side].place.z += sunk(targets[side], pose.rotation[kChains[side].end + 1]);
         }
         lowerHips(legs, targets);
+        float below = 0.0f;
         for (std::size_t side = 0; side < 2; ++side) {
             LimbPose& leg = legs[side];
             for (Vec3* p : {&leg.bones.root, &leg.bones.middle, &leg.bones.end}) p->z -= body_.drop;
-            const bool there = lengthSquared(targets[side].place - leg.bones.end) < 1e-10f &&
-                               targets[side].rotation == leg.end;
-            if (!there) bend(leg, targets[side], rotate(leg.upper, {1.0f, 0.0f, 0.0f}), kChains[side], pose);
+            below = std::max(below, targets[side].place.z - stretch(leg, side, targets[side], pose).z);
         }
         pose.hips.z -= body_.drop;
+        if (entry_.onFloor) pose.hips.z += std::max(0.0f, below - kSink);
         if (entry_.onFloor && entry_.handsHold) pose.hips.z += kneesSunk(pose);
     }
 
@@ -151,6 +153,17 @@ public:
     }
 
 private:
+    // A knee never snaps: rather the foot is late. Returns where it is.
+    Vec3 stretch(const LimbPose& leg, std::size_t side, LimbTarget target, BodyPose& pose) {
+        if (!body_.fresh) target.place = pacedTarget(leg.bones, target.place, body_.knees[side], kKneePace * dt_);
+        const bool there =
+            lengthSquared(target.place - leg.bones.end) < 1e-10f && target.rotation == leg.end;
+        const Vec3 forward = rotate(leg.upper, {1.0f, 0.0f, 0.0f});
+        const Vec3 end = there ? leg.bones.end : bend(leg, target, forward, kChains[side], pose);
+        body_.knees[side] = middleCosine(leg.bones, distance(leg.bones.root, end));
+        return end;
+    }
+
     // A taller or shorter body at the top of an obstacle, which does not scale with it.
     void liftOntoObstacle(BodyPose& pose) const {
         const float height = entry_.clip->obstacle.height;

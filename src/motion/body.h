@@ -38,6 +38,7 @@ struct Body {
     Inertia inertia;
     std::array<HeldLimb, kHeldLimbCount> limbs;
     std::array<Vec3, 2> stance;  ///< About which steps are stretched: those of the clip, smoothed [m].
+    std::array<float, 2> knees{};  ///< Cosines of the angles in the knees, as shown last.
     float drop = 0.0f;           ///< By which the hips are lowered so that held feet are reached [m].
 };
 

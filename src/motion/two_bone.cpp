@@ -42,4 +42,27 @@ TwoBoneTurn reach(const TwoBones& limb, Vec3 target, Vec3 pole) {
     return turn;
 }
 
+float middleCosine(const TwoBones& limb, float distance) {
+    const float cosine = (limb.upper * limb.upper + limb.lower * limb.lower - distance * distance) /
+                         (2.0f * limb.upper * limb.lower);
+    return std::clamp(cosine, -1.0f, 1.0f);
+}
+
+Vec3 pacedTarget(const TwoBones& limb, Vec3 target, float before, float most) {
+    const Vec3 toTarget = target - limb.root;
+    const float far = length(toTarget);
+    if (far < 1e-6f) return target;
+    // Sine and cosine of a small angle, by their series.
+    const float q = most * most;
+    const float s = most * (1.0f - q / 6.0f * (1.0f - q / 20.0f)), c = 1.0f - q / 2.0f * (1.0f - q / 12.0f);
+    const float sineBefore = std::sqrt(std::max(0.0f, 1.0f - before * before));
+    const float straighter = before < -c ? -1.0f : before * c - sineBefore * s;
+    const float closer = before > c ? 1.0f : before * c + sineBefore * s;
+    const float wanted = middleCosine(limb, far), paced = std::clamp(wanted, straighter, closer);
+    if (paced == wanted) return target;
+    const float distance = std::sqrt(std::max(
+        0.0f, limb.upper * limb.upper + limb.lower * limb.lower - 2.0f * limb.upper * limb.lower * paced));
+    return limb.root + toTarget * (distance / far);
+}
+
 }  // namespace muster

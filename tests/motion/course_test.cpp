@@ -58,6 +58,7 @@ TEST_CASE("a course with Muster's own clips: feet stand, knees bend smoothly, ha
     CHECK(f.slideMedian <= 0.005);
     CHECK(f.slide95 <= 0.02);
     CHECK(f.knee999 <= 20.0);
+    CHECK(f.kneeMax < 20.05);
     CHECK(f.penetration <= 0.01);
     CHECK(f.rateLeast >= 0.699);
     CHECK(f.rateMost <= 1.301);

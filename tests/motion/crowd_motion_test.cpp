@@ -28,6 +28,7 @@ TEST_CASE("a crowd that walks off and stops keeps its feet where they touch") {
     CHECK(f.slideMedian < 0.005);
     CHECK(f.slide95 < 0.02);
     CHECK(f.knee999 < 20.0);
+    CHECK(f.kneeMax < 20.05);
     CHECK(f.penetration < 0.01);
     CHECK(f.rateLeast >= 0.69);
     CHECK(f.rateMost <= 1.31);

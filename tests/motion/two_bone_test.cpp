@@ -3,7 +3,10 @@
 #include <doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "muster/base/random.h"
 
 using namespace muster;
 
@@ -94,4 +97,30 @@ TEST_CASE("a target at the hip and a pole along the leg do no harm") {
         CHECK(std::fabs(dot(turn.upper, turn.upper) - 1.0f) < 1e-4f);
         CHECK(std::fabs(dot(turn.lower, turn.lower) - 1.0f) < 1e-4f);
     }
+}
+
+TEST_CASE("The middle joint turns by no more than it may, and by all of it where more is wanted") {
+    Random random(21);
+    int held = 0;
+    for (int i = 0; i < 2000; ++i) {
+        TwoBones leg;
+        leg.upper = 0.42f;
+        leg.lower = 0.41f;
+        const auto at = [&](double bend) {
+            return std::sqrt(leg.upper * leg.upper + leg.lower * leg.lower +
+                             2.0 * leg.upper * leg.lower * std::cos(bend));
+        };
+        const double before = random.uniform(0.0, 2.8), wanted = random.uniform(0.0, 2.8), most = random.uniform(0.05, 0.5);
+        const Vec3 way = normalized(Vec3{static_cast<float>(random.uniform(-1.0, 1.0)), 0.3f, -1.0f});
+        const Vec3 target = way * static_cast<float>(at(wanted));
+        const auto cosineBefore = static_cast<float>(-std::cos(before));  // Of the angle between the bones.
+        const Vec3 paced = pacedTarget(leg, target, cosineBefore, static_cast<float>(most));
+        const double expected = std::clamp(wanted, before - most, before + most);
+        CHECK(length(paced) == doctest::Approx(at(std::max(0.0, expected))).epsilon(2e-3));
+        CHECK(distance(normalized(paced), way) < 1e-4f);
+        if (expected == wanted) CHECK(paced == target);
+        else ++held;
+    }
+    CHECK(held > 500);
+    CHECK(pacedTarget({{}, {}, {}, 0.4f, 0.4f}, {}, 0.0f, 0.1f) == Vec3{});
 }
