@@ -85,7 +85,7 @@ std::vector<Part> partsOf(const JointTransforms& joints) {
     };
     for (std::size_t side = 0; side < 2; ++side) {
         const auto of = [&](JointRole left) {
-            return static_cast<JointRole>(index(left) + side * (index(left) < index(LeftUpLeg) ? 4 : 4));
+            return static_cast<JointRole>(index(left) + 4 * side);
         };
         const Colour leg = sides[side], sleeve = sleeves[side],
                      bare = mixed(skin, sleeve, side == 0 ? 0.35 : 0.0);
