@@ -34,6 +34,24 @@ it('leaves all as it was where a file will not do, and says why', async () => {
   expect(store.state.notice?.text).toBe('cat.glb cannot be used: there is no joint for the left knee.');
 });
 
+it('keeps what was asked for last, however long an earlier file takes to read', async () => {
+  const done: ((character: OwnCharacter) => void)[] = [];
+  const people = new OwnPeople({ setOwnBody }, store, () => new Promise((resolve) => done.push(resolve)));
+  const late = people.open([new File(['x'], 'late.glb')]);
+  const quick = people.open([new File(['x'], 'robot.glb')]);
+  done[1]!(kCharacter);
+  await quick;
+  done[0]!({ ...kCharacter, body: { ...makePlainBody(), name: 'late.glb' } });
+  await late;
+  expect(store.state.ownCharacter).toBe('robot.glb');
+  const gone = people.open([new File(['x'], 'late.glb')]);
+  people.reset();
+  done[2]!(kCharacter);
+  await gone;
+  expect(setOwnBody).toHaveBeenLastCalledWith(null);
+  expect(store.state.ownCharacter).toBe('');
+});
+
 it('takes files that are dropped on the page', async () => {
   const people = new OwnPeople({ setOwnBody }, store, () => Promise.resolve(kCharacter));
   people.acceptDrops(window);

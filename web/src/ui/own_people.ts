@@ -32,6 +32,9 @@ export function welcomeText({ body, clips, triangles }: OwnCharacter): string {
 }
 
 export class OwnPeople {
+  /** Counts what was asked for: of two files the one that came later stays, however long the other takes to read. */
+  private asked_ = 0;
+
   constructor(
     private readonly view: Pick<StudioScene, 'setOwnBody'>,
     private readonly store: StudioStore,
@@ -41,18 +44,22 @@ export class OwnPeople {
   /** Reads files and dresses everybody; says why where it cannot. */
   async open(files: readonly File[]): Promise<void> {
     if (files.length === 0) return;
+    const mine = ++this.asked_;
     try {
       const character = await this.read(files);
+      if (mine !== this.asked_) return;
       this.view.setOwnBody(character.body, character.clips);
       const level = character.triangles > kManyTriangles ? NoticeLevel.Warning : NoticeLevel.Info;
       this.store.set({ ownCharacter: character.body.name, notice: told('character', level, welcomeText(character)) });
     } catch (error) {
+      if (mine !== this.asked_) return;
       const reason = error instanceof Error ? error.message : String(error);
       this.store.set({ notice: problem('character', `${reason.replace(/\.$/, '')}.`) });
     }
   }
 
   reset(): void {
+    this.asked_ += 1;
     this.view.setOwnBody(null);
     this.store.set({ ownCharacter: '' });
   }
