@@ -29,16 +29,22 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     if (options.clips.empty()) {
         for (const ClipFacts& facts : take.def.clips) {
             if (facts.file.empty()) continue;
-            std::fprintf(stderr, "muster export: %s moves by %s in the scenario; --clips FOLDER says where that file is\n",
-                         facts.name.c_str(), facts.file.c_str());
+            std::fprintf(
+                stderr,
+                "muster export: %s moves by %s in the scenario; --clips FOLDER says where that file is\n",
+                facts.name.c_str(), facts.file.c_str());
         }
         return ownClips();
     }
-    if (!std::filesystem::is_directory(options.clips, ignored)) return invalidArgument(options.clips + ": is no folder");
+    if (!std::filesystem::is_directory(options.clips, ignored))
+        return invalidArgument(options.clips + ": is no folder");
     const bool list = std::filesystem::exists(options.clips + "/" + kClipList, ignored);
     if (list) return loadClips(options.clips);
-    const bool named = std::any_of(take.def.clips.begin(), take.def.clips.end(), [](const ClipFacts& facts) { return !facts.file.empty(); });
-    if (!named) return invalidArgument(options.clips + ": found no " + kClipList + ", and the take's scenario names no clip files");
+    const bool named = std::any_of(take.def.clips.begin(), take.def.clips.end(),
+                                   [](const ClipFacts& facts) { return !facts.file.empty(); });
+    if (!named)
+        return invalidArgument(options.clips + ": found no " + kClipList +
+                               ", and the take's scenario names no clip files");
     return clipsFor(take.def.clips, options.clips);
 }
 
@@ -87,7 +93,8 @@ void addExportCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<ExportOptions>();
     command->add_option("TAKE", options->take, "Take file.")->required();
     command->add_option("--format", options->format, "One of those below.")->required();
-    command->add_option("--out", options->out, "File to be written, for bvh a folder; left out: here, by the take's name.");
+    command->add_option("--out", options->out,
+                        "File to be written, for bvh a folder; left out: here, by the take's name.");
     command->add_option("--from", options->part.from, "Time of the first frame [s].");
     command->add_option("--to", options->part.to,
                         "Time of the last frame [s]; left out: the end of the take.");

@@ -59,7 +59,7 @@ Row ownRow(const Clip& clip) {
 
 /// What a name on the command line stands for.
 struct Named {
-    std::vector<Clip> clips;          ///< One of Muster's own, or those of a folder.
+    std::vector<Clip> clips;  ///< One of Muster's own, or those of a folder.
     bool own = false;
     std::optional<BvhMotion> motion;  ///< Of a file.
 };
@@ -73,7 +73,8 @@ Result<Named> named(const std::string& name, double unit) {
     }
     std::error_code ignored;
     if (!std::filesystem::exists(name, ignored))
-        return Status(StatusCode::NotFound, name + ": is none of Muster's clips, and there is no such file or folder");
+        return Status(StatusCode::NotFound,
+                      name + ": is none of Muster's clips, and there is no such file or folder");
     if (std::filesystem::is_directory(name, ignored)) {
         auto library = loadClips(name);
         if (!library.ok()) return library.status();
@@ -94,7 +95,8 @@ Status addRow(const std::string& name, double unit, std::vector<Row>& rows) {
     const auto found = named(name, unit);
     if (!found.ok()) return found.status();
     for (const Clip& clip : found->clips)
-        rows.push_back(found->own ? ownRow(clip) : Row{clip.name, name + "/" + clip.name + ".bvh", factsOf(clip)});
+        rows.push_back(found->own ? ownRow(clip)
+                                  : Row{clip.name, name + "/" + clip.name + ".bvh", factsOf(clip)});
     if (found->motion) rows.push_back({stemOf(name), name, factsOf(*found->motion)});
     return {};
 }
@@ -218,23 +220,28 @@ int motion(const MotionOptions& options) {
 void addMotionCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("motion", "Lengths, speeds and contacts of motion clips.");
     auto options = std::make_shared<MotionOptions>();
-    command->add_option(
-        "CLIPS", options->clips,
-        "Names of Muster's own clips, BVH files, or folders with a clips.json; all of Muster's own if left out.");
+    command->add_option("CLIPS", options->clips,
+                        "Names of Muster's own clips, BVH files, or folders with a clips.json; all of "
+                        "Muster's own if left out.");
     command->add_option("--run", options->run, "Ratios are to this clip; left out: Muster's own run.");
     command->add_option("--unit", options->unit,
                         "Unit of the files: m, cm, mm, in, ft, cmu or a number of metres; left out: guessed "
                         "by the size of the body.");
     command->add_option("--write", options->folder,
                         "Also writes Muster's own clips into this folder, as BVH with a clips.json.");
-    command->add_option("--strip", options->strips, "Also draws each clip as a strip of poses into this folder, as SVG.");
-    command->add_option("--bodies", options->bodies, "Also writes the characters' bodies into this folder, as binary glTF.");
-    command->add_flag("--measure", options->measure,
-                      "CLIPS are scenarios: plays them with their gestures and tells how far feet slide, how fast knees "
-                      "turn and how deep limbs go below the floor.");
+    command->add_option("--strip", options->strips,
+                        "Also draws each clip as a strip of poses into this folder, as SVG.");
+    command->add_option("--bodies", options->bodies,
+                        "Also writes the characters' bodies into this folder, as binary glTF.");
+    command->add_flag(
+        "--measure", options->measure,
+        "CLIPS are scenarios: plays them with their gestures and tells how far feet slide, how fast knees "
+        "turn and how deep limbs go below the floor.");
     command->add_option("--count", options->measured.count, "Characters of the first group, for --measure.")
         ->check(CLI::Range(1, 5000));
-    command->add_option("--seconds", options->measured.seconds, "Simulated, for --measure; left out: until all stand.")
+    command
+        ->add_option("--seconds", options->measured.seconds,
+                     "Simulated, for --measure; left out: until all stand.")
         ->check(CLI::Range(0.1, 3600.0));
     command->add_option("--clips", options->measured.clips, "Folder of clips to play, for --measure.");
     command->add_flag("--json", options->json, "One JSON array on standard output, an object per clip.");

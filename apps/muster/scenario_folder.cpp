@@ -109,7 +109,8 @@ Result<ClipLibrary> ScenarioFolder::clips(const std::string& name, const WorldDe
     const std::string* path = pathOf(name);
     if (path != nullptr) return clipsFor(def.clips, fs::path(*path).parent_path().string());
     // A take from elsewhere: where its files would lie nobody knows.
-    const bool named = std::any_of(def.clips.begin(), def.clips.end(), [](const ClipFacts& facts) { return !facts.file.empty(); });
+    const bool named = std::any_of(def.clips.begin(), def.clips.end(),
+                                   [](const ClipFacts& facts) { return !facts.file.empty(); });
     return named ? notFound(name).within("clip files") : clipsFor({}, {});
 }
 

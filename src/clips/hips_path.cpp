@@ -31,10 +31,12 @@ void smooth(std::vector<double>& values, std::size_t half) {
     }
 }
 
-/// Length of the arc over a chord; who turns all the way round has no chord that tells, but a way of the hips.
+/// Length of the arc over a chord; who turns all the way round has no chord that tells, but a way of the
+/// hips.
 double arcOf(std::span<const HipsAt> hips, double chord, double turn) {
     const double lever = std::fabs(sine(0.5 * turn));
-    if (std::fabs(turn) < kPi || (lever > kLeastLever && std::fabs(turn) < 2.0 * kPi)) return 0.5 * chord * std::fabs(turn) / lever;
+    if (std::fabs(turn) < kPi || (lever > kLeastLever && std::fabs(turn) < 2.0 * kPi))
+        return 0.5 * chord * std::fabs(turn) / lever;
     double way = 0.0;
     for (std::size_t i = 1; i < hips.size(); ++i) {
         const double dx = hips[i].x - hips[i - 1].x, dy = hips[i].y - hips[i - 1].y;

@@ -7,9 +7,10 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kStepsBetweenChoices = 6;
-constexpr std::size_t kMostClips = 256;      // Their indices are single bytes.
-constexpr double kLongestClip = 65.0;        // Times in them are 16 bits of milliseconds [s].
-constexpr std::size_t kMostPoses = 50'000;   // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
+constexpr std::size_t kMostClips = 256;  // Their indices are single bytes.
+constexpr double kLongestClip = 65.0;    // Times in them are 16 bits of milliseconds [s].
+constexpr std::size_t kMostPoses =
+    50'000;                         // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
 constexpr float kWhole = 32767.0f;  // What 1 is in the numbers of a rotation.
 
 std::int16_t share(float value) {

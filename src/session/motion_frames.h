@@ -20,8 +20,8 @@ struct Attention {
 /// Plays the crowd's motion beside a world, for all clients together.
 class MotionFrames {
 public:
-    /// Fails, naming the culprit, where frames cannot tell of these clips: one may last as long as a time in it fits
-    /// 16 bits of milliseconds, their number fits 8 bits, and all poses fit a page's memory.
+    /// Fails, naming the culprit, where frames cannot tell of these clips: one may last as long as a time in
+    /// it fits 16 bits of milliseconds, their number fits 8 bits, and all poses fit a page's memory.
     static Status fits(const ClipLibrary& library);
     /// A new world, moved by these clips, which fit.
     void restart(ClipLibrary library);

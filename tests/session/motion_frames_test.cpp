@@ -179,11 +179,15 @@ TEST_CASE("clips that frames cannot tell of are refused by name, and people move
         CHECK(client.motions.front().clips.size() == ownClips().clips.size());
         return client.noticed("clips");
     };
-    const auto slowed = [](double rate) { return [rate](ClipLibrary& library) { library.clips[1].rate = rate; }; };
+    const auto slowed = [](double rate) {
+        return [rate](ClipLibrary& library) { library.clips[1].rate = rate; };
+    };
     const double frames = static_cast<double>(ownClips().clips[1].poses.size());
-    CHECK(refused(slowed(frames / 70.0)).find("motion \"walk\" in seconds: found 70, expected at most 65") != std::string::npos);
+    CHECK(refused(slowed(frames / 70.0)).find("motion \"walk\" in seconds: found 70, expected at most 65") !=
+          std::string::npos);
     CHECK(refused(slowed(frames / 60.0)).empty());
-    const std::string many = refused([](ClipLibrary& library) { library.clips.resize(257, library.clips.front()); });
+    const std::string many =
+        refused([](ClipLibrary& library) { library.clips.resize(257, library.clips.front()); });
     CHECK(many.find("motions: found 257, expected at most 256") != std::string::npos);
     const std::string long_ = refused([](ClipLibrary& library) {
         Clip& clip = library.clips[0];
