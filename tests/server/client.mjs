@@ -1,6 +1,13 @@
 // A raw client for the studio's server: bytes on a socket, so that it can also break every rule.
+import { readFileSync } from 'node:fs';
 import net from 'node:net';
 import { randomBytes } from 'node:crypto';
+
+const schema = JSON.parse(readFileSync(new URL('../../protocol/messages.json', import.meta.url), 'utf8'));
+const numbered = (section) => Object.fromEntries(Object.keys(section).map((name, number) => [name, number]));
+/** First bytes of messages, by name. */
+export const fromServer = numbered(schema.server);
+export const fromClient = numbered(schema.client);
 
 /** Connects to the studio. */
 export function dial(port) {
@@ -166,7 +173,7 @@ export class RawSocket {
 
   /** Texts of all notices so far. */
   notices() {
-    return this.messages.filter((bytes) => bytes[0] === 5).map(readNotice);
+    return this.messages.filter((bytes) => bytes[0] === fromServer.Notice).map(readNotice);
   }
 
   close() {
@@ -183,20 +190,20 @@ export function readNotice(bytes) {
 }
 
 export function hello() {
-  return Buffer.from([0, 1, 0, 0, 0, 97]);
+  return Buffer.from([fromClient.Hello, 1, 0, 0, 0, 97]);
 }
 
 /** Ping with a time. */
 export function ping(time) {
   const bytes = Buffer.alloc(9);
-  bytes[0] = 14;
+  bytes[0] = fromClient.Ping;
   bytes.writeDoubleLE(time, 1);
   return bytes;
 }
 
 export function ack(frame) {
   const bytes = Buffer.alloc(5);
-  bytes[0] = 13;
+  bytes[0] = fromClient.FrameAck;
   bytes.writeUInt32LE(frame, 1);
   return bytes;
 }
@@ -211,7 +218,7 @@ export function load(name) {
   const text = Buffer.from(name);
   const length = Buffer.alloc(4);
   length.writeUInt32LE(text.length);
-  return Buffer.concat([Buffer.from([10]), length, text]);
+  return Buffer.concat([Buffer.from([fromClient.LoadScenario]), length, text]);
 }
 
 /** Whether a Frame message says that a demonstration runs: behind number, frame, step, time, playing, speed,

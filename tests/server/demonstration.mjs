@@ -2,15 +2,15 @@
 import { spawnSync } from 'node:child_process';
 import { readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { ack, demonstrates, load, scenarioNames, stepOf } from './client.mjs';
+import { ack, demonstrates, fromClient, fromServer, load, scenarioNames, stepOf } from './client.mjs';
 
 const kName = 'paper/x01-area';
-const kRestart = Buffer.from([8, 3]);
-const kDemonstrate = Buffer.from([8, 4]);
+const kRestart = Buffer.from([fromClient.Transport, 3]);
+const kDemonstrate = Buffer.from([fromClient.Transport, 4]);
 
 /** Acknowledges frames until `test` holds of one; null after `most`. */
 async function frameWith(socket, test, most = 200) {
-  const frames = (self) => self.messages.filter((bytes) => bytes[0] === 3);
+  const frames = (self) => self.messages.filter((bytes) => bytes[0] === fromServer.Frame);
   for (let i = 0; i < most; ++i) {
     const seen = frames(socket).length;
     socket.write(ack(frames(socket).at(-1).readUInt32LE(1)));
@@ -24,7 +24,7 @@ async function frameWith(socket, test, most = 200) {
 export async function demonstrationTests({ test, check, client, get, program, place }) {
   await test('scenarios of folders stand behind the others, under the names of both', async () => {
     const socket = await client();
-    const names = scenarioNames(await socket.message(0));
+    const names = scenarioNames(await socket.message(fromServer.Welcome));
     check(names.indexOf(kName) > names.indexOf('woodland') && names.includes('woodland'), names.join(' '));
     check(!names.some((name) => /gestures|schema/.test(name)), names.join(' '));
     socket.close();
@@ -44,13 +44,13 @@ export async function demonstrationTests({ test, check, client, get, program, pl
     check(replayed.status === 0, `replay: ${replayed.status} ${replayed.stderr}`);
     watching.write(kRestart);
     check(await frameWith(asking, (frame) => !demonstrates(frame)), 'restarting ends it');
-    watching.write(Buffer.from([11, 1]));
+    watching.write(Buffer.from([fromClient.Record, 1]));
     check(await frameWith(asking, (frame) => frame.readFloatLE(22) >= 0), 'recording');
     const kept = readdirSync(join(place, 'takes')).filter((name) => name.startsWith('paper-x01-area-'));
     check(kept.length === 1, `takes: ${kept}`);
     asking.write(load('open'));
     check(await frameWith(watching, (frame) => !demonstrates(frame) && stepOf(frame) > 30), 'another scenario');
-    asking.write(Buffer.from([8, 9]));
+    asking.write(Buffer.from([fromClient.Transport, 9]));
     check(await asking.until((self) => self.notices().some((text) => text.startsWith('malformed'))), 'an unknown action');
     rmSync(join(place, 'takes', kept[0]));
     asking.close();

@@ -4,7 +4,7 @@ import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'n
 import net from 'node:net';
 import { networkInterfaces } from 'node:os';
 import { join } from 'node:path';
-import { RawSocket, dial, hello, ping } from './client.mjs';
+import { RawSocket, dial, fromClient, fromServer, hello, ping } from './client.mjs';
 
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
@@ -20,7 +20,7 @@ function ended(child) {
 /** A LoadScenario message. */
 function load(name) {
   const bytes = Buffer.alloc(5 + name.length);
-  bytes[0] = 10;
+  bytes[0] = fromClient.LoadScenario;
   bytes.writeUInt32LE(name.length, 1);
   bytes.write(name, 5);
   return bytes;
@@ -29,7 +29,7 @@ function load(name) {
 async function greeted(port) {
   const socket = await RawSocket.open(port);
   socket.write(hello());
-  await socket.message(3);
+  await socket.message(fromServer.Frame);
   return socket;
 }
 
@@ -99,7 +99,7 @@ export async function processTests({ test, check, start, program, common, place 
     for (let i = 0; i < 700; ++i) socket.write(load(i % 2 ? 'course' : 'woodland'));
     const asked = Date.now();
     socket.write(ping(5));
-    check(await socket.message(6, 4000), 'no answer within 4 s');
+    check(await socket.message(fromServer.Pong, 4000), 'no answer within 4 s');
     console.log(`measured: answered ${Date.now() - asked} ms after 700 scenarios were asked for`);
     for (let i = 0; i < 90; ++i) socket.write(load(i % 2 ? 'course' : 'woodland'));
     const { code, ms } = await interrupt(studio, 1);

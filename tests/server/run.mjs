@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { demonstrationTests } from './demonstration.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
-import { RawSocket, ack, dial, exchange, hello, ping, request, stepOf } from './client.mjs';
+import { RawSocket, ack, dial, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const program = resolve(process.argv[2] ?? join(root, 'build/release/muster'));
@@ -67,7 +67,7 @@ async function client() {
   const socket = await RawSocket.open(port);
   check(socket.status === 101, `handshake: ${socket.status}`);
   socket.write(hello());
-  check(await socket.message(3), 'no frame came');
+  check(await socket.message(fromServer.Frame), 'no frame came');
   return socket;
 }
 
@@ -177,7 +177,7 @@ await test('a client steers nothing by malformed messages and stays connected', 
   check(await socket.until((self) => self.notices().length >= 4), `notices: ${socket.notices().join(' | ')}`);
   socket.write('text', 1);
   socket.write(ping(42));
-  const pong = await socket.message(6);
+  const pong = await socket.message(fromServer.Pong);
   check(pong && pong.readDoubleLE(1) === 42 && !socket.closed, 'still there');
   socket.close();
 });
@@ -208,7 +208,7 @@ await test('message rate: a burst passes, more is dropped with a notice, and the
   const socket = await client();
   await sleep(2200); // Whatever the first messages took is back.
   for (let i = 0; i < 800; ++i) socket.write(ping(i));
-  const pongs = (self) => self.messages.filter((bytes) => bytes[0] === 6).length;
+  const pongs = (self) => self.messages.filter((bytes) => bytes[0] === fromServer.Pong).length;
   check(await socket.until((self) => pongs(self) === 800), `pongs within the limit: ${pongs(socket)}`);
   check(!socket.notices().some((text) => text.startsWith('rate')), 'no notice within the limit');
   await sleep(2200);
@@ -248,7 +248,7 @@ await test('a client that neither acknowledges nor reads does not slow another',
     await lively.until((self) => self.messages.length > seen, 100);
     for (; seen < lively.messages.length; ++seen) {
       const bytes = lively.messages[seen];
-      if (bytes[0] !== 3) continue;
+      if (bytes[0] !== fromServer.Frame) continue;
       steps.push(stepOf(bytes));
       lively.write(ack(bytes.readUInt32LE(1)));
     }
@@ -256,7 +256,7 @@ await test('a client that neither acknowledges nor reads does not slow another',
   const rate = (steps.at(-1) - steps[0]) / 2;
   console.log(`measured: ${rate.toFixed(1)} steps/s and ${(steps.length / 2).toFixed(1)} frames/s beside a stalled client`);
   check(rate > 20, `steps a second: ${rate}`);
-  check(stalled.messages.filter((bytes) => bytes[0] === 3).length === 1, 'the stalled one got one frame');
+  check(stalled.messages.filter((bytes) => bytes[0] === fromServer.Frame).length === 1, 'the stalled one got one frame');
   stalled.close();
   lively.close();
 });
@@ -297,12 +297,12 @@ await test('POST /take replays', async () => {
   const answer = await post(take);
   check(answer.status === 200, `${answer.status} ${answer.body}`);
   const socket = await client();
-  const frame = socket.messages.find((bytes) => bytes[0] === 3);
+  const frame = socket.messages.find((bytes) => bytes[0] === fromServer.Frame);
   // Number, frame, step, time, playing, speed, recordedSeconds: then replaying.
   check(frame[1 + 4 + 4 + 8 + 1 + 4 + 4] === 1, 'frames say that a take is replayed');
   const same = await get('/take');
   check(Buffer.from(same.body, 'latin1').equals(take), 'the opened take is what one downloads');
-  socket.write(Buffer.from([8, 3]));
+  socket.write(Buffer.from([fromClient.Transport, 3]));
   socket.close();
 });
 
@@ -319,8 +319,8 @@ await test('SIGTERM finishes a running recording and ends with 0', async () => {
   const { child: other, port: otherPort } = await start('--port', '18180');
   const socket = await RawSocket.open(otherPort);
   socket.write(hello());
-  check(await socket.message(3), 'no frame');
-  socket.write(Buffer.from([11, 1]));
+  check(await socket.message(fromServer.Frame), 'no frame');
+  socket.write(Buffer.from([fromClient.Record, 1]));
   await sleep(1500);
   other.removeAllListeners('exit');
   const code = new Promise((done) => other.on('exit', done));

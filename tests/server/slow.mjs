@@ -1,7 +1,7 @@
 // What takes long to see; each starts a studio of its own, so that all can go on beside the other tests.
 import { writeFileSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { RawSocket, ack, dial, hello } from './client.mjs';
+import { RawSocket, ack, dial, fromClient, fromServer, hello } from './client.mjs';
 
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
@@ -53,7 +53,7 @@ export async function watchBodies(start) {
 }
 
 /** SetOverlay of the potential field. */
-const overlay = Buffer.from([12, 1, 0, 0, 0, 0]);
+const overlay = Buffer.from([fromClient.SetOverlay, 1, 0, 0, 0, 0]);
 
 /** A client that asks for all it can get and reads nothing, beside one that reads: what the other had when the first was cut. */
 export async function watchQueue(start, place) {
@@ -75,7 +75,7 @@ export async function watchQueue(start, place) {
     for (let frame = Math.max(1, newest - 15); frame <= newest && !stalled.closed; ++frame) stalled.write(ack(frame));
     await sleep(50);
     for (const message of reader.messages.splice(0)) {
-      if (message[0] === 3) reader.write(ack(message.readUInt32LE(1)));
+      if (message[0] === fromServer.Frame) reader.write(ack(message.readUInt32LE(1)));
     }
   }
   const result = { cut: stalled.closed, mebibytes: reader.socket.bytesRead / 1048576, readerClosed: reader.closed };
