@@ -233,17 +233,20 @@ void addMotionCommand(CLI::App& app, int& exitCode) {
                         "Also draws each clip as a strip of poses into this folder, as SVG.");
     command->add_option("--bodies", options->bodies,
                         "Also writes the characters' bodies into this folder, as binary glTF.");
-    command->add_flag(
+    CLI::Option* measuring = command->add_flag(
         "--measure", options->measure,
         "CLIPS are scenarios: plays them with their gestures and tells how far feet slide, how fast knees "
         "turn and how deep limbs go below the floor.");
     command->add_option("--count", options->measured.count, "Characters of the first group, for --measure.")
-        ->check(CLI::Range(1, 5000));
+        ->check(CLI::Range(1, 5000))
+        ->needs(measuring);
     command
         ->add_option("--seconds", options->measured.seconds,
                      "Simulated, for --measure; left out: until all stand.")
-        ->check(CLI::Range(0.1, 3600.0));
-    command->add_option("--clips", options->measured.clips, "Folder of clips to play, for --measure.");
+        ->check(CLI::Range(0.1, 3600.0))
+        ->needs(measuring);
+    command->add_option("--clips", options->measured.clips, "Folder of clips to play, for --measure.")
+        ->needs(measuring);
     command->add_flag("--json", options->json, "One JSON array on standard output, an object per clip.");
     command->footer(
         "Speed is the net way over the duration. Ratios are what scenarios call a clip's speed; the least is "

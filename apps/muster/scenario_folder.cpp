@@ -108,7 +108,10 @@ Result<std::vector<Command>> ScenarioFolder::gestures(const std::string& name, c
 Result<ClipLibrary> ScenarioFolder::clips(const std::string& name, const WorldDef& def) const {
     const std::string* path = pathOf(name);
     if (path != nullptr) return clipsFor(def.clips, fs::path(*path).parent_path().string());
-    // A take from elsewhere: where its files would lie nobody knows.
+    // A take knows its scenario by the title only.
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        if (entries_[i].title == def.name) return clipsFor(def.clips, fs::path(paths_[i]).parent_path().string());
+    // From elsewhere: where its files would lie nobody knows.
     const bool named = std::any_of(def.clips.begin(), def.clips.end(),
                                    [](const ClipFacts& facts) { return !facts.file.empty(); });
     return named ? notFound(name).within("clip files") : clipsFor({}, {});

@@ -27,8 +27,9 @@ public:
     Result<WorldDef> load(const std::string& name) const;
     /// Reads the touches that it carries, for a world of that definition. Fails as load() and loadScenarioGestures do.
     Result<std::vector<Command>> gestures(const std::string& name, const WorldDef& def) const;
-    /// Reads the clips that its characters move by: those of files that it names, else Muster's own. For a name that is
-    /// not in the folder (a take's) files are looked for where the program runs. Fails as clipsFor() does.
+    /// Reads the clips that its characters move by: those of files that it names, else Muster's own. A name that is not
+    /// in the folder is a take's: then the scenario is found by its title. Fails as clipsFor() does, or with NotFound where
+    /// a take from elsewhere names files.
     Result<ClipLibrary> clips(const std::string& name, const WorldDef& def) const;
 
 private:

@@ -18,6 +18,11 @@ double rounded(double value) {
 
 }  // namespace
 
+void takeOwnFacts(ClipFacts& clip) {
+    for (const ClipFacts& own : defaultClipFacts())
+        if (own.name == clip.name) clip = own;
+}
+
 double runSpeed(const std::vector<ClipFacts>& clips) {
     if (clips.empty() || !(clips[0].length > 0.0 && clips[0].duration > 0.0)) return kUsualRun;
     return clips[0].length / clips[0].duration;

@@ -8,6 +8,9 @@
 
 namespace muster {
 
+/// Gives a clip that is called as one of Muster's own that one's facts.
+void takeOwnFacts(ClipFacts& clip);
+
 /// Takes from the clip's file in `folder` what the object leaves out of speed, length, duration and cyclic.
 /// Speeds are relative to `run` [m/s]; 0 for the clip that is running itself.
 void readClipFile(FieldReader& v, ClipFacts& clip, const std::string& folder, double run);
@@ -15,6 +18,7 @@ void readClipFile(FieldReader& v, ClipFacts& clip, const std::string& folder, do
 template <class Visitor>
 void describeClip(Visitor& v, ClipFacts& clip, const std::string& folder, double run) {
     v.text("name", clip.name, "What patches call it.", Need::Required);
+    if constexpr (Visitor::kReading) takeOwnFacts(clip);
     v.text(
         "file", clip.file,
         "The clip's BVH file, in the scenario's folder or below it: what is left out here is read from it.");

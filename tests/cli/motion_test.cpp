@@ -158,6 +158,7 @@ TEST_CASE("motion draws strips, writes bodies and measures") {
     CHECK(filesIn(bodies) == 4);
     CHECK(slurp(bodies + "/body-2-far.glb").rfind("glTF", 0) == 0);
     CHECK(runProgram("motion --measure").code == 1);
+    CHECK(runProgram("motion --count 3").code == 2);
     CHECK(runProgram("motion --measure /nowhere.json").error.find("/nowhere.json") != std::string::npos);
     CHECK(runProgram("motion run --strip /proc/nowhere").code == 1);
     const Outcome measured =

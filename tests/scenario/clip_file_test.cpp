@@ -114,3 +114,31 @@ TEST_CASE("clip files that cannot be read are told by path") {
             "x.json", here)
             .ok());
 }
+
+TEST_CASE("a clip called as one of Muster's own has its facts, but for those that are said") {
+    const auto def = parseScenario(scenario(R"({"name": "run"}, {"name": "climb"}, {"name": "swim", "speed": 0.5},
+        {"name": "hop"})"), "own.json", "");
+    REQUIRE_MESSAGE(def.ok(), def.status().message());
+    const auto own = defaultClipFacts();
+    CHECK(def->clips[0].speed == 1.0);
+    CHECK(def->clips[0].length == own[0].length);
+    CHECK_FALSE(def->clips[1].cyclic);
+    CHECK(def->clips[1].speed == 0.15);
+    CHECK(def->clips[2].speed == 0.5);
+    CHECK(def->clips[2].transitionTime == own[4].transitionTime);
+    CHECK(def->clips[3].length == 0.0);
+    CHECK(def->clips[3].cyclic);
+}
+
+TEST_CASE("facts that contradict Muster's own survive writing and reading") {
+    WorldDef def;
+    ClipFacts climb;
+    climb.name = "climb";  // With nothing but what a bare clip has: cyclic, as fast as running.
+    def.clips = {defaultClipFacts()[0], climb};
+    const auto again = parseScenario(writeScenario(def), "again.json", "");
+    REQUIRE_MESSAGE(again.ok(), again.status().message());
+    CHECK(again->clips[1].cyclic);
+    CHECK(again->clips[1].speed == 1.0);
+    CHECK(again->clips[1].duration == 0.0);
+    CHECK(again->clips[1].transitionTime == 0.0);
+}
