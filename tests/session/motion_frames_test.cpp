@@ -219,3 +219,70 @@ TEST_CASE("another library is sent anew, the same one is not") {
     REQUIRE(client.motions.size() == 2);
     CHECK(client.motions.back().clips.back().name == "hop");
 }
+
+TEST_CASE("whole poses follow the crowd as it grows, shrinks and begins anew") {
+    Session session = startedSession();
+    FakeClient client(session);
+    attend(client, 0.0f, 0.0f, 500);
+    run(session, 0.2, {&client});
+    const auto group = static_cast<std::uint32_t>(client.meshes.front().group);
+    for (const std::uint32_t count : {40u, 3u, 25u}) {
+        client.send(protocol::SetCount{group, count});
+        run(session, 0.3, {&client});
+        const protocol::Frame& frame = client.frames.back();
+        CHECK(frame.clip.size() == count);
+        REQUIRE(frame.near.size() == count);
+        CHECK(frame.near.back() == count - 1);
+        CHECK(frame.nearPoses.size() == count * kNumbersPerPose);
+    }
+    client.send(protocol::Transport{protocol::TransportAction::Restart});
+    run(session, 0.3, {&client});
+    CHECK(client.frames.back().near.size() == 16);
+    CHECK(client.motions.size() == 1);
+}
+
+TEST_CASE("while paused nothing moves; one step moves on by a sixtieth") {
+    Session session = startedSession();
+    FakeClient client(session);
+    attend(client, 0.0f, 0.0f, 4);
+    run(session, 0.5, {&client});
+    client.send(protocol::Transport{protocol::TransportAction::Pause});
+    run(session, 0.2, {&client});
+    const std::vector<std::uint16_t> before = client.frames.back().clipTime;
+    run(session, 0.5, {&client});
+    CHECK(client.frames.back().clipTime == before);
+    client.send(protocol::Transport{protocol::TransportAction::SingleStep});
+    run(session, 0.2, {&client});
+    const std::vector<std::uint16_t>& after = client.frames.back().clipTime;
+    REQUIRE(after.size() == before.size());
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        // Idle, each by a cadence of its own; or over the end into the next cycle.
+        const int moved = after[i] - before[i];
+        CHECK_MESSAGE(((moved >= 11 && moved <= 23) || moved < 0), moved);
+    }
+}
+
+TEST_CASE("a replay shows the motion that was seen") {
+    Session session = startedSession();
+    FakeClient client(session);
+    attend(client, 0.0f, 0.0f, 16);
+    run(session, 0.1, {&client});
+    client.touchAt(protocol::TouchPhase::Down, {0.0, 0.0}, 1.0);
+    client.touchAt(protocol::TouchPhase::Move, {4.0, 1.0}, 1.1);
+    run(session, 1.5, {&client});
+    const protocol::Frame seen = client.frames.back();
+    const auto take = session.take();
+    REQUIRE(take.ok());
+    Session again{sessionDef()};
+    REQUIRE(again.openTake(*take, "seen.take").ok());
+    FakeClient viewer(again);
+    attend(viewer, 0.0f, 0.0f, 16);
+    for (int look = 0; look < 600 && (viewer.frames.empty() || viewer.frames.back().step < seen.step); ++look)
+        run(again, 1.0 / 60.0, {&viewer});
+    const protocol::Frame& shown = viewer.frames.back();
+    REQUIRE(shown.step == seen.step);
+    CHECK(shown.clip == seen.clip);
+    CHECK(shown.clipTime == seen.clipTime);
+    CHECK(shown.heading == seen.heading);
+    CHECK(shown.near == seen.near);
+}
