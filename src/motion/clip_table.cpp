@@ -1,6 +1,9 @@
 #include "motion/clip_table.h"
 
 #include <algorithm>
+#include <span>
+
+#include "motion/sole.h"
 
 namespace muster {
 namespace {
@@ -97,6 +100,23 @@ ClipTable::ClipTable(const ClipLibrary& library) : library_(&library) {
             idle_ = static_cast<std::int32_t>(c);
 }
 
+namespace {
+
+// Recorded feet slide a little while they stand: here the point that touches stays where it is.
+void plant(std::span<HeldFrame> frames) {
+    for (std::size_t k = 1; k < frames.size(); ++k) {
+        const HeldFrame& before = frames[k - 1];
+        // Over the ball a foot rolls about the joint of its toes, which stay flat.
+        Vec3 point = touchingPoint(before.rotation);
+        if (point.x > 0.0f) point = skeleton()[index(JointRole::LeftToeBase)].offset;
+        const Vec3 spot = before.roll + rotate(before.rotation, point) - rotate(frames[k].rotation, point);
+        frames[k].roll.x = spot.x;
+        frames[k].roll.y = spot.y;
+    }
+}
+
+}  // namespace
+
 void ClipTable::addContacts(ClipEntry& entry) const {
     const Clip& clip = *entry.clip;
     JointTransforms joints;
@@ -121,6 +141,8 @@ void ClipTable::addContacts(ClipEntry& entry) const {
             entry.frames.push_back({rotate(back, joint.translation - contact.anchor), back * joint.rotation,
                                     travel.yaw - start.yaw});
         }
+        if (contact.limb == Limb::LeftFoot || contact.limb == Limb::RightFoot)
+            plant(std::span(entry.frames).subspan(held.frames, held.count));
         entry.contacts[static_cast<std::size_t>(limb - kHeldLimbs.begin())].push_back(held);
     }
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "motion/sole.h"
+
 namespace muster {
 namespace {
 
@@ -107,10 +109,10 @@ private:
         limb_.frame = between({static_cast<double>(pointed.x), static_cast<double>(pointed.y)},
                               {static_cast<double>(points.x), static_cast<double>(points.y)}, limb_.frame);
         limb_.height = contact_->height * (contact_->height > kFixedHeight ? 1.0f : frame_.size);
-        const Vec3 touching = touchingPoint(held_.rotation);
+        const Vec3 point = touching(held_.rotation);
         limb_.anchor = {};
         const Spot there = heldSpot();
-        limb_.anchor = under(now, touching) - under(there, touching);
+        limb_.anchor = under(now, point) - under(there, point);
         limb_.held = true;
         differ(now, heldSpot(), kTakeTime);
     }
@@ -127,10 +129,8 @@ private:
     }
 
     // Heel or ball of a foot, whichever is lower; of a hand the wrist.
-    Vec3 touchingPoint(Quat rotation) const {
-        if (number_ >= 2) return {};
-        const Vec3 heel{-0.05f, 0.0f, -0.08f}, ball{0.13f, 0.0f, -0.08f};
-        return rotate(rotation, heel).z < rotate(rotation, ball).z - 0.002f ? heel : ball;
+    Vec3 touching(Quat rotation) const {
+        return number_ < 2 ? touchingPoint(rotation) : Vec3{};
     }
 
     Vec2 under(const Spot& spot, Vec3 point) const {

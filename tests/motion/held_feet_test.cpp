@@ -169,3 +169,26 @@ TEST_CASE("scenes: the motion of what a patch asks is played, once where it is a
     CHECK(f.singleSteps >= 9);
     CHECK(f.actions == f.singleSteps);
 }
+
+TEST_CASE("a recorded foot that slides in its contact is held still all the same") {
+    ClipLibrary library = swingingClips();
+    const auto walk = static_cast<std::size_t>(library.indexOf("walk"));
+    Clip& clip = library.clips[walk];
+    for (Travel& travel : clip.travel) travel.x *= 1.2f;  // The body gets ahead of its steps.
+    const ClipTable table(library);
+    double clipSlides = 0.0, heldSlides = 0.0;
+    for (const Contact& contact : clip.contacts) {
+        if (contact.limb != Limb::LeftFoot && contact.limb != Limb::RightFoot) continue;
+        const std::size_t foot = contact.limb == Limb::LeftFoot ? 0 : 1;
+        const auto middle = static_cast<float>(0.5 * (contact.begin + std::min(contact.end, clip.duration())));
+        const HeldContact* held = table.contactAt(walk, foot, middle);
+        REQUIRE(held != nullptr);
+        const auto first = static_cast<float>(contact.begin), last = middle;
+        const float way = (clip.travelAt(static_cast<double>(last)).x - clip.travelAt(static_cast<double>(first)).x) / 6.0f;
+        clipSlides = std::max(clipSlides, static_cast<double>(way));
+        const HeldFrame a = table.heldAt(walk, *held, first), b = table.heldAt(walk, *held, last);
+        heldSlides = std::max(heldSlides, static_cast<double>(std::fabs(b.roll.x - a.roll.x)));
+    }
+    CHECK(clipSlides > 0.03);
+    CHECK(heldSlides < 0.002);
+}
