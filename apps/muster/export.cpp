@@ -1,5 +1,4 @@
 // muster export
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -40,9 +39,7 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
         return invalidArgument(options.clips + ": is no folder");
     const bool list = std::filesystem::exists(options.clips + "/" + kClipList, ignored);
     if (list) return loadClips(options.clips);
-    const bool named = std::any_of(take.def.clips.begin(), take.def.clips.end(),
-                                   [](const ClipFacts& facts) { return !facts.file.empty(); });
-    if (!named)
+    if (!namesClipFiles(take.def.clips))
         return invalidArgument(options.clips + ": found no " + kClipList +
                                ", and the take's scenario names no clip files");
     return clipsFor(take.def.clips, options.clips);

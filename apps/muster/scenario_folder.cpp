@@ -112,9 +112,7 @@ Result<ClipLibrary> ScenarioFolder::clips(const std::string& name, const WorldDe
     for (std::size_t i = 0; i < entries_.size(); ++i)
         if (entries_[i].title == def.name) return clipsFor(def.clips, fs::path(paths_[i]).parent_path().string());
     // From elsewhere: where its files would lie nobody knows.
-    const bool named = std::any_of(def.clips.begin(), def.clips.end(),
-                                   [](const ClipFacts& facts) { return !facts.file.empty(); });
-    return named ? notFound(name).within("clip files") : clipsFor({}, {});
+    return namesClipFiles(def.clips) ? notFound(name).within("clip files") : clipsFor({}, {});
 }
 
 }  // namespace muster

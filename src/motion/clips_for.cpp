@@ -1,5 +1,6 @@
 #include "muster/motion/clips_for.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "muster/clips/bvh.h"
@@ -20,6 +21,10 @@ Result<Clip> clipOf(const ClipFacts& fact, const std::string& folder, const Clip
 }
 
 }  // namespace
+
+bool namesClipFiles(std::span<const ClipFacts> facts) {
+    return std::any_of(facts.begin(), facts.end(), [](const ClipFacts& fact) { return !fact.file.empty(); });
+}
 
 Result<ClipLibrary> clipsFor(std::span<const ClipFacts> facts, const std::string& folder) {
     ClipLibrary library = ownClips();

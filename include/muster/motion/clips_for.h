@@ -9,6 +9,9 @@
 
 namespace muster {
 
+/// True where some clip moves by a file.
+bool namesClipFiles(std::span<const ClipFacts> facts);
+
 /// Muster's own clips, and in place of those of the same name the motions of the files that clip facts name
 /// (BVH, relative to `folder`), brought onto Muster's skeleton. Fails as readBvh and retarget do, naming the
 /// motion.
