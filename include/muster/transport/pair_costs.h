@@ -1,0 +1,30 @@
+// Costs between characters and places, asked for by number.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "muster/base/parallel.h"
+
+namespace muster {
+
+/// A character and a place by number.
+struct Pair {
+    std::int32_t character = 0;  ///< Row.
+    std::int32_t place = 0;      ///< Column.
+};
+
+/// What it costs now to bring a character to a place. Answers stay the same within a step.
+class PairCosts {
+public:
+    /// From this on a cost means that there is practically no way [m].
+    static constexpr float kNoWay = 1e4f;
+
+    virtual ~PairCosts() = default;
+    /// The cost of one pair [m] >= 0, finite.
+    virtual float cost(std::int32_t character, std::int32_t place) = 0;
+    /// The costs of many pairs, worked out side by side; `cost` is as long as `pairs`.
+    virtual void fill(std::span<const Pair> pairs, std::span<float> cost, ThreadPool& pool) = 0;
+};
+
+}  // namespace muster
