@@ -30,6 +30,12 @@ public:
     Vec2 direction(Vec2 p) const;
     /// Value of a cell; infinite where not reached.
     float value(Cell cell) const;
+    /// Square of the cost at `p`, interpolated between the four centres around it, of which only those reached count;
+    /// infinite where none is. On uniform ground squares are what interpolates well: they have no kink at the source.
+    double squareBetween(Vec2 p) const;
+    /// Corners of the way from `p` to the source as far as it is known to be made of straight lines, from the first after
+    /// `p` on, the source left out. Returns their number, at most `most`; -1 where the way is not known.
+    std::int32_t corners(Vec2 p, std::span<Vec2> corners) const;
     /// Where the cost is zero [m].
     Vec2 source() const { return source_; }
     /// The ground cells whose centres bear the values.

@@ -1,0 +1,63 @@
+// The ground without crowd and moving things, prepared for many questions about ways.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "muster/environment/environment.h"
+#include "muster/fields/unit_cost.h"
+
+namespace muster {
+
+/// What stands still, for characters of one radius: unit cost, room to all sides, and a coarse copy for long ways.
+class StaticGround {
+public:
+    /// Makes everything anew where what stands still, the radius [m] or `price`, the cost of a metre in the open, has
+    /// changed since the last call; else does nothing.
+    void update(const Environment& environment, double price, double radius);
+
+    /// Grows by one with every change.
+    std::uint32_t version() const { return version_; }
+    const UnitCost& fine() const { return fine_; }      ///< On the ground cells.
+    const UnitCost& coarse() const { return coarse_; }  ///< On cells 2, 4, 8... times as wide, at most kCoarseCells.
+    /// True where all ground costs the same and nothing stands in the way.
+    bool plain() const { return plain_; }
+    /// How far round `p` the ground is uniform and free for a character, a lower bound; below 0 in walls [m].
+    double room(Vec2 p) const;
+    /// The same, interpolated between cells: closer, though no bound.
+    double roomBetween(Vec2 p) const;
+    /// Cost of a metre at `p`.
+    float unit(Vec2 p) const { return unit_[static_cast<std::size_t>(grid_.index(grid_.nearestCell(p)))]; }
+    /// True where a character can go straight from `a` to `b` on uniform ground. Close to walls it may say no though it
+    /// could.
+    bool straight(Vec2 a, Vec2 b) const;
+    /// True where nobody of the radius can stand at the centre of the cell.
+    bool blocked(std::int32_t cell) const { return wallRoom_[static_cast<std::size_t>(cell)] < 0.0f; }
+    /// Room to the walls at the centre of a cell [m].
+    float wallRoom(std::int32_t cell) const { return wallRoom_[static_cast<std::size_t>(cell)]; }
+
+    static constexpr std::int32_t kCoarseCells = 20000;  ///< Most cells of the coarse copy.
+
+private:
+    void makeRoom(const Environment& environment);
+    void widenRoom();
+    void narrowByPatches();
+    void makeCoarse();
+    float coarseEdge(Cell from, Cell step, std::int32_t ratio) const;
+
+    Grid grid_;
+    double radius_ = -1.0;
+    double price_ = -1.0;
+    std::uint64_t seen_ = ~0ull;  // The environment's version.
+    std::uint32_t version_ = 0;
+    bool plain_ = true;
+    UnitCost fine_;
+    UnitCost coarse_;
+    std::vector<float> speed_;
+    std::vector<float> unit_;
+    std::vector<float> wallRoom_;
+    std::vector<float> room_;
+    std::vector<float> far_;  // Working memory.
+};
+
+}  // namespace muster

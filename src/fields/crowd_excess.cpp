@@ -1,0 +1,186 @@
+#include "muster/fields/crowd_excess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/between_centres.h"
+#include "fields/discomfort.h"
+
+namespace muster {
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr double kSampleStep = 0.7;      // Between two readings along a line [m]...
+constexpr std::int32_t kSamples = 16;    // ... but not more than this many.
+
+// Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).
+double crowdSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, Vec2 side, double travelSpeed) {
+    const Vec2 ahead = p + side * def.lookAhead;
+    const double crowd = density.densityAt(ahead);
+    if (crowd <= def.densityMin) return 1.0;
+    const double flow = std::max(0.0, dot(density.velocityAt(ahead), side)) / (def.freeSpeed * travelSpeed);
+    const double share = std::min(1.0, (crowd - def.densityMin) / (def.densityMax - def.densityMin));
+    return std::max(def.minSpeed, 1.0 + share * (std::min(1.0, flow) - 1.0));
+}
+
+bool isNone(const CellCost& c) { return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f; }
+
+}  // namespace
+
+void CrowdExcess::clear() {
+    for (const std::int32_t cell : listed_) excess_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
+    for (const std::int32_t cell : busyList_) busy_[cell] = 0;
+    for (const std::int32_t cell : lookedList_) looked_[cell] = 0;
+    listed_.clear();
+    busyList_.clear();
+    lookedList_.clear();
+}
+
+void CrowdExcess::set(std::int32_t cell, const CellCost& value) {
+    if (isNone(value)) return;
+    if (isNone(excess_[cell])) listed_.push_back(cell);
+    excess_[cell] = value;
+}
+
+void CrowdExcess::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+                         double radius) {
+    if (!(density.grid() == grid_)) {
+        grid_ = density.grid();
+        const auto count = static_cast<std::size_t>(grid_.count());
+        excess_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
+        busy_.assign(count, 0);
+        looked_.assign(count, 0);
+        listed_.reserve(count);
+        busyList_.reserve(count);
+        lookedList_.reserve(count);
+        listed_.clear();
+        busyList_.clear();
+        lookedList_.clear();
+    }
+    clear();
+    if (grid_.count() == 0) return;
+    if (def.density) addCrowd(def, density, environment);
+    addMoving(def, environment, radius);
+    markBusy();
+}
+
+// Only cells near dense ones can be slowed.
+void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment) {
+    const auto reach = static_cast<std::int32_t>(std::ceil(def.lookAhead / grid_.cell));
+    const double price = def.alpha + def.beta;
+    const std::span<const float> travel = environment.travelSpeed();
+    const Grid& ground = environment.grid();
+    const auto priceCell = [&](std::int32_t cell) {
+        const Vec2 p = grid_.centre(grid_.at(cell));
+        const double speed = travel[ground.index(ground.nearestCell(p))];
+        const auto excess = [&](Vec2 side) {
+            const double f = crowdSpeed(def, density, p, side, speed);
+            return f < 1.0 ? static_cast<float>((def.alpha * f + def.beta) / (f * price) - 1.0) : 0.0f;
+        };
+        set(cell, {excess({1.0, 0.0}), excess({0.0, 1.0}), excess({-1.0, 0.0}), excess({0.0, -1.0})});
+    };
+    for (const std::int32_t dense : density.occupied()) {
+        if (!(density.density()[dense] > def.densityMin)) continue;
+        const Cell c = grid_.at(dense);
+        for (std::int32_t y = std::max(0, c.y - reach); y <= std::min(grid_.height - 1, c.y + reach); ++y)
+            for (std::int32_t x = std::max(0, c.x - reach); x <= std::min(grid_.width - 1, c.x + reach); ++x) {
+                const std::int32_t cell = grid_.index({x, y});
+                if (looked_[cell] != 0) continue;
+                looked_[cell] = 1;
+                lookedList_.push_back(cell);
+                priceCell(cell);
+            }
+    }
+}
+
+void CrowdExcess::addMoving(const UnitCostDef& def, const Environment& environment, double radius) {
+    if (def.discomfort && def.gamma > 0.0) {
+        const auto scale = static_cast<float>(def.gamma / (def.alpha + def.beta));
+        for (const ObstaclePiece& piece : environment.pieces()) {
+            if (!piece.moving) continue;
+            const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
+            const double reach = piece.radius + def.discomfortRange;
+            const Cell low = grid_.nearestCell({std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach});
+            const Cell high = grid_.nearestCell({std::max(piece.centre.x, end.x) + reach, std::max(piece.centre.y, end.y) + reach});
+            for (std::int32_t y = low.y; y <= high.y; ++y)
+                for (std::int32_t x = low.x; x <= high.x; ++x) {
+                    const auto g = scale * static_cast<float>(discomfortAt(def, piece, grid_.centre({x, y})));
+                    if (!(g > 0.0f)) continue;
+                    CellCost c = excess_[grid_.index({x, y})];
+                    for (float* side : {&c.east, &c.north, &c.west, &c.south}) *side = std::min(kBlocked, *side + g);
+                    set(grid_.index({x, y}), c);
+                }
+        }
+    }
+    addMovedGround(environment, radius);
+}
+
+// Bodies of moving obstacles, and ground that moving patches slow or speed up.
+void CrowdExcess::addMovedGround(const Environment& environment, double radius) {
+    const std::span<const float> live = environment.clearance();
+    const std::span<const float> still = environment.stillClearance();
+    const std::span<const float> travel = environment.travelSpeed();
+    const std::span<const float> patch = environment.stillPatchSpeed();
+    if (environment.groundVersion() == environment.staticVersion()) return;
+    const Grid& ground = environment.grid();
+    for (std::int32_t cell = 0; cell < grid_.count(); ++cell) {
+        const std::int32_t at = ground.index(ground.nearestCell(grid_.centre(grid_.at(cell))));
+        const float stillSpeed = patch[at] < kInfinite ? patch[at] : 1.0f;
+        const bool taken = live[at] < static_cast<float>(radius) && still[at] >= static_cast<float>(radius);
+        if (!taken && travel[at] == stillSpeed) continue;
+        CellCost c = excess_[cell];
+        for (float* side : {&c.east, &c.north, &c.west, &c.south})
+            *side = taken ? kBlocked : std::min(kBlocked, (1.0f + *side) * (stillSpeed / travel[at]) - 1.0f);
+        set(cell, c);
+    }
+}
+
+void CrowdExcess::markBusy() {
+    if (listed_.empty()) return;
+    Cell least{grid_.width, grid_.height};
+    Cell most{-1, -1};
+    for (const std::int32_t cell : listed_) {
+        const Cell c = grid_.at(cell);
+        for (std::int32_t y = std::max(0, c.y - 1); y <= std::min(grid_.height - 1, c.y + 1); ++y)
+            for (std::int32_t x = std::max(0, c.x - 1); x <= std::min(grid_.width - 1, c.x + 1); ++x) {
+                std::uint8_t& busy = busy_[grid_.index({x, y})];
+                if (busy == 0) busyList_.push_back(grid_.index({x, y}));
+                busy = 1;
+            }
+        least = {std::min(least.x, c.x - 1), std::min(least.y, c.y - 1)};
+        most = {std::max(most.x, c.x + 1), std::max(most.y, c.y + 1)};
+    }
+    bounds_ = {grid_.centre(least), grid_.centre(most)};
+}
+
+double CrowdExcess::along(Vec2 a, Vec2 b) const {
+    if (listed_.empty()) return 0.0;
+    const bool apart = std::max(a.x, b.x) < bounds_.min.x || std::min(a.x, b.x) > bounds_.max.x ||
+                       std::max(a.y, b.y) < bounds_.min.y || std::min(a.y, b.y) > bounds_.max.y;
+    if (apart) return 0.0;
+    const double whole = distance(a, b);
+    if (!(whole > 0.0)) return 0.0;
+    const Vec2 to = (b - a) / whole;
+    const std::int32_t samples = std::min(kSamples, static_cast<std::int32_t>(whole / kSampleStep) + 1);
+    double sum = 0.0;
+    for (std::int32_t k = 0; k < samples; ++k) {
+        const Vec2 p = a + (b - a) * ((k + 0.5) / samples);
+        const Cell c = grid_.nearestCell(p);
+        if (busy_[grid_.index(c)] == 0) continue;
+        const BetweenCentres at = betweenCentres(grid_, p);
+        const CellCost* low = excess_.data() + grid_.index(at.low);
+        const CellCost* high = low + (grid_.height > 1 ? grid_.width : 0);
+        const std::int32_t right = grid_.width > 1 ? 1 : 0;
+        const auto read = [&](float CellCost::*side) {
+            return 1.0 + (low->*side * (1.0 - at.fx) + low[right].*side * at.fx) * (1.0 - at.fy) +
+                   (high->*side * (1.0 - at.fx) + high[right].*side * at.fx) * at.fy;
+        };
+        const double x = to.x * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
+        const double y = to.y * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
+        sum += std::sqrt(x * x + y * y) - 1.0;
+    }
+    return sum * whole / samples;
+}
+
+}  // namespace muster

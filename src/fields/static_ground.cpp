@@ -1,0 +1,219 @@
+#include "muster/fields/static_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/between_centres.h"
+#include "fields/ground_cost.h"
+
+namespace muster {
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr double kHalfDiagonal = 0.70710678118654752;
+// Steps over cells overrate true distances by up to 8 %.
+constexpr float kStepShare = 0.92f;
+constexpr std::int32_t kBlock = 4;         // Cells across a block in which far walls are looked for.
+constexpr double kLeastRoom = 0.03;        // Straight ways keep this off walls [m].
+constexpr double kLeastStride = 0.12;      // Between two looks along a straight way [m].
+constexpr double kInterpolated = 0.75;     // With less room than this a closer look is worth it [m].
+
+// Distances over the eight neighbours from cells that hold 0 (two sweeps of Borgefors 1986) [cells].
+void spreadDistances(std::int32_t width, std::int32_t height, std::vector<float>& value) {
+    constexpr float kDiagonal = 1.41421356f;
+    const auto lower = [&](std::size_t at, std::int32_t x, std::int32_t y, std::int32_t dx, std::int32_t dy) {
+        const std::int32_t nx = x + dx;
+        const std::int32_t ny = y + dy;
+        if (nx < 0 || ny < 0 || nx >= width || ny >= height) return;
+        const float step = dx != 0 && dy != 0 ? kDiagonal : 1.0f;
+        value[at] = std::min(value[at], value[static_cast<std::size_t>(ny) * width + nx] + step);
+    };
+    for (std::int32_t y = 0; y < height; ++y)
+        for (std::int32_t x = 0; x < width; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y) * width + x;
+            lower(at, x, y, -1, 0);
+            lower(at, x, y, -1, -1);
+            lower(at, x, y, 0, -1);
+            lower(at, x, y, 1, -1);
+        }
+    for (std::int32_t y = height; y-- > 0;)
+        for (std::int32_t x = width; x-- > 0;) {
+            const std::size_t at = static_cast<std::size_t>(y) * width + x;
+            lower(at, x, y, 1, 0);
+            lower(at, x, y, 1, 1);
+            lower(at, x, y, 0, 1);
+            lower(at, x, y, -1, 1);
+        }
+}
+
+}  // namespace
+
+void StaticGround::update(const Environment& environment, double price, double radius) {
+    if (seen_ == environment.staticVersion() && price_ == price && radius_ == radius && grid_ == environment.grid()) return;
+    seen_ = environment.staticVersion();
+    price_ = price;
+    radius_ = radius;
+    grid_ = environment.grid();
+    ++version_;
+    const std::span<const float> clearance = environment.stillClearance();
+    const std::span<const float> patch = environment.stillPatchSpeed();
+    speed_.resize(patch.size());
+    unit_.resize(patch.size());
+    for (std::size_t k = 0; k < patch.size(); ++k) {
+        speed_[k] = patch[k] < kInfinite ? patch[k] : 1.0f;
+        unit_[k] = static_cast<float>(price / speed_[k]);
+    }
+    fine_.grid = grid_;
+    fine_.radius = radius;
+    fine_.cells.assign(speed_.size(), {kInfinite, kInfinite, kInfinite, kInfinite});
+    fine_.nodes.clear();
+    far_.assign(speed_.size(), kInfinite);
+    priceGround({grid_, clearance, speed_}, radius, price, 0, grid_.count(), {fine_.cells, far_, fine_.nodes});
+    fine_.lowest = *std::min_element(far_.begin(), far_.end());
+    if (!(fine_.lowest < kInfinite)) fine_.lowest = static_cast<float>(price);
+    makeRoom(environment);
+    makeCoarse();
+}
+
+void StaticGround::makeRoom(const Environment& environment) {
+    const std::span<const float> clearance = environment.stillClearance();
+    const auto radius = static_cast<float>(radius_);
+    wallRoom_.resize(clearance.size());
+    for (std::size_t k = 0; k < clearance.size(); ++k) wallRoom_[k] = clearance[k] - radius;
+    room_ = wallRoom_;
+    widenRoom();
+    narrowByPatches();
+    plain_ = environment.obstacleIds().empty() && environment.patchIds().empty();
+}
+
+// Clearance is known up to a limit; beyond, blocks of cells tell how far it is to where it is known.
+void StaticGround::widenRoom() {
+    constexpr auto kLimit = static_cast<float>(Environment::kClearanceLimit);
+    const float capped = kLimit - static_cast<float>(radius_) - 1e-4f;
+    const std::int32_t width = (grid_.width + kBlock - 1) / kBlock;
+    const std::int32_t height = (grid_.height + kBlock - 1) / kBlock;
+    far_.assign(static_cast<std::size_t>(width) * height, 1e6f);
+    for (std::int32_t k = 0; k < grid_.count(); ++k)
+        if (room_[k] < capped) far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock] = 0.0f;
+    spreadDistances(width, height, far_);
+    const auto edge = static_cast<float>(kBlock * grid_.cell);
+    for (std::int32_t k = 0; k < grid_.count(); ++k) {
+        if (room_[k] < capped) continue;
+        const float blocks = far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock];
+        room_[k] += std::max(0.0f, kStepShare * blocks - 1.5f) * edge;
+    }
+}
+
+// Ground is uniform up to the nearest cell beyond which it costs something else.
+void StaticGround::narrowByPatches() {
+    far_.assign(unit_.size(), 1e6f);
+    bool any = false;
+    for (std::int32_t k = 0; k < grid_.count(); ++k) {
+        const Cell c = grid_.at(k);
+        const bool east = c.x + 1 < grid_.width && unit_[k + 1] != unit_[k];
+        const bool north = c.y + 1 < grid_.height && unit_[k + grid_.width] != unit_[k];
+        if (east) far_[k] = far_[k + 1] = 0.0f;
+        if (north) far_[k] = far_[k + grid_.width] = 0.0f;
+        any = any || east || north;
+    }
+    if (!any) return;
+    spreadDistances(grid_.width, grid_.height, far_);
+    const auto edge = static_cast<float>(grid_.cell);
+    for (std::size_t k = 0; k < room_.size(); ++k)
+        room_[k] = std::min(room_[k], std::max(0.0f, kStepShare * far_[k] - 0.5f) * edge);
+}
+
+// The cheapest of the lanes of cells that lead from the middle of one coarse cell to the middle of the next; infinite
+// where none is free. A wall as thick as a character is wide closes them all.
+float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
+    float best = kInfinite;
+    const Cell to{from.x + step.x, from.y + step.y};
+    if (!coarse_.grid.contains(to)) return best;
+    for (std::int32_t lane = 0; lane < ratio; ++lane) {
+        float sum = 0.0f;
+        bool even = true;
+        float first = 0.0f;
+        for (std::int32_t k = 0; k < ratio && sum < kInfinite; ++k) {
+            const std::int32_t along = ratio / 2 + k;
+            const Cell c{from.x * ratio + (step.x != 0 ? along : lane), from.y * ratio + (step.y != 0 ? along : lane)};
+            if (!grid_.contains(c) || wallRoom_[grid_.index(c)] < 0.0f) {
+                sum = kInfinite;
+                break;
+            }
+            const float unit = unit_[grid_.index(c)];
+            if (k == 0) first = unit;
+            even = even && unit == first;
+            sum += unit;
+        }
+        if (sum < kInfinite) best = std::min(best, even ? first : sum / static_cast<float>(ratio));
+    }
+    return best;
+}
+
+void StaticGround::makeCoarse() {
+    std::int32_t ratio = 2;
+    const auto across = [](std::int32_t cells, std::int32_t by) { return (cells + by - 1) / by; };
+    while (across(grid_.width, ratio) * across(grid_.height, ratio) > kCoarseCells) ratio *= 2;
+    coarse_.grid = {grid_.origin, grid_.cell * ratio, across(grid_.width, ratio), across(grid_.height, ratio)};
+    coarse_.radius = radius_;
+    coarse_.lowest = fine_.lowest;
+    const Grid& grid = coarse_.grid;
+    coarse_.cells.assign(static_cast<std::size_t>(grid.count()), {kInfinite, kInfinite, kInfinite, kInfinite});
+    coarse_.nodes.clear();
+    for (std::int32_t k = 0; k < grid.count(); ++k) {
+        const Cell c = grid.at(k);
+        const float east = coarseEdge(c, {1, 0}, ratio);
+        const float north = coarseEdge(c, {0, 1}, ratio);
+        coarse_.cells[k].east = east;
+        coarse_.cells[k].north = north;
+        if (c.x + 1 < grid.width) coarse_.cells[k + 1].west = east;
+        if (c.y + 1 < grid.height) coarse_.cells[k + grid.width].south = north;
+    }
+    for (std::int32_t k = 0; k < grid.count(); ++k) {
+        const CellCost& c = coarse_.cells[k];
+        const float least = std::min({c.east, c.north, c.west, c.south});
+        const bool even = c.east == c.north && c.north == c.west && c.west == c.south;
+        if (even || !(least < kInfinite)) continue;
+        const auto plain = [&](float side) { return side == least || side == kInfinite; };
+        const bool one = plain(c.east) && plain(c.north) && plain(c.west) && plain(c.south);
+        coarse_.nodes.push_back({k, 0.0f, 0.0f, 0.0f, 0.0f, one ? least : 0.0f});
+    }
+}
+
+double StaticGround::room(Vec2 p) const {
+    const Cell c = grid_.cellOf(p);
+    if (!grid_.contains(c)) return -1.0;
+    return static_cast<double>(room_[static_cast<std::size_t>(grid_.index(c))]) - kHalfDiagonal * grid_.cell;
+}
+
+double StaticGround::roomBetween(Vec2 p) const {
+    const Cell c = grid_.cellOf(p);
+    if (!grid_.contains(c)) return -1.0;
+    const BetweenCentres at = betweenCentres(grid_, p);
+    const float* low = room_.data() + grid_.index(at.low);
+    const float* high = low + (grid_.height > 1 ? grid_.width : 0);
+    const std::int32_t right = grid_.width > 1 ? 1 : 0;
+    return (low[0] * (1.0 - at.fx) + low[right] * at.fx) * (1.0 - at.fy) +
+           (high[0] * (1.0 - at.fx) + high[right] * at.fx) * at.fy;
+}
+
+bool StaticGround::straight(Vec2 a, Vec2 b) const {
+    if (plain_) return true;
+    const double whole = distance(a, b);
+    if (room(b) >= whole) return true;
+    const Vec2 along = whole > 0.0 ? (b - a) / whole : Vec2{};
+    double at = 0.0;
+    for (;;) {
+        const Vec2 p = a + along * at;
+        double free = room(p);
+        if (free >= whole - at) return true;
+        if (free < kInterpolated) free = roomBetween(p);
+        if (free >= whole - at) return true;
+        if (free < kLeastRoom) return false;
+        at += std::max(free, kLeastStride);
+        if (at >= whole) return true;
+    }
+}
+
+}  // namespace muster
