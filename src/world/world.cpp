@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kSnapshotMagic = 0x4d535031;  // "MSP1"
+constexpr std::uint32_t kSnapshotMagic = 0x4d535032;  // "MSP2"
 
 void archive(Writer& writer, Environment& environment) { environment.save(writer); }
 void archive(Hasher& hasher, Environment& environment) { environment.hash(hasher); }
@@ -68,6 +68,13 @@ void archiveGroups(auto& ar, std::vector<Group>& groups, ThreadPool& pool) {
     }
 }
 
+Status checkRunner(const TaskRunner& runner) {
+    if (runner.run == nullptr) return invalidArgument("runner: found no function, expected one that runs tasks");
+    if (runner.threads < 1 || runner.threads > 256)
+        return invalidArgument("runner: found " + std::to_string(runner.threads) + " threads, expected 1 to 256");
+    return {};
+}
+
 Status addGround(World::Impl& world, const WorldDef& def) {
     for (std::size_t i = 0; i < def.obstacles.size(); ++i) {
         const auto added = world.environment.addObstacle(def.obstacles[i]);
@@ -115,6 +122,15 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const WorldDef& def, std::int32_t threads) {
+    return createOn(std::make_unique<ThreadPool>(threads), def);
+}
+
+Result<World> World::create(const WorldDef& def, const TaskRunner& runner) {
+    if (const Status usable = checkRunner(runner); !usable.ok()) return usable;
+    return createOn(std::make_unique<ThreadPool>(runner), def);
+}
+
+Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& def) {
     if (const Status valid = validateWorld(def); !valid.ok()) return valid;
     EnvironmentDef ground;
     ground.box = def.box;
@@ -126,7 +142,7 @@ Result<World> World::create(const WorldDef& def, std::int32_t threads) {
     if (!environment.ok()) return environment.status();
 
     auto impl = std::make_unique<Impl>();
-    impl->pool = std::make_unique<ThreadPool>(threads);
+    impl->pool = std::move(pool);
     impl->parameters = def.parameters;
     impl->environment = *std::move(environment);
     impl->random = Random(def.seed);
@@ -173,12 +189,21 @@ std::vector<std::uint8_t> World::snapshot() const {
 }
 
 Result<World> World::restore(std::span<const std::uint8_t> snapshot, std::int32_t threads) {
+    return restoreOn(std::make_unique<ThreadPool>(threads), snapshot);
+}
+
+Result<World> World::restore(std::span<const std::uint8_t> snapshot, const TaskRunner& runner) {
+    if (const Status usable = checkRunner(runner); !usable.ok()) return usable;
+    return restoreOn(std::make_unique<ThreadPool>(runner), snapshot);
+}
+
+Result<World> World::restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const std::uint8_t> snapshot) {
     Reader reader(snapshot);
     std::uint32_t magic = 0;
     reader(magic);
     if (magic != kSnapshotMagic) return Status(StatusCode::ParseError, "snapshot: found another kind of file, expected a world");
     auto impl = std::make_unique<Impl>();
-    impl->pool = std::make_unique<ThreadPool>(threads);
+    impl->pool = std::move(pool);
     impl->visit(reader);
     if (!reader.ok() || reader.remaining() != 0)
         return Status(StatusCode::ParseError, "snapshot: found torn or foreign data, expected a whole world");
@@ -195,7 +220,7 @@ const Environment& World::environment() const { return impl_->environment; }
 const Characters& World::characters() const { return impl_->characters; }
 std::size_t World::groupCount() const { return impl_->groups.size(); }
 const DensityField& World::density() const { return impl_->density; }
-const UnitCost* World::unitCost() const { return impl_->costBuilt ? &impl_->unitCost : nullptr; }
+const UnitCost* World::unitCost() const { return impl_->costBuilt ? &impl_->costBuilder.cost() : nullptr; }
 std::span<const Event> World::events() const { return impl_->events; }
 std::span<const Rejection> World::rejections() const { return impl_->rejections; }
 std::span<const ItemDef> World::items() const { return impl_->items; }
@@ -216,6 +241,7 @@ GroupView World::group(std::size_t index) const {
     view.plan = group.plan.get();
     view.objective = group.objective;
     view.gapBound = group.gapBound;
+    view.walk = group.walk;
     view.meanLag = group.meanLag;
     view.formationVersion = group.formationVersion;
     return view;

@@ -24,6 +24,7 @@ struct Group {
     std::unique_ptr<Plan> plan;
     double objective = 0.0;
     double gapBound = 0.0;
+    WalkTotals walk;
     double meanLag = 0.0;
     std::uint32_t formationVersion = 1;
     bool planNow = true;      ///< The next plan is made whole in one step, without incumbents.
@@ -37,8 +38,8 @@ struct Group {
     /// Lets an archive read or write everything but the plan and the caches.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(id, def, mesh, controls, places, objective, gapBound, meanLag, formationVersion, planNow, assigned,
-                reassigns, kept, slice, slices);
+        archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion, planNow,
+                assigned, reassigns, kept, slice, slices);
     }
 };
 
@@ -91,7 +92,6 @@ struct World::Impl {
     StageTimes times;
     DensityField density;
     UnitCostBuilder costBuilder;
-    UnitCost unitCost;
     bool costBuilt = false;
     Steering steering;
     Contacts contactSolver;

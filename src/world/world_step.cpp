@@ -13,6 +13,17 @@ using StageFunction = void (World::Impl::*)();
 
 constexpr double kUnmatchedReach = 2.0;  // The unmatched stop this far from the nearest place [m].
 
+WalkTotals totalsOf(std::span<const double> costs) {
+    WalkTotals totals;
+    for (const double cost : costs) {
+        if (!std::isfinite(cost)) continue;
+        totals.sum += cost;
+        totals.squares += cost * cost;
+        totals.longest = std::max(totals.longest, cost);
+    }
+    return totals;
+}
+
 }  // namespace
 
 // The whole step, stage by stage.
@@ -79,10 +90,7 @@ bool World::Impl::plansThisStep(const Group& group, std::size_t index) const {
 
 void World::Impl::buildDensityAndCost() {
     density.splat(characters.position, characters.velocity);
-    bool needed = false;
-    for (std::size_t g = 0; g < groups.size(); ++g) needed = needed || plansThisStep(groups[g], g);
-    if (!needed) return;
-    costBuilder.build(costDef(), environment, density, parameters.radius, unitCost);
+    costBuilder.update(costDef(), environment, density, parameters.radius);
     costBuilt = true;
 }
 
@@ -108,7 +116,7 @@ void World::Impl::startPlan(Group& group) {
     input.places = group.places.positions();
     input.usable = group.places.fit();
     input.incumbent = memory.groupPlaces;
-    input.cost = &unitCost;
+    input.cost = &costBuilder.cost();
     group.slices = group.planNow ? 1 : static_cast<std::int32_t>(parameters.planPeriod);
     group.slice = 0;
     const Status status = group.plan->start(def, input);
@@ -122,6 +130,7 @@ void World::Impl::finishPlan(Group& group) {
     (void)status;
     group.objective = memory.planResult.objective;
     group.gapBound = memory.planResult.gapBound;
+    group.walk = totalsOf(memory.planResult.cost);
     memory.groupPlaces.assign(group.members.size(), -1);
     for (const Flow& flow : memory.planResult.flows) memory.groupPlaces[static_cast<std::size_t>(flow.character)] = flow.place;
     if (group.reassigns) group.kept = memory.groupPlaces;

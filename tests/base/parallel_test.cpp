@@ -2,6 +2,8 @@
 #include <doctest.h>
 
 #include <atomic>
+#include <chrono>
+#include <functional>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -108,4 +110,91 @@ TEST_CASE("pools in several threads do not disturb each other") {
     }
     for (std::thread& thread : threads) thread.join();
     for (const std::int64_t sum : sums) CHECK(sum == 99 * 100 * 199 / 6);
+}
+
+TEST_CASE("any callable can be handed over, and none is copied") {
+    struct Counter {
+        std::int32_t calls = 0;
+        void operator()(std::int32_t, std::int32_t) { ++calls; }
+    };
+    ThreadPool pool(1);
+    Counter counter;
+    pool.run(5, counter);
+    CHECK(counter.calls == 5);
+    pool.run(4, std::ref(counter));
+    CHECK(counter.calls == 9);
+    std::int32_t sum = 0;
+    const std::function<void(std::int32_t, std::int32_t)> add = [&](std::int32_t item, std::int32_t) { sum += item; };
+    pool.run(4, add);
+    CHECK(sum == 6);
+    const TaskRef again = add;
+    pool.run(3, again);
+    CHECK(sum == 9);
+}
+
+TEST_CASE("workers that fell asleep wake for the next round, and rounds that follow at once are whole") {
+    for (const int threads : {2, 3, 8}) {
+        ThreadPool pool(threads);
+        std::atomic<std::int64_t> sum{0};
+        std::int64_t expected = 0;
+        for (int round = 0; round < 2000; ++round) {
+            // Now and then longer than anybody spins.
+            if (round % 400 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(3));
+            const std::int32_t count = 2 + round % 5;
+            pool.run(count, [&](std::int32_t item, std::int32_t) { sum += round * 10 + item; });
+            expected += static_cast<std::int64_t>(count) * round * 10 + count * (count - 1) / 2;
+            REQUIRE(sum == expected);
+        }
+    }
+}
+
+TEST_CASE("a caller that waits longer than it spins is woken by the last worker") {
+    ThreadPool pool(2);
+    for (int round = 0; round < 5; ++round) {
+        std::atomic<std::int32_t> slow{0};
+        const std::thread::id caller = std::this_thread::get_id();
+        // Whoever is not the caller takes long; the caller waits until that one has begun.
+        pool.run(2, [&](std::int32_t, std::int32_t) {
+            if (std::this_thread::get_id() == caller) {
+                while (slow == 0) std::this_thread::yield();
+            } else {
+                slow = 1;
+                std::this_thread::sleep_for(std::chrono::milliseconds(4));
+                slow = 2;
+            }
+        });
+        CHECK(slow == 2);
+    }
+}
+
+TEST_CASE("work goes to a foreign runner, but for single items") {
+    struct Log {
+        std::vector<std::int32_t> counts;
+    } log;
+    const TaskRunner runner{4, &log,
+                            [](void* context, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
+                                static_cast<Log*>(context)->counts.push_back(count);
+                                for (std::int32_t i = count; i-- > 0;) task(of, i, i % 4);
+                            }};
+    ThreadPool pool(runner);
+    CHECK(pool.threads() == 4);
+    std::vector<std::int32_t> order;
+    const auto note = [&](std::int32_t item, std::int32_t worker) { order.push_back(item * 10 + worker); };
+    pool.run(5, note);
+    CHECK(order == std::vector<std::int32_t>{40, 33, 22, 11, 0});
+    order.clear();
+    pool.run(1, note);
+    pool.run(0, note);
+    CHECK(order == std::vector<std::int32_t>{0});
+    CHECK(log.counts == std::vector<std::int32_t>{5});
+}
+
+TEST_CASE("a runner without a function or threads leaves all to the caller") {
+    for (const TaskRunner& runner : {TaskRunner{}, TaskRunner{0, nullptr, [](void*, std::int32_t, void (*)(void*, std::int32_t, std::int32_t), void*) {}}}) {
+        ThreadPool pool(runner);
+        CHECK(pool.threads() == 1);
+        std::int32_t calls = 0;
+        pool.run(3, [&](std::int32_t, std::int32_t worker) { calls += 1 + worker; });
+        CHECK(calls == 3);
+    }
 }

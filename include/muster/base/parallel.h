@@ -2,16 +2,51 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
+#include <type_traits>
 
 namespace muster {
+
+/// A callable `(std::int32_t item, std::int32_t worker)` for the time of one call: a pointer to it, never a copy.
+class TaskRef {
+public:
+    /// Refers to `callable`, which has to outlive the reference.
+    template <class Callable>
+        requires(!std::is_same_v<std::remove_cvref_t<Callable>, TaskRef> &&
+                 std::is_invocable_v<Callable&, std::int32_t, std::int32_t>)
+    TaskRef(Callable&& callable)  // NOLINT: lambdas are handed over as they are.
+        : object_(const_cast<void*>(static_cast<const void*>(&callable))),
+          call_([](void* object, std::int32_t item, std::int32_t worker) {
+              (*static_cast<std::remove_reference_t<Callable>*>(object))(item, worker);
+          }) {}
+
+    /// Calls it.
+    void operator()(std::int32_t item, std::int32_t worker) const { call_(object_, item, worker); }
+
+private:
+    void* object_;
+    void (*call_)(void* object, std::int32_t item, std::int32_t worker);
+};
+
+/// A task runner of the program that Muster is part of (a game's job system), in place of Muster's own threads.
+struct TaskRunner {
+    /// Most workers that run at a time, the caller counted in where it takes part: 1 to 256.
+    std::int32_t threads = 1;
+    void* context = nullptr;  ///< Handed to `run` as it is.
+    /// Calls `task(taskContext, item, worker)` once for every item in [0, count), in any order and on any threads, and
+    /// returns when all calls have returned and what they wrote can be seen by the caller. `worker` lies in
+    /// [0, threads), and no two calls at the same time have the same. Not null.
+    void (*run)(void* context, std::int32_t count,
+                void (*task)(void* taskContext, std::int32_t item, std::int32_t worker), void* taskContext) = nullptr;
+};
 
 /// A pool of worker threads. With one thread (or under WebAssembly) all runs in the caller.
 class ThreadPool {
 public:
     /// `threads` in total, the caller counted in; 0 takes what the machine has.
     explicit ThreadPool(std::int32_t threads = 1);
+    /// No threads of its own: work goes to `runner`. Where it has no function or no thread, all runs in the caller.
+    explicit ThreadPool(const TaskRunner& runner);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;  ///< Threads cannot be copied.
     ThreadPool& operator=(const ThreadPool&) = delete;
@@ -20,8 +55,9 @@ public:
     std::int32_t threads() const;
     /// Calls `work(item, worker)` once for every item in [0, count); returns when all are done.
     /// `worker` in [0, threads()) picks private working memory. Items must not touch each other's
-    /// results: which worker takes which item is not fixed.
-    void run(std::int32_t count, const std::function<void(std::int32_t item, std::int32_t worker)>& work);
+    /// results: which worker takes which item is not fixed. Allocates nothing. Neither items nor other threads may
+    /// call it meanwhile.
+    void run(std::int32_t count, TaskRef work);
 
 private:
     struct Impl;

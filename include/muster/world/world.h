@@ -42,6 +42,19 @@ struct Rejection {
     Status status;
 };
 
+/// Costs of the ways from characters to their places, over those that have one.
+struct WalkTotals {
+    double sum = 0.0;      ///< [m] where the ground is plain.
+    double squares = 0.0;  ///< [m^2].
+    double longest = 0.0;  ///< [m].
+
+    /// Lets an archive read or write the totals.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(sum, squares, longest);
+    }
+};
+
 /// What can be read of a group.
 struct GroupView {
     GroupId id;
@@ -52,6 +65,7 @@ struct GroupView {
     const Plan* plan = nullptr;
     double objective = 0.0;                 ///< Of the last plan [cost^p].
     double gapBound = 0.0;                  ///< Of the last plan [cost^p].
+    WalkTotals walk;                        ///< Of the last plan: what every objective would judge.
     double meanLag = 0.0;                   ///< Mean distance of characters to where their places are bound [m] (SPEC U6).
     std::uint32_t formationVersion = 0;     ///< Grows when the mesh is exchanged.
 };
@@ -61,8 +75,12 @@ class World {
 public:
     /// Builds a world. `threads` as for ThreadPool. Fails with InvalidArgument naming the culprit.
     static Result<World> create(const WorldDef& def, std::int32_t threads = 1);
+    /// The same, with its work handed to the caller's own task runner, which outlives the world. Results are the same.
+    static Result<World> create(const WorldDef& def, const TaskRunner& runner);
     /// A world from snapshot(): goes on bit for bit. Fails with ParseError on anything else.
     static Result<World> restore(std::span<const std::uint8_t> snapshot, std::int32_t threads = 1);
+    /// The same on the caller's own task runner.
+    static Result<World> restore(std::span<const std::uint8_t> snapshot, const TaskRunner& runner);
     World(World&&) noexcept;  ///< Moves.
     World& operator=(World&&) noexcept;
     ~World();
@@ -81,7 +99,7 @@ public:
     std::size_t groupCount() const;            ///< Groups now.
     GroupView group(std::size_t index) const;  ///< In ascending order of ids.
     const DensityField& density() const;       ///< Of the last step.
-    /// Unit cost that the last plan read; null before the first.
+    /// Unit cost of the last step; null before the first.
     const UnitCost* unitCost() const;
     std::span<const Event> events() const;         ///< Of the last step.
     std::span<const Rejection> rejections() const; ///< Of the last step.
@@ -101,6 +119,8 @@ public:
     struct Impl;  ///< Private.
 
 private:
+    static Result<World> createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& def);
+    static Result<World> restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const std::uint8_t> snapshot);
     explicit World(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,113 @@
+// Worlds on the task runner of somebody else: any order of items, any workers, the same bits.
+#include <doctest.h>
+
+#include <thread>
+#include <vector>
+
+#include "world/scenes.h"
+
+using namespace muster;
+
+namespace {
+
+using Task = void (*)(void* context, std::int32_t item, std::int32_t worker);
+
+// What a runner was asked for.
+struct Asked {
+    std::int32_t runs = 0;
+    std::int64_t items = 0;
+};
+
+void backwards(void* context, std::int32_t count, Task task, void* taskContext) {
+    auto& asked = *static_cast<Asked*>(context);
+    ++asked.runs;
+    asked.items += count;
+    for (std::int32_t i = count; i-- > 0;) task(taskContext, i, i % 2);
+}
+
+// A thread for each of three workers, each with every third item.
+void threadsOfItsOwn(void* context, std::int32_t count, Task task, void* taskContext) {
+    ++static_cast<Asked*>(context)->runs;
+    std::vector<std::thread> threads;
+    for (std::int32_t worker = 0; worker < 3; ++worker)
+        threads.emplace_back([=] {
+            for (std::int32_t i = worker; i < count; i += 3) task(taskContext, i, worker);
+        });
+    for (std::thread& thread : threads) thread.join();
+}
+
+std::vector<std::uint64_t> hashesOf(World& world, int steps) {
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < steps; ++i) {
+        world.step();
+        hashes.push_back(world.hash());
+    }
+    return hashes;
+}
+
+}  // namespace
+
+TEST_CASE("a world on a foreign task runner goes through the same states") {
+    const WorldDef def = testing::busyFloor(11);
+    Result<World> own = World::create(def);
+    REQUIRE(own.ok());
+    const std::vector<std::uint64_t> expected = hashesOf(*own, 40);
+    for (const TaskRunner& runner : {TaskRunner{2, nullptr, backwards}, TaskRunner{3, nullptr, threadsOfItsOwn}}) {
+        Asked asked;
+        Result<World> world = World::create(def, TaskRunner{runner.threads, &asked, runner.run});
+        REQUIRE(world.ok());
+        CHECK(hashesOf(*world, 40) == expected);
+        CHECK(asked.runs > 0);
+    }
+}
+
+TEST_CASE("a snapshot goes on on a foreign task runner as it would on threads") {
+    Result<World> world = World::create(testing::busyFloor(12), 2);
+    REQUIRE(world.ok());
+    hashesOf(*world, 25);
+    const std::vector<std::uint8_t> saved = world->snapshot();
+    Asked asked;
+    Result<World> restored = World::restore(saved, TaskRunner{2, &asked, backwards});
+    REQUIRE(restored.ok());
+    CHECK(restored->hash() == world->hash());
+    CHECK(hashesOf(*restored, 30) == hashesOf(*world, 30));
+    CHECK(asked.items > 0);
+}
+
+TEST_CASE("a runner that cannot run is refused by name") {
+    const WorldDef def = testing::openFloor();
+    const Result<World> none = World::create(def, TaskRunner{2, nullptr, nullptr});
+    REQUIRE_FALSE(none.ok());
+    CHECK(none.status().message() == "runner: found no function, expected one that runs tasks");
+    Asked asked;
+    for (const std::int32_t threads : {0, -1, 257}) {
+        const Result<World> few = World::create(def, TaskRunner{threads, &asked, backwards});
+        REQUIRE_FALSE(few.ok());
+        CHECK(few.status().message() == "runner: found " + std::to_string(threads) + " threads, expected 1 to 256");
+        CHECK_FALSE(World::restore({}, TaskRunner{threads, &asked, backwards}).ok());
+    }
+}
+
+TEST_CASE("the totals of walks are those of the last plan") {
+    WorldDef def = testing::openFloor(3);
+    def.groups[0].starts = {{-9, 0}, {-9, 2}, {-9, -3}};
+    Result<World> made = World::create(def);
+    REQUIRE(made.ok());
+    World& world = *made;
+    world.step();
+    WalkTotals expected;
+    for (std::size_t i = 0; i < 3; ++i) {
+        // On an open floor the way is straight; the field of the grid lengthens it a little.
+        const Vec2 place = world.group(0).places->positions()[static_cast<std::size_t>(world.characters().place[i])];
+        const double walk = length(place - def.groups[0].starts[i]);
+        expected.sum += walk;
+        expected.squares += walk * walk;
+        expected.longest = std::max(expected.longest, walk);
+    }
+    const WalkTotals& walk = world.group(0).walk;
+    CHECK(walk.sum == doctest::Approx(expected.sum).epsilon(0.05));
+    CHECK(walk.squares == doctest::Approx(expected.squares).epsilon(0.1));
+    CHECK(walk.longest == doctest::Approx(expected.longest).epsilon(0.05));
+    CHECK(walk.squares >= walk.longest * walk.longest);
+    CHECK(walk.sum * walk.sum >= walk.squares);
+}
