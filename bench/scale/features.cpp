@@ -1,0 +1,112 @@
+#include "scale/features.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "muster/base/random.h"
+
+namespace muster::scale {
+namespace {
+
+constexpr MotionId kDuck = 2;
+constexpr MotionId kCrawl = 3;
+constexpr MotionId kSwim = 4;
+constexpr double kTreeSpacing = 3.2;  // [m]
+constexpr double kTreeSway = 0.7;     // Trees stand off their lattice by up to this [m].
+constexpr double kFieldRange = 0.9;   // Of the fields of trees [m].
+
+Polygon rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+void addBlock(double x0, double y0, double x1, double y1, WorldDef& world) {
+    ObstacleDef def;
+    def.name = "Block";
+    def.polygon = rectangle(x0, y0, x1, y1);
+    world.obstacles.push_back(def);
+}
+
+PatchDef patch(const char* name, const Polygon& polygon, MotionId motion) {
+    PatchDef def;
+    def.name = name;
+    def.polygon = polygon;
+    def.motion = motion;
+    return def;
+}
+
+// There and back over `way` at `speed`, for ever.
+TimedPath shuttle(Vec2 way, double speed) {
+    const double time = length(way) / speed;
+    TimedPath path;
+    path.waypoints = {{0.0, {0.0, 0.0}, 0.0}, {time, way, 0.0}, {2.0 * time, {0.0, 0.0}, 0.0}};
+    path.loop = true;
+    return path;
+}
+
+// A block in the way, and a car that crosses before it.
+void addBlockScene(const FeatureSize& size, double side, WorldDef& world) {
+    addBlock(-size.halfLength, -size.halfWidth, size.halfLength, size.halfWidth, world);
+    ObstacleDef car;
+    car.name = "Car";
+    car.radius = 0.8;
+    car.centre = {-size.halfLength - 3.0, -0.5 * side - 2.0};
+    car.path = shuttle({0.0, side + 4.0}, 1.5);
+    world.obstacles.push_back(car);
+}
+
+// Two walls from the edges of the box leave a way along x.
+void addWalls(double halfLength, double halfWidth, WorldDef& world) {
+    addBlock(-halfLength, halfWidth, halfLength, world.box.max.y, world);
+    addBlock(-halfLength, world.box.min.y, halfLength, -halfWidth, world);
+}
+
+void addTrees(const FeatureSize& size, std::uint64_t seed, WorldDef& world) {
+    Random random(seed * 104729 + 5);
+    const auto columns = static_cast<std::int32_t>(std::ceil(2.0 * size.halfLength / kTreeSpacing));
+    const auto rows = static_cast<std::int32_t>(std::ceil(2.0 * size.halfWidth / kTreeSpacing));
+    for (std::int32_t r = 0; r < rows; ++r)
+        for (std::int32_t c = 0; c < columns; ++c) {
+            ObstacleDef tree;
+            tree.name = "Tree";
+            tree.radius = random.uniform(0.3, 0.5);
+            tree.centre.x = -size.halfLength + (c + 0.5) * kTreeSpacing + random.uniform(-kTreeSway, kTreeSway);
+            tree.centre.y = -size.halfWidth + (r + 0.5) * kTreeSpacing + random.uniform(-kTreeSway, kTreeSway);
+            tree.range = kFieldRange;
+            tree.strength = 0.35;
+            world.obstacles.push_back(tree);
+        }
+}
+
+// Three ways side by side: under a net, in the open with a moving beam to duck under, and through a pool.
+void addPaths(const FeatureSize& size, double side, WorldDef& world) {
+    const double wall = std::max(0.8, 0.06 * side);
+    const double lane = (2.0 * size.halfWidth - 2.0 * wall) / 3.0;
+    addWalls(size.halfLength, size.halfWidth, world);
+    const double inner = 0.5 * lane;
+    addBlock(-size.halfLength, inner, size.halfLength, inner + wall, world);
+    addBlock(-size.halfLength, -inner - wall, size.halfLength, -inner, world);
+    const double length = 0.6 * size.halfLength;
+    world.patches.push_back(patch("Net", rectangle(-length, inner + wall, length, size.halfWidth), kCrawl));
+    world.patches.push_back(patch("Pool", rectangle(-length, -size.halfWidth, length, -inner - wall), kSwim));
+    PatchDef beam = patch("Beam", rectangle(-size.halfLength, -inner, -size.halfLength + 1.5, inner), kDuck);
+    beam.path = shuttle({2.0 * size.halfLength - 1.5, 0.0}, 1.0);
+    world.patches.push_back(beam);
+}
+
+}  // namespace
+
+FeatureSize featureSize(const std::string& scene, double side) {
+    if (scene == "block") return {std::max(1.5, 0.15 * side), std::max(1.8, 0.18 * side)};
+    if (scene == "corridor") return {std::max(3.0, 0.2 * side), std::max(2.5, 0.22 * side)};
+    if (scene == "woodland") return {std::max(6.4, 0.4 * side), std::max(6.4, 0.6 * side)};
+    if (scene == "paths") return {std::max(4.0, 0.2 * side), std::max(6.5, 0.55 * side)};
+    return {};
+}
+
+void addFeature(const std::string& scene, double side, std::uint64_t seed, WorldDef& world) {
+    const FeatureSize size = featureSize(scene, side);
+    if (scene == "block") addBlockScene(size, side, world);
+    if (scene == "corridor") addWalls(size.halfLength, size.halfWidth, world);
+    if (scene == "woodland") addTrees(size, seed, world);
+    if (scene == "paths") addPaths(size, side, world);
+}
+
+}  // namespace muster::scale

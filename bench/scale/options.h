@@ -1,0 +1,35 @@
+// The command line of muster-bench.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scale/case.h"
+
+namespace muster::scale {
+
+/// What `muster-bench scale` was asked for.
+struct Options {
+    std::vector<std::string> scenes;
+    std::vector<std::string> regimes;
+    std::vector<std::int32_t> counts;
+    std::vector<std::string> plans;
+    std::vector<std::int32_t> threads;
+    std::vector<std::uint64_t> seeds;
+    double seconds = 0.0;
+    std::int32_t gapEvery = 0;
+    bool quick = false;
+    bool json = false;
+    bool exact = false;
+    bool noGap = false;
+    bool markdown = false;
+    std::string maps = "../shared/maps";
+};
+
+/// Reads the command line; returns -1 to go on with `options`, else the exit code (help 0, wrong 2).
+int readOptions(int argc, const char* const* argv, Options& options);
+
+/// All cases asked for, in the order of the table. Fails with one sentence naming the culprit.
+Result<std::vector<CaseDef>> casesOf(const Options& options);
+
+}  // namespace muster::scale

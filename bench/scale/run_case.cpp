@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "muster/base/stopwatch.h"
+#include "scale/case.h"
+#include "scale/drag.h"
+#include "scale/meter.h"
+
+namespace muster::scale {
+namespace {
+
+constexpr double kArrived = 0.5;            // [m]
+constexpr std::int32_t kWarmUp = 120;       // Steps in which memory may grow, at least.
+constexpr std::uint32_t kLookEvery = 30;    // Steps between looks for the end of a walk.
+
+// What is measured while the world runs.
+struct Watch {
+    std::vector<double> cpu;   // Per step [ms].
+    std::vector<double> wall;  // Per step [ms].
+    std::array<double, static_cast<std::size_t>(Stage::Count)> stages{};
+    std::int64_t allocations = 0;
+    std::uint64_t swaps = 0;
+    double lag = 0.0;
+};
+
+double threadMilliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+void timedStep(World& world, bool warm, Watch& watch) {
+    const std::int64_t before = allocationCount();
+    const Stopwatch wall;
+    const double began = threadMilliseconds();
+    world.step();
+    const double cpu = threadMilliseconds() - began;
+    const double whole = wall.milliseconds();
+    if (warm) watch.allocations += allocationCount() - before;
+    watch.cpu.push_back(cpu);
+    watch.wall.push_back(whole);
+    for (std::size_t k = 0; k < watch.stages.size(); ++k)
+        if (watch.wall.size() > 1) watch.stages[k] += world.stageTimes().milliseconds[k];
+    for (const Event& event : world.events()) watch.swaps += event.kind == EventKind::Swap ? 1 : 0;
+}
+
+// Distances to places: their mean, and the share of those that are near enough.
+void lags(const World& world, double& mean, double& arrived) {
+    const Characters& characters = world.characters();
+    const std::vector<Vec2>& places = world.group(0).places->positions();
+    double sum = 0.0;
+    std::int32_t near = 0;
+    std::int32_t matched = 0;
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        if (characters.place[i] < 0) continue;
+        const double lag = distance(characters.position[i], places[static_cast<std::size_t>(characters.place[i])]);
+        sum += lag;
+        near += lag <= kArrived ? 1 : 0;
+        ++matched;
+    }
+    mean = matched > 0 ? sum / matched : 0.0;
+    arrived = matched > 0 ? static_cast<double>(near) / matched : 0.0;
+}
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    const auto at = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::clamp<std::size_t>(at, 1, values.size()) - 1];
+}
+
+void fill(const Watch& watch, Row& row) {
+    // With one thread the processor's time is that of the step alone, whatever else the machine does.
+    const std::vector<double>& all = row.def.threads == 1 ? watch.cpu : watch.wall;
+    row.cold = all.front();
+    const std::vector<double> rest(all.begin() + 1, all.end());
+    row.steps = static_cast<std::int32_t>(rest.size());
+    row.p50 = quantile(rest, 0.5);
+    row.p95 = quantile(rest, 0.95);
+    row.max = quantile(rest, 1.0);
+    row.wallP95 = quantile({watch.wall.begin() + 1, watch.wall.end()}, 0.95);
+    for (std::size_t k = 0; k < row.stages.size(); ++k) row.stages[k] = watch.stages[k] / std::max(1, row.steps);
+    row.allocations = allocationsCounted() ? watch.allocations : -1;
+    row.lagMean = watch.lag / static_cast<double>(all.size());
+}
+
+}  // namespace
+
+Result<World> makeWorld(const CaseDef& def, const Scene& scene) {
+    WorldDef world = scene.world;
+    const Status chosen = setParameter(world.parameters, "plan.solver", def.plan == "fast" ? 1.0 : 0.0);
+    if (!chosen.ok() && def.plan != "exact") return invalidArgument("found plan '" + def.plan + "', this build has exact only");
+    return World::create(world, def.threads);
+}
+
+Result<Row> runCase(const CaseDef& def, const Observer& observer) {
+    resetPeakMemory();
+    const Result<Scene> scene = makeScene(def.scene);
+    if (!scene.ok()) return scene.status();
+    Result<World> made = makeWorld(def, *scene);
+    if (!made.ok()) return made.status();
+    World& world = *made;
+    Drag drag(scene->course, scene->side);
+    Watch watch;
+    const double seconds = def.seconds > 0.0 ? def.seconds : scene->seconds;
+    const auto most = std::max(2, static_cast<std::int32_t>(seconds / world.parameters().stepTime));
+    const std::int32_t warmUp = std::min(std::max(kWarmUp, most / 3), most / 2);
+    Row row;
+    row.def = def;
+    for (std::int32_t step = 0; step < most; ++step) {
+        if (def.scene.regime != Regime::Far)
+            if (Status status = drag.before(world); !status.ok()) return status;
+        timedStep(world, step >= warmUp, watch);
+        if (observer) observer(world);
+        double lag = 0.0;
+        lags(world, lag, row.arrived);
+        watch.lag += lag;
+        if (def.scene.regime == Regime::Far && world.stepCount() % kLookEvery == 0 && row.arrived == 1.0) break;
+    }
+    fill(watch, row);
+    row.swaps = static_cast<double>(watch.swaps) / (def.scene.count * world.time());
+    row.hash = world.hash();
+    row.memory = peakMemory();
+    return row;
+}
+
+}  // namespace muster::scale

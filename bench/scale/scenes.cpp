@@ -1,0 +1,127 @@
+#include "scale/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "muster/base/maths.h"
+#include "muster/base/random.h"
+#include "scale/features.h"
+
+namespace muster::scale {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kAway = 40.0;     // From the crowd to the formation, edge to edge, where far [m].
+constexpr double kRimSpeed = 0.6;  // Of the rim of a turning formation [m/s].
+constexpr double kMargin = 6.0;    // Of the box [m].
+
+// A square block of `count` spots 1 m apart.
+std::vector<Vec2> blockOfStarts(std::int32_t count, Vec2 centre) {
+    const auto across = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+    const double half = 0.5 * (across - 1);
+    std::vector<Vec2> starts;
+    for (std::int32_t k = 0; k < count; ++k)
+        starts.push_back(centre + Vec2{static_cast<double>(k / across) - half, static_cast<double>(k % across) - half});
+    return starts;
+}
+
+// As wide a turn as the rim can follow.
+double turnOf(double side, double period) { return std::min(0.5, kRimSpeed / (0.7 * side) * period / (2.0 * kPi)); }
+
+// Straight ways through the feature; a circle round the middle where there is none.
+Course courseOf(const SceneDef& def, const FeatureSize& features, double side) {
+    Random random(def.seed * 7919 + 17);
+    Course course;
+    course.speed = random.uniform(1.2, 1.5);
+    course.turn = turnOf(side, course.turnPeriod);
+    const double sway = random.uniform(-0.05, 0.05) * side;
+    if (def.name == "open") {
+        const double radius = 0.4 * side + 8.0;
+        for (int k = 0; k <= 64; ++k) {
+            const double a = 2.0 * kPi * k / 64.0;
+            course.points.push_back({radius * sine(a), -radius * cosine(a)});
+        }
+        course.closed = true;
+        course.begin = random.uniform(0.0, 2.0 * kPi * radius);
+    } else {
+        const double reach = features.halfLength + 0.5 * side + 1.0;
+        course.points = {{-reach, sway}, {0.0, -sway}, {reach, sway}};
+    }
+    if (def.regime == Regime::Reversing) {
+        course.reverseEvery = 2.5;
+        // In the middle of what there is to go through.
+        if (!course.closed) course.begin = 0.3 * side;
+    }
+    return course;
+}
+
+void addGroup(const SceneDef& def, Vec2 position, double angle, std::vector<Vec2> starts,
+              WorldDef& world) {
+    GroupDef group;
+    group.name = "Crowd";
+    group.count = def.count;
+    group.formation.spacing = 1.0;
+    group.position = position;
+    group.angle = angle;
+    group.jitter = 0.15;
+    group.starts = std::move(starts);
+    world.groups.push_back(std::move(group));
+}
+
+// A box round everything that the formation, the crowd and the feature can come to.
+Box boxOf(const Scene& scene, const FeatureSize& features, Regime regime, double far) {
+    const double reach = 0.75 * scene.side + kMargin;
+    Box box{{-features.halfLength - kMargin, -features.halfWidth}, {features.halfLength + kMargin, features.halfWidth}};
+    const auto include = [&](Vec2 p) {
+        box.min = {std::min(box.min.x, p.x - reach), std::min(box.min.y, p.y - reach)};
+        box.max = {std::max(box.max.x, p.x + reach), std::max(box.max.y, p.y + reach)};
+    };
+    if (regime == Regime::Far) {
+        include({-far, 0.0});
+        include({far, 0.0});
+    } else {
+        for (const Vec2 p : scene.course.points) include(p);
+    }
+    return box;
+}
+
+}  // namespace
+
+const char* regimeName(Regime regime) {
+    constexpr const char* kNames[] = {"far", "tracking", "reversing"};
+    return kNames[static_cast<std::size_t>(regime)];
+}
+
+const std::vector<std::string>& sceneNames() {
+    static const std::vector<std::string> names{"open", "block", "corridor", "woodland", "paths", "city"};
+    return names;
+}
+
+Result<Scene> makeScene(const SceneDef& def) {
+    if (std::find(sceneNames().begin(), sceneNames().end(), def.name) == sceneNames().end())
+        return Status(StatusCode::NotFound, "found scene '" + def.name + "', expected one of open, block, corridor, "
+                                            "woodland, paths, city");
+    Scene scene;
+    scene.side = std::sqrt(static_cast<double>(def.count));
+    scene.seconds = 20.0;
+    scene.world.name = def.name;
+    scene.world.seed = def.seed;
+    if (def.name == "city") {
+        return Status(StatusCode::NotFound, "scene city: not there yet");
+    }
+    const FeatureSize features = featureSize(def.name, scene.side);
+    const double far = 0.5 * scene.side + std::max(0.5 * kAway, features.halfLength + 2.0);
+    scene.course = courseOf(def, features, scene.side);
+    scene.world.box = boxOf(scene, features, def.regime, far);
+    addFeature(def.name, scene.side, def.seed, scene.world);
+    if (def.regime == Regime::Far) {
+        scene.seconds = 30.0 + 2.0 * far / 0.8;
+        addGroup(def, {far, 0.0}, 0.0, blockOfStarts(def.count, {-far, 0.0}), scene.world);
+    } else {
+        const CoursePose pose = poseAt(scene.course, 0.0);
+        addGroup(def, pose.position, pose.angle, {}, scene.world);
+    }
+    return scene;
+}
+
+}  // namespace muster::scale
