@@ -231,16 +231,26 @@ void Environment::setTime(double time) {
     for (PatchEntry& entry : s.patches) {
         if (!entry.def.path.still() && entry.placement.follow(entry.def.path, time)) moved = true;
     }
-    if (moved) ++s.groundVersion;
     if (s.stale.load(std::memory_order_acquire)) {
+        if (moved) s.countEdit(false);
         s.refresh();
     } else if (moved) {
+        s.changesFrom = s.groundVersion++;
         s.moveThings();
     }
 }
 
 std::uint64_t Environment::groundVersion() const { return impl_->groundVersion; }
 std::uint64_t Environment::staticVersion() const { return impl_->staticVersion; }
+std::uint64_t Environment::instance() const { return impl_->instance; }
+
+bool Environment::changesSince(std::uint64_t version, std::vector<CellRect>& areas) const {
+    const Impl& s = *impl_;
+    if (version == s.groundVersion) return true;
+    if (version != s.changesFrom) return false;
+    areas.insert(areas.end(), s.changes.begin(), s.changes.end());
+    return true;
+}
 
 std::span<const ObstaclePiece> Environment::pieces() const {
     impl_->ensure();
@@ -250,6 +260,16 @@ std::span<const ObstaclePiece> Environment::pieces() const {
 std::span<const float> Environment::clearance() const {
     impl_->ensure();
     return impl_->clearance.live();
+}
+
+std::span<const float> Environment::stillClearance() const {
+    impl_->ensure();
+    return impl_->clearance.still();
+}
+
+std::span<const float> Environment::stillPatchSpeed() const {
+    impl_->ensure();
+    return impl_->slowest.still();
 }
 
 std::span<const float> Environment::travelSpeed() const {

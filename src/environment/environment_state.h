@@ -90,8 +90,12 @@ struct Environment::Impl {
     std::uint32_t nextPatch = 1;
     std::uint64_t groundVersion = 0;
     std::uint64_t staticVersion = 0;
+    std::uint64_t instance = 0;
 
     // Caches.
+    static constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+    std::uint64_t changesFrom = kUnknown;  // The version from which `changes` lead to the present.
+    std::vector<CellRect> changes;
     std::atomic<bool> stale{true};
     std::mutex mutex;
     bool freshRasters = true;       // Nothing in the rasters holds yet.
@@ -122,6 +126,7 @@ struct Environment::Impl {
     void countEdit(bool still) {
         ++groundVersion;
         if (still) ++staticVersion;
+        changesFrom = kUnknown;
     }
     void noteObstacle(const ObstacleEntry& entry);
     void notePatch(const PatchEntry& entry);
@@ -130,6 +135,7 @@ struct Environment::Impl {
         if (stale.load(std::memory_order_acquire)) refresh();
     }
     void moveThings();
+    void noteCovered();
 
     void rebuildPieces();
     void rebuildPatchPieces();

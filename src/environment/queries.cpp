@@ -191,30 +191,40 @@ std::optional<Cell> Environment::Impl::nearestFreeCell(Vec2 p, double radius) co
 }
 
 std::vector<Vec2> Environment::findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells) const {
+    std::vector<Vec2> way;
+    findPath(a, b, radius, way, maxCells);
+    return way;
+}
+
+void Environment::findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way, std::int32_t maxCells) const {
     impl_->ensure();
     const Impl& s = *impl_;
-    if (!isFinite(a) || !isFinite(b)) return {};
-    if (clearLine(a, b, radius)) return {a, b};
+    way.clear();
+    if (!isFinite(a) || !isFinite(b)) return;
+    if (clearLine(a, b, radius)) {
+        way.assign({a, b});
+        return;
+    }
     const std::optional<Cell> start = s.nearestFreeCell(a, radius);
     const std::optional<Cell> goal = s.nearestFreeCell(b, radius);
-    if (!start || !goal) return {};
+    if (!start || !goal) return;
     // One per thread: queries may come from several threads at once.
     static thread_local PathSearch search;
+    static thread_local std::vector<Vec2> full;
     const std::span<const std::int32_t> cells =
         search.run(s.grid, s.clearance.live(), radius, s.grid.index(*start), s.grid.index(*goal), maxCells);
-    if (cells.empty()) return {};
-    std::vector<Vec2> way{a};
-    for (std::int32_t cell : cells) way.push_back(s.grid.centre(s.grid.at(cell)));
-    if (s.roomFor(radius).contains(b) && s.distanceTo(b, radius) >= radius - Impl::kTouch) way.push_back(b);
+    if (cells.empty()) return;
+    full.assign(1, a);
+    for (std::int32_t cell : cells) full.push_back(s.grid.centre(s.grid.at(cell)));
+    if (s.roomFor(radius).contains(b) && s.distanceTo(b, radius) >= radius - Impl::kTouch) full.push_back(b);
     // Pulled straight: from each corner on to the last point in a row that it sees.
-    std::vector<Vec2> corners{a};
-    for (std::size_t at = 0; at + 1 < way.size();) {
+    way.push_back(a);
+    for (std::size_t at = 0; at + 1 < full.size();) {
         std::size_t next = at + 1;
-        while (next + 1 < way.size() && clearLine(way[at], way[next + 1], radius)) ++next;
-        corners.push_back(way[next]);
+        while (next + 1 < full.size() && clearLine(full[at], full[next + 1], radius)) ++next;
+        way.push_back(full[next]);
         at = next;
     }
-    return corners;
 }
 
 }  // namespace muster

@@ -57,6 +57,8 @@ bool Placement::follow(const TimedPath& path, double time) {
 }
 
 void Environment::Impl::start(const EnvironmentDef& definition) {
+    static std::atomic<std::uint64_t> made{0};
+    instance = ++made;
     def = definition;
     grid = Grid::covering(def.box, def.cell);
     freshRasters = true;
@@ -255,7 +257,15 @@ void Environment::Impl::copySpeed(const CellRect& rect) {
     }
 }
 
+// Where moving things lie: before they move, and after.
+void Environment::Impl::noteCovered() {
+    for (const RasterLayer* layer : {&clearance, &slowest})
+        changes.insert(changes.end(), layer->covered().begin(), layer->covered().end());
+}
+
 void Environment::Impl::moveThings() {
+    changes.clear();
+    noteCovered();
     for (std::int32_t number : index.moving) placePiece(number);
     index.movingBins.fill(index.reach, index.moving);
     clearance.uncover();
@@ -264,6 +274,7 @@ void Environment::Impl::moveThings() {
     patchIndex.movingBins.fill(patchIndex.reach, patchIndex.moving);
     for (const CellRect& rect : slowest.uncover()) copySpeed(rect);
     coverSpeed();
+    noteCovered();
 }
 
 }  // namespace muster

@@ -146,33 +146,36 @@ float edgeCost(const Node& from, const Node& to, float x, float y, float unit) {
     return unit * std::max(static_cast<float>(kLeastStep), std::sqrt(dx * dx + dy * dy));
 }
 
+void priceCell(const GroundRasters& ground, const NodeFinder& finder, double price, std::int32_t index,
+               const GroundCosts& costs) {
+    const Cell cell = ground.grid.at(index);
+    CellCost& out = costs.cells[index];
+    out = {kInfinite, kInfinite, kInfinite, kInfinite};
+    costs.unit[index] = kInfinite;
+    const Node here = finder.find(cell);
+    if (!here.free) return;
+    const auto unit = static_cast<float>(price / ground.travelSpeed[index]);
+    costs.unit[index] = unit;
+    out.east = edgeCost(here, finder.find({cell.x + 1, cell.y}), 1.0f, 0.0f, unit);
+    out.north = edgeCost(here, finder.find({cell.x, cell.y + 1}), 0.0f, 1.0f, unit);
+    out.west = edgeCost(here, finder.find({cell.x - 1, cell.y}), -1.0f, 0.0f, unit);
+    out.south = edgeCost(here, finder.find({cell.x, cell.y - 1}), 0.0f, -1.0f, unit);
+    const bool open = out.east == unit && out.north == unit && out.west == unit && out.south == unit;
+    if (!open) costs.nodes.push_back({index, here.x, here.y, here.normalX, here.normalY, unit});
+}
+
 }  // namespace
 
-float priceGround(const GroundRasters& ground, double radius, double price, std::vector<CellCost>& cells,
-                  std::vector<WallNode>& nodes) {
-    const Grid& grid = ground.grid;
-    cells.resize(static_cast<std::size_t>(grid.count()));
-    nodes.clear();
+void priceGround(const GroundRasters& ground, double radius, double price, std::int32_t first, std::int32_t last,
+                 const GroundCosts& costs) {
     const NodeFinder finder(ground, radius);
-    float lowest = kInfinite;
-    for (std::int32_t y = 0; y < grid.height; ++y) {
-        for (std::int32_t x = 0; x < grid.width; ++x) {
-            const std::int32_t index = grid.index({x, y});
-            CellCost& out = cells[index];
-            out = {kInfinite, kInfinite, kInfinite, kInfinite};
-            const Node here = finder.find({x, y});
-            if (!here.free) continue;
-            const auto unit = static_cast<float>(price / ground.travelSpeed[index]);
-            lowest = std::min(lowest, unit);
-            out.east = edgeCost(here, finder.find({x + 1, y}), 1.0f, 0.0f, unit);
-            out.north = edgeCost(here, finder.find({x, y + 1}), 0.0f, 1.0f, unit);
-            out.west = edgeCost(here, finder.find({x - 1, y}), -1.0f, 0.0f, unit);
-            out.south = edgeCost(here, finder.find({x, y - 1}), 0.0f, -1.0f, unit);
-            const bool open = out.east == unit && out.north == unit && out.west == unit && out.south == unit;
-            if (!open) nodes.push_back({index, here.x, here.y, here.normalX, here.normalY, unit});
-        }
-    }
-    return lowest < kInfinite ? lowest : static_cast<float>(price);
+    for (std::int32_t index = first; index < last; ++index) priceCell(ground, finder, price, index, costs);
+}
+
+void priceGround(const GroundRasters& ground, double radius, double price, std::span<const std::int32_t> cells,
+                 const GroundCosts& costs) {
+    const NodeFinder finder(ground, radius);
+    for (const std::int32_t index : cells) priceCell(ground, finder, price, index, costs);
 }
 
 }  // namespace muster

@@ -58,7 +58,10 @@ UnitCost costOf(const GeodesicOracle& oracle, double cell) {
         clearance[k] = static_cast<float>(std::min(3.0, oracle.clearance(cost.grid.centre(cost.grid.at(k)))));
     }
     const std::vector<float> speed(clearance.size(), 1.0f);
-    cost.lowest = priceGround({cost.grid, clearance, speed}, kRadius, 1.0, cost.cells, cost.nodes);
+    std::vector<float> unit(clearance.size());
+    cost.cells.resize(clearance.size());
+    priceGround({cost.grid, clearance, speed}, kRadius, 1.0, 0, cost.grid.count(), {cost.cells, unit, cost.nodes});
+    cost.lowest = 1.0f;
     return cost;
 }
 

@@ -1,6 +1,7 @@
 // What a metre costs.
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -29,7 +30,32 @@ ObstacleDef block(double x0, double y0, double x1, double y1) {
 
 bool same(const UnitCost& a, const UnitCost& b) {
     return a.grid == b.grid && a.radius == b.radius && a.lowest == b.lowest && a.cells.size() == b.cells.size() &&
-           std::memcmp(a.cells.data(), b.cells.data(), a.cells.size() * sizeof(CellCost)) == 0;
+           std::memcmp(a.cells.data(), b.cells.data(), a.cells.size() * sizeof(CellCost)) == 0 &&
+           a.nodes.size() == b.nodes.size() &&
+           (a.nodes.empty() || std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(WallNode)) == 0);
+}
+
+bool same(const CellCost& a, const CellCost& b) { return std::memcmp(&a, &b, sizeof(CellCost)) == 0; }
+
+// What a builder tells of the empty ground, of what crowd and discomfort priced, and of what changed since `before`.
+void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare, const std::vector<CellCost>& before,
+                 std::uint64_t versionBefore) {
+    REQUIRE(used.ground().size() == bare.ground().size());
+    std::vector<std::uint8_t> priced(used.ground().size(), 0), changed(used.ground().size(), 0);
+    for (const std::int32_t cell : used.priced()) ++priced[cell];
+    for (const std::int32_t cell : used.groundChanges()) ++changed[cell];
+    bool all = true, any = false;
+    for (std::size_t k = 0; k < priced.size(); ++k) {
+        all = all && same(used.ground()[k], bare.ground()[k]) && priced[k] <= 1 && changed[k] <= 1;
+        all = all && (priced[k] == 1) == !same(used.cost().cells[k], used.ground()[k]);
+        const bool differs = before.size() != priced.size() || !same(before[k], used.ground()[k]);
+        all = all && (changed[k] == 1 || !differs);
+        any = any || differs;
+    }
+    CHECK(all);
+    CHECK((used.groundVersion() != versionBefore || !any));
+    CHECK((used.groundVersion() != versionBefore) == !used.groundChanges().empty());
+    CHECK(std::is_sorted(used.groundChanges().begin(), used.groundChanges().end()));
 }
 
 const CellCost& at(const UnitCost& cost, Vec2 p) { return cost.cells[cost.grid.index(cost.grid.cellOf(p))]; }
@@ -225,7 +251,14 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
         def.discomfort = random.below(6) != 0;
         def.alpha = random.below(8) == 0 ? 0.2 : 0.5;
         const double radius = random.below(5) == 0 ? 0.4 : 0.25;
+        const std::vector<CellCost> groundBefore = used.ground();
+        const std::uint64_t versionBefore = used.groundVersion();
         used.build(def, environment, density, radius, one);
+        UnitCostDef empty = def;
+        empty.density = empty.discomfort = false;
+        UnitCostBuilder bare;
+        bare.update(empty, environment, DensityField(), radius);
+        checkGround(used, bare, groundBefore, versionBefore);
         UnitCostBuilder fresh;
         UnitCost other;
         fresh.build(def, environment, density, radius, other);
@@ -237,6 +270,40 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
             CHECK_FALSE((std::isnan(c.east) || std::isnan(c.north) || std::isnan(c.west) || std::isnan(c.south)));
         }
     }
+}
+
+TEST_CASE("ground that moving things change, step by step, costs the same as when it is priced anew") {
+    Environment environment = makeEnvironment();
+    REQUIRE(environment.addObstacle(block(-1, 2, 3, 3)).ok());
+    ObstacleDef cart = block(-0.6, -0.4, 0.6, 0.4);
+    cart.path.waypoints = {{0.0, {-6, 1.5}, 0.0}, {4.0, {6, 2.5}, 2.0}};
+    REQUIRE(environment.addObstacle(cart).ok());
+    PatchDef raft;
+    raft.polygon = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    raft.speed = 0.3;
+    raft.path.waypoints = {{0.0, {0, -6}, 0.0}, {4.0, {3, 6}, 0.0}};
+    REQUIRE(environment.addPatch(raft).ok());
+    UnitCostBuilder used;
+    std::size_t most = 0;
+    for (int step = 0; step < 120; ++step) {
+        environment.setTime(step / 30.0);
+        if (step == 70) REQUIRE(environment.addObstacle(block(-4, -4, -3, -3)).ok());
+        if (step == 90) REQUIRE(environment.removeObstacle(environment.obstacleIds()[0]).ok());
+        const std::vector<CellCost> groundBefore = used.ground();
+        const std::uint64_t versionBefore = used.groundVersion();
+        used.update({}, environment, DensityField(), 0.25);
+        if (step % 7 == 3) used.update({}, environment, DensityField(), 0.25);
+        UnitCostBuilder fresh, bare;
+        fresh.update({}, environment, DensityField(), 0.25);
+        UnitCostDef empty;
+        empty.discomfort = false;
+        bare.update(empty, environment, DensityField(), 0.25);
+        CHECK(same(used.cost(), fresh.cost()));
+        if (step % 7 != 3) checkGround(used, bare, groundBefore, versionBefore);
+        if (step > 0) most = std::max(most, used.groundChanges().size());
+    }
+    CHECK(most > 0);
+    CHECK(most < used.ground().size() / 4);  // Only what lies round the moving things.
 }
 
 TEST_CASE("a gap narrower than a character is closed, one wider by a cell is open") {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "muster/base/cell_rect.h"
 #include "muster/base/grid.h"
 #include "muster/base/status.h"
 #include "muster/environment/obstacle.h"
@@ -94,6 +95,11 @@ public:
     std::uint64_t groundVersion() const;
     /// Grows by one whenever something that stands still is added, changed or removed.
     std::uint64_t staticVersion() const;
+    /// Differs between any two environments of a program and after load(): with a version it tells caches what they hold.
+    std::uint64_t instance() const;
+    /// Appends to `areas` the cells whose clearance or travel speed may have changed since groundVersion() was
+    /// `version`. False where that is not known any more: all cells may have.
+    bool changesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
 
     /// All convex parts as they stand now, ordered by obstacle id.
     std::span<const ObstaclePiece> pieces() const;
@@ -102,6 +108,10 @@ public:
     std::span<const float> clearance() const;
     /// Travel speed per cell > 0 (every cell a patch touches takes its speed; the slowest wins).
     std::span<const float> travelSpeed() const;
+    /// clearance() as it were without moving obstacles.
+    std::span<const float> stillClearance() const;
+    /// Travel speed per cell of the slowest patch that stands still; infinite where there is none.
+    std::span<const float> stillPatchSpeed() const;
     /// Where clearance() stops [m].
     static constexpr double kClearanceLimit = 3.0;
 
@@ -136,6 +146,8 @@ public:
     /// would be looked at. Moving obstacles count where they stand now. An end that is not free is left
     /// by the nearest free cell; the way to a goal that is not free ends in that cell.
     std::vector<Vec2> findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells = 200000) const;
+    /// The same, written to `way`: reuses its memory, and such of this thread as grows with the ground.
+    void findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way, std::int32_t maxCells = 200000) const;
 
     /// Gaps narrower than `width` [m], at most `most`: for each pair of obstacles the narrowest between convex parts that
     /// do not touch and have nothing between them, within one obstacle likewise, and to the edge of the world. Ordered by

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "muster/environment/environment.h"
@@ -80,34 +81,66 @@ struct UnitCost {
 };
 
 /// Builds unit costs; keeps what did not change since its last call as a cache (the result is the same
-/// as that of a new builder).
+/// as that of a new builder). A call costs about what crowd, discomfort and ground changed, not the size of the ground.
 class UnitCostBuilder {
 public:
-    /// Writes to `cost` the unit cost for characters of `radius` [m] in this environment and crowd.
+    /// Brings cost() up to date for characters of `radius` [m] in this environment and crowd.
+    void update(const UnitCostDef& def, const Environment& environment, const DensityField& density, double radius);
+    /// The same, copied to `cost`.
     void build(const UnitCostDef& def, const Environment& environment, const DensityField& density, double radius,
                UnitCost& cost);
-    /// Discomfort g per ground cell of the last build.
+
+    /// The unit cost of the last call.
+    const UnitCost& cost() const { return cost_; }
+    /// The same without crowd and discomfort; differs only in the cells priced().
+    const std::vector<CellCost>& ground() const { return ground_; }
+    /// Grows whenever ground() changes.
+    std::uint64_t groundVersion() const { return groundVersion_; }
+    /// The cells of ground() that the last call priced anew, ascending; empty where it kept all of them.
+    std::span<const std::int32_t> groundChanges() const { return changes_; }
+    /// Cells that crowd or discomfort priced in the last call, each once.
+    std::span<const std::int32_t> priced() const { return priced_; }
+    /// Discomfort g per ground cell of the last call.
     const std::vector<float>& discomfort() const { return discomfort_; }
 
 private:
-    void updateGround(const UnitCostDef& def, const Environment& environment, double radius);
-    void updateDiscomfort(const UnitCostDef& def, const Environment& environment);
-    void priceCrowd(const UnitCostDef& def, const Environment& environment, const DensityField& density,
-                    UnitCost& cost);
-    void markCrowded(const UnitCostDef& def, const DensityField& density);
-    void priceCell(const UnitCostDef& def, const DensityField& density, std::int32_t index, double travelSpeed,
-                   UnitCost& cost) const;
+    struct HiddenNode {
+        std::int32_t node = 0;  // Its number among the nodes.
+        float unit = 0.0f;
+    };
 
+    void restoreGround();
+    void updateGround(const UnitCostDef& def, const Environment& environment, double radius);
+    void priceAll(const Environment& environment);
+    void findLowest();
+    void findChanges(const Environment& environment);
+    void compareRasters(const Environment& environment, const CellRect& area);
+    void priceChanges();
+    void mergeNodes();
+    void updateDiscomfort(const UnitCostDef& def, const Environment& environment);
+    void priceCrowd(const UnitCostDef& def, const Environment& environment, const DensityField& density);
+    void markCrowded(const UnitCostDef& def, const DensityField& density);
+    void priceCell(const UnitCostDef& def, const DensityField& density, std::int32_t index, double travelSpeed);
+
+    UnitCost cost_;
     // The empty ground, with what it was made of.
-    Grid grid_;
     std::vector<CellCost> ground_;
-    std::vector<WallNode> nodes_;
     std::vector<float> clearance_;
     std::vector<float> travelSpeed_;
-    float lowest_ = 1.0f;
-    double groundRadius_ = -1.0;
+    std::vector<float> unit_;            // Of a metre; infinite in walls.
+    std::int32_t lowestCount_ = 0;       // Cells whose metre costs the least.
     double price_ = -1.0;
-    // Cells that the last build priced apart from the empty ground.
+    std::uint64_t groundVersion_ = 0;
+    std::uint64_t instance_ = 0;         // Environment and version that the rasters were read from.
+    std::uint64_t environmentVersion_ = 0;
+    std::vector<CellRect> areas_;
+    std::vector<std::int32_t> changes_;
+    std::vector<std::uint8_t> changed_;  // Of each cell, 1 while changes_ is collected.
+    std::vector<WallNode> freshNodes_;
+    std::vector<WallNode> mergedNodes_;
+    // Cells that the last call priced apart from the empty ground.
+    std::vector<std::int32_t> priced_;
+    std::vector<HiddenNode> hiddenNodes_;       // Nodes whose unit that took away.
     std::vector<float> discomfort_;
     std::vector<std::int32_t> uneasy_;          // Ground cells with discomfort.
     std::vector<std::uint8_t> crowded_;         // Density cells that can slow somebody, 1 each.
