@@ -1,0 +1,209 @@
+#include "transport/sparse_matching.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "transport/sparse_matching_prices.h"
+
+namespace muster {
+namespace {
+
+constexpr std::size_t kPairsAtOnce = 4096;
+
+}  // namespace
+
+void SparseMatching::clear() { *this = {}; }
+
+// Sizes the memory for the input.
+void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input) {
+    step_ = 0;
+    state_.reset(static_cast<std::int32_t>(input.characters.size()), static_cast<std::int32_t>(input.places.size()));
+    searchLimit_ = def.searchLimit;
+    repair_.reset(state_.seats.count(), def.searchLimit);
+    placeOf_.assign(input.characters.size(), -1);
+    cost_.assign(input.characters.size(), 0.0f);
+    pairs_.reserve(kPairsAtOnce);
+    answers_.reserve(kPairsAtOnce);
+    rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+}
+
+MatchingContext SparseMatching::contextFor(const MatchingDef& def, const MatchingInput& input, PairCosts& costs,
+                                           ThreadPool& pool) const {
+    MatchingContext context{def, input, costs, pool, CostPower(def.exponent), {}, {}, 0.0};
+    context.threshold = def.threshold / context.power.units();
+    return context;
+}
+
+void SparseMatching::coldStart(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool) {
+    adopt(def, input, {}, costs, pool);
+    const MatchingContext first = contextFor(def, input, costs, pool);
+    for (std::int32_t round = 0; round < def.coldRounds && state_.seats.count() > 0; ++round) {
+        MatchingContext context = first;
+        frame(context);
+        state_.arcs.sortByTarget();
+        repair_.run(context, state_, static_cast<std::int64_t>(def.searchShare * state_.seats.count()));
+        publish(context);
+    }
+}
+
+void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, std::span<const std::int32_t> placeOf,
+                           PairCosts& costs, ThreadPool& pool) {
+    prepare(def, input);
+    if (!placeOf.empty()) state_.seats.adopt(placeOf);
+    MatchingContext context = contextFor(def, input, costs, pool);
+    seatWaiting(context);
+    frame(context);
+    askOwn(context);
+    refreshAll(context);
+    PriceFit().run(context, state_);
+    publish(context);
+}
+
+void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool) {
+    if (static_cast<std::size_t>(state_.seats.characters()) != input.characters.size() ||
+        static_cast<std::size_t>(state_.seats.places()) != input.places.size()) {
+        coldStart(def, input, costs, pool);
+        return;
+    }
+    if (searchLimit_ != def.searchLimit) {
+        searchLimit_ = def.searchLimit;
+        repair_.reset(state_.seats.count(), def.searchLimit);
+    }
+    ++step_;
+    MatchingContext context = contextFor(def, input, costs, pool);
+    seatWaiting(context);
+    frame(context);
+    askOwn(context);
+    refreshSome(context);
+    state_.arcs.sortByTarget();
+    repair_.run(context, state_, static_cast<std::int64_t>(def.searchShare * state_.seats.count()));
+    publish(context);
+}
+
+// Pairs those who wait with free places, and gives the rest a seat.
+void SparseMatching::seatWaiting(const MatchingContext& context) {
+    MatchingSeats& seats = state_.seats;
+    seats.follow(context.input, state_.changed);
+    for (const std::int32_t s : seats.free()) state_.changed[static_cast<std::size_t>(s)] = 1;
+    for (const std::int32_t i : seats.waiting())
+        if (seats.seatOf(i) >= 0) state_.changed[static_cast<std::size_t>(seats.seatOf(i))] = 1;
+    start_.seat(context, state_);
+    seats.seatRest();
+}
+
+// For the squares of straight distances the prices' frame makes weights and prices independent of where the formation as
+// a whole is; for other costs and powers it takes away most of the change.
+void SparseMatching::frame(MatchingContext& context) const {
+    const MatchingSeats& seats = state_.seats;
+    Vec2 places;
+    Vec2 away;
+    std::int32_t live = 0;
+    std::int32_t matched = 0;
+    for (std::int32_t s = 0; s < seats.count(); ++s) {
+        if (!seats.live(s)) continue;
+        const Vec2 place = context.input.places[static_cast<std::size_t>(s)];
+        places += place;
+        ++live;
+        if (seats.holder(s) < 0) continue;
+        away += place - context.input.characters[static_cast<std::size_t>(seats.holder(s))];
+        ++matched;
+    }
+    context.anchor = places / std::max(1, live);
+    away = away / std::max(1, matched);
+    const double p = context.power.exponent();
+    double factor = p;
+    if (p != 2.0) {
+        double spread = 0.0;
+        for (std::int32_t s = 0; s < seats.count(); ++s)
+            if (seats.matched(s))
+                spread += lengthSquared(context.input.places[static_cast<std::size_t>(s)] -
+                                        context.input.characters[static_cast<std::size_t>(seats.holder(s))] - away);
+        const double reach = std::sqrt(lengthSquared(away) + spread / std::max(1, matched)) + 1e-3;
+        factor = p * context.power(reach) / (reach * reach);
+    }
+    context.slope = away * factor;
+}
+
+void SparseMatching::askOwn(const MatchingContext& context) {
+    const MatchingSeats& seats = state_.seats;
+    std::int32_t next = 0;
+    for (std::int32_t s = 0; s < seats.count();) {
+        pairs_.clear();
+        const std::int32_t first = s;
+        for (; s < seats.count() && pairs_.size() < kPairsAtOnce; ++s)
+            if (seats.matched(s)) pairs_.push_back({seats.holder(s), s});
+        answers_.resize(pairs_.size());
+        context.costs.fill(pairs_, answers_, context.pool);
+        next = 0;
+        for (std::int32_t t = first; t < s; ++t)
+            state_.setOwn(t, seats.matched(t) ? answers_[static_cast<std::size_t>(next++)] : 0.0f, context.power);
+    }
+}
+
+void SparseMatching::refreshAll(const MatchingContext& context) {
+    state_.arcs.look(context, state_.seats, state_.price, state_.own);
+    rows_.clear();
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
+        state_.arcs.chooseTargets(context, state_.seats, s);
+        state_.changed[static_cast<std::size_t>(s)] = 0;
+        rows_.push_back(s);
+    }
+    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_);
+}
+
+// Rows in turn, and at once those whose holder is new.
+void SparseMatching::refreshSome(const MatchingContext& context) {
+    state_.arcs.look(context, state_.seats, state_.price, state_.own);
+    double sum = 0.0;
+    for (const float c : state_.own) sum += c;
+    const bool far = sum > context.def.farCost * static_cast<double>(state_.own.size());
+    const std::int32_t period = std::max(1, far ? context.def.farRefreshPeriod : context.def.refreshPeriod);
+    const std::int32_t targets = std::max(1, context.def.retargetPeriod);
+    rows_.clear();
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
+        const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (s + step_) % targets == 0;
+        if (!anew && (s + step_) % period != 0) continue;
+        if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
+        state_.changed[static_cast<std::size_t>(s)] = 0;
+        rows_.push_back(s);
+    }
+    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_);
+}
+
+// What others may read: places, costs, the objective and what may be left to gain.
+void SparseMatching::publish(const MatchingContext& context) {
+    const MatchingSeats& seats = state_.seats;
+    const double units = context.power.units();
+    double sum = 0.0;
+    double left = 0.0;
+    for (std::int32_t s = 0; s < seats.count(); ++s) {
+        sum += state_.ownPower[static_cast<std::size_t>(s)];
+        double least = 0.0;
+        for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc)
+            least = std::min(least, state_.reduced(arc));
+        left -= least;
+    }
+    for (std::size_t i = 0; i < placeOf_.size(); ++i) {
+        const std::int32_t seat = seats.seatOf(static_cast<std::int32_t>(i));
+        const bool placed = seat >= 0 && seats.live(seat);
+        placeOf_[i] = placed ? seat : -1;
+        cost_[i] = placed ? state_.own[static_cast<std::size_t>(seat)] : 0.0f;
+    }
+    slope_ = context.slope;
+    units_ = units;
+    objective_ = sum * units;
+    slack_ = left * units;
+}
+
+void SparseMatching::prices(const MatchingInput& input, std::span<double> price) const {
+    for (std::size_t j = 0; j < price.size(); ++j) price[j] = units_ * (state_.price[j] + dot(slope_, input.places[j]));
+}
+
+void SparseMatching::afterReading() {
+    searchLimit_ = 0;
+    rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    pairs_.reserve(kPairsAtOnce);
+    answers_.reserve(kPairsAtOnce);
+}
+
+}  // namespace muster

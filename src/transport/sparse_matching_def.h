@@ -1,0 +1,81 @@
+// What the sparse matching is asked, and what all its parts read during a step.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "muster/base/maths.h"
+#include "muster/base/parallel.h"
+#include "muster/base/vec2.h"
+#include "muster/transport/pair_costs.h"
+
+namespace muster {
+
+/// The objective, when changes are committed, and how much work a step may do (counts, never time).
+struct MatchingDef {
+    double exponent = 2.0;         ///< p of the objective sum c^p, 1 to 16.
+    double threshold = 0.1;        ///< A change (one cycle of exchanges) must gain more than this [cost^p] >= 0.
+    double thresholdShare = 0.01;  ///< ... and more than this share of the objective of those it concerns >= 0.
+    std::int32_t refreshPeriod = 4;      ///< Every so many steps a row of arcs asks for its costs again, >= 1.
+    std::int32_t farRefreshPeriod = 16;  ///< ... where the mean cost is above `farCost`.
+    std::int32_t retargetPeriod = 32;    ///< Every so many steps a row looks for its neighbours anew.
+    double farCost = 15.0;               ///< [m]
+    double searchShare = 4.0;            ///< Nodes settled in all searches of a step, per seat.
+    std::int32_t searchLimit = 1500;     ///< Nodes settled in one search.
+    std::int32_t coldRounds = 4;         ///< Repairs after a cold start.
+};
+
+/// What a matching reads. Spans stay valid during the call only.
+struct MatchingInput {
+    std::span<const Vec2> characters;        ///< Positions [m].
+    std::span<const Vec2> places;            ///< Positions [m].
+    std::span<const std::uint8_t> usable;    ///< Per place, 0 for one nobody may take; empty for all.
+    std::span<const std::uint8_t> present;   ///< Per character, 0 for one that takes part in nothing; empty for all.
+
+    /// True where somebody may take the place.
+    bool mayTake(std::size_t place) const { return usable.empty() || usable[place] != 0; }
+    /// True where the character takes part.
+    bool takesPart(std::size_t character) const { return present.empty() || present[character] != 0; }
+};
+
+/// Costs to the power of the objective, in a unit that keeps them within single precision.
+class CostPower {
+public:
+    /// For the exponent `p`, 1 to 16.
+    explicit CostPower(double p = 2.0) : exponent_(p) {
+        if (p > 8.0) unit_ = PairCosts::kNoWay / power(10.0, 32.0 / p);
+        whole_ = static_cast<std::int32_t>(p);
+        if (p != whole_) whole_ = 0;
+    }
+    /// `cost` [m] to the power, in units of metre^p divided by units().
+    double operator()(double cost) const {
+        const double c = std::min(cost, static_cast<double>(PairCosts::kNoWay)) / unit_;
+        if (whole_ == 2) return c * c;
+        if (whole_ == 0) return power(c, exponent_);
+        double product = c;
+        for (std::int32_t k = 1; k < whole_; ++k) product *= c;
+        return product;
+    }
+    double exponent() const { return exponent_; }             ///< p
+    double units() const { return power(unit_, exponent_); }  ///< Multiplies results back to metre^p.
+
+private:
+    double exponent_ = 2.0;
+    double unit_ = 1.0;       // [m]
+    std::int32_t whole_ = 2;  // The exponent where it is a whole number, else 0.
+};
+
+/// What the parts of a matching read during one call.
+struct MatchingContext {
+    const MatchingDef& def;
+    const MatchingInput& input;
+    PairCosts& costs;
+    ThreadPool& pool;
+    CostPower power;
+    Vec2 slope;            ///< Of the prices' frame: the true price of a seat is its price + slope . position.
+    Vec2 anchor;           ///< Stands for the position of seats without a place [m].
+    double threshold = 0;  ///< def.threshold in the units of `power`.
+};
+
+}  // namespace muster

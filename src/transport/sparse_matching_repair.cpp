@@ -1,0 +1,171 @@
+#include "transport/sparse_matching_repair.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace muster {
+namespace {
+
+constexpr std::uint8_t kRest = 16;            // Steps.
+constexpr std::int32_t kTries = 3;            // Arcs of one seat in one step.
+constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.
+constexpr std::int32_t kLanes = MatchingArcs::kLanes;
+
+// A violation as small as this share of the mean is let be, too.
+double toleranceFor(const MatchingContext& context, const MatchingState& state) {
+    double sum = 0.0;
+    for (const double c : state.ownPower) sum += c;
+    const double mean = sum / std::max(1.0, static_cast<double>(state.ownPower.size()));
+    return kToleranceOfThreshold * std::max({context.threshold, 0.1 * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
+}
+
+}  // namespace
+
+void MatchingRepair::reset(std::int32_t seats, std::int32_t searchLimit) {
+    search_.reset(seats, searchLimit);
+    violations_.reserve(static_cast<std::size_t>(seats));
+    costs_.reserve(static_cast<std::size_t>(seats) + 1);
+    seatsOf_.reserve(static_cast<std::size_t>(seats) + 1);
+}
+
+std::int32_t MatchingRepair::worstArc(const MatchingState& state, std::int32_t seat) const {
+    double least = std::numeric_limits<double>::infinity();
+    std::int32_t worst = -1;
+    for (std::int32_t arc = seat * kLanes; arc < (seat + 1) * kLanes; ++arc) {
+        const double reduced = state.reduced(arc);
+        if (!(reduced < least)) continue;
+        least = reduced;
+        worst = arc;
+    }
+    return worst;
+}
+
+void MatchingRepair::collect(const MatchingState& state, double tolerance, std::int32_t most) {
+    violations_.clear();
+    for (std::int32_t s = 0; s < state.seats.count(); ++s) {
+        if (state.resting[static_cast<std::size_t>(s)] > 0) continue;
+        const std::int32_t arc = worstArc(state, s);
+        const double size = -state.reduced(arc);
+        if (size > tolerance) violations_.push_back({size, arc});
+    }
+    violated_ = static_cast<std::int32_t>(violations_.size());
+    const auto worse = [](const Violation& a, const Violation& b) {
+        return a.size != b.size ? a.size > b.size : a.arc < b.arc;
+    };
+    if (violations_.size() > static_cast<std::size_t>(most)) {
+        std::nth_element(violations_.begin(), violations_.begin() + most, violations_.end(), worse);
+        violations_.resize(static_cast<std::size_t>(most));
+    }
+    std::sort(violations_.begin(), violations_.end(), worse);
+}
+
+void MatchingRepair::run(const MatchingContext& context, MatchingState& state, std::int64_t budget) {
+    exchanges_ = 0;
+    settled_ = 0;
+    for (std::uint8_t& steps : state.resting)
+        if (steps > 0) --steps;
+    const double tolerance = toleranceFor(context, state);
+    // One that takes a single node is the least there can be.
+    collect(state, tolerance, static_cast<std::int32_t>(std::min<std::int64_t>(budget, state.seats.count())));
+    for (const Violation& violation : violations_) {
+        if (settled_ >= budget) break;
+        repairSeat(context, state, violation.arc / kLanes, tolerance, budget);
+    }
+}
+
+// How much more it costs in reduced costs to let the holder of `to` go straight to `from`.
+double MatchingRepair::backAgain(const MatchingContext& context, MatchingState& state, std::int32_t from,
+                                 std::int32_t to) {
+    const auto a = static_cast<std::size_t>(to);
+    const auto b = static_cast<std::size_t>(from);
+    const std::int32_t known = state.arcs.find(to, from);
+    if (known >= 0) return std::max(state.reduced(known), 0.0);
+    const std::int32_t holder = state.seats.holder(to);
+    // Nobody waits there any more: whoever went there would leave a place empty.
+    if (holder < 0 && !state.seats.live(to)) return std::numeric_limits<double>::infinity();
+    const double there =
+        holder >= 0 && state.seats.live(from) ? context.power(context.costs.cost(holder, from)) : 0.0;
+    const double frame = dot(context.slope, state.seats.at(from, context) - state.seats.at(to, context));
+    return std::max(there - state.ownPower[a] - frame - state.price[b] + state.price[a], 0.0);
+}
+
+void MatchingRepair::repairSeat(const MatchingContext& context, MatchingState& state, std::int32_t seat,
+                                double tolerance, std::int64_t budget) {
+    for (std::int32_t k = 0; k < kTries && settled_ < budget; ++k) {
+        const std::int32_t arc = worstArc(state, seat);
+        const double violation = -state.reduced(arc);
+        if (!(violation > tolerance)) return;
+        const std::int32_t to = state.arcs.target(arc);
+        const auto limit = static_cast<std::int32_t>(
+            std::min<std::int64_t>(context.def.searchLimit, budget - settled_));
+        const SearchEnd end = search_.run(state.arcs, state.price, seat, to, violation,
+                                          backAgain(context, state, seat, to), limit);
+        settled_ += search_.settled() + 1;
+        search_.movePrices(state.price);
+        if (end == SearchEnd::Capped) return;
+        if (end == SearchEnd::Cycle && !commit(context, state)) {
+            state.resting[static_cast<std::size_t>(seat)] = kRest;
+            return;
+        }
+    }
+}
+
+void MatchingRepair::askCycle(const MatchingContext& context, const MatchingState& state) {
+    const auto cycle = search_.cycle();
+    costs_.clear();
+    for (std::size_t k = 0; k < cycle.size(); ++k) {
+        const std::int32_t holder = state.seats.holder(cycle[k]);
+        const std::int32_t to = cycle[(k + 1) % cycle.size()];
+        costs_.push_back(holder >= 0 && state.seats.live(to) ? context.costs.cost(holder, to) : 0.0f);
+    }
+}
+
+// Exchanges along the cycle found where today's costs say that it gains enough.
+bool MatchingRepair::commit(const MatchingContext& context, MatchingState& state) {
+    askCycle(context, state);
+    const auto cycle = search_.cycle();
+    double before = 0.0;
+    double after = 0.0;
+    for (std::size_t k = 0; k < cycle.size(); ++k) {
+        const std::int32_t to = cycle[(k + 1) % cycle.size()];
+        before += state.ownPower[static_cast<std::size_t>(cycle[k])];
+        if (state.seats.live(to) && state.seats.holder(cycle[k]) >= 0) after += context.power(costs_[k]);
+    }
+    if (!(before - after > std::max(context.threshold, context.def.thresholdShare * before))) {
+        noteWeights(context, state);
+        return false;
+    }
+    rotate(context, state);
+    ++exchanges_;
+    return true;
+}
+
+// Weights along a cycle that was not worth it become today's.
+void MatchingRepair::noteWeights(const MatchingContext& context, MatchingState& state) {
+    const auto cycle = search_.cycle();
+    for (std::size_t k = 0; k < cycle.size(); ++k) {
+        const std::int32_t to = cycle[(k + 1) % cycle.size()];
+        const std::int32_t arc = state.arcs.find(cycle[k], to);
+        if (arc < 0) continue;
+        const bool paid = state.seats.live(to) && state.seats.holder(cycle[k]) >= 0;
+        const double frame = dot(context.slope, state.seats.at(to, context) - state.seats.at(cycle[k], context));
+        state.arcs.setWeight(arc, static_cast<float>((paid ? context.power(costs_[k]) : 0.0) -
+                                                     state.ownPower[static_cast<std::size_t>(cycle[k])] - frame));
+    }
+}
+
+void MatchingRepair::rotate(const MatchingContext& context, MatchingState& state) {
+    const auto cycle = search_.cycle();
+    seatsOf_.clear();
+    for (const std::int32_t s : cycle) seatsOf_.push_back(state.seats.holder(s));
+    for (std::size_t k = 0; k < cycle.size(); ++k) {
+        const std::int32_t to = cycle[(k + 1) % cycle.size()];
+        state.seats.put(to, seatsOf_[k]);
+        state.setOwn(to, costs_[k], context.power);
+        state.changed[static_cast<std::size_t>(to)] = 1;
+        state.resting[static_cast<std::size_t>(to)] = 0;
+    }
+    state.arcs.refresh(context, state.seats, state.ownPower, cycle);
+}
+
+}  // namespace muster

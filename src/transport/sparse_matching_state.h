@@ -1,0 +1,58 @@
+// All that a sparse matching knows from step to step.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "transport/sparse_matching_arcs.h"
+#include "transport/sparse_matching_seats.h"
+
+namespace muster {
+
+/// Seats, arcs and prices. Shared by the parts of SparseMatching.
+struct MatchingState {
+    MatchingSeats seats;
+    MatchingArcs arcs;
+    std::vector<double> price;          ///< Per seat, in the frame of the step (MatchingContext::slope).
+    std::vector<std::uint8_t> changed;  ///< Per seat: has another holder, or another standing, since its targets were chosen.
+    std::vector<std::uint8_t> resting;  ///< Per seat: steps for which a change that did not gain enough is not tried again.
+    // Worked out in each step.
+    std::vector<float> own;        ///< Per seat: cost of its holder to its place [m]; 0 where one is missing.
+    std::vector<double> ownPower;  ///< The same to the power.
+
+    /// Room for so many, nobody seated.
+    void reset(std::int32_t characters, std::int32_t places) {
+        seats.reset(characters, places);
+        arcs.reset(seats.count());
+        const auto n = static_cast<std::size_t>(seats.count());
+        price.assign(n, 0.0);
+        changed.assign(n, 1);
+        resting.assign(n, 0);
+        own.assign(n, 0.0f);
+        ownPower.assign(n, 0.0);
+    }
+    /// Reduced cost of an arc: what it would gain if the prices were right; negative where it is violated.
+    double reduced(std::int32_t arc) const {
+        const auto from = static_cast<std::size_t>(arc / MatchingArcs::kLanes);
+        return arcs.weight(arc) - price[static_cast<std::size_t>(arcs.target(arc))] + price[from];
+    }
+    /// Sets the cost of a seat's holder.
+    void setOwn(std::int32_t seat, float cost, const CostPower& power) {
+        own[static_cast<std::size_t>(seat)] = cost;
+        ownPower[static_cast<std::size_t>(seat)] = seats.matched(seat) ? power(cost) : 0.0;
+    }
+
+    /// Lets an archive read or write all that influences later steps.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(seats, arcs, price, changed, resting);
+        if constexpr (Archive::kReading) {
+            const auto n = static_cast<std::size_t>(seats.count());
+            if (arcs.targets().size() != n * MatchingArcs::kLanes || price.size() != n || changed.size() != n ||
+                resting.size() != n)
+                archive.fail();
+        }
+    }
+};
+
+}  // namespace muster
