@@ -15,7 +15,7 @@ constexpr double kHalfDiagonal = 0.70710678118654752;
 // Steps over cells overrate true distances by up to 8 %.
 constexpr float kStepShare = 0.92f;
 constexpr std::int32_t kBlock = 4;         // Cells across a block in which far walls are looked for.
-constexpr double kLeastRoom = 0.03;        // Straight ways keep this off walls [m].
+constexpr double kLeastRoom = -0.02;       // Straight ways may dip this far into walls, for rounding [m].
 constexpr double kLeastStride = 0.12;      // Between two looks along a straight way [m].
 constexpr double kInterpolated = 0.75;     // With less room than this a closer look is worth it [m].
 
@@ -121,7 +121,7 @@ void StaticGround::narrowByPatches() {
     spreadDistances(grid_.width, grid_.height, far_);
     const auto edge = static_cast<float>(grid_.cell);
     for (std::size_t k = 0; k < room_.size(); ++k)
-        room_[k] = std::min(room_[k], std::max(0.0f, kStepShare * far_[k] - 0.5f) * edge);
+        room_[k] = std::min(room_[k], (kStepShare * far_[k] - 0.5f) * edge);
 }
 
 // The cheapest of the lanes of cells that lead from the middle of one coarse cell to the middle of the next; infinite
@@ -198,9 +198,18 @@ double StaticGround::roomBetween(Vec2 p) const {
            (high[0] * (1.0 - at.fx) + high[right] * at.fx) * at.fy;
 }
 
+double StaticGround::lineCost(Vec2 a, Vec2 b) const {
+    constexpr int kSamples = 8;
+    double sum = 0.0;
+    for (int k = 0; k < kSamples; ++k) sum += unit(a + (b - a) * ((k + 0.5) / kSamples));
+    return sum / kSamples * distance(a, b);
+}
+
 bool StaticGround::straight(Vec2 a, Vec2 b) const {
     if (plain_) return true;
     const double whole = distance(a, b);
+    // On slow ground a way out of it and back may be faster, unless both ends lie deep in it.
+    if (unit(b) > fine_.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
     if (room(b) >= whole) return true;
     const Vec2 along = whole > 0.0 ? (b - a) / whole : Vec2{};
     double at = 0.0;

@@ -28,9 +28,11 @@ public:
     double roomBetween(Vec2 p) const;
     /// Cost of a metre at `p`.
     float unit(Vec2 p) const { return unit_[static_cast<std::size_t>(grid_.index(grid_.nearestCell(p)))]; }
-    /// True where a character can go straight from `a` to `b` on uniform ground. Close to walls it may say no though it
-    /// could.
+    /// True where a character can go straight from `a` to `b` and does best to. On slow ground it may say
+    /// no though that is so.
     bool straight(Vec2 a, Vec2 b) const;
+    /// Cost of the straight line, walls or none, by a few samples of the ground.
+    double lineCost(Vec2 a, Vec2 b) const;
     /// True where nobody of the radius can stand at the centre of the cell.
     bool blocked(std::int32_t cell) const { return wallRoom_[static_cast<std::size_t>(cell)] < 0.0f; }
     /// Room to the walls at the centre of a cell [m].

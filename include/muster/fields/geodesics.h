@@ -1,0 +1,76 @@
+// Costs of ways between any point and any place of a group, at a small price each (SPEC A2, B1).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "muster/base/archive.h"
+#include "muster/base/parallel.h"
+#include "muster/fields/crowd_excess.h"
+#include "muster/fields/static_ground.h"
+
+namespace muster {
+
+/// How much work is done in a step.
+struct GeodesicsDef {
+    std::int32_t nearFields = 6144;      ///< Most windows kept.
+    std::int32_t nearPerStep = 3;        ///< Windows made in a step, at most; for 1,000 places and more in proportion.
+    std::int32_t farPerStep = 1;         ///< Far fields made in a step, at most.
+};
+
+/// Where to walk.
+struct WayAhead {
+    Vec2 direction;     ///< Unit vector; zero where no way is known.
+    float cost = 0.0f;  ///< To the place.
+};
+
+/// What a walker remembers from step to step of a long way: a point in sight that lies on it.
+struct WayPoint {
+    Vec2 point;                 ///< [m]
+    std::int32_t place = -1;    ///< The place to which it leads; -1 for none.
+    std::int32_t steps = 0;     ///< For which it still serves.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(point, place, steps);
+    }
+};
+
+/// Interpolates squared costs between fields of landmarks round each place: straight lines where the ground is clear and
+/// uniform, small windows of the fine ground near by, fields of the coarse ground far away. Fields are those of the
+/// still ground; the excess of crowd and moving things is added along the way.
+class Geodesics {
+public:
+    explicit Geodesics(const GeodesicsDef& def = {});  ///< Knows nothing yet.
+    ~Geodesics();
+    Geodesics(Geodesics&&) noexcept;  ///< Moves.
+    Geodesics& operator=(Geodesics&&) noexcept;
+
+    /// Takes the places of this step, and makes some of the fields that were missing in the last. `ground` and `excess`
+    /// must live until the next call.
+    void update(const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places, ThreadPool& pool);
+    /// Makes all far fields that ways from these points to the places ask for: before a first plan.
+    void survey(std::span<const Vec2> from, ThreadPool& pool);
+    /// Cost from `from` to a place [m of open ground] >= 0, finite. May be called from several threads.
+    float cost(Vec2 from, std::int32_t place) const;
+    /// The same with the direction to go; `memory` is the walker's own.
+    WayAhead ahead(Vec2 from, std::int32_t place, WayPoint& memory) const;
+    /// True where the cost is that of the straight line.
+    bool straight(Vec2 from, std::int32_t place) const;
+
+    /// Writes all that can influence later results, less what follows from the ground.
+    void save(Writer& archive) const;
+    /// Reads what save() wrote; fields are made anew by the next update(). False where it does not fit.
+    bool load(Reader& archive);
+    /// Adds what save() writes to a hash.
+    void hash(Hasher& archive) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace muster

@@ -1,0 +1,279 @@
+#include "muster/fields/geodesics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/between_centres.h"
+#include "fields/far_fields.h"
+#include "fields/near_windows.h"
+
+namespace muster {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
+constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its stencils.
+constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
+constexpr std::int32_t kTraceSteps = 14;    // Along a far way, to a point in sight ahead...
+constexpr double kTraceStep = 1.0;          // ... each so long [m].
+constexpr double kDetourAhead = 4.0;        // To where a window leads when nothing on the way is in sight [m].
+constexpr std::int32_t kServes = 8;         // Steps for which a point in sight serves.
+constexpr double kReached = 0.6;            // [m]
+
+}  // namespace
+
+struct Geodesics::Impl {
+    GeodesicsDef def;
+    const StaticGround* ground = nullptr;
+    const CrowdExcess* excess = nullptr;
+    std::vector<Vec2> places;
+    std::vector<std::uint8_t> askedNear;  // Steps for which a place still wants windows.
+    std::vector<std::uint8_t> askedFar;
+    std::vector<LandmarkStencil> nearStencil;
+    std::vector<LandmarkStencil> farStencil;
+    std::vector<std::int32_t> detours;    // Landmarks of windows that walkers asked for.
+    std::vector<std::uint8_t> detourOf;
+    NearWindows near;
+    FarFields far;
+    bool loaded = false;
+
+    explicit Impl(const GeodesicsDef& d) : def(d), near(d.nearFields) {}
+
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(places, askedNear, askedFar, near, far);
+        if constexpr (Archive::kReading) {
+            const std::size_t n = places.size();
+            if (askedNear.size() != n || askedFar.size() != n) archive.fail();
+            loaded = true;
+        }
+    }
+    std::int32_t perStep(std::int32_t most) const {
+        return std::max(most, static_cast<std::int32_t>(static_cast<std::int64_t>(most) * static_cast<std::int64_t>(places.size()) / 1000));
+    }
+    void ask(const std::vector<std::uint8_t>& asked, std::int32_t place) const {
+        auto* flag = const_cast<std::uint8_t*>(&asked[static_cast<std::size_t>(place)]);
+        __atomic_store_n(flag, kRemembered, __ATOMIC_RELAXED);
+    }
+    void tick(ThreadPool& pool);
+    void findStencils();
+    double readingShift(Vec2 from, const Grid& grid) const;
+    double nearCost(Vec2 from, std::int32_t place, double line) const;
+    double farCost(Vec2 from, std::int32_t place, double line) const;
+    double excessAlong(const CostField& field, Vec2 from, Vec2 to) const;
+    bool withinWindows(Vec2 from, Vec2 to) const;
+    double bent(Vec2 from, std::int32_t place) const;
+    Vec2 farDirection(const CostField& field, Vec2 from, WayPoint& memory) const;
+    bool findPointAhead(const CostField& field, Vec2 from, Vec2& point, Vec2& detour) const;
+};
+
+Geodesics::Geodesics(const GeodesicsDef& def) : impl_(std::make_unique<Impl>(def)) {}
+Geodesics::~Geodesics() = default;
+Geodesics::Geodesics(Geodesics&&) noexcept = default;
+Geodesics& Geodesics::operator=(Geodesics&&) noexcept = default;
+
+void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places,
+                       ThreadPool& pool) {
+    Impl& s = *impl_;
+    s.ground = &ground;
+    s.excess = &excess;
+    s.places.assign(places.begin(), places.end());
+    s.askedNear.resize(places.size(), 0);
+    s.askedFar.resize(places.size(), 0);
+    s.nearStencil.resize(places.size());
+    s.farStencil.resize(places.size());
+    s.near.beginStep(ground);
+    s.far.beginStep(ground, places.size());
+    if (ground.plain()) return;
+    if (s.loaded) {
+        s.near.rebuild(pool);
+        s.far.rebuild(pool);
+        s.loaded = false;
+    }
+    s.tick(pool);
+}
+
+// Wishes of the last step are met as far as the budget goes; stencils follow from what there is.
+void Geodesics::Impl::tick(ThreadPool& pool) {
+    for (const std::int32_t cell : detours) near.wishLandmark(cell);
+    for (std::size_t j = 0; j < places.size(); ++j) {
+        if (askedNear[j] > 0) near.wish(places[j]);
+        if (askedFar[j] > 0) far.wish(places[j]);
+    }
+    near.build(perStep(def.nearPerStep), pool);
+    far.build(def.farPerStep, pool);
+    findStencils();
+}
+
+void Geodesics::Impl::findStencils() {
+    for (std::size_t j = 0; j < places.size(); ++j) {
+        nearStencil[j].count = 0;
+        farStencil[j].count = 0;
+        if (askedNear[j] > 0) {
+            --askedNear[j];
+            nearStencil[j] = near.stencil(places[j]);
+        }
+        if (askedFar[j] > 0) {
+            --askedFar[j];
+            farStencil[j] = far.stencil(places[j]);
+        }
+    }
+}
+
+void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
+    Impl& s = *impl_;
+    if (s.ground->plain()) return;
+    for (std::size_t j = 0; j < s.places.size(); ++j)
+        for (const Vec2 p : from)
+            if (!s.ground->straight(p, s.places[j])) {
+                (s.withinWindows(p, s.places[j]) ? s.askedNear[j] : s.askedFar[j]) = kRemembered;
+                if (s.askedFar[j] > 0) break;
+            }
+    for (std::size_t j = 0; j < s.places.size(); ++j) {
+        if (s.askedFar[j] > 0) s.far.wish(s.places[j]);
+        if (s.askedNear[j] > 0) s.near.wish(s.places[j]);
+    }
+    s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
+    s.near.build(s.perStep(4 * s.def.nearPerStep), pool);
+    s.findStencils();
+}
+
+bool Geodesics::Impl::withinWindows(Vec2 from, Vec2 to) const {
+    const double reach = (NearWindows::kHalf - 4.5) * ground->fine().grid.cell;
+    return std::fabs(from.x - to.x) < reach && std::fabs(from.y - to.y) < reach;
+}
+
+// Bilinear interpolation overrates squares by this much on uniform ground.
+double Geodesics::Impl::readingShift(Vec2 from, const Grid& grid) const {
+    const BetweenCentres at = betweenCentres(grid, from);
+    const double unit = ground->unit(from) * grid.cell;
+    return unit * unit * (at.fx * (1.0 - at.fx) + at.fy * (1.0 - at.fy));
+}
+
+// The excess along the corners of a way through the field, and on to the place.
+double Geodesics::Impl::excessAlong(const CostField& field, Vec2 from, Vec2 to) const {
+    if (excess->none()) return 0.0;
+    Vec2 corners[kMostCorners];
+    const std::int32_t count = field.corners(from, corners);
+    double sum = 0.0;
+    Vec2 at = from;
+    for (std::int32_t k = 0; k < count; ++k) {
+        sum += excess->along(at, corners[k]);
+        at = corners[k];
+    }
+    return sum + excess->along(at, to);
+}
+
+double Geodesics::Impl::nearCost(Vec2 from, std::int32_t place, double line) const {
+    const LandmarkStencil& stencil = nearStencil[place];
+    if (stencil.count == 0) return kInfinite;
+    const double square = near.square(stencil, from) - readingShift(from, ground->fine().grid);
+    if (!(square < kInfinite)) return kInfinite;
+    const double least = ground->fine().lowest * line;
+    const double still = std::sqrt(std::max(square, least * least));
+    return still + ground->unit(from) * excessAlong(near.field(stencil.nearest), from, places[place]);
+}
+
+double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) const {
+    const LandmarkStencil& stencil = farStencil[place];
+    if (stencil.count == 0) return kInfinite;
+    const double square = far.square(stencil, from) - readingShift(from, ground->coarse().grid);
+    if (!(square < kInfinite)) return kInfinite;
+    const double least = ground->fine().lowest * line;
+    return std::sqrt(std::max(square, least * least));
+}
+
+double Geodesics::Impl::bent(Vec2 from, std::int32_t place) const {
+    const Vec2 to = places[place];
+    const double line = distance(from, to);
+    double cost = kInfinite;
+    if (withinWindows(from, to)) {
+        ask(askedNear, place);
+        cost = nearCost(from, place, line);
+    }
+    if (cost < kInfinite) return cost;
+    ask(askedFar, place);
+    cost = farCost(from, place, line);
+    return cost < kInfinite ? cost : kUnknown * ground->unit(from) * line;
+}
+
+bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->ground->straight(from, impl_->places[place]); }
+
+float Geodesics::cost(Vec2 from, std::int32_t place) const {
+    const Impl& s = *impl_;
+    const Vec2 to = s.places[place];
+    if (s.ground->straight(from, to))
+        return static_cast<float>(s.ground->unit(to) * (distance(from, to) + s.excess->along(from, to)));
+    return static_cast<float>(s.bent(from, place));
+}
+
+// Goes down the field; `point` becomes the last point of the way in sight, `detour` one some metres on.
+bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, Vec2& point, Vec2& detour) const {
+    Vec2 at = from;
+    bool found = false;
+    std::int32_t lost = 0;
+    detour = from;
+    for (std::int32_t k = 0; k < kTraceSteps && lost < 3; ++k) {
+        const Vec2 step = field.direction(at);
+        if (step == Vec2{}) break;
+        at += step * kTraceStep;
+        if ((k + 1) * kTraceStep <= kDetourAhead) detour = at;
+        if (ground->straight(from, at)) {
+            point = at;
+            found = true;
+            lost = 0;
+        } else {
+            ++lost;
+        }
+    }
+    return found;
+}
+
+Vec2 Geodesics::Impl::farDirection(const CostField& field, Vec2 from, WayPoint& memory) const {
+    const bool serves = memory.steps > 0 && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
+    if (!serves) {
+        Vec2 detour;
+        if (!findPointAhead(field, from, memory.point, detour)) {
+            memory.steps = 0;
+            memory.point = detour;
+            return {};
+        }
+        memory.steps = kServes;
+    }
+    --memory.steps;
+    return normalized(memory.point - from);
+}
+
+WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const {
+    const Impl& s = *impl_;
+    const Vec2 to = s.places[place];
+    const double line = distance(from, to);
+    if (memory.place != place) memory = {from, place, 0};
+    if (s.ground->straight(from, to))
+        return {normalized(to - from), static_cast<float>(s.ground->unit(to) * (line + s.excess->along(from, to)))};
+    WayAhead way{{}, static_cast<float>(s.bent(from, place))};
+    const LandmarkStencil& near = s.nearStencil[place];
+    const LandmarkStencil& far = s.farStencil[place];
+    if (s.withinWindows(from, to) && near.count > 0) {
+        const CostField& field = s.near.field(near.nearest);
+        // Beside the landmark the way to it says nothing of the way to the place.
+        const bool beside = distance(from, field.source()) < 1.5 * distance(field.source(), to);
+        way.direction = beside ? normalized(to - from) : field.direction(from);
+    } else if (far.count > 0) {
+        way.direction = s.farDirection(s.far.field(far.nearest), from, memory);
+        if (way.direction == Vec2{}) way.direction = s.far.field(far.nearest).direction(from);
+    }
+    return way;
+}
+
+void Geodesics::save(Writer& archive) const { impl_->visit(archive); }
+
+bool Geodesics::load(Reader& archive) {
+    impl_->visit(archive);
+    return archive.ok();
+}
+
+void Geodesics::hash(Hasher& archive) const { impl_->visit(archive); }
+
+}  // namespace muster

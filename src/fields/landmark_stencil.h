@@ -1,0 +1,31 @@
+// How the squared cost to a place follows from those to landmarks round it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "muster/base/vec2.h"
+
+namespace muster {
+
+/// Fields and their weights.
+struct LandmarkStencil {
+    std::int32_t count = 0;   ///< 0 where nothing is known.
+    std::int32_t slot[4] = {};
+    float weight[4] = {};
+    std::int32_t nearest = 0; ///< Slot of the field whose landmark weighs most.
+    float shift = 0.0f;       ///< Added to the weighted sum of squares: exact on uniform ground.
+};
+
+/// A landmark that may take part.
+struct Landmark {
+    std::int32_t slot = 0;  ///< Of its field.
+    Vec2 at;                ///< [m]
+};
+
+/// Weights that add up to 1 and put the landmarks' weighted mean on `place`: bilinear where `square` says that the four
+/// are the corners of a square (lower left, lower right, upper left, upper right), else the smallest such weights;
+/// landmarks that lie in a line or alone put it as near as they can. `unit` is the cost of a metre round the place.
+LandmarkStencil weighLandmarks(std::span<const Landmark> landmarks, bool square, Vec2 place, float unit);
+
+}  // namespace muster
