@@ -92,7 +92,6 @@ struct World::Impl {
     StageTimes times;
     DensityField density;
     UnitCostBuilder costBuilder;
-    UnitCost unitCost;
     bool costBuilt = false;
     Steering steering;
     Contacts contactSolver;

@@ -90,10 +90,7 @@ bool World::Impl::plansThisStep(const Group& group, std::size_t index) const {
 
 void World::Impl::buildDensityAndCost() {
     density.splat(characters.position, characters.velocity);
-    bool needed = false;
-    for (std::size_t g = 0; g < groups.size(); ++g) needed = needed || plansThisStep(groups[g], g);
-    if (!needed) return;
-    costBuilder.build(costDef(), environment, density, parameters.radius, unitCost);
+    costBuilder.update(costDef(), environment, density, parameters.radius);
     costBuilt = true;
 }
 
@@ -119,7 +116,7 @@ void World::Impl::startPlan(Group& group) {
     input.places = group.places.positions();
     input.usable = group.places.fit();
     input.incumbent = memory.groupPlaces;
-    input.cost = &unitCost;
+    input.cost = &costBuilder.cost();
     group.slices = group.planNow ? 1 : static_cast<std::int32_t>(parameters.planPeriod);
     group.slice = 0;
     const Status status = group.plan->start(def, input);
