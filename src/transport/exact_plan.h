@@ -15,13 +15,12 @@ namespace muster {
 class ExactPlan final : public Plan {
 public:
     const char* name() const override { return "exact"; }
+    bool readsUnitCost() const override { return true; }
     Status start(const PlanDef& def, const PlanInput& input) override;
     bool pending() const override { return pending_.valid(); }
     void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
-    void steer(std::span<const Vec2> characters, std::span<const std::int32_t> place, std::span<const Vec2> placesNow,
-               const Environment& environment, double direct, std::span<Vec2> direction,
-               std::span<double> cost) const override;
+    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) override;
     std::int32_t waitingPlace(std::int32_t character) const override {
         const bool known = finished_.valid() && character >= 0 && character < finished_.characters();
         return known ? finished_.waitingPlace(character) : -1;

@@ -13,15 +13,15 @@ constexpr double kHair = 0.01;
 
 }  // namespace
 
-void ExactPlan::steer(std::span<const Vec2> characters, std::span<const std::int32_t> place,
-                      std::span<const Vec2> placesNow, const Environment& environment, double direct,
-                      std::span<Vec2> direction, std::span<double> cost) const {
-    MUSTER_ASSERT(place.size() == characters.size() && direction.size() == characters.size() &&
-                  cost.size() == characters.size());
-    for (std::size_t i = 0; i < characters.size(); ++i) {
+void ExactPlan::steer(const SteerInput& input, ThreadPool&, std::span<Vec2> direction, std::span<double> cost) {
+    MUSTER_ASSERT(input.place.size() == input.characters.size() && direction.size() == input.characters.size() &&
+                  cost.size() == input.characters.size());
+    for (std::size_t i = 0; i < input.characters.size(); ++i) {
         Heading heading{{0.0, 0.0}, kInfinite};
-        if (place[i] >= 0 && static_cast<std::size_t>(place[i]) < placesNow.size())
-            heading = head(characters[i], place[i], placesNow[static_cast<std::size_t>(place[i])], environment, direct);
+        const std::int32_t place = input.place[i];
+        if (place >= 0 && static_cast<std::size_t>(place) < input.places.size())
+            heading = head(input.characters[i], place, input.places[static_cast<std::size_t>(place)], *input.environment,
+                           input.direct);
         direction[i] = heading.direction;
         cost[i] = heading.cost;
     }

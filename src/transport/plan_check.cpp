@@ -58,10 +58,11 @@ Status checkPlan(const PlanDef& def, const PlanInput& input) {
     const std::size_t characters = input.characters.size();
     const std::size_t places = input.places.size();
     const Status checks[] = {checkDef(def),
-                             checkCost(input.cost),
+                             input.cost == nullptr && input.ground != nullptr ? Status{} : checkCost(input.cost),
                              checkSize("supply", input.supply.size(), characters, true),
                              checkSize("demand", input.demand.size(), places, true),
                              checkSize("usable", input.usable.size(), places, true),
+                             checkSize("presence", input.present.size(), characters, true),
                              checkSize("incumbent", input.incumbent.size(), characters, false),
                              checkPoints("character", input.characters),
                              checkPoints("place", input.places),

@@ -220,7 +220,7 @@ const Environment& World::environment() const { return impl_->environment; }
 const Characters& World::characters() const { return impl_->characters; }
 std::size_t World::groupCount() const { return impl_->groups.size(); }
 const DensityField& World::density() const { return impl_->density; }
-const UnitCost* World::unitCost() const { return impl_->costBuilt ? &impl_->costBuilder.cost() : nullptr; }
+const UnitCost* World::unitCost() const { return impl_->unitCostNow(); }
 std::span<const Event> World::events() const { return impl_->events; }
 std::span<const Rejection> World::rejections() const { return impl_->rejections; }
 std::span<const ItemDef> World::items() const { return impl_->items; }

@@ -48,6 +48,7 @@ struct StepMemory {
     std::vector<Vec2> targets;
     std::vector<Vec2> groupPositions;
     std::vector<std::int32_t> groupPlaces;
+    std::vector<std::uint8_t> groupPresent;
     std::vector<Vec2> groupDirections;
     std::vector<double> groupCosts;
     std::vector<Vec2> placePosition;
@@ -92,7 +93,9 @@ struct World::Impl {
     StageTimes times;
     DensityField density;
     UnitCostBuilder costBuilder;
-    bool costBuilt = false;
+    bool costBuilt = false;  ///< For the density as it is.
+    StaticGround ground;
+    CrowdExcess excess;
     Steering steering;
     Contacts contactSolver;
     std::unique_ptr<ThreadPool> pool;
@@ -133,6 +136,8 @@ struct World::Impl {
     void finishPlan(Group& group);
     void steerGroup(Group& group);
     void directTheUnmatched(Group& group);
+    void findPresent(const Group& group);
+    const UnitCost* unitCostNow();
     void collectItems();
     void meetCheckpoints();
     void measureLag();

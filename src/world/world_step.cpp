@@ -90,8 +90,32 @@ bool World::Impl::plansThisStep(const Group& group, std::size_t index) const {
 
 void World::Impl::buildDensityAndCost() {
     density.splat(characters.position, characters.velocity);
-    costBuilder.update(costDef(), environment, density, parameters.radius);
+    const auto reads = [](const Group& group) { return group.plan->readsUnitCost(); };
+    costBuilt = std::any_of(groups.begin(), groups.end(), reads);
+    if (costBuilt) costBuilder.update(costDef(), environment, density, parameters.radius);
+    if (std::all_of(groups.begin(), groups.end(), reads)) return;
+    const UnitCostDef def = costDef();
+    ground.update(environment, def.alpha + def.beta, parameters.radius);
+    excess.update(def, environment, density, parameters.radius);
+}
+
+// Only the exact plan needs it for the step, but pictures and reports may ask.
+const UnitCost* World::Impl::unitCostNow() {
+    if (stepCount == 0) return nullptr;
+    if (!costBuilt) costBuilder.update(costDef(), environment, density, parameters.radius);
     costBuilt = true;
+    return &costBuilder.cost();
+}
+
+// Who stands on ground that is cut off from where most of the group is.
+void World::Impl::findPresent(const Group& group) {
+    memory.groupPresent.clear();
+    if (ground.plain()) return;
+    const std::int32_t region = regionOf(group);
+    for (const Vec2 p : memory.groupPositions) {
+        const std::int32_t label = environment.region(p, parameters.radius);
+        memory.groupPresent.push_back(label < 0 || region < 0 || label == region ? 1 : 0);
+    }
 }
 
 void World::Impl::startPlan(Group& group) {
@@ -116,8 +140,16 @@ void World::Impl::startPlan(Group& group) {
     input.places = group.places.positions();
     input.usable = group.places.fit();
     input.incumbent = memory.groupPlaces;
-    input.cost = &costBuilder.cost();
-    group.slices = group.planNow ? 1 : static_cast<std::int32_t>(parameters.planPeriod);
+    if (group.plan->readsUnitCost()) {
+        input.cost = &costBuilder.cost();
+    } else {
+        findPresent(group);
+        input.present = memory.groupPresent;
+        input.ground = &ground;
+        input.excess = &excess;
+    }
+    const bool whole = group.planNow || !group.plan->readsUnitCost();
+    group.slices = whole ? 1 : static_cast<std::int32_t>(parameters.planPeriod);
     group.slice = 0;
     const Status status = group.plan->start(def, input);
     MUSTER_ASSERT(status.ok());
@@ -168,8 +200,9 @@ void World::Impl::steerGroup(Group& group) {
         memory.groupPlaces[k] = characters.place[i];
     }
     directTheUnmatched(group);
-    group.plan->steer(memory.groupPositions, memory.groupPlaces, group.places.positions(), environment,
-                      parameters.directReach, memory.groupDirections, memory.groupCosts);
+    const SteerInput input{memory.groupPositions, memory.groupPlaces, group.places.positions(), &environment,
+                           parameters.directReach, &ground, &excess};
+    group.plan->steer(input, *pool, memory.groupDirections, memory.groupCosts);
     const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
     for (std::size_t k = 0; k < count; ++k) {
         const auto i = static_cast<std::size_t>(group.members[k]);

@@ -44,13 +44,15 @@ OwnedInput scene(std::uint64_t seed) {
     return input;
 }
 
-void checkSame(const Plan& a, const Plan& b, const OwnedInput& input) {
+void checkSame(Plan& a, Plan& b, const OwnedInput& input) {
     const muster::Environment environment;
     const std::vector<std::int32_t> place = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     std::vector<Vec2> directionA(9), directionB(9);
     std::vector<double> costA(9), costB(9);
-    a.steer(input.characters, place, input.places, environment, 1.5, directionA, costA);
-    b.steer(input.characters, place, input.places, environment, 1.5, directionB, costB);
+    const muster::SteerInput steering{input.characters, place, input.places, &environment, 1.5};
+    muster::ThreadPool pool;
+    a.steer(steering, pool, directionA, costA);
+    b.steer(steering, pool, directionB, costB);
     CHECK(directionA == directionB);
     CHECK(costA == costB);
     for (std::int32_t j = 0; j < 9; ++j) CHECK(a.costAt(j, {-3.1, 2.2}) == b.costAt(j, {-3.1, 2.2}));

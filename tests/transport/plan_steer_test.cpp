@@ -36,10 +36,11 @@ struct Steered {
     double cost;
 };
 
-Steered steer(const muster::Plan& plan, const muster::Environment& environment, Vec2 p, std::int32_t place,
+Steered steer(muster::Plan& plan, const muster::Environment& environment, Vec2 p, std::int32_t place,
               const std::vector<Vec2>& placesNow, double direct = 1.5) {
     Steered out{};
-    plan.steer({&p, 1}, {&place, 1}, placesNow, environment, direct, {&out.direction, 1}, {&out.cost, 1});
+    muster::ThreadPool pool;
+    plan.steer({{&p, 1}, {&place, 1}, placesNow, &environment, direct}, pool, {&out.direction, 1}, {&out.cost, 1});
     return out;
 }
 

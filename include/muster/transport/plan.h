@@ -9,6 +9,8 @@
 #include "muster/base/archive.h"
 #include "muster/base/parallel.h"
 #include "muster/environment/environment.h"
+#include "muster/fields/crowd_excess.h"
+#include "muster/fields/static_ground.h"
 #include "muster/fields/unit_cost.h"
 #include "muster/transport/assignment.h"
 
@@ -38,7 +40,21 @@ struct PlanInput {
     std::span<const double> demand;           ///< Per place; empty for 1 each.
     std::span<const std::uint8_t> usable;     ///< Per place, 0 for one nobody may take; empty for all.
     std::span<const std::int32_t> incumbent;  ///< Place of each character now, -1 for none.
-    const UnitCost* cost = nullptr;           ///< Not null.
+    const UnitCost* cost = nullptr;           ///< For plans that ask for it (Plan::readsUnitCost), else null.
+    const StaticGround* ground = nullptr;     ///< For the other plans; lives as long as the plan.
+    const CrowdExcess* excess = nullptr;      ///< For the other plans; lives as long as the plan.
+    std::span<const std::uint8_t> present = {};///< Per character, 0 for one known to be cut off from the places; empty for all.
+};
+
+/// What steering reads. Spans stay valid during the call only.
+struct SteerInput {
+    std::span<const Vec2> characters;     ///< Positions [m].
+    std::span<const std::int32_t> place;  ///< Of each character, -1 for the unmatched.
+    std::span<const Vec2> places;         ///< Today's positions [m].
+    const Environment* environment = nullptr;  ///< Not null.
+    double direct = 0.0;                  ///< Within a clear straight line of this the direction leads straight to the place [m].
+    const StaticGround* ground = nullptr; ///< As for plans.
+    const CrowdExcess* excess = nullptr;  ///< As for plans.
 };
 
 /// What a plan returns.
@@ -58,6 +74,8 @@ public:
 
     /// "exact", "fast"...
     virtual const char* name() const = 0;
+    /// True where plans are made from the unit cost of all ground; else from the still ground and the crowd's excess.
+    virtual bool readsUnitCost() const = 0;
     /// Freezes the input of the next plan; a plan under way is dropped. Fails with InvalidArgument, changing nothing,
     /// where sizes do not fit or a value is out of range.
     virtual Status start(const PlanDef& def, const PlanInput& input) = 0;
@@ -69,15 +87,11 @@ public:
     /// where no plan is under way.
     virtual Status finish(ThreadPool& pool, PlanResult& result) = 0;
 
-    /// Writes for each character the unit direction to walk now, and the cost left, by the last finished plan.
-    /// `place` is -1 for the unmatched (direction zero). `placesNow` are today's positions of the places. Within
-    /// a clear straight line of `direct` [m] the direction leads straight to the place, and the cost is the
-    /// straight distance. Elsewhere the field leads to where the place was when the plan was started. Where the
-    /// field is unknown: straight where the line is clear, else back to known ground, else zero. Cost is infinite for
-    /// the unmatched and where no way is known.
-    virtual void steer(std::span<const Vec2> characters, std::span<const std::int32_t> place,
-                       std::span<const Vec2> placesNow, const Environment& environment, double direct,
-                       std::span<Vec2> direction, std::span<double> cost) const = 0;
+    /// Writes for each character the unit direction to walk now, and the cost left, by the last finished plan; zero and
+    /// infinite for the unmatched and where no way is known. Where the line to the place is clear within
+    /// SteerInput::direct the cost is the straight distance. Elsewhere a plan made of fields leads to where the place was when the
+    /// plan was started; where its field is unknown straight if the line is clear, else back to known ground.
+    virtual void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) = 0;
 
     /// The place beside which a character waits while it stays unmatched, by the last finished plan: the nearest that
     /// somebody can take among those it can come to. -1 for none, and for those that held a place when it was started.
@@ -98,5 +112,9 @@ public:
 
 /// The reference: one cost field per place, exact assignment.
 std::unique_ptr<Plan> makeExactPlan();
+/// The same objective within a fraction of a percent, at a cost that hardly grows with the crowd: costs interpolated between
+/// landmark fields, an assignment kept near-optimal on a few arcs per place (docs/method/fast-plan.md). One unit each:
+/// fails with InvalidArgument on other amounts.
+std::unique_ptr<Plan> makeFastPlan();
 
 }  // namespace muster

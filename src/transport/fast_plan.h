@@ -1,0 +1,79 @@
+// The fast plan: near-optimal places at a cost that hardly grows with the crowd (SPEC B1).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/fields/eikonal.h"
+#include "muster/fields/geodesics.h"
+#include "muster/transport/plan.h"
+#include "transport/fast_costs.h"
+#include "transport/sparse_matching.h"
+
+namespace muster {
+
+/// A plan is made whole in finish(), from the positions given to start().
+class FastPlan final : public Plan {
+public:
+    const char* name() const override { return "fast"; }
+    bool readsUnitCost() const override { return false; }
+    Status start(const PlanDef& def, const PlanInput& input) override;
+    bool pending() const override { return pending_; }
+    void advance(std::int32_t, std::int32_t, ThreadPool&) override {}
+    Status finish(ThreadPool& pool, PlanResult& result) override;
+    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) override;
+    std::int32_t waitingPlace(std::int32_t character) const override;
+    double costAt(std::int32_t place, Vec2 p) const override;
+    void save(Writer& archive) const override;
+    bool load(Reader& archive, ThreadPool& pool) override;
+    bool suits(std::size_t characters, std::size_t places, const Grid& grid) const override;
+    void hash(Hasher& archive) const override;
+
+private:
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(def_, characters_, places_, usable_, incumbent_, present_, pending_, matching_, walkers_, waiting_, turn_,
+                planned_);
+    }
+    bool consistent() const;
+    void takePart(const Environment* environment);
+    void measureOwn(ThreadPool& pool);
+    void assign(ThreadPool& pool);
+    void report(PlanResult& result) const;
+    void seekWaitingPlaces();
+    bool sameAsMatched() const;
+    MatchingDef matchingDef() const;
+
+    PlanDef def_;
+    std::vector<Vec2> characters_;
+    std::vector<Vec2> places_;
+    std::vector<std::uint8_t> usable_;
+    std::vector<std::int32_t> incumbent_;
+    std::vector<std::uint8_t> present_;     // Per character: in the places' region.
+    bool pending_ = false;
+    bool planned_ = false;                  // A plan was finished.
+    SparseMatching matching_;
+    Geodesics geodesics_;
+    std::vector<WayPoint> walkers_;
+    std::vector<std::int32_t> waiting_;     // Per character: place beside which it waits, -1.
+    std::uint32_t turn_ = 0;                // Of the search for these.
+    // Of this step only.
+    const StaticGround* ground_ = nullptr;
+    const CrowdExcess* excess_ = nullptr;
+    bool updated_ = false;                  // The geodesics know this step's places.
+    std::vector<WayAhead> way_;             // Per character, to ownPlace_.
+    std::vector<std::int32_t> ownPlace_;
+    std::vector<float> own_;
+    FastCosts costs_;
+    // For pictures: the field of one place on the still ground.
+    struct Picture {
+        Vec2 place;
+        std::uint32_t ground = 0;
+        CostField field;
+        EikonalSolver solver;
+    };
+    mutable Picture picture_;
+};
+
+}  // namespace muster
