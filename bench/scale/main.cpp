@@ -3,10 +3,14 @@
 #include <exception>
 
 #include "scale/options.h"
+#include "scale/quality.h"
 #include "scale/report.h"
 
 namespace muster::scale {
 namespace {
+
+constexpr std::int32_t kMostBeside = 1000;  // Characters up to which the exact plan runs beside.
+constexpr double kSecondsBeside = 1.0;      // Of its run: it is slow.
 
 void printHead(const Options& options) {
     if (options.json) return;
@@ -23,13 +27,46 @@ void printGrowth(const Options& options, const std::vector<Row>& rows) {
     }
 }
 
+// The judge gets a run of its own, so that its work leaves no trace in the times; both runs must end in the same state.
+Status judge(const Options& options, Row& row, ThreadPool& pool) {
+    const SceneDef& scene = row.def.scene;
+    const std::string label = scene.name + " " + regimeName(scene.regime) + " " + std::to_string(scene.count);
+    QualityPass pass(options.gapEvery, label, pool);
+    const Result<Row> again = runCase(row.def, [&](const World& world) { pass.observe(world); });
+    if (!again.ok()) return again.status();
+    if (!pass.status().ok()) std::fprintf(stderr, "muster-bench: %s: not judged: %s\n", label.c_str(), pass.status().message().c_str());
+    row.quality = pass.quality();
+    if (again->hash != row.hash) return Status(StatusCode::Corrupt, label + ": the run that was judged ended in another state");
+    return {};
+}
+
+// How many times as long the exact plan takes, in a shorter run.
+double exactRatio(const Row& row) {
+    CaseDef def = row.def;
+    if (def.plan == "exact" || def.scene.count > kMostBeside) return 0.0;
+    def.plan = "exact";
+    def.seconds = kSecondsBeside;
+    const Result<Row> exact = runCase(def);
+    return exact.ok() && row.p50 > 0.0 ? exact->p50 / row.p50 : 0.0;
+}
+
+Result<Row> measure(const Options& options, const CaseDef& def, ThreadPool& pool) {
+    Result<Row> row = runCase(def);
+    if (!row.ok()) return row;
+    if (options.exact) row->exactRatio = exactRatio(*row);
+    if (options.noGap) return row;
+    if (const Status status = judge(options, *row, pool); !status.ok()) return status;
+    return row;
+}
+
 int run(const Options& options) {
+    ThreadPool pool(0);
     const auto cases = casesOf(options);
     printHead(options);
     std::vector<Row> rows;
     int exitCode = 0;
     for (const CaseDef& def : *cases) {
-        const Result<Row> row = runCase(def);
+        const Result<Row> row = measure(options, def, pool);
         if (!row.ok()) {
             std::fprintf(stderr, "muster-bench: skipped: %s %s %d: %s\n", def.scene.name.c_str(),
                          regimeName(def.scene.regime), def.scene.count, row.status().message().c_str());

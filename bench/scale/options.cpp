@@ -76,6 +76,7 @@ int readOptions(int argc, const char* const* argv, Options& options) {
         std::fprintf(stderr, "muster-bench: %s\n", status.message().c_str());
         return kWrong;
     }
+    if (options.gapEvery == 0) options.gapEvery = options.quick ? 120 : 30;
     return kGoOn;
 }
 

@@ -5,7 +5,9 @@
 
 #include "muster/base/maths.h"
 #include "muster/base/random.h"
+#include "scale/city.h"
 #include "scale/features.h"
+#include "scale/spots.h"
 
 namespace muster::scale {
 namespace {
@@ -13,17 +15,8 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kAway = 40.0;     // From the crowd to the formation, edge to edge, where far [m].
 constexpr double kRimSpeed = 0.6;  // Of the rim of a turning formation [m/s].
+constexpr double kBehind = 2.0;    // The crowd starts so far behind a formation that is dragged [m].
 constexpr double kMargin = 6.0;    // Of the box [m].
-
-// A square block of `count` spots 1 m apart.
-std::vector<Vec2> blockOfStarts(std::int32_t count, Vec2 centre) {
-    const auto across = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(count))));
-    const double half = 0.5 * (across - 1);
-    std::vector<Vec2> starts;
-    for (std::int32_t k = 0; k < count; ++k)
-        starts.push_back(centre + Vec2{static_cast<double>(k / across) - half, static_cast<double>(k % across) - half});
-    return starts;
-}
 
 // As wide a turn as the rim can follow.
 double turnOf(double side, double period) { return std::min(0.5, kRimSpeed / (0.7 * side) * period / (2.0 * kPi)); }
@@ -55,19 +48,6 @@ Course courseOf(const SceneDef& def, const FeatureSize& features, double side) {
     return course;
 }
 
-void addGroup(const SceneDef& def, Vec2 position, double angle, std::vector<Vec2> starts,
-              WorldDef& world) {
-    GroupDef group;
-    group.name = "Crowd";
-    group.count = def.count;
-    group.formation.spacing = 1.0;
-    group.position = position;
-    group.angle = angle;
-    group.jitter = 0.15;
-    group.starts = std::move(starts);
-    world.groups.push_back(std::move(group));
-}
-
 // A box round everything that the formation, the crowd and the feature can come to.
 Box boxOf(const Scene& scene, const FeatureSize& features, Regime regime, double far) {
     const double reach = 0.75 * scene.side + kMargin;
@@ -86,6 +66,33 @@ Box boxOf(const Scene& scene, const FeatureSize& features, Regime regime, double
 }
 
 }  // namespace
+
+Status addCrowd(const SceneDef& def, const CoursePose& formation, Vec2 crowd, Scene& scene) {
+    const Result<Environment> ground = groundOf(scene.world);
+    if (!ground.ok()) return ground.status();
+    const Result<std::vector<Vec2>> starts = freeSpots(*ground, crowd, formation.angle, def.count);
+    if (!starts.ok()) return starts.status().within("scene " + def.name);
+    GroupDef group;
+    group.name = "Crowd";
+    group.count = def.count;
+    group.formation.spacing = 1.0;
+    group.position = formation.position;
+    group.angle = formation.angle;
+    group.jitter = 0.15;
+    group.starts = *starts;
+    scene.world.groups.push_back(std::move(group));
+    return {};
+}
+
+Vec2 behind(const CoursePose& formation) {
+    return formation.position - Rotation{cosine(formation.angle), sine(formation.angle)}.apply({kBehind, 0.0});
+}
+
+// With its own 2 m/s the crowd would hang on its places; so it stays behind, and the mesh waits for it.
+void letLag(Parameters& parameters) {
+    parameters.maxSpeed = 1.2;
+    parameters.opposingGain = 0.15;
+}
 
 const char* regimeName(Regime regime) {
     constexpr const char* kNames[] = {"far", "tracking", "reversing"};
@@ -107,7 +114,8 @@ Result<Scene> makeScene(const SceneDef& def) {
     scene.world.name = def.name;
     scene.world.seed = def.seed;
     if (def.name == "city") {
-        return Status(StatusCode::NotFound, "scene city: not there yet");
+        if (Status status = makeCity(def, scene); !status.ok()) return status;
+        return scene;
     }
     const FeatureSize features = featureSize(def.name, scene.side);
     const double far = 0.5 * scene.side + std::max(0.5 * kAway, features.halfLength + 2.0);
@@ -116,10 +124,11 @@ Result<Scene> makeScene(const SceneDef& def) {
     addFeature(def.name, scene.side, def.seed, scene.world);
     if (def.regime == Regime::Far) {
         scene.seconds = 30.0 + 2.0 * far / 0.8;
-        addGroup(def, {far, 0.0}, 0.0, blockOfStarts(def.count, {-far, 0.0}), scene.world);
+        if (Status status = addCrowd(def, {{far, 0.0}, 0.0}, {-far, 0.0}, scene); !status.ok()) return status;
     } else {
         const CoursePose pose = poseAt(scene.course, 0.0);
-        addGroup(def, pose.position, pose.angle, {}, scene.world);
+        if (Status status = addCrowd(def, pose, behind(pose), scene); !status.ok()) return status;
+        letLag(scene.world.parameters);
     }
     return scene;
 }

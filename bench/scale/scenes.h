@@ -61,6 +61,13 @@ struct Scene {
     double seconds = 0.0; ///< How long a run is worth while [s].
 };
 
+/// Adds the only group: its formation at a pose, its characters on free ground round `crowd`. Fails where they find no room.
+Status addCrowd(const SceneDef& def, const CoursePose& formation, Vec2 crowd, Scene& scene);
+/// Where a crowd starts that follows a formation at this pose [m].
+Vec2 behind(const CoursePose& formation);
+/// Makes a crowd stay 1 to 3 m behind a formation that is dragged.
+void letLag(Parameters& parameters);
+
 /// Makes a scene. Fails with NotFound where the name or the city's map is not there.
 Result<Scene> makeScene(const SceneDef& def);
 

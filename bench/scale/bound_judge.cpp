@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "muster/base/maths.h"
+#include "muster/fields/eikonal.h"
+#include "scale/judge.h"
+#include "scale/sparse_assignment.h"
+#include "transport/ground_regions.h"
+
+namespace muster::scale {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kReachFactor = 1.2;  // A place's front first goes so many times the way of who holds it...
+constexpr double kReachMore = 5.5;    // ... and so much farther: about a hundred characters [m].
+constexpr double kTolerance = 1e-9;   // Of what spoils the bound, as a share of the mean cost.
+
+struct Worker {
+    EikonalSolver solver;
+    CostField field;
+    std::vector<Vec2> targets;
+    std::vector<std::int32_t> near;
+};
+
+// One judgement. Rows are held places, columns characters.
+class Judgement {
+public:
+    Judgement(const UnitCost& cost, const Committed& plan, ThreadPool& pool)
+        : cost_(cost), plan_(plan), pool_(pool), workers_(static_cast<std::size_t>(pool.threads())) {}
+
+    Verdict run(std::int32_t rounds);
+
+private:
+    void prepare();
+    void price(const std::vector<std::int32_t>& rows);
+    void priceRow(std::int32_t row, Worker& worker);
+    void dropUnreachable();
+    std::vector<double> startPrices() const;
+    double certify(std::vector<std::int32_t>& spoilt);
+    double boundOf(std::int32_t row, double& reach) const;
+    double straightBound(std::int32_t row, std::size_t column) const;
+    double powered(double c) const { return plan_.exponent == 2.0 ? c * c : power(c, plan_.exponent); }
+
+    const UnitCost& cost_;
+    const Committed& plan_;
+    ThreadPool& pool_;
+    std::vector<Worker> workers_;
+    GroundRegions regions_;
+    std::vector<Vec2> standing_;
+    std::vector<std::int32_t> region_;       // Of characters.
+    std::vector<std::int32_t> byX_;          // Characters from left to right.
+    std::vector<std::int32_t> placeOf_;      // Per row.
+    std::vector<std::int32_t> holder_;       // Per row: who holds the place.
+    std::vector<double> reach_;              // Per row: pairs this near have their true costs [m].
+    std::vector<std::vector<Arc>> arcs_;     // Per row.
+    std::vector<double> own_;                // Per row: cost of its holder.
+    SparseAssignment solver_;
+};
+
+void Judgement::prepare() {
+    regions_.label(cost_);
+    for (std::size_t i = 0; i < plan_.characters.size(); ++i) {
+        standing_.push_back(regions_.standing(plan_.characters[i]));
+        region_.push_back(regions_.at(standing_.back()));
+        byX_.push_back(static_cast<std::int32_t>(i));
+        if (plan_.placeOf[i] < 0) continue;
+        placeOf_.push_back(plan_.placeOf[i]);
+        holder_.push_back(static_cast<std::int32_t>(i));
+        const Vec2 place = plan_.places[static_cast<std::size_t>(plan_.placeOf[i])];
+        reach_.push_back(kReachFactor * distance(plan_.characters[i], place) + kReachMore);
+    }
+    std::sort(byX_.begin(), byX_.end(), [&](std::int32_t a, std::int32_t b) {
+        return plan_.characters[a].x != plan_.characters[b].x ? plan_.characters[a].x < plan_.characters[b].x : a < b;
+    });
+    arcs_.resize(placeOf_.size());
+    own_.assign(placeOf_.size(), kInfinite);
+}
+
+// One field, and the costs of all characters within reach.
+void Judgement::priceRow(std::int32_t row, Worker& worker) {
+    const Vec2 place = plan_.places[placeOf_[row]];
+    const std::int32_t ground = regions_.at(place);
+    worker.targets.clear();
+    worker.near.clear();
+    const double reach = reach_[row];
+    auto at = std::lower_bound(byX_.begin(), byX_.end(), place.x - reach,
+                               [&](std::int32_t i, double x) { return plan_.characters[i].x < x; });
+    for (; at != byX_.end() && plan_.characters[*at].x <= place.x + reach; ++at) {
+        if (region_[*at] != ground || distance(plan_.characters[*at], place) > reach) continue;
+        worker.near.push_back(*at);
+        worker.targets.push_back(standing_[*at]);
+    }
+    arcs_[row].clear();
+    own_[row] = kInfinite;
+    if (worker.near.empty() || ground < 0) return;
+    worker.solver.solve(cost_, place, worker.targets, worker.field);
+    for (const std::int32_t i : worker.near) {
+        const double c = std::max(0.0, worker.field.cost(standing_[i])) + distance(plan_.characters[i], standing_[i]);
+        if (!(c < kInfinite)) continue;
+        arcs_[row].push_back({i, powered(c)});
+        if (i == holder_[row]) own_[row] = arcs_[row].back().cost;
+    }
+}
+
+void Judgement::price(const std::vector<std::int32_t>& rows) {
+    const auto work = [&](std::int32_t item, std::int32_t worker) { priceRow(rows[item], workers_[worker]); };
+    pool_.run(static_cast<std::int32_t>(rows.size()), work);
+}
+
+// A place that its holder cannot come to on this ground is out of the question, for the plan and for the bound.
+void Judgement::dropUnreachable() {
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < placeOf_.size(); ++row) {
+        if (!(own_[row] < kInfinite)) continue;
+        placeOf_[kept] = placeOf_[row];
+        holder_[kept] = holder_[row];
+        reach_[kept] = reach_[row];
+        own_[kept] = own_[row];
+        std::swap(arcs_[kept], arcs_[row]);
+        ++kept;
+    }
+    placeOf_.resize(kept);
+    holder_.resize(kept);
+    reach_.resize(kept);
+    own_.resize(kept);
+    arcs_.resize(kept);
+}
+
+// A crowd that follows as a whole pays in proportion to where it stands: without this, prices would have to climb
+// from one end of it to the other. Only where every column is taken are first prices free.
+std::vector<double> Judgement::startPrices() const {
+    if (placeOf_.size() != plan_.characters.size()) return {};
+    Vec2 mean;
+    for (std::size_t row = 0; row < placeOf_.size(); ++row)
+        mean += plan_.places[placeOf_[row]] - plan_.characters[holder_[row]];
+    mean = mean / static_cast<double>(std::max<std::size_t>(1, placeOf_.size()));
+    const double slope = length(mean) > 1e-9 ? plan_.exponent * power(length(mean), plan_.exponent - 2.0) : 0.0;
+    std::vector<double> prices;
+    for (const Vec2 p : plan_.characters) prices.push_back(-slope * dot(mean, p));
+    return prices;
+}
+
+double Judgement::straightBound(std::int32_t row, std::size_t column) const {
+    return powered(static_cast<double>(cost_.lowest) *
+                   distance(plan_.characters[column], plan_.places[static_cast<std::size_t>(placeOf_[row])]));
+}
+
+// The least that the place can cost anybody at these prices. `reach` tells how far its front ought to go for the bound
+// to be as good as the costs known.
+double Judgement::boundOf(std::int32_t row, double& reach) const {
+    const std::vector<double>& price = solver_.price();
+    double known = kInfinite;
+    for (const Arc& arc : arcs_[row]) known = std::min(known, arc.cost - price[arc.column]);
+    const double tolerance = kTolerance * std::max(1.0, std::fabs(known));
+    double least = known;
+    const Vec2 place = plan_.places[static_cast<std::size_t>(placeOf_[row])];
+    for (std::size_t i = 0; i < plan_.characters.size(); ++i) {
+        const double away = distance(plan_.characters[i], place);
+        if (away <= reach_[row]) continue;
+        const double bound = straightBound(row, i) - price[i];
+        least = std::min(least, bound);
+        if (bound < known - tolerance) reach = std::max(reach, away + 1e-6);
+    }
+    return least;
+}
+
+// Sum of prices: a lower bound whatever the prices are, as long as nobody unneeded is paid for.
+double Judgement::certify(std::vector<std::int32_t>& spoilt) {
+    std::vector<double> least(placeOf_.size());
+    std::vector<double> wanted(reach_);
+    const auto work = [&](std::int32_t row, std::int32_t) { least[row] = boundOf(row, wanted[row]); };
+    pool_.run(static_cast<std::int32_t>(placeOf_.size()), work);
+    spoilt.clear();
+    double sum = 0.0;
+    for (std::size_t row = 0; row < placeOf_.size(); ++row) {
+        sum += least[row];
+        if (wanted[row] > reach_[row]) spoilt.push_back(static_cast<std::int32_t>(row));
+    }
+    for (const double v : solver_.price()) sum += v;
+    reach_ = std::move(wanted);
+    return sum;
+}
+
+Verdict Judgement::run(std::int32_t rounds) {
+    prepare();
+    std::vector<std::int32_t> rows(placeOf_.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = static_cast<std::int32_t>(k);
+    price(rows);
+    dropUnreachable();
+    Verdict verdict;
+    verdict.held = static_cast<std::int32_t>(placeOf_.size());
+    for (const double c : own_) verdict.committed += c;
+    if (verdict.held == 0) return verdict;
+    const std::vector<double> start = startPrices();
+    while (verdict.rounds < rounds) {
+        ++verdict.rounds;
+        solver_.solve(arcs_, static_cast<std::int32_t>(plan_.characters.size()), start);
+        verdict.bound = std::max(verdict.bound, certify(rows));
+        if (rows.empty()) break;
+        if (verdict.rounds < rounds) price(rows);
+    }
+    for (const std::vector<Arc>& arcs : arcs_) verdict.pairs += static_cast<std::int64_t>(arcs.size());
+    return verdict;
+}
+
+}  // namespace
+
+Verdict judgeByBound(const UnitCost& cost, const Committed& plan, ThreadPool& pool, std::int32_t rounds) {
+    return Judgement(cost, plan, pool).run(std::max(1, rounds));
+}
+
+}  // namespace muster::scale

@@ -1,0 +1,47 @@
+#include "scale/fine_ground.h"
+
+namespace muster::scale {
+
+UnitCostDef unitCostDef(const Parameters& p) {
+    UnitCostDef def;
+    def.alpha = p.alpha;
+    def.beta = p.beta;
+    def.gamma = p.gamma;
+    def.density = p.density != 0.0;
+    def.discomfort = p.discomfort != 0.0;
+    def.freeSpeed = p.maxSpeed;
+    def.densityMin = p.densityMin;
+    def.densityMax = p.densityMax;
+    def.lookAhead = p.densityLookAhead;
+    def.minSpeed = p.minSpeed;
+    def.discomfortTime = p.discomfortTime;
+    def.discomfortRange = p.discomfortRange;
+    def.discomfortGain = p.discomfortGain;
+    return def;
+}
+
+Result<FineGround> FineGround::create(const World& world) {
+    const Environment& coarse = world.environment();
+    EnvironmentDef def = coarse.def();
+    def.cell *= 0.5;
+    Result<Environment> environment = Environment::create(def);
+    if (!environment.ok()) return environment.status().within("judge");
+    for (const ObstacleId id : coarse.obstacleIds())
+        if (const auto added = environment->addObstacle(*coarse.obstacle(id)); !added.ok()) return added.status();
+    for (const PatchId id : coarse.patchIds())
+        if (const auto added = environment->addPatch(*coarse.patch(id)); !added.ok()) return added.status();
+    FineGround ground;
+    ground.environment_ = *std::move(environment);
+    const Parameters& parameters = world.parameters();
+    ground.density_ = DensityField(def.box, {parameters.densityCell, parameters.densityLambda});
+    return ground;
+}
+
+const UnitCost& FineGround::update(const World& world) {
+    environment_.setTime(world.environment().time());
+    density_.splat(world.characters().position, world.characters().velocity);
+    builder_.build(unitCostDef(world.parameters()), environment_, density_, world.parameters().radius, cost_);
+    return cost_;
+}
+
+}  // namespace muster::scale

@@ -1,0 +1,29 @@
+// The ground of a world on cells of half the size, for judges.
+#pragma once
+
+#include <vector>
+
+#include "muster/fields/unit_cost.h"
+#include "muster/world/world.h"
+
+namespace muster::scale {
+
+/// How costs are worked out in a world with these parameters.
+UnitCostDef unitCostDef(const Parameters& parameters);
+
+/// Follows a world whose obstacles and patches are not edited while it runs.
+class FineGround {
+public:
+    /// Copies the ground of `world`. Fails where half the cell size makes too many cells.
+    static Result<FineGround> create(const World& world);
+    /// The unit cost now: obstacles, patches and their time as in the last step, the crowd as it stands after it.
+    const UnitCost& update(const World& world);
+
+private:
+    Environment environment_;
+    DensityField density_;
+    UnitCostBuilder builder_;
+    UnitCost cost_;
+};
+
+}  // namespace muster::scale

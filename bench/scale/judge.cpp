@@ -1,0 +1,38 @@
+#include "scale/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "muster/base/maths.h"
+#include "muster/transport/plan.h"
+
+namespace muster::scale {
+
+double Verdict::gap(double exponent) const {
+    const double least = held * power(0.25, exponent);
+    return held > 0 ? std::max(0.0, committed - bound) / std::max(bound, least) : 0.0;
+}
+
+// With thresholds that nothing passes, the exact plan commits what is held already, and its bound is the optimum.
+Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, ThreadPool& pool) {
+    std::vector<std::uint8_t> held(plan.places.size(), 0);
+    for (const std::int32_t place : plan.placeOf)
+        if (place >= 0) held[static_cast<std::size_t>(place)] = 1;
+    PlanDef def;
+    def.exponent = plan.exponent;
+    def.threshold = 1e30;
+    const PlanInput input{plan.characters, {}, plan.places, {}, held, plan.placeOf, &cost};
+    const auto exact = makeExactPlan();
+    if (Status status = exact->start(def, input); !status.ok()) return status.within("judge");
+    PlanResult result;
+    if (Status status = exact->finish(pool, result); !status.ok()) return status.within("judge");
+    Verdict verdict;
+    verdict.committed = result.objective;
+    verdict.bound = result.objective - result.gapBound;
+    verdict.held = static_cast<std::int32_t>(result.flows.size());
+    verdict.rounds = 1;
+    verdict.pairs = static_cast<std::int64_t>(plan.characters.size()) * static_cast<std::int64_t>(plan.places.size());
+    return verdict;
+}
+
+}  // namespace muster::scale

@@ -1,0 +1,60 @@
+#include "scale/quality.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "muster/base/stopwatch.h"
+
+namespace muster::scale {
+
+Committed committedBy(const World& world) {
+    const Characters& characters = world.characters();
+    Committed plan;
+    plan.characters = characters.position;
+    plan.placeOf = characters.place;
+    plan.places = world.group(0).places->positions();
+    plan.exponent = world.parameters().exponent;
+    return plan;
+}
+
+QualityPass::QualityPass(std::int32_t every, std::string label, ThreadPool& pool)
+    : every_(every), label_(std::move(label)), pool_(pool) {}
+
+void QualityPass::observe(const World& world) {
+    if (!status_.ok() || world.stepCount() % static_cast<std::uint32_t>(every_) != 2 % every_) return;
+    if (!ground_) {
+        Result<FineGround> made = FineGround::create(world);
+        status_ = made.status();
+        if (!status_.ok()) return;
+        ground_ = *std::move(made);
+    }
+    look(world);
+}
+
+void QualityPass::look(const World& world) {
+    const Stopwatch watch;
+    const Committed plan = committedBy(world);
+    const UnitCost& cost = ground_->update(world);
+    const bool exact = static_cast<std::int32_t>(plan.characters.size()) <= kMostExact;
+    Verdict verdict;
+    if (exact) {
+        Result<Verdict> judged = judgeExactly(cost, plan, pool_);
+        status_ = judged.status();
+        if (!status_.ok()) return;
+        verdict = *judged;
+    } else {
+        verdict = judgeByBound(cost, plan, pool_);
+    }
+    const double gap = 100.0 * verdict.gap(plan.exponent);
+    const double looks = ++quality_.looks;
+    quality_.judge = exact ? "exact" : "bound";
+    quality_.gapMax = std::max(quality_.gapMax, gap);
+    quality_.gapMean += (gap - quality_.gapMean) / looks;
+    quality_.objectiveMean += (verdict.committed / std::max(1, verdict.held) - quality_.objectiveMean) / looks;
+    if (label_.empty()) return;
+    std::fprintf(stderr, "%s: step %u: gap %.4f %%, objective %.4f each of %d, %d rounds, %.0f ms\n", label_.c_str(),
+                 world.stepCount(), gap, verdict.committed / std::max(1, verdict.held), verdict.held, verdict.rounds,
+                 watch.milliseconds());
+}
+
+}  // namespace muster::scale

@@ -1,0 +1,57 @@
+#include "scale/spots.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "muster/base/maths.h"
+
+namespace muster::scale {
+namespace {
+
+constexpr double kRoom = 0.3;  // From a spot to what stands there [m].
+
+// Calls visit(x, y) for the rim of a square of that half width; rings of odd lattices follow each other by 2.
+template <class Visit>
+void forRing(std::int32_t ring, Visit visit) {
+    for (std::int32_t y = -ring; y <= ring; y += 2)
+        for (std::int32_t x = -ring; x <= ring; x += std::abs(y) == ring ? 2 : 2 * ring) visit(x, y);
+}
+
+}  // namespace
+
+Result<Environment> groundOf(const WorldDef& def) {
+    EnvironmentDef ground;
+    ground.box = def.box;
+    ground.cell = def.cell;
+    Result<Environment> environment = Environment::create(ground);
+    if (!environment.ok()) return environment;
+    std::vector<ObstacleDef> obstacles = def.obstacles;
+    if (def.map)
+        for (const ObstacleDef& obstacle : mapObstacles(def.map->grid, def.map->def)) obstacles.push_back(obstacle);
+    for (const ObstacleDef& obstacle : obstacles)
+        if (const auto added = environment->addObstacle(obstacle); !added.ok()) return added.status();
+    environment->setTime(0.0);
+    return environment;
+}
+
+Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, double angle, std::int32_t count) {
+    const Rotation turn{cosine(angle), sine(angle)};
+    const std::int32_t home = ground.region(ground.nearestInRegion(centre, kRoom, -1), kRoom);
+    const Box room = ground.def().box.grown(-kRoom);
+    std::vector<Vec2> spots;
+    const auto farthest = static_cast<std::int32_t>(2.0 * (room.width() + room.height()));
+    // Half metres: an even side has spots at odd multiples of them.
+    const auto across = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+    for (std::int32_t ring = across % 2 == 0 ? 1 : 0; ring <= farthest; ring += 2) {
+        forRing(ring, [&](std::int32_t x, std::int32_t y) {
+            const Vec2 spot = centre + turn.apply({0.5 * x, 0.5 * y});
+            if (static_cast<std::int32_t>(spots.size()) == count || !room.contains(spot)) return;
+            if (ground.distanceToObstacle(spot) >= kRoom && ground.region(spot, kRoom) == home) spots.push_back(spot);
+        });
+        if (static_cast<std::int32_t>(spots.size()) == count) return spots;
+    }
+    return Status(StatusCode::LimitExceeded, "found room for " + std::to_string(spots.size()) + " characters, expected " +
+                                                 std::to_string(count));
+}
+
+}  // namespace muster::scale
