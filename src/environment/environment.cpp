@@ -252,6 +252,12 @@ bool Environment::changesSince(std::uint64_t version, std::vector<CellRect>& are
     return true;
 }
 
+void Environment::movingAreas(std::vector<CellRect>& areas) const {
+    impl_->ensure();
+    areas.assign(impl_->clearance.covered().begin(), impl_->clearance.covered().end());
+    areas.insert(areas.end(), impl_->slowest.covered().begin(), impl_->slowest.covered().end());
+}
+
 std::span<const ObstaclePiece> Environment::pieces() const {
     impl_->ensure();
     return impl_->pieces;

@@ -11,7 +11,7 @@ namespace muster {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr double kSampleStep = 0.7;      // Between two readings along a line [m]...
+constexpr double kSampleStep = 0.5;      // Between two readings along a line [m]...
 constexpr std::int32_t kSamples = 16;    // ... but not more than this many.
 
 // Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).
@@ -32,6 +32,10 @@ void CrowdExcess::clear() {
     for (const std::int32_t cell : listed_) excess_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
     for (const std::int32_t cell : busyList_) busy_[cell] = 0;
     for (const std::int32_t cell : lookedList_) looked_[cell] = 0;
+    for (const std::int32_t cell : moved_) hazard_[cell] = 0.0f;
+    for (const std::int32_t cell : seenList_) seen_[cell] = 0;
+    moved_.clear();
+    seenList_.clear();
     listed_.clear();
     busyList_.clear();
     lookedList_.clear();
@@ -57,11 +61,18 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
         listed_.clear();
         busyList_.clear();
         lookedList_.clear();
+        hazardGrid_ = Grid::covering(grid_.box(), kHazardCell);
+        hazard_.assign(static_cast<std::size_t>(hazardGrid_.count()), 0.0f);
+        seen_.assign(hazard_.size(), 0);
+        moved_.clear();
+        seenList_.clear();
     }
     clear();
     if (grid_.count() == 0) return;
     if (def.density) addCrowd(def, density, environment);
-    addMoving(def, environment, radius);
+    if (def.discomfort && def.gamma > 0.0)
+        for (const ObstaclePiece& piece : environment.pieces()) addDiscomfortOf(def, piece);
+    addMovedGround(environment, radius);
     markBusy();
 }
 
@@ -94,52 +105,64 @@ void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density, 
     }
 }
 
-void CrowdExcess::addMoving(const UnitCostDef& def, const Environment& environment, double radius) {
-    if (def.discomfort && def.gamma > 0.0) {
-        const auto scale = static_cast<float>(def.gamma / (def.alpha + def.beta));
-        for (const ObstaclePiece& piece : environment.pieces()) {
-            if (!piece.moving) continue;
-            const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
-            const double reach = piece.radius + def.discomfortRange;
-            const Cell low = grid_.nearestCell({std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach});
-            const Cell high = grid_.nearestCell({std::max(piece.centre.x, end.x) + reach, std::max(piece.centre.y, end.y) + reach});
-            for (std::int32_t y = low.y; y <= high.y; ++y)
-                for (std::int32_t x = low.x; x <= high.x; ++x) {
-                    const auto g = scale * static_cast<float>(discomfortAt(def, piece, grid_.centre({x, y})));
-                    if (!(g > 0.0f)) continue;
-                    CellCost c = excess_[grid_.index({x, y})];
-                    for (float* side : {&c.east, &c.north, &c.west, &c.south}) *side = std::min(kBlocked, *side + g);
-                    set(grid_.index({x, y}), c);
-                }
+void CrowdExcess::setHazard(std::int32_t cell, float value) {
+    if (value == 0.0f) return;
+    if (hazard_[cell] == 0.0f) moved_.push_back(cell);
+    hazard_[cell] = std::min(value, kBlocked);
+}
+
+void CrowdExcess::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece) {
+    if (!piece.moving) return;
+    const auto scale = static_cast<float>(def.gamma / (def.alpha + def.beta));
+    const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
+    const double reach = piece.radius + def.discomfortRange;
+    const Cell low = hazardGrid_.nearestCell({std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach});
+    const Cell high = hazardGrid_.nearestCell({std::max(piece.centre.x, end.x) + reach, std::max(piece.centre.y, end.y) + reach});
+    for (std::int32_t y = low.y; y <= high.y; ++y)
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+            const std::int32_t cell = hazardGrid_.index({x, y});
+            const auto g = static_cast<float>(discomfortAt(def, piece, hazardGrid_.centre({x, y})));
+            setHazard(cell, std::max(hazard_[cell], scale * g));
         }
-    }
-    addMovedGround(environment, radius);
 }
 
 // Bodies of moving obstacles, and ground that moving patches slow or speed up.
 void CrowdExcess::addMovedGround(const Environment& environment, double radius) {
+    environment.movingAreas(areas_);
     const std::span<const float> live = environment.clearance();
     const std::span<const float> still = environment.stillClearance();
     const std::span<const float> travel = environment.travelSpeed();
     const std::span<const float> patch = environment.stillPatchSpeed();
-    if (environment.groundVersion() == environment.staticVersion()) return;
     const Grid& ground = environment.grid();
-    for (std::int32_t cell = 0; cell < grid_.count(); ++cell) {
-        const std::int32_t at = ground.index(ground.nearestCell(grid_.centre(grid_.at(cell))));
+    const auto least = static_cast<float>(radius);
+    const auto price = [&](std::int32_t cell) {
+        if (seen_[cell] != 0) return;
+        seen_[cell] = 1;
+        seenList_.push_back(cell);
+        const std::int32_t at = ground.index(ground.nearestCell(hazardGrid_.centre(hazardGrid_.at(cell))));
         const float stillSpeed = patch[at] < kInfinite ? patch[at] : 1.0f;
-        const bool taken = live[at] < static_cast<float>(radius) && still[at] >= static_cast<float>(radius);
-        if (!taken && travel[at] == stillSpeed) continue;
-        CellCost c = excess_[cell];
-        for (float* side : {&c.east, &c.north, &c.west, &c.south})
-            *side = taken ? kBlocked : std::min(kBlocked, (1.0f + *side) * (stillSpeed / travel[at]) - 1.0f);
-        set(cell, c);
+        const bool taken = live[at] < least && still[at] >= least;
+        if (taken || travel[at] != stillSpeed)
+            setHazard(cell, taken ? kBlocked : (1.0f + hazard_[cell]) * (stillSpeed / travel[at]) - 1.0f);
+    };
+    for (const CellRect& area : areas_) {
+        if (area.empty()) continue;
+        const Cell low = hazardGrid_.nearestCell(ground.centre(area.low));
+        const Cell high = hazardGrid_.nearestCell(ground.centre(area.high));
+        for (std::int32_t y = low.y; y <= high.y; ++y)
+            for (std::int32_t x = low.x; x <= high.x; ++x) price(hazardGrid_.index({x, y}));
     }
 }
 
 void CrowdExcess::markBusy() {
-    if (listed_.empty()) return;
+    if (none()) return;
     Cell least{grid_.width, grid_.height};
     Cell most{-1, -1};
+    for (const std::int32_t cell : moved_) {
+        const Cell c = grid_.nearestCell(hazardGrid_.centre(hazardGrid_.at(cell)));
+        least = {std::min(least.x, c.x - 1), std::min(least.y, c.y - 1)};
+        most = {std::max(most.x, c.x + 1), std::max(most.y, c.y + 1)};
+    }
     for (const std::int32_t cell : listed_) {
         const Cell c = grid_.at(cell);
         for (std::int32_t y = std::max(0, c.y - 1); y <= std::min(grid_.height - 1, c.y + 1); ++y)
@@ -154,8 +177,33 @@ void CrowdExcess::markBusy() {
     bounds_ = {grid_.centre(least), grid_.centre(most)};
 }
 
+// Excess of the crowd at `p` for somebody who goes towards `to`, a unit vector.
+double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
+    if (busy_[grid_.index(grid_.nearestCell(p))] == 0) return 0.0;
+    const BetweenCentres at = betweenCentres(grid_, p);
+    const CellCost* low = excess_.data() + grid_.index(at.low);
+    const CellCost* high = low + (grid_.height > 1 ? grid_.width : 0);
+    const std::int32_t right = grid_.width > 1 ? 1 : 0;
+    const auto read = [&](float CellCost::*side) {
+        return 1.0 + (low->*side * (1.0 - at.fx) + low[right].*side * at.fx) * (1.0 - at.fy) +
+               (high->*side * (1.0 - at.fx) + high[right].*side * at.fx) * at.fy;
+    };
+    const double x = to.x * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
+    const double y = to.y * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
+    return std::sqrt(x * x + y * y) - 1.0;
+}
+
+double CrowdExcess::hazardAt(Vec2 p) const {
+    const BetweenCentres at = betweenCentres(hazardGrid_, p);
+    const float* low = hazard_.data() + hazardGrid_.index(at.low);
+    const float* high = low + (hazardGrid_.height > 1 ? hazardGrid_.width : 0);
+    const std::int32_t right = hazardGrid_.width > 1 ? 1 : 0;
+    return (low[0] * (1.0 - at.fx) + low[right] * at.fx) * (1.0 - at.fy) +
+           (high[0] * (1.0 - at.fx) + high[right] * at.fx) * at.fy;
+}
+
 double CrowdExcess::along(Vec2 a, Vec2 b) const {
-    if (listed_.empty()) return 0.0;
+    if (none()) return 0.0;
     const bool apart = std::max(a.x, b.x) < bounds_.min.x || std::min(a.x, b.x) > bounds_.max.x ||
                        std::max(a.y, b.y) < bounds_.min.y || std::min(a.y, b.y) > bounds_.max.y;
     if (apart) return 0.0;
@@ -166,19 +214,8 @@ double CrowdExcess::along(Vec2 a, Vec2 b) const {
     double sum = 0.0;
     for (std::int32_t k = 0; k < samples; ++k) {
         const Vec2 p = a + (b - a) * ((k + 0.5) / samples);
-        const Cell c = grid_.nearestCell(p);
-        if (busy_[grid_.index(c)] == 0) continue;
-        const BetweenCentres at = betweenCentres(grid_, p);
-        const CellCost* low = excess_.data() + grid_.index(at.low);
-        const CellCost* high = low + (grid_.height > 1 ? grid_.width : 0);
-        const std::int32_t right = grid_.width > 1 ? 1 : 0;
-        const auto read = [&](float CellCost::*side) {
-            return 1.0 + (low->*side * (1.0 - at.fx) + low[right].*side * at.fx) * (1.0 - at.fy) +
-                   (high->*side * (1.0 - at.fx) + high[right].*side * at.fx) * at.fy;
-        };
-        const double x = to.x * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
-        const double y = to.y * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
-        sum += std::sqrt(x * x + y * y) - 1.0;
+        if (!listed_.empty()) sum += crowdAlong(p, to);
+        if (!moved_.empty()) sum += hazardAt(p);
     }
     return sum * whole / samples;
 }

@@ -101,6 +101,9 @@ public:
     /// `version`. False where that is not known any more: all cells may have.
     bool changesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
 
+    /// Writes to `areas` the cells over which things that move lie now.
+    void movingAreas(std::vector<CellRect>& areas) const;
+
     /// All convex parts as they stand now, ordered by obstacle id.
     std::span<const ObstaclePiece> pieces() const;
     /// Distance from a cell's centre to the nearest obstacle surface or edge of the box [m], one value

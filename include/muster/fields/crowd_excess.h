@@ -10,7 +10,8 @@
 
 namespace muster {
 
-/// The share by which a metre is dearer than on the empty ground, by direction, on the cells of the density. To first
+/// The share by which a metre is dearer than on the empty ground: for the crowd by direction, on the cells of the density;
+/// for moving obstacles and patches in all directions alike, on finer cells. To first
 /// order a small excess changes the cost of the cheapest way by its integral along the way that is cheapest without it.
 class CrowdExcess {
 public:
@@ -20,20 +21,24 @@ public:
     double along(Vec2 a, Vec2 b) const;
     /// The cells.
     const Grid& grid() const { return grid_; }
-    /// Relative excess of leaving a cell to the four sides; more than kBlocked nowhere.
+    /// Relative excess of leaving a cell to the four sides, for the crowd alone.
     const std::vector<CellCost>& cells() const { return excess_; }
     /// True where there is none anywhere.
-    bool none() const { return listed_.empty(); }
+    bool none() const { return listed_.empty() && moved_.empty(); }
 
-    static constexpr float kBlocked = 20.0f;  ///< Excess inside moving obstacles.
+    static constexpr float kBlocked = 20.0f;     ///< Excess inside moving obstacles, and the most of them elsewhere.
+    static constexpr double kHazardCell = 0.5;   ///< Edge of the finer cells [m].
 
 private:
     void clear();
     void addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment);
-    void addMoving(const UnitCostDef& def, const Environment& environment, double radius);
+    void addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece);
     void addMovedGround(const Environment& environment, double radius);
+    void setHazard(std::int32_t cell, float value);
     void set(std::int32_t cell, const CellCost& value);
     void markBusy();
+    double crowdAlong(Vec2 p, Vec2 to) const;
+    double hazardAt(Vec2 p) const;
 
     Grid grid_;
     std::vector<CellCost> excess_;
@@ -43,6 +48,12 @@ private:
     std::vector<std::uint8_t> looked_;    // Cells that were priced for the crowd.
     std::vector<std::int32_t> lookedList_;
     Box bounds_;                          // Of all busy cells.
+    Grid hazardGrid_;
+    std::vector<float> hazard_;
+    std::vector<std::int32_t> moved_;     // Cells of it that moving things make dearer or cheaper.
+    std::vector<std::uint8_t> seen_;      // Of those under moving things.
+    std::vector<std::int32_t> seenList_;
+    std::vector<CellRect> areas_;
 };
 
 }  // namespace muster
