@@ -7,7 +7,8 @@
 namespace muster {
 
 void Overrides::addTo(CLI::App& command) {
-    command.add_option("--plan", plan, "Which plan: exact.")->check(CLI::IsMember({"exact"}));
+    command.add_option("--plan", plan, "Who makes the plans (plan.solver): exact or fast.")
+        ->check(CLI::IsMember({"exact", "fast"}));
     command.add_option("--preset", preset, "Objective and period: muster or paper.")
         ->check(CLI::IsMember({"muster", "paper"}));
     command.add_option("--set", settings, "Sets a parameter, as name=value; may be repeated.")
@@ -18,6 +19,8 @@ Status Overrides::apply(WorldDef& def) const {
     Parameters& parameters = def.parameters;
     if (!preset.empty())
         if (Status s = usePreset(parameters, preset); !s.ok()) return s.within("--preset");
+    if (!plan.empty())
+        parameters.planSolver = static_cast<double>(plan == "fast" ? PlanSolver::Fast : PlanSolver::Exact);
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
         const char* text = equals == std::string::npos ? "" : setting.c_str() + equals + 1;

@@ -11,13 +11,13 @@ namespace muster {
 
 /// --plan, --preset and --set.
 struct Overrides {
-    std::string plan = "exact";
+    std::string plan;
     std::string preset;
     std::vector<std::string> settings;  ///< "name=value".
 
     /// Adds the options to a command.
     void addTo(CLI::App& command);
-    /// Applies preset, then settings. Only what the presets differ in is set by one. Fails naming the culprit, also
+    /// Applies preset, then plan, then settings. Only what the presets differ in is set by one. Fails naming the culprit, also
     /// where the parameters contradict each other at the end.
     Status apply(WorldDef& def) const;
 };

@@ -60,8 +60,12 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
     {"discomfort.gain", "1", 0.0, 1000.0, "Discomfort on the obstacle's own track.", &P::discomfortGain},
     {"plan.mode", "mode", 0.0, 2.0, "0 re-planned every period, 1 assigned once, 2 character i keeps place i.",
      &P::planMode},
-    {"plan.period", "steps", 1.0, 600.0, "A plan is made every so many steps.", &P::planPeriod},
-    {"plan.exponent", "1", 1.0, 8.0, "Exponent p of the objective, the sum of cost^p.", &P::exponent},
+    {"plan.solver", "mode", 0.0, 1.0, "0 exact, the reference; 1 fast, for large crowds.", &P::planSolver},
+    {"plan.objective", "mode", 0.0, 1.0,
+     "0 least sum of cost^p, p by plan.exponent; 1 least longest walk, then least such sum.", &P::objective},
+    {"plan.period", "steps", 0.0, 600.0, "A plan is made every so many steps; 0 for what suits the solver.",
+     &P::planPeriod},
+    {"plan.exponent", "1", 1.0, 8.0, "Exponent p of the objective: 1 least sum, 2 least squares.", &P::exponent},
     {"plan.threshold", "cost^p", 0.0, 1e9, "A change of places must lower the objective by more.", &P::threshold},
     {"plan.thresholdShare", "1", 0.0, 1.0,
      "A change of places must lower the objective of those it concerns by more than this share.",
@@ -87,6 +91,11 @@ bool isWhole(const ParameterInfo& info) {
 }
 
 }  // namespace
+
+std::uint32_t planPeriodOf(const Parameters& parameters) {
+    if (parameters.planPeriod >= 1.0) return static_cast<std::uint32_t>(parameters.planPeriod);
+    return parameters.planSolver == 0.0 ? 4 : 1;
+}
 
 std::span<const ParameterInfo> parameterTable() {
     return kTable;
@@ -117,6 +126,7 @@ Result<Parameters> parameterPreset(std::string_view name) {
         parameters.exponent = 1.0;
         parameters.threshold = 0.0;
         parameters.thresholdShare = 0.0;
+        parameters.planSolver = 0.0;
         parameters.planPeriod = 1.0;
         return parameters;
     }

@@ -44,26 +44,27 @@ void archive(Hasher& hasher, std::vector<Command>& queue) {
     }
 }
 
-void archivePlan(Writer& writer, Group& group, ThreadPool&) { group.plan->save(writer); }
-void archivePlan(Hasher& hasher, Group& group, ThreadPool&) { group.plan->hash(hasher); }
-void archivePlan(Reader& reader, Group& group, ThreadPool& pool) {
-    group.plan = makeExactPlan();
-    if (reader.ok() && !group.plan->load(reader, pool)) reader.fail();
+void archivePlan(Writer& writer, World::Impl&, Group& group) { group.plan->save(writer); }
+void archivePlan(Hasher& hasher, World::Impl&, Group& group) { group.plan->hash(hasher); }
+void archivePlan(Reader& reader, World::Impl& world, Group& group) {
+    group.plan = world.makePlan();
+    if (reader.ok() && !group.plan->load(reader, *world.pool)) reader.fail();
 }
 
-void archiveGroups(auto& ar, std::vector<Group>& groups, ThreadPool& pool) {
+void archiveGroups(auto& ar, World::Impl& world) {
+    std::vector<Group>& groups = world.groups;
     auto count = static_cast<std::uint32_t>(groups.size());
     ar(count);
     if constexpr (std::decay_t<decltype(ar)>::kReading) {
         groups.clear();
         for (std::uint32_t i = 0; i < count && ar.ok(); ++i) {
             ar(groups.emplace_back());
-            archivePlan(ar, groups.back(), pool);
+            archivePlan(ar, world, groups.back());
         }
     } else {
         for (Group& group : groups) {
             ar(group);
-            archivePlan(ar, group, pool);
+            archivePlan(ar, world, group);
         }
     }
 }
@@ -107,7 +108,7 @@ void World::Impl::visit(Archive& ar) {
     ar(checkpoints, checkpointGroups, checkpointState, items, collected, random, stepCount, lastCommandStep, nextCharacter, nextGroup);
     if constexpr (Archive::kReading)
         if (!ar.ok()) return;
-    archiveGroups(ar, groups, *pool);
+    archiveGroups(ar, *this);
 }
 
 const char* stageName(Stage stage) {

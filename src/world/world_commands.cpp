@@ -103,7 +103,9 @@ public:
         Status status = setParameter(next, set.name, set.value);
         if (status.ok()) status = validateParameters(next, world_.environment.def().box);
         if (!status.ok()) return status;
+        const bool exchanged = next.planSolver != world_.parameters.planSolver;
         world_.parameters = next;
+        if (exchanged) world_.exchangePlans();
         world_.environment.setFieldDefaults(next.fieldRange, next.fieldStrength);
         if (set.name == "density.cell" || set.name == "density.lambda") world_.makeDensity();
         return status;

@@ -83,6 +83,19 @@ std::int32_t World::Impl::regionOf(const Group& group) {
     return best;
 }
 
+// By `plan.solver`; the only place that knows which solvers there are.
+std::unique_ptr<Plan> World::Impl::makePlan() const {
+    return parameters.planSolver == static_cast<double>(PlanSolver::Fast) ? makeFastPlan() : makeExactPlan();
+}
+
+// Another solver takes over: every group is planned anew in this step, from the places that its characters have.
+void World::Impl::exchangePlans() {
+    for (Group& group : groups) {
+        group.plan = makePlan();
+        group.planNow = true;
+    }
+}
+
 Status World::Impl::addGroup(const GroupDef& def) {
     if (groups.size() >= kMaxGroups)
         return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(kMaxGroups) + " groups"};
@@ -102,7 +115,7 @@ Status World::Impl::addGroup(const GroupDef& def) {
     const Status placed = group.mesh.reset(*formation, poseOf(def.position, def.angle));
     if (!placed.ok()) return placed.within("group '" + def.name + "'");
     group.id = GroupId{nextGroup++};
-    group.plan = makeExactPlan();
+    group.plan = makePlan();
     const auto index = static_cast<std::uint32_t>(groups.size());
     group.mesh.placePositions(memory.targets);
     for (std::int32_t i = 0; i < def.count; ++i) {

@@ -56,6 +56,7 @@ PlanDef World::Impl::planDef() const {
     def.exponent = parameters.exponent;
     def.threshold = parameters.threshold;
     def.thresholdShare = parameters.thresholdShare;
+    def.longestWalk = static_cast<int>(parameters.objective) == static_cast<int>(PlanObjective::LongestWalk);
     def.geodesic = parameters.geodesic != 0.0;
     return def;
 }

@@ -106,6 +106,8 @@ struct World::Impl {
     // Making and changing groups (world_groups.cpp).
     Status addGroup(const GroupDef& def);
     void removeGroup(std::size_t index);
+    std::unique_ptr<Plan> makePlan() const;
+    void exchangePlans();
     Status changeFormation(Group& group, const FormationDef& def, std::int32_t count);
     void setCount(Group& group, std::int32_t count);
     void addCharacter(const Group& group, std::uint32_t groupIndex, Vec2 position);

@@ -84,7 +84,7 @@ void World::Impl::movePlaces() {
 
 // Groups take turns within the period, so that their plans do not fall on one step.
 bool World::Impl::plansThisStep(const Group& group, std::size_t index) const {
-    const auto period = static_cast<std::uint32_t>(parameters.planPeriod);
+    const std::uint32_t period = planPeriodOf(parameters);
     return group.planNow || (!group.plan->pending() && (stepCount + index) % period == 0);
 }
 
@@ -149,7 +149,7 @@ void World::Impl::startPlan(Group& group) {
         input.excess = &excess;
     }
     const bool whole = group.planNow || !group.plan->readsUnitCost();
-    group.slices = whole ? 1 : static_cast<std::int32_t>(parameters.planPeriod);
+    group.slices = whole ? 1 : static_cast<std::int32_t>(planPeriodOf(parameters));
     group.slice = 0;
     const Status status = group.plan->start(def, input);
     MUSTER_ASSERT(status.ok());

@@ -68,7 +68,10 @@ TEST_CASE("every parameter can be set to its default by name, which changes noth
     }
     CHECK(hashOf(all) == hashOf(""));
     CHECK(hashOf("--preset muster") == hashOf(""));
-    CHECK(hashOf("--plan exact") == hashOf(""));
+    CHECK(hashOf("--plan exact") == hashOf("--set plan.solver=0"));
+    CHECK(hashOf("--plan fast") == hashOf("--set plan.solver=1"));
+    CHECK(hashOf("--plan fast") != hashOf("--plan exact"));
+    CHECK(hashOf("--plan exact --set plan.solver=1") == hashOf("--plan fast"));
     CHECK(hashOf("--threads 3") == hashOf(""));
     CHECK(hashOf("--threads 0") == hashOf(""));
 }
@@ -76,7 +79,7 @@ TEST_CASE("every parameter can be set to its default by name, which changes noth
 TEST_CASE("the last of two settings stands, and settings come after the preset") {
     CHECK(hashOf("--set character.maxSpeed=0.5 --set character.maxSpeed=1") == hashOf("--set character.maxSpeed=1"));
     CHECK(hashOf("--preset paper --set plan.period=4") != hashOf("--preset paper"));
-    CHECK(hashOf("--set plan.exponent=1 --set plan.threshold=0 --set plan.thresholdShare=0 --set plan.period=1") ==
+    CHECK(hashOf("--set plan.exponent=1 --set plan.threshold=0 --set plan.thresholdShare=0 --plan exact --set plan.period=1") ==
           hashOf("--preset paper"));
 }
 

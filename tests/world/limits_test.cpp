@@ -25,7 +25,7 @@ bool holds(const std::string& text, const char* part) { return text.find(part) !
 
 TEST_CASE("a world is checked whole before it is made") {
     WorldDef def = openFloor(4);
-    def.parameters.planPeriod = 0.0;
+    def.parameters.planPeriod = -1.0;
     const auto still = World::create(def);
     REQUIRE_FALSE(still.ok());
     CHECK(holds(still.status().message(), "plan.period"));

@@ -57,7 +57,7 @@ TEST_CASE("bad values change nothing and are named") {
 
 TEST_CASE("switches, modes and counts are whole") {
     Parameters p;
-    for (const char* name : {"density.enabled", "plan.mode", "plan.period", "contact.iterations"}) {
+    for (const char* name : {"density.enabled", "plan.mode", "plan.solver", "plan.objective", "plan.period", "contact.iterations"}) {
         CAPTURE(name);
         CHECK(setParameter(p, name, 1.0).ok());
         const Status half = setParameter(p, name, 1.5);
@@ -74,4 +74,18 @@ TEST_CASE("presets") {
     CHECK(paper->planPeriod == 1.0);
     CHECK(parameterPreset("muster")->exponent == Parameters{}.exponent);
     CHECK(parameterPreset("rubens").status().code() == StatusCode::NotFound);
+}
+
+TEST_CASE("a plan's period is what was set, or else what suits the solver") {
+    Parameters p;
+    p.planSolver = static_cast<double>(PlanSolver::Exact);
+    CHECK(planPeriodOf(p) == 4);
+    p.planSolver = static_cast<double>(PlanSolver::Fast);
+    CHECK(planPeriodOf(p) == 1);
+    p.planPeriod = 9.0;
+    CHECK(planPeriodOf(p) == 9);
+    // The paper solves exactly whatever the default is.
+    const auto paper = parameterPreset("paper");
+    CHECK(paper->planSolver == 0.0);
+    CHECK(planPeriodOf(*paper) == 1);
 }

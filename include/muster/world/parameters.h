@@ -1,6 +1,7 @@
 // Every number that researchers and users may change, with name, unit, range and default.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -47,7 +48,9 @@ struct Parameters {
     double discomfortGain = 8.0;
     // Plan (SPEC A1).
     double planMode = 0.0;
-    double planPeriod = 4.0;
+    double planSolver = 0.0;
+    double objective = 0.0;
+    double planPeriod = 0.0;
     double exponent = 2.0;
     double threshold = 0.1;
     double thresholdShare = 0.01;
@@ -80,6 +83,21 @@ enum class PlanMode {
     AssignedOnce = 1,  ///< Assigned at the start and after each formation change, then kept.
     Fixed = 2,         ///< Character i keeps place i.
 };
+
+/// Who makes the plans; the values of `plan.solver`.
+enum class PlanSolver {
+    Exact = 0,  ///< The reference: one cost field per place.
+    Fast = 1,   ///< The same answer nearly, for large crowds.
+};
+
+/// What a plan makes least; the values of `plan.objective`.
+enum class PlanObjective {
+    Power = 0,        ///< The sum of cost^p, p by `plan.exponent`: 1 least sum, 2 least squares.
+    LongestWalk = 1,  ///< The cost of the dearest pair, and then that sum.
+};
+
+/// Steps from plan to plan: `plan.period`, or where that is 0 what suits the solver.
+std::uint32_t planPeriodOf(const Parameters& parameters);
 
 /// All parameters, in a fixed order.
 std::span<const ParameterInfo> parameterTable();
