@@ -7,7 +7,7 @@ namespace muster {
 namespace {
 
 // More cells than this are not worth clearing.
-constexpr double kCellsPerPoint = 16.0;
+constexpr double kCellsPerPoint = 6.0;
 constexpr double kCellsMore = 64.0;
 
 Box boundsOf(std::span<const Vec2> points) {

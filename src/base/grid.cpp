@@ -1,32 +1,16 @@
 #include "muster/base/grid.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace muster {
-namespace {
-
-std::int32_t toCell(double coordinate) {
-    return static_cast<std::int32_t>(std::floor(std::clamp(coordinate, -1e9, 1e9)));
-}
-
-}  // namespace
-
 Grid Grid::covering(const Box& box, double cell) {
     Grid grid;
     grid.origin = box.min;
     grid.cell = cell;
     // A hair is taken off, so that a box of a whole number of cells gets just these.
-    grid.width = std::max(1, toCell(box.width() / cell - 1e-9) + 1);
-    grid.height = std::max(1, toCell(box.height() / cell - 1e-9) + 1);
+    grid.width = std::max(1, floorOf(box.width() / cell - 1e-9) + 1);
+    grid.height = std::max(1, floorOf(box.height() / cell - 1e-9) + 1);
     return grid;
-}
-
-Cell Grid::cellOf(Vec2 p) const { return {toCell((p.x - origin.x) / cell), toCell((p.y - origin.y) / cell)}; }
-
-Cell Grid::nearestCell(Vec2 p) const {
-    const Cell c = cellOf(p);
-    return {std::clamp(c.x, 0, width - 1), std::clamp(c.y, 0, height - 1)};
 }
 
 BilinearStencil Grid::bilinear(Vec2 p) const {

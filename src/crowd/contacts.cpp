@@ -15,7 +15,7 @@ constexpr double kReported = 0.1;       // Overlap that counts, as a share of th
 double Contacts::separatePairs(double diameter, std::span<Vec2> positions) const {
     double worst = 0.0;
     const double touching = diameter * diameter;
-    for (const NearPair pair : pairs_) {
+    for (const NearPair pair : pairs_.pairs) {
         Vec2& a = positions[static_cast<std::size_t>(pair.a)];
         Vec2& b = positions[static_cast<std::size_t>(pair.b)];
         const Vec2 between = b - a;
@@ -44,58 +44,76 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
     return worst;
 }
 
-// Pairs may have pushed somebody farther than the rounds watch: obstacles and the world's edge have the last word.
+// Pairs may have pushed somebody since: obstacles and the world's edge have the last word.
 void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const {
     const Box inside = environment.def().box.grown(-radius);
-    for (Vec2& p : positions)
+    for (const std::int32_t index : nearObstacle_) {
+        Vec2& p = positions[static_cast<std::size_t>(index)];
         if (!inside.contains(p) || environment.distanceToObstacle(p, radius) < radius) p = environment.pushOut(p, radius);
+    }
 }
 
-// Pairs are found anew: corrections may have brought together who was far apart before.
+// Looks for pairs anew where corrections may have brought together who was far apart before.
 ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) {
     ContactReport result;
-    neighbours_.findPairs(positions, diameter, pairs_);
-    for (const NearPair pair : pairs_) {
-        const double d = distance(positions[static_cast<std::size_t>(pair.a)], positions[static_cast<std::size_t>(pair.b)]);
-        const double share = (diameter - d) / diameter;
+    if (outdated(diameter, positions)) look(diameter, positions);
+    for (const NearPair pair : pairs_.pairs) {
+        const double d2 = lengthSquared(positions[static_cast<std::size_t>(pair.a)] -
+                                        positions[static_cast<std::size_t>(pair.b)]);
+        if (d2 >= diameter * diameter) continue;
+        const double share = (diameter - std::sqrt(d2)) / diameter;
         result.worstPenetration = std::max(result.worstPenetration, share);
         if (share > kReported) ++result.overlapPairs;
     }
     return result;
 }
 
-// Notes who is near whom and near an obstacle, and where they are.
-void Contacts::look(double radius, const Environment& environment, std::span<const Vec2> positions) {
-    const double diameter = 2.0 * radius;
-    neighbours_.findPairs(positions, diameter * (1.0 + kPairMargin), pairs_);
-    nearObstacle_.clear();
-    const double watch = radius + diameter;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        if (environment.distanceToObstacle(positions[i], watch) < watch)
-            nearObstacle_.push_back(static_cast<std::int32_t>(i));
-    seenAt_.assign(positions.begin(), positions.end());
+// Notes who is near whom, and where.
+void Contacts::look(double diameter, std::span<const Vec2> positions) {
+    const double reach = diameter * (1.0 + kPairMargin);
+    neighbours_.findPairs(positions, reach, found_);
+    foundAt_.assign(positions.begin(), positions.end());
+    pairs_ = {found_, foundAt_, reach};
 }
 
-// True where somebody was pushed so far that others than those noted may be near.
-bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const {
-    const double most = 0.5 * kPairMargin * diameter;
+// Notes who is near an obstacle or the edge of the world: so near that nobody else comes to one while pairs hold.
+void Contacts::watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions) {
+    nearObstacle_.clear();
+    const double watch = 3.0 * radius;
+    const Box room = environment.def().box.grown(-watch);
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (lengthSquared(positions[i] - seenAt_[i]) > most * most) return true;
+        if (!room.contains(positions[i]) || environment.distanceToObstacle(positions[i], watch) < watch)
+            nearObstacle_.push_back(static_cast<std::int32_t>(i));
+}
+
+// True where somebody moved so far that others than those noted may be near.
+bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const {
+    if (pairs_.at.size() != positions.size()) return true;
+    const double most = std::clamp(0.5 * (pairs_.reach - diameter), 0.0, 0.5 * diameter);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (!(lengthSquared(positions[i] - pairs_.at[i]) <= most * most)) return true;
     return false;
 }
 
-ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions) {
+ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
+                                const KnownPairs& known) {
     const double diameter = 2.0 * def.radius;
-    look(def.radius, environment, positions);
+    pairs_ = known;
+    if (outdated(diameter, positions)) look(diameter, positions);
+    watchObstacles(def.radius, environment, positions);
     for (std::int32_t round = 0; round < def.iterations; ++round) {
         const double pairs = separatePairs(diameter, positions);
         const double walls = leaveObstacles(def.radius, environment, positions);
         const bool anew = outdated(diameter, positions);
         if (!anew && std::max(pairs, walls) < kSettled * diameter) break;
-        if (anew) look(def.radius, environment, positions);
+        if (!anew) continue;
+        look(diameter, positions);
+        watchObstacles(def.radius, environment, positions);
     }
     leaveForGood(def.radius, environment, positions);
-    return report(diameter, positions);
+    const ContactReport left = report(diameter, positions);
+    pairs_ = {};
+    return left;
 }
 
 }  // namespace muster

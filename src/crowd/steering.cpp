@@ -86,7 +86,8 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
         topSpeed_[i] = def.maxSpeed * environment.ground(now.position[i]).travelSpeed;
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     }
-    neighbours_.findPairs(now.position, 2.0 * def.radius + std::max(def.separationReach, kTouchGap), pairs_);
+    reach_ = 2.0 * def.radius + std::max(def.separationReach, kTouchGap);
+    neighbours_.findPairs(now.position, reach_, pairs_);
     addSidesteps(def, now);
     holdBack(def, now);
     const double share = std::min(1.0, def.velocityGain * dt);

@@ -19,6 +19,10 @@ public:
     const Grid& grid() const { return grid_; }  ///< Covers the points; no cells where there are none.
     /// The cell of a point.
     std::int32_t cellOf(std::size_t point) const { return cellOf_[point]; }
+    /// All points, cell by cell.
+    std::span<const std::int32_t> items() const { return item_; }
+    /// Where a cell's points begin among items(); cell grid().count() is the end.
+    std::int32_t begin(std::int32_t cell) const { return start_[static_cast<std::size_t>(cell)]; }
     /// Points in the cells from `first` to `last`, both included, of one row or of the whole grid.
     std::span<const std::int32_t> within(std::int32_t first, std::int32_t last) const {
         const auto begin = static_cast<std::size_t>(start_[static_cast<std::size_t>(first)]);

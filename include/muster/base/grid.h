@@ -1,6 +1,7 @@
 // Regular grids over the ground plane.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "muster/base/vec2.h"
@@ -38,9 +39,12 @@ struct Grid {
     /// True where the cell exists.
     bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
     /// The cell that holds `p`; may lie outside. Coordinates beyond 1e9 cells are clamped.
-    Cell cellOf(Vec2 p) const;
+    Cell cellOf(Vec2 p) const { return {floorOf((p.x - origin.x) / cell), floorOf((p.y - origin.y) / cell)}; }
     /// The existing cell nearest to `p`.
-    Cell nearestCell(Vec2 p) const;
+    Cell nearestCell(Vec2 p) const {
+        const Cell c = cellOf(p);
+        return {std::clamp(c.x, 0, width - 1), std::clamp(c.y, 0, height - 1)};
+    }
     /// Centre of a cell [m].
     Vec2 centre(Cell c) const {
         return {origin.x + (c.x + 0.5) * cell, origin.y + (c.y + 0.5) * cell};
@@ -56,6 +60,14 @@ struct Grid {
         archive(origin, cell, width, height);
     }
     friend bool operator==(const Grid&, const Grid&) = default;
+
+private:
+    // floor() is a call on plain x86-64; a truncation and a correction are not.
+    static std::int32_t floorOf(double coordinate) {
+        const double bounded = std::clamp(coordinate, -1e9, 1e9);
+        const auto whole = static_cast<std::int32_t>(bounded);
+        return whole - (static_cast<double>(whole) > bounded ? 1 : 0);
+    }
 };
 
 }  // namespace muster

@@ -25,21 +25,25 @@ struct ContactReport {
 /// Corrects positions in place: pairs by halves in a fixed order, then obstacles, which have the last word.
 class Contacts {
 public:
-    /// Moves `positions` apart and out of obstacles and reports what is left.
-    ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions);
+    /// Moves `positions` apart and out of obstacles and reports what is left. `known` pairs save a search as long as
+    /// nobody is farther from where they were found than they leave room for.
+    ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
+                          const KnownPairs& known = {});
 
 private:
     double separatePairs(double diameter, std::span<Vec2> positions) const;
     double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const;
     void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const;
     ContactReport report(double diameter, std::span<const Vec2> positions);
-    void look(double radius, const Environment& environment, std::span<const Vec2> positions);
+    void look(double diameter, std::span<const Vec2> positions);
+    void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions);
     bool outdated(double diameter, std::span<const Vec2> positions) const;
 
     NeighbourGrid neighbours_;
-    std::vector<NearPair> pairs_;
+    std::vector<NearPair> found_;
+    std::vector<Vec2> foundAt_;
+    KnownPairs pairs_;  // Found here, or known before.
     std::vector<std::int32_t> nearObstacle_;
-    std::vector<Vec2> seenAt_;  // Where pairs and obstacles were looked for.
 };
 
 }  // namespace muster

@@ -15,6 +15,13 @@ struct NearPair {
     std::int32_t b = 0;  ///< Index into the positions given.
 };
 
+/// Who was near whom, and where.
+struct KnownPairs {
+    std::span<const NearPair> pairs;  ///< All pairs nearer than `reach`.
+    std::span<const Vec2> at;         ///< Positions then [m].
+    double reach = 0.0;               ///< [m]; 0 where nothing is known.
+};
+
 /// Finds close pairs in time proportional to their number; reuses its memory.
 class NeighbourGrid {
 public:
@@ -23,7 +30,10 @@ public:
     void findPairs(std::span<const Vec2> positions, double reach, std::vector<NearPair>& pairs);
 
 private:
+    void findInRow(std::int32_t y, double reach2, std::vector<NearPair>& pairs);
+
     CellList cells_;
+    std::vector<Vec2> sorted_;  // Positions in the order of cells.
 };
 
 }  // namespace muster

@@ -36,6 +36,11 @@ public:
     void run(const SteeringDef& def, const Characters& now, const SteeringInput& input, const Environment& environment,
              double dt, std::span<Vec2> velocity, std::span<Vec2> heading);
 
+    /// Pairs nearer than reach() in the last run, at its positions.
+    std::span<const NearPair> pairs() const { return pairs_; }
+    /// How near they are [m].
+    double reach() const { return reach_; }
+
 private:
     Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i,
                            double topSpeed) const;
@@ -44,6 +49,7 @@ private:
 
     NeighbourGrid neighbours_;
     std::vector<NearPair> pairs_;
+    double reach_ = 0.0;
     std::vector<Vec2> preferred_;
     std::vector<double> topSpeed_;
 };
