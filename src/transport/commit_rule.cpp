@@ -39,6 +39,15 @@ void CommitRule::merge(std::span<const Flow> incumbent, std::span<const Flow> be
     }
 }
 
+// Where the longest walk counts first, a piece also changes for shortening it, from its own dearest pair to the dearest
+// of the best flows.
+bool CommitRule::worthwhile(const PlanDef& def, const Piece& piece, double dearest) const {
+    const auto least = [&](double cost) { return std::max(def.threshold, def.thresholdShare * cost); };
+    if (piece.moreMatched > dust_) return true;
+    if (def.longestWalk && piece.incumbentDearest - dearest > least(piece.incumbentDearest)) return true;
+    return piece.incumbentCost - piece.bestCost > least(piece.incumbentCost);
+}
+
 void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_t places, std::span<const double> cost,
                         std::span<const Flow> incumbent, std::span<const Flow> best, std::vector<Flow>& committed) {
     const auto nodes = static_cast<std::size_t>(characters) + static_cast<std::size_t>(places);
@@ -52,20 +61,19 @@ void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_
     merge(incumbent, best, [&](const Flow& flow, double before, double after) {
         if (differ(before, after)) join(flow.character, characters + flow.place);
     });
+    double dearest = 0.0;  // Of the best flows.
     merge(incumbent, best, [&](const Flow& flow, double before, double after) {
-        if (!differ(before, after)) return;
         const double c = cost[static_cast<std::size_t>(flow.character) * static_cast<std::size_t>(places) +
                               static_cast<std::size_t>(flow.place)];
+        if (after > dust_) dearest = std::max(dearest, c);
+        if (!differ(before, after)) return;
         Piece& piece = pieces_[find(flow.character)];
+        if (before > dust_) piece.incumbentDearest = std::max(piece.incumbentDearest, c);
         piece.moreMatched += after - before;
         piece.incumbentCost += c * before;
         piece.bestCost += c * after;
     });
-    for (Piece& piece : pieces_) {
-        const double gain = piece.incumbentCost - piece.bestCost;
-        const double least = std::max(def.threshold, def.thresholdShare * piece.incumbentCost);
-        piece.take = piece.moreMatched > dust_ || gain > least;
-    }
+    for (Piece& piece : pieces_) piece.take = worthwhile(def, piece, dearest);
     committed.clear();
     merge(incumbent, best, [&](const Flow& flow, double before, double after) {
         const bool take = !differ(before, after) || pieces_[find(flow.character)].take;

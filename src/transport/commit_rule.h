@@ -24,14 +24,16 @@ private:
         double moreMatched = 0.0;  // Amount that the best flows send beyond the incumbents.
         double incumbentCost = 0.0;
         double bestCost = 0.0;
+        double incumbentDearest = 0.0;
         bool take = false;
     };
+    bool worthwhile(const PlanDef& def, const Piece& piece, double dearest) const;
     std::int32_t find(std::int32_t node);
     void join(std::int32_t a, std::int32_t b);
     template <class Visit>
     void merge(std::span<const Flow> incumbent, std::span<const Flow> best, Visit visit) const;
 
-    double dust_ = 0.0;
+    double dust_ = 0.0;  // Amounts that do not count.
     std::vector<std::int32_t> parent_;  // Characters, then places.
     std::vector<Piece> pieces_;         // At the root of each.
 };

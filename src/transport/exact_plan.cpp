@@ -69,15 +69,27 @@ void ExactPlan::collectIncumbents() {
     }
 }
 
+// Least longest walk: how long it must be tells which pairs may be used; among matchings of these the least sum is chosen.
+Status ExactPlan::solveOnce() {
+    TransportProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(), demand_};
+    if (pending_.def().longestWalk) {
+        const double longest = bottleneck_.solve(problem);
+        allowed_ = powered_;
+        for (double& c : allowed_)
+            if (c > longest) c = kInfinite;
+        problem.cost = allowed_;
+    }
+    return solver_.solve(problem, solution_).within("plan");
+}
+
 // Fronts stop where a place is unlikely to find a better character; pairs beyond have a lower bound for a cost. An optimum
-// that uses no such pair is the optimum of the true costs. Else the fronts concerned go on, and it is sought again.
+// that uses no such pair is the optimum of the true costs, and so is its longest walk. Else the fronts concerned go on, and it is sought again.
 Status ExactPlan::solveProven(ThreadPool& pool) {
     cost_.resize(static_cast<std::size_t>(pending_.characters()) * static_cast<std::size_t>(pending_.places()));
     powered_.resize(cost_.size());
     for (std::int32_t j = 0; j < pending_.places(); ++j) fillCosts(j);
-    const TransportProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(), demand_};
     for (;;) {
-        if (Status status = solver_.solve(problem, solution_); !status.ok()) return status.within("plan");
+        if (Status status = solveOnce(); !status.ok()) return status;
         unproven_.clear();
         for (const Flow& flow : solution_.flows)
             if (!pending_.met(flow.character, flow.place)) unproven_.push_back(flow.place);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "muster/transport/plan.h"
+#include "transport/bottleneck.h"
 #include "transport/commit_rule.h"
 #include "transport/plan_generation.h"
 
@@ -41,6 +42,7 @@ private:
 
     Status assign(ThreadPool& pool, PlanResult& result);
     Status solveProven(ThreadPool& pool);
+    Status solveOnce();
     void keepIncumbents(PlanResult& result);
     void fillCosts(std::int32_t place);
     void collectIncumbents();
@@ -54,10 +56,12 @@ private:
     // Working memory.
     std::vector<FieldWorker> workers_;
     TransportSolver solver_;
+    BottleneckSolver bottleneck_;
     TransportSolution solution_;
     CommitRule rule_;
     std::vector<double> cost_;      // Characters x places.
     std::vector<double> powered_;   // The same to the power of the objective.
+    std::vector<double> allowed_;   // ... where no pair may be dearer than the longest walk must be.
     std::vector<double> demand_;
     std::vector<double> left_;      // Demand not taken by incumbents.
     std::vector<Flow> incumbents_;
