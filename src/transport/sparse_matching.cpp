@@ -17,6 +17,7 @@ void SparseMatching::clear() { *this = {}; }
 // Sizes the memory for the input.
 void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input) {
     step_ = 0;
+    stale_.assign(std::max(input.characters.size(), input.places.size()), 0);
     state_.reset(static_cast<std::int32_t>(input.characters.size()), static_cast<std::int32_t>(input.places.size()));
     searchLimit_ = def.searchLimit;
     repair_.reset(state_.seats.count(), def.searchLimit);
@@ -55,6 +56,7 @@ void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, s
     frame(context);
     askOwn(context);
     refreshAll(context);
+    state_.arcs.sortByTarget();
     PriceFit().run(context, state_);
     publish(context);
 }
@@ -135,9 +137,18 @@ void SparseMatching::askOwn(const MatchingContext& context) {
         answers_.resize(pairs_.size());
         context.costs.fill(pairs_, answers_, context.pool);
         next = 0;
-        for (std::int32_t t = first; t < s; ++t)
-            state_.setOwn(t, seats.matched(t) ? answers_[static_cast<std::size_t>(next++)] : 0.0f, context.power);
+        for (std::int32_t t = first; t < s; ++t) {
+            const float cost = seats.matched(t) ? answers_[static_cast<std::size_t>(next++)] : 0.0f;
+            if (std::abs(cost - state_.own[static_cast<std::size_t>(t)]) > context.def.jump) jumped(t);
+            state_.setOwn(t, cost, context.power);
+        }
     }
+}
+
+// A place that came to the other side of a wall: all arcs to it and from it are wrong.
+void SparseMatching::jumped(std::int32_t seat) {
+    state_.changed[static_cast<std::size_t>(seat)] = 1;
+    for (const std::int32_t arc : state_.arcs.into(seat)) stale_[static_cast<std::size_t>(arc / MatchingArcs::kLanes)] = 1;
 }
 
 void SparseMatching::refreshAll(const MatchingContext& context) {
@@ -162,7 +173,9 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
     rows_.clear();
     for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
         const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (s + step_) % targets == 0;
-        if (!anew && (s + step_) % period != 0) continue;
+        const bool stale = stale_[static_cast<std::size_t>(s)] != 0;
+        stale_[static_cast<std::size_t>(s)] = 0;
+        if (!anew && !stale && (s + step_) % period != 0) continue;
         if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
         state_.changed[static_cast<std::size_t>(s)] = 0;
         rows_.push_back(s);
@@ -199,11 +212,15 @@ void SparseMatching::prices(const MatchingInput& input, std::span<double> price)
     for (std::size_t j = 0; j < price.size(); ++j) price[j] = units_ * (state_.price[j] + dot(slope_, input.places[j]));
 }
 
+// Working memory for what was read; the order of arcs by target and the own costs of the last step are made again.
 void SparseMatching::afterReading() {
+    const auto seats = static_cast<std::size_t>(state_.seats.count());
     searchLimit_ = 0;
-    rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    rows_.reserve(seats);
+    stale_.assign(seats, 0);
     pairs_.reserve(kPairsAtOnce);
     answers_.reserve(kPairsAtOnce);
+    state_.arcs.afterReading();
 }
 
 }  // namespace muster

@@ -43,7 +43,12 @@ public:
     template <class Archive>
     void visit(Archive& archive) {
         archive(step_, state_, placeOf_, cost_, objective_, slack_, slope_, units_);
-        if constexpr (Archive::kReading) afterReading();
+        if constexpr (Archive::kReading) {
+            if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) || cost_.size() != placeOf_.size())
+                archive.fail();
+            if (!archive.ok()) clear();
+            afterReading();
+        }
     }
 
 private:
@@ -53,6 +58,7 @@ private:
     void seatWaiting(const MatchingContext& context);
     void frame(MatchingContext& context) const;
     void askOwn(const MatchingContext& context);
+    void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
     void refreshSome(const MatchingContext& context);
     void publish(const MatchingContext& context);
@@ -73,6 +79,7 @@ private:
     std::vector<Pair> pairs_;
     std::vector<float> answers_;
     std::vector<std::int32_t> rows_;
+    std::vector<std::uint8_t> stale_;  // Per seat: its arcs' weights are to be asked for in this step.
 };
 
 }  // namespace muster

@@ -33,11 +33,21 @@ void MatchingArcs::reset(std::int32_t seats) {
     target_.resize(arcs);
     weight_.assign(arcs, kNever);
     for (std::size_t k = 0; k < arcs; ++k) target_[k] = static_cast<std::int32_t>(k / kLanes);
-    start_.assign(static_cast<std::size_t>(seats) + 1, 0);
-    into_.assign(arcs, 0);
+    makeRoom();
+}
+
+void MatchingArcs::makeRoom() {
+    const std::size_t seats = target_.size() / kLanes;
+    start_.assign(seats + 1, 0);
+    into_.assign(target_.size(), 0);
     pairs_.reserve(kRowsAtOnce * kLanes);
     answers_.reserve(kRowsAtOnce * kLanes);
-    hot_.reserve(static_cast<std::size_t>(seats));
+    hot_.reserve(seats);
+}
+
+void MatchingArcs::afterReading() {
+    makeRoom();
+    sortByTarget();
 }
 
 void MatchingArcs::look(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> price,

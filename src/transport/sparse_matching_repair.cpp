@@ -7,8 +7,10 @@ namespace muster {
 namespace {
 
 constexpr std::uint8_t kRest = 16;            // Steps.
+constexpr std::uint8_t kRestCapped = 3;
 constexpr std::int32_t kTries = 3;            // Arcs of one seat in one step.
 constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.
+constexpr double kStale = 2.0;
 constexpr std::int32_t kLanes = MatchingArcs::kLanes;
 
 // A violation as small as this share of the mean is let be, too.
@@ -16,7 +18,7 @@ double toleranceFor(const MatchingContext& context, const MatchingState& state) 
     double sum = 0.0;
     for (const double c : state.ownPower) sum += c;
     const double mean = sum / std::max(1.0, static_cast<double>(state.ownPower.size()));
-    return kToleranceOfThreshold * std::max({context.threshold, 0.1 * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
+    return kToleranceOfThreshold * std::max({context.threshold, 0.5 * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
 }
 
 }  // namespace
@@ -102,8 +104,11 @@ void MatchingRepair::repairSeat(const MatchingContext& context, MatchingState& s
                                           backAgain(context, state, seat, to), limit);
         settled_ += search_.settled() + 1;
         search_.movePrices(state.price);
-        if (end == SearchEnd::Capped) return;
-        if (end == SearchEnd::Cycle && !commit(context, state)) {
+        if (end == SearchEnd::Capped) {
+            state.resting[static_cast<std::size_t>(seat)] = kRestCapped;
+            return;
+        }
+        if (end == SearchEnd::Cycle && !commit(context, state) && -state.reduced(arc) > tolerance && -state.reduced(arc)<kStale*context.threshold) {
             state.resting[static_cast<std::size_t>(seat)] = kRest;
             return;
         }

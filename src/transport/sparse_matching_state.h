@@ -16,9 +16,8 @@ struct MatchingState {
     std::vector<double> price;          ///< Per seat, in the frame of the step (MatchingContext::slope).
     std::vector<std::uint8_t> changed;  ///< Per seat: has another holder, or another standing, since its targets were chosen.
     std::vector<std::uint8_t> resting;  ///< Per seat: steps for which a change that did not gain enough is not tried again.
-    // Worked out in each step.
-    std::vector<float> own;        ///< Per seat: cost of its holder to its place [m]; 0 where one is missing.
-    std::vector<double> ownPower;  ///< The same to the power.
+    std::vector<float> own;             ///< Per seat: cost of its holder to its place [m]; 0 where one is missing.
+    std::vector<double> ownPower;       ///< The same to the power; worked out in each step.
 
     /// Room for so many, nobody seated.
     void reset(std::int32_t characters, std::int32_t places) {
@@ -45,12 +44,13 @@ struct MatchingState {
     /// Lets an archive read or write all that influences later steps.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(seats, arcs, price, changed, resting);
+        archive(seats, arcs, price, changed, resting, own);
         if constexpr (Archive::kReading) {
             const auto n = static_cast<std::size_t>(seats.count());
             if (arcs.targets().size() != n * MatchingArcs::kLanes || price.size() != n || changed.size() != n ||
-                resting.size() != n)
+                resting.size() != n || own.size() != n)
                 archive.fail();
+            ownPower.assign(n, 0.0);
         }
     }
 };
