@@ -20,10 +20,10 @@ UnitCostDef unitCostDef(const Parameters& p) {
     return def;
 }
 
-Result<FineGround> FineGround::create(const World& world) {
+Result<FineGround> FineGround::create(const World& world, double factor) {
     const Environment& coarse = world.environment();
     EnvironmentDef def = coarse.def();
-    def.cell *= 0.5;
+    def.cell *= factor;
     Result<Environment> environment = Environment::create(def);
     if (!environment.ok()) return environment.status().within("judge");
     for (const ObstacleId id : coarse.obstacleIds())

@@ -1,4 +1,4 @@
-// The ground of a world on cells of half the size, for judges.
+// The ground of a world on cells of another size, for judges.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ UnitCostDef unitCostDef(const Parameters& parameters);
 /// Follows a world whose obstacles and patches are not edited while it runs.
 class FineGround {
 public:
-    /// Copies the ground of `world`. Fails where half the cell size makes too many cells.
-    static Result<FineGround> create(const World& world);
+    /// Copies the ground of `world`, with cells of `factor` times the edge. Fails where that makes too many cells.
+    static Result<FineGround> create(const World& world, double factor = 0.5);
     /// The unit cost now: obstacles, patches and their time as in the last step, the crowd as it stands after it.
     const UnitCost& update(const World& world);
 

@@ -10,6 +10,7 @@ namespace muster::scale {
 namespace {
 
 constexpr std::int32_t kMostBeside = 1000;  // Characters up to which the exact plan runs beside.
+constexpr std::int32_t kMostQuick = 500;    // Characters up to which --quick judges a far crowd.
 constexpr double kSecondsBeside = 1.0;      // Of its run: it is slow.
 
 void printHead(const Options& options) {
@@ -31,7 +32,7 @@ void printGrowth(const Options& options, const std::vector<Row>& rows) {
 Status judge(const Options& options, Row& row, ThreadPool& pool) {
     const SceneDef& scene = row.def.scene;
     const std::string label = scene.name + " " + regimeName(scene.regime) + " " + std::to_string(scene.count);
-    QualityPass pass(options.gapEvery, label, pool);
+    QualityPass pass(looksEvery(options.gapEvery, scene), label, pool);
     const Result<Row> again = runCase(row.def, [&](const World& world) { pass.observe(world); });
     if (!again.ok()) return again.status();
     if (!pass.status().ok()) std::fprintf(stderr, "muster-bench: %s: not judged: %s\n", label.c_str(), pass.status().message().c_str());
@@ -54,7 +55,8 @@ Result<Row> measure(const Options& options, const CaseDef& def, ThreadPool& pool
     Result<Row> row = runCase(def);
     if (!row.ok()) return row;
     if (options.exact) row->exactRatio = exactRatio(*row);
-    if (options.noGap) return row;
+    const bool tooLong = options.quick && def.scene.regime == Regime::Far && def.scene.count > kMostQuick;
+    if (options.noGap || tooLong) return row;
     if (const Status status = judge(options, *row, pool); !status.ok()) return status;
     return row;
 }

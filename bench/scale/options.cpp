@@ -20,7 +20,7 @@ void describe(CLI::App& scale, Options& o) {
     scale.add_option("--threads", o.threads, "Threads of the world (1)")->delimiter(',');
     scale.add_option("--seed", o.seeds, "Seeds (1,2,3)")->delimiter(',');
     scale.add_option("--seconds", o.seconds, "World time of a run at most [s] (20; far: until all arrived)");
-    scale.add_option("--gap-every", o.gapEvery, "Steps between gaps (30; quick: 120)");
+    scale.add_option("--gap-every", o.gapEvery, "Steps between gaps (30; quick: 120); more for large crowds, see docs/performance.md");
     scale.add_flag("--exact", o.exact, "The exact plan beside each case of at most 1,000 characters");
     scale.add_flag("--no-gap", o.noGap, "No judge");
     scale.add_option("--maps", o.maps, "Folder with the city's map (../shared/maps)");
@@ -97,7 +97,7 @@ Result<std::vector<CaseDef>> casesOf(const Options& asked) {
                     for (const std::int32_t threads : o.threads)
                         for (const std::uint64_t seed : o.seeds) {
                             if (std::find(o.regimes.begin(), o.regimes.end(), regimeName(regime)) == o.regimes.end()) continue;
-                            const double quick = regime == Regime::Far ? 0.0 : 6.0;
+                            const double quick = regime == Regime::Far ? 10.0 : 5.0;
                             const double seconds = o.seconds > 0.0 ? o.seconds : (o.quick ? quick : 0.0);
                             cases.push_back({{scene, regime, n, seed, o.maps}, plan, threads, seconds});
                         }

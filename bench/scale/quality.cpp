@@ -17,33 +17,51 @@ Committed committedBy(const World& world) {
     return plan;
 }
 
+std::int32_t looksEvery(std::int32_t every, const SceneDef& scene) {
+    return every * std::max(1, scene.count / (scene.regime == Regime::Far ? 250 : 10000));
+}
+
 QualityPass::QualityPass(std::int32_t every, std::string label, ThreadPool& pool)
     : every_(every), label_(std::move(label)), pool_(pool) {}
 
 void QualityPass::observe(const World& world) {
     if (!status_.ok() || world.stepCount() % static_cast<std::uint32_t>(every_) != 2 % every_) return;
-    if (!ground_) {
-        Result<FineGround> made = FineGround::create(world);
-        status_ = made.status();
-        if (!status_.ok()) return;
-        ground_ = *std::move(made);
-    }
     look(world);
+}
+
+const UnitCost* QualityPass::costFor(const World& world, const Committed& plan) {
+    double way = 0.0;
+    std::int32_t held = 0;
+    for (std::size_t i = 0; i < plan.placeOf.size(); ++i) {
+        if (plan.placeOf[i] < 0) continue;
+        way += distance(plan.characters[i], plan.places[static_cast<std::size_t>(plan.placeOf[i])]);
+        ++held;
+    }
+    const bool far = way > kFarWay * held;
+    std::optional<FineGround>& ground = far ? coarse_ : fine_;
+    if (!ground) {
+        Result<FineGround> made = FineGround::create(world, far ? 1.0 : 0.5);
+        status_ = made.status();
+        if (!status_.ok()) return nullptr;
+        ground = *std::move(made);
+    }
+    return &ground->update(world);
 }
 
 void QualityPass::look(const World& world) {
     const Stopwatch watch;
     const Committed plan = committedBy(world);
-    const UnitCost& cost = ground_->update(world);
+    const UnitCost* cost = costFor(world, plan);
+    if (cost == nullptr) return;
     const bool exact = static_cast<std::int32_t>(plan.characters.size()) <= kMostExact;
     Verdict verdict;
     if (exact) {
-        Result<Verdict> judged = judgeExactly(cost, plan, pool_);
+        Result<Verdict> judged = judgeExactly(*cost, plan, pool_);
         status_ = judged.status();
         if (!status_.ok()) return;
         verdict = *judged;
     } else {
-        verdict = judgeByBound(cost, plan, pool_);
+        verdict = judgeByBound(*cost, plan, pool_);
     }
     const double gap = 100.0 * verdict.gap(plan.exponent);
     const double looks = ++quality_.looks;

@@ -13,6 +13,13 @@ namespace muster::scale {
 /// Up to so many characters the exact plan judges, beyond a certified bound.
 inline constexpr std::int32_t kMostExact = 2500;
 
+/// From this mean distance to the places on, the judge takes the world's own cells: over such ways second-order fields
+/// are as good there as on half of them over short ones [m].
+inline constexpr double kFarWay = 12.0;
+
+/// Steps between looks: `every`, more where many fields have to be marched far.
+std::int32_t looksEvery(std::int32_t every, const SceneDef& scene);
+
 /// What the first group of a world has committed.
 Committed committedBy(const World& world);
 
@@ -29,11 +36,13 @@ public:
 
 private:
     void look(const World& world);
+    const UnitCost* costFor(const World& world, const Committed& plan);
 
     std::int32_t every_;
     std::string label_;
     ThreadPool& pool_;
-    std::optional<FineGround> ground_;
+    std::optional<FineGround> fine_;
+    std::optional<FineGround> coarse_;
     Quality quality_;
     Status status_;
 };
