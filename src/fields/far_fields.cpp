@@ -106,10 +106,10 @@ double FarFields::square(const LandmarkStencil& stencil, Vec2 from) const {
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-void FarFields::build(std::int32_t most, ThreadPool& pool) {
+bool FarFields::build(std::int32_t most, ThreadPool& pool) {
     if (static_cast<std::int32_t>(solvers_.size()) < pool.threads()) solvers_.resize(pool.threads());
     const UnitCost& cost = ground_->coarse();
-    lattice_.build(most, pool, [&](std::int32_t landmark, CostField& field, std::int32_t worker) {
+    return lattice_.build(most, pool, [&](std::int32_t landmark, CostField& field, std::int32_t worker) {
         solvers_[worker].solve(cost, cost.grid.centre(cost.grid.at(landmark)), {}, field);
     });
 }

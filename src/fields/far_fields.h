@@ -19,8 +19,8 @@ public:
     void beginStep(const StaticGround& ground, std::size_t places);
     /// Asks for the fields round a place that are missing.
     void wish(Vec2 place);
-    /// Makes at most `most` of those asked for.
-    void build(std::int32_t most, ThreadPool& pool);
+    /// Makes at most `most` of those asked for; true where any was made.
+    bool build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
     /// The stencil of a place from the fields there are.

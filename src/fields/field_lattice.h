@@ -29,13 +29,15 @@ public:
     bool wished() const { return !wishes_.empty(); }
     /// Makes at most `most` of the fields wished for, in the order of the wishes, and forgets the other wishes.
     /// `solve(landmark, field, worker)` fills one.
+    /// Returns true where there are fields now that were not there before.
     template <class Solve>
-    void build(std::int32_t most, ThreadPool& pool, const Solve& solve) {
+    bool build(std::int32_t most, ThreadPool& pool, const Solve& solve) {
         admit(most);
         pool.run(static_cast<std::int32_t>(fresh_.size()), [&](std::int32_t item, std::int32_t worker) {
             const std::int32_t slot = fresh_[item];
             solve(landmark_[slot], fields_[slot], worker);
         });
+        return !fresh_.empty();
     }
     /// Fills all fields anew, after load() or where the costs have changed.
     template <class Solve>

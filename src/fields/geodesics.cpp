@@ -12,6 +12,7 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, whether the line is clear or not [m].
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
 constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its stencils.
 constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
@@ -20,6 +21,7 @@ constexpr double kTraceStep = 1.0;          // ... each so long [m].
 constexpr double kDetourAhead = 4.0;        // To where a window leads when nothing on the way is in sight [m].
 constexpr std::int32_t kServes = 8;         // Steps for which a point in sight serves.
 constexpr double kReached = 0.6;            // [m]
+constexpr std::uint32_t kFarPeriod = 8;     // Steps between two looks for the far landmarks of a place.
 
 }  // namespace
 
@@ -32,20 +34,20 @@ struct Geodesics::Impl {
     std::vector<std::uint8_t> askedFar;
     std::vector<LandmarkStencil> nearStencil;
     std::vector<LandmarkStencil> farStencil;
-    std::vector<std::int32_t> detours;    // Landmarks of windows that walkers asked for.
-    std::vector<std::uint8_t> detourOf;
     NearWindows near;
     FarFields far;
+    std::vector<std::uint8_t> farFound;   // The far stencil was looked for since the place was asked for.
+    std::uint32_t step = 0;
     bool loaded = false;
 
     explicit Impl(const GeodesicsDef& d) : def(d), near(d.nearFields) {}
 
     template <class Archive>
     void visit(Archive& archive) {
-        archive(places, askedNear, askedFar, near, far);
+        archive(places, askedNear, askedFar, farFound, farStencil, step, near, far);
         if constexpr (Archive::kReading) {
             const std::size_t n = places.size();
-            if (askedNear.size() != n || askedFar.size() != n) archive.fail();
+            if (askedNear.size() != n || askedFar.size() != n || farFound.size() != n || farStencil.size() != n) archive.fail();
             loaded = true;
         }
     }
@@ -57,13 +59,15 @@ struct Geodesics::Impl {
         __atomic_store_n(flag, kRemembered, __ATOMIC_RELAXED);
     }
     void tick(ThreadPool& pool);
-    void findStencils();
+    void findStencils(bool anew);
+    bool looksFar(std::size_t place) const;
     double readingShift(Vec2 from, const Grid& grid) const;
     double nearCost(Vec2 from, std::int32_t place, double line) const;
     double farCost(Vec2 from, std::int32_t place, double line) const;
     double excessAlong(const CostField& field, Vec2 from, Vec2 to) const;
     bool withinWindows(Vec2 from, Vec2 to) const;
     double bent(Vec2 from, std::int32_t place) const;
+    bool farKnown(Vec2 from, std::int32_t place, float& cost) const;
     Vec2 farDirection(const CostField& field, Vec2 from, WayPoint& memory) const;
     bool findPointAhead(const CostField& field, Vec2 from, Vec2& point, Vec2& detour) const;
 };
@@ -81,6 +85,7 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
     s.places.assign(places.begin(), places.end());
     s.askedNear.resize(places.size(), 0);
     s.askedFar.resize(places.size(), 0);
+    s.farFound.resize(places.size(), 0);
     s.nearStencil.resize(places.size());
     s.farStencil.resize(places.size());
     s.near.beginStep(ground);
@@ -96,28 +101,36 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
 
 // Wishes of the last step are met as far as the budget goes; stencils follow from what there is.
 void Geodesics::Impl::tick(ThreadPool& pool) {
-    for (const std::int32_t cell : detours) near.wishLandmark(cell);
+    ++step;
     for (std::size_t j = 0; j < places.size(); ++j) {
         if (askedNear[j] > 0) near.wish(places[j]);
-        if (askedFar[j] > 0) far.wish(places[j]);
+        if (askedFar[j] > 0 && looksFar(j)) far.wish(places[j]);
     }
     near.build(perStep(def.nearPerStep), pool);
-    far.build(def.farPerStep, pool);
-    findStencils();
+    findStencils(far.build(def.farPerStep, pool));
 }
 
-void Geodesics::Impl::findStencils() {
+// Places move little from step to step, so that far landmarks are looked for in turn.
+bool Geodesics::Impl::looksFar(std::size_t place) const {
+    return farFound[place] == 0 || (step + place) % kFarPeriod == 0;
+}
+
+void Geodesics::Impl::findStencils(bool anew) {
     for (std::size_t j = 0; j < places.size(); ++j) {
         nearStencil[j].count = 0;
-        farStencil[j].count = 0;
         if (askedNear[j] > 0) {
             --askedNear[j];
             nearStencil[j] = near.stencil(places[j]);
         }
-        if (askedFar[j] > 0) {
-            --askedFar[j];
-            farStencil[j] = far.stencil(places[j]);
+        if (askedFar[j] == 0) {
+            farFound[j] = 0;
+            farStencil[j].count = 0;
+            continue;
         }
+        --askedFar[j];
+        if (!anew && !looksFar(j)) continue;
+        farStencil[j] = far.stencil(places[j]);
+        farFound[j] = 1;
     }
 }
 
@@ -136,7 +149,7 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
     }
     s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.near.build(s.perStep(4 * s.def.nearPerStep), pool);
-    s.findStencils();
+    s.findStencils(true);
 }
 
 bool Geodesics::Impl::withinWindows(Vec2 from, Vec2 to) const {
@@ -198,11 +211,24 @@ double Geodesics::Impl::bent(Vec2 from, std::int32_t place) const {
     return cost < kInfinite ? cost : kUnknown * ground->unit(from) * line;
 }
 
+// Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the same.
+bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, float& cost) const {
+    if (ground->plain()) return false;
+    const double line = distance(from, places[place]);
+    if (line < kFarAway) return false;
+    ask(askedFar, place);
+    const double far = farCost(from, place, line);
+    cost = static_cast<float>(far);
+    return far < kInfinite;
+}
+
 bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->ground->straight(from, impl_->places[place]); }
 
 float Geodesics::cost(Vec2 from, std::int32_t place) const {
     const Impl& s = *impl_;
     const Vec2 to = s.places[place];
+    float far = 0.0f;
+    if (s.farKnown(from, place, far)) return far;
     if (s.ground->straight(from, to))
         return static_cast<float>(s.ground->unit(to) * (distance(from, to) + s.excess->along(from, to)));
     return static_cast<float>(s.bent(from, place));
@@ -215,9 +241,9 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, Vec2& po
     std::int32_t lost = 0;
     detour = from;
     for (std::int32_t k = 0; k < kTraceSteps && lost < 3; ++k) {
-        const Vec2 step = field.direction(at);
-        if (step == Vec2{}) break;
-        at += step * kTraceStep;
+        const Vec2 onward = field.direction(at);
+        if (onward == Vec2{}) break;
+        at += onward * kTraceStep;
         if ((k + 1) * kTraceStep <= kDetourAhead) detour = at;
         if (ground->straight(from, at)) {
             point = at;
@@ -250,9 +276,16 @@ WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const
     const Vec2 to = s.places[place];
     const double line = distance(from, to);
     if (memory.place != place) memory = {from, place, 0};
+    WayAhead way;
+    if (s.farKnown(from, place, way.cost)) {
+        const CostField& field = s.far.field(s.farStencil[place].nearest);
+        way.direction = s.farDirection(field, from, memory);
+        if (way.direction == Vec2{}) way.direction = field.direction(from);
+        return way;
+    }
     if (s.ground->straight(from, to))
         return {normalized(to - from), static_cast<float>(s.ground->unit(to) * (line + s.excess->along(from, to)))};
-    WayAhead way{{}, static_cast<float>(s.bent(from, place))};
+    way.cost = static_cast<float>(s.bent(from, place));
     const LandmarkStencil& near = s.nearStencil[place];
     const LandmarkStencil& far = s.farStencil[place];
     if (s.withinWindows(from, to) && near.count > 0) {

@@ -1,6 +1,7 @@
 // How the squared cost to a place follows from those to landmarks round it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -11,10 +12,16 @@ namespace muster {
 /// Fields and their weights.
 struct LandmarkStencil {
     std::int32_t count = 0;   ///< 0 where nothing is known.
-    std::int32_t slot[4] = {};
-    float weight[4] = {};
+    std::array<std::int32_t, 4> slot = {};
+    std::array<float, 4> weight = {};
     std::int32_t nearest = 0; ///< Slot of the field whose landmark weighs most.
     float shift = 0.0f;       ///< Added to the weighted sum of squares: exact on uniform ground.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(count, slot, weight, nearest, shift);
+    }
 };
 
 /// A landmark that may take part.

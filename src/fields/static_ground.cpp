@@ -56,6 +56,8 @@ void StaticGround::update(const Environment& environment, double price, double r
     radius_ = radius;
     grid_ = environment.grid();
     ++version_;
+    perCell_ = 1.0 / grid_.cell;
+    slack_ = kHalfDiagonal * grid_.cell;
     const std::span<const float> clearance = environment.stillClearance();
     const std::span<const float> patch = environment.stillPatchSpeed();
     speed_.resize(patch.size());
@@ -117,7 +119,8 @@ void StaticGround::narrowByPatches() {
         if (north) far_[k] = far_[k + grid_.width] = 0.0f;
         any = any || east || north;
     }
-    if (!any) return;
+    even_ = !any;
+    if (even_) return;
     spreadDistances(grid_.width, grid_.height, far_);
     const auto edge = static_cast<float>(grid_.cell);
     for (std::size_t k = 0; k < room_.size(); ++k)
@@ -181,15 +184,8 @@ void StaticGround::makeCoarse() {
     }
 }
 
-double StaticGround::room(Vec2 p) const {
-    const Cell c = grid_.cellOf(p);
-    if (!grid_.contains(c)) return -1.0;
-    return static_cast<double>(room_[static_cast<std::size_t>(grid_.index(c))]) - kHalfDiagonal * grid_.cell;
-}
-
 double StaticGround::roomBetween(Vec2 p) const {
-    const Cell c = grid_.cellOf(p);
-    if (!grid_.contains(c)) return -1.0;
+    if (cellAt(p) < 0) return -1.0;
     const BetweenCentres at = betweenCentres(grid_, p);
     const float* low = room_.data() + grid_.index(at.low);
     const float* high = low + (grid_.height > 1 ? grid_.width : 0);
@@ -199,6 +195,7 @@ double StaticGround::roomBetween(Vec2 p) const {
 }
 
 double StaticGround::lineCost(Vec2 a, Vec2 b) const {
+    if (even_) return fine_.lowest * distance(a, b);
     constexpr int kSamples = 8;
     double sum = 0.0;
     for (int k = 0; k < kSamples; ++k) sum += unit(a + (b - a) * ((k + 0.5) / kSamples));
@@ -209,7 +206,7 @@ bool StaticGround::straight(Vec2 a, Vec2 b) const {
     if (plain_) return true;
     const double whole = distance(a, b);
     // On slow ground a way out of it and back may be faster, unless both ends lie deep in it.
-    if (unit(b) > fine_.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
+    if (!even_ && unit(b) > fine_.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
     if (room(b) >= whole) return true;
     const Vec2 along = whole > 0.0 ? (b - a) / whole : Vec2{};
     double at = 0.0;

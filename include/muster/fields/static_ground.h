@@ -23,11 +23,18 @@ public:
     /// True where all ground costs the same and nothing stands in the way.
     bool plain() const { return plain_; }
     /// How far round `p` the ground is uniform and free for a character, a lower bound; below 0 in walls [m].
-    double room(Vec2 p) const;
+    double room(Vec2 p) const {
+        const std::int32_t cell = cellAt(p);
+        return cell >= 0 ? static_cast<double>(room_[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
+    }
     /// The same, interpolated between cells: closer, though no bound.
     double roomBetween(Vec2 p) const;
     /// Cost of a metre at `p`.
-    float unit(Vec2 p) const { return unit_[static_cast<std::size_t>(grid_.index(grid_.nearestCell(p)))]; }
+    float unit(Vec2 p) const {
+        if (even_) return fine_.lowest;
+        const std::int32_t cell = cellAt(p);
+        return unit_[static_cast<std::size_t>(cell >= 0 ? cell : grid_.index(grid_.nearestCell(p)))];
+    }
     /// True where a character can go straight from `a` to `b` and does best to. On slow ground it may say
     /// no though that is so.
     bool straight(Vec2 a, Vec2 b) const;
@@ -41,6 +48,13 @@ public:
     static constexpr std::int32_t kCoarseCells = 20000;  ///< Most cells of the coarse copy.
 
 private:
+    // Index of the cell that holds `p`, -1 outside.
+    std::int32_t cellAt(Vec2 p) const {
+        const double x = (p.x - grid_.origin.x) * perCell_;
+        const double y = (p.y - grid_.origin.y) * perCell_;
+        if (!(x >= 0.0 && y >= 0.0 && x < grid_.width && y < grid_.height)) return -1;
+        return static_cast<std::int32_t>(y) * grid_.width + static_cast<std::int32_t>(x);
+    }
     void makeRoom(const Environment& environment);
     void widenRoom();
     void narrowByPatches();
@@ -53,6 +67,9 @@ private:
     std::uint64_t seen_ = ~0ull;  // The environment's version.
     std::uint32_t version_ = 0;
     bool plain_ = true;
+    bool even_ = true;        // No patches.
+    double perCell_ = 1.0;    // [1/m]
+    double slack_ = 0.0;      // From the centre of a cell to its corner [m].
     UnitCost fine_;
     UnitCost coarse_;
     std::vector<float> speed_;
