@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "transport/sparse_matching_prices.h"
 
@@ -17,6 +18,7 @@ void SparseMatching::clear() { *this = {}; }
 // Sizes the memory for the input.
 void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input) {
     step_ = 0;
+    flipped_.reserve(2 * std::max(input.characters.size(), input.places.size()));
     stale_.assign(std::max(input.characters.size(), input.places.size()), 0);
     state_.reset(static_cast<std::int32_t>(input.characters.size()), static_cast<std::int32_t>(input.places.size()));
     searchLimit_ = def.searchLimit;
@@ -78,14 +80,38 @@ void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, 
     askOwn(context);
     refreshSome(context);
     state_.arcs.sortByTarget();
+    repriceFlipped();
     repair_.run(context, state_, static_cast<std::int64_t>(def.searchShare * state_.seats.count()));
     publish(context);
+}
+
+// A seat that is another thing than before has a new price: between what its holder can pay elsewhere and what others
+// would pay for it.
+void SparseMatching::repriceFlipped() {
+    for (const std::int32_t s : flipped_) {
+        double low = -std::numeric_limits<double>::infinity();
+        double high = std::numeric_limits<double>::infinity();
+        for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc) {
+            const std::int32_t to = state_.arcs.target(arc);
+            if (to != s) low = std::max(low, state_.price[static_cast<std::size_t>(to)] - state_.arcs.weight(arc));
+        }
+        for (const std::int32_t arc : state_.arcs.into(s)) {
+            const std::int32_t from = arc / MatchingArcs::kLanes;
+            if (from != s) high = std::min(high, state_.price[static_cast<std::size_t>(from)] + state_.arcs.weight(arc));
+        }
+        double& price = state_.price[static_cast<std::size_t>(s)];
+        if (std::isfinite(low) && std::isfinite(high)) price = low < high ? std::clamp(price, low, high) : 0.5 * (low + high);
+        else if (std::isfinite(low)) price = low;
+        else if (std::isfinite(high)) price = high;
+    }
 }
 
 // Pairs those who wait with free places, and gives the rest a seat.
 void SparseMatching::seatWaiting(const MatchingContext& context) {
     MatchingSeats& seats = state_.seats;
-    seats.follow(context.input, state_.changed);
+    flipped_.clear();
+    seats.follow(context.input, flipped_);
+    for (const std::int32_t s : flipped_) jumped(s);
     for (const std::int32_t s : seats.free()) state_.changed[static_cast<std::size_t>(s)] = 1;
     for (const std::int32_t i : seats.waiting())
         if (seats.seatOf(i) >= 0) state_.changed[static_cast<std::size_t>(seats.seatOf(i))] = 1;
@@ -217,6 +243,7 @@ void SparseMatching::afterReading() {
     const auto seats = static_cast<std::size_t>(state_.seats.count());
     searchLimit_ = 0;
     rows_.reserve(seats);
+    flipped_.reserve(2 * seats);
     stale_.assign(seats, 0);
     pairs_.reserve(kPairsAtOnce);
     answers_.reserve(kPairsAtOnce);

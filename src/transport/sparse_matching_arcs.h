@@ -1,8 +1,6 @@
 // The sparse graph of exchanges: from each seat sixteen arcs to seats its holder might rather have.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,29 +17,6 @@ class MatchingArcs {
 public:
     static constexpr std::int32_t kLanes = 16;  ///< Arcs from each seat.
     static constexpr float kNever = 1e35f;      ///< Weight of an arc that is not there; such an arc leads to its own seat.
-
-    /// The arcs from one seat.
-    struct Row {
-        std::array<std::int32_t, kLanes> target;  ///< Seats.
-        std::array<float, kLanes> weight;         ///< As above.
-
-        /// The lane that leads to a seat, -1 for none.
-        std::int32_t find(std::int32_t seat) const {
-            const auto at = std::find(target.begin(), target.end(), seat);
-            return at != target.end() ? static_cast<std::int32_t>(at - target.begin()) : -1;
-        }
-        /// The holder moves from seat `from` to seat `to`, which weighs `moved`: what the arcs weigh afterwards. The lane
-        /// (-1: none) that led there leads back.
-        void turn(std::int32_t to, std::int32_t from, std::int32_t lane, float moved) {
-            for (std::size_t k = 0; k < target.size(); ++k) {
-                if (target[k] == from) target[k] = to;  // No arc: these lead to their own seat.
-                else if (weight[k] < kNever) weight[k] -= moved;
-            }
-            if (lane < 0) return;
-            target[static_cast<std::size_t>(lane)] = from;
-            weight[static_cast<std::size_t>(lane)] = -moved;
-        }
-    };
 
     /// Removes all arcs.
     void reset(std::int32_t seats);
@@ -61,20 +36,6 @@ public:
     std::int32_t target(std::int32_t arc) const { return target_[static_cast<std::size_t>(arc)]; }  ///< Seat.
     float weight(std::int32_t arc) const { return weight_[static_cast<std::size_t>(arc)]; }         ///< See above.
     void setWeight(std::int32_t arc, float weight) { weight_[static_cast<std::size_t>(arc)] = weight; }  ///< By hand.
-    /// A copy of a seat's arcs.
-    Row row(std::int32_t seat) const {
-        Row copy;
-        const auto first = static_cast<std::ptrdiff_t>(seat) * kLanes;
-        std::copy_n(target_.begin() + first, kLanes, copy.target.begin());
-        std::copy_n(weight_.begin() + first, kLanes, copy.weight.begin());
-        return copy;
-    }
-    /// Replaces a seat's arcs.
-    void setRow(std::int32_t seat, const Row& row) {
-        const auto first = static_cast<std::ptrdiff_t>(seat) * kLanes;
-        std::copy(row.target.begin(), row.target.end(), target_.begin() + first);
-        std::copy(row.weight.begin(), row.weight.end(), weight_.begin() + first);
-    }
     /// The arc from one seat to another, -1 for none.
     std::int32_t find(std::int32_t from, std::int32_t to) const;
     /// Arcs that led to the seat at the last sortByTarget(), ascending.

@@ -1,6 +1,7 @@
 // The few points nearest to a spot.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>

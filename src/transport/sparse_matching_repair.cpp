@@ -6,11 +6,11 @@
 namespace muster {
 namespace {
 
-constexpr std::uint8_t kRest = 16;            // Steps.
-constexpr std::uint8_t kRestCapped = 3;
-constexpr std::int32_t kTries = 3;            // Arcs of one seat in one step.
+constexpr std::uint8_t kRest = 16;             // Steps, after a change that gained too little.
+constexpr std::uint8_t kRestCapped = 3;        // Steps, after a search that was cut short, so that others get a turn.
+constexpr std::int32_t kTries = 3;             // Arcs of one seat in one step.
 constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.
-constexpr double kStale = 2.0;
+constexpr double kStale = 2.0;                 // Times the threshold: a change that gains so much was held back by stale weights.
 constexpr std::int32_t kLanes = MatchingArcs::kLanes;
 
 // A violation as small as this share of the mean is let be, too.
@@ -18,7 +18,7 @@ double toleranceFor(const MatchingContext& context, const MatchingState& state) 
     double sum = 0.0;
     for (const double c : state.ownPower) sum += c;
     const double mean = sum / std::max(1.0, static_cast<double>(state.ownPower.size()));
-    return kToleranceOfThreshold * std::max({context.threshold, 0.5 * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
+    return kToleranceOfThreshold * std::max({context.threshold, kToleranceOfThreshold * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ void MatchingRepair::reset(std::int32_t seats, std::int32_t searchLimit) {
     search_.reset(seats, searchLimit);
     violations_.reserve(static_cast<std::size_t>(seats));
     costs_.reserve(static_cast<std::size_t>(seats) + 1);
-    seatsOf_.reserve(static_cast<std::size_t>(seats) + 1);
+    holders_.reserve(static_cast<std::size_t>(seats) + 1);
 }
 
 std::int32_t MatchingRepair::worstArc(const MatchingState& state, std::int32_t seat) const {
@@ -108,7 +108,10 @@ void MatchingRepair::repairSeat(const MatchingContext& context, MatchingState& s
             state.resting[static_cast<std::size_t>(seat)] = kRestCapped;
             return;
         }
-        if (end == SearchEnd::Cycle && !commit(context, state) && -state.reduced(arc) > tolerance && -state.reduced(arc)<kStale*context.threshold) {
+        if (end != SearchEnd::Cycle || commit(context, state)) continue;
+        // Where much is left the weights were out of date, and another search may help; else it is the threshold.
+        const double left = -state.reduced(arc);
+        if (left > tolerance && left < kStale * context.threshold) {
             state.resting[static_cast<std::size_t>(seat)] = kRest;
             return;
         }
@@ -161,11 +164,11 @@ void MatchingRepair::noteWeights(const MatchingContext& context, MatchingState& 
 
 void MatchingRepair::rotate(const MatchingContext& context, MatchingState& state) {
     const auto cycle = search_.cycle();
-    seatsOf_.clear();
-    for (const std::int32_t s : cycle) seatsOf_.push_back(state.seats.holder(s));
+    holders_.clear();
+    for (const std::int32_t s : cycle) holders_.push_back(state.seats.holder(s));
     for (std::size_t k = 0; k < cycle.size(); ++k) {
         const std::int32_t to = cycle[(k + 1) % cycle.size()];
-        state.seats.put(to, seatsOf_[k]);
+        state.seats.put(to, holders_[k]);
         state.setOwn(to, costs_[k], context.power);
         state.changed[static_cast<std::size_t>(to)] = 1;
         state.resting[static_cast<std::size_t>(to)] = 0;

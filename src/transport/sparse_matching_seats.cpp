@@ -21,12 +21,12 @@ void MatchingSeats::adopt(std::span<const std::int32_t> placeOf) {
     }
 }
 
-void MatchingSeats::follow(const MatchingInput& input, std::span<std::uint8_t> changed) {
+void MatchingSeats::follow(const MatchingInput& input, std::vector<std::int32_t>& flipped) {
     waiting_.clear();
     free_.clear();
     for (std::int32_t s = 0; s < count(); ++s) {
         const std::uint8_t live = s < places_ && input.mayTake(static_cast<std::size_t>(s)) ? 1 : 0;
-        if (live != live_[static_cast<std::size_t>(s)]) changed[static_cast<std::size_t>(s)] = 1;
+        if (live != live_[static_cast<std::size_t>(s)]) flipped.push_back(s);
         live_[static_cast<std::size_t>(s)] = live;
     }
     for (std::int32_t i = 0; i < characters(); ++i) {
@@ -34,7 +34,7 @@ void MatchingSeats::follow(const MatchingInput& input, std::span<std::uint8_t> c
         if (!input.takesPart(static_cast<std::size_t>(i))) {
             if (seat >= 0) {
                 put(seat, -1);
-                changed[static_cast<std::size_t>(seat)] = 1;
+                flipped.push_back(seat);
             }
             seatOf_[static_cast<std::size_t>(i)] = -1;
         } else if (seat < 0 || !live(seat)) {

@@ -17,9 +17,9 @@ public:
     void reset(std::int32_t characters, std::int32_t places);
     /// Seats the characters at the places named; whoever names none, or one that is taken, has no seat yet.
     void adopt(std::span<const std::int32_t> placeOf);
-    /// Takes over who takes part and which places may be taken. Lists those who wait and the places that are free, and
-    /// marks the seats (one flag each) that are another thing than before.
-    void follow(const MatchingInput& input, std::span<std::uint8_t> changed);
+    /// Takes over who takes part and which places may be taken. Lists those who wait and the places that are free;
+    /// adds the seats to `flipped` that are another thing than before.
+    void follow(const MatchingInput& input, std::vector<std::int32_t>& flipped);
     /// Gives those still without a seat one to wait in.
     void seatRest();
     /// Puts a character (-1: nobody) on a seat; what it left is not emptied.

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "transport/matching_scene.h"
 #include "transport/plan_scene.h"
 
 namespace {
@@ -46,4 +47,22 @@ TEST_CASE("a warm plan allocates nothing") {
         if (k >= 6) CHECK(allocations == before);
         CHECK(allocations > 0);
     }
+}
+
+TEST_CASE("a warm sparse matching allocates nothing") {
+    muster_test::MatchingScene scene(200, 200, 3);
+    scene.costs.wall = true;
+    scene.usable.assign(200, 1);
+    muster::ThreadPool pool(1);
+    muster::SparseMatching matching;
+    matching.coldStart({}, scene.input(), scene.costs, pool);
+    long inside = 0;
+    for (int k = 0; k < 240; ++k) {
+        if (k % 5 == 0) scene.usable[scene.random.below(8)] ^= 1;
+        scene.step({1.3, 0.2}, 0.05, matching.placeOf());
+        const long before = allocations;
+        matching.update({}, scene.input(), scene.costs, pool);
+        if (k >= 10) inside += allocations - before;
+    }
+    CHECK(inside == 0);
 }
