@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kNames[] = {"square", "line",     "column", "wedge",   "ring",
                                        "circle", "crescent", "pacman", "outline", "points"};
-constexpr std::int32_t kMostPlaces = 100000;
+constexpr std::int32_t kMostPlaces = 200000;
 
 Status check(const FormationDef& def, std::int32_t count) {
     if (static_cast<std::size_t>(def.kind) >= std::size(kNames)) return invalidArgument("the formation's kind is unknown");

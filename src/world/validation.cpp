@@ -160,10 +160,13 @@ Status validateClip(const ClipFacts& clip) {
                   inRange("transitionTime", clip.transitionTime, 0.0, 100.0)});
 }
 
-Status validateTotal(std::int64_t characters) {
-    if (characters <= kMaxCharacters) return {};
-    return {StatusCode::LimitExceeded, "the groups would hold " + std::to_string(characters) +
-                                           " characters, a world holds at most " + std::to_string(kMaxCharacters)};
+Status validateTotal(std::int64_t characters, const Parameters& parameters) {
+    const std::string found = "the groups would hold " + std::to_string(characters) + " characters, ";
+    if (characters > kMaxCharacters)
+        return {StatusCode::LimitExceeded, found + "a world holds at most " + std::to_string(kMaxCharacters)};
+    if (characters > kMaxExact && parameters.planSolver == static_cast<double>(PlanSolver::Exact))
+        return {StatusCode::LimitExceeded, found + "exact plans (plan.solver 0) serve at most " + std::to_string(kMaxExact)};
+    return {};
 }
 
 Status validateFormation(const FormationDef& formation) {
@@ -237,7 +240,7 @@ Status validateWorld(const WorldDef& def) {
     const auto motions = static_cast<std::int32_t>(def.clips.size());
     std::int64_t characters = 0;
     for (const GroupDef& group : def.groups) characters += group.count;
-    if (Status s = validateTotal(characters); !s.ok()) return s;
+    if (Status s = validateTotal(characters, def.parameters); !s.ok()) return s;
     return first({each("obstacles", def.obstacles, kMaxObstacles, validateObstacle),
                   each("patches", def.patches, kMaxObstacles,
                        [&](const PatchDef& patch) { return validatePatch(patch, motions); }),

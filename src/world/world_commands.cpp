@@ -71,7 +71,8 @@ public:
     Status operator()(const SetCount& set) {
         Group* group = world_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
-        const Status total = validateTotal(static_cast<std::int64_t>(world_.characters.size()) - group->def.count + set.count);
+        const std::int64_t sum = static_cast<std::int64_t>(world_.characters.size()) - group->def.count + set.count;
+        const Status total = validateTotal(sum, world_.parameters);
         if (!total.ok()) return total;
         const Status changed = world_.changeFormation(*group, group->def.formation, set.count);
         if (changed.ok()) world_.setCount(*group, set.count);
@@ -102,6 +103,7 @@ public:
         Parameters next = world_.parameters;
         Status status = setParameter(next, set.name, set.value);
         if (status.ok()) status = validateParameters(next, world_.environment.def().box);
+        if (status.ok()) status = validateTotal(static_cast<std::int64_t>(world_.characters.size()), next);
         if (!status.ok()) return status;
         const bool exchanged = next.planSolver != world_.parameters.planSolver;
         world_.parameters = next;

@@ -99,7 +99,7 @@ void World::Impl::exchangePlans() {
 Status World::Impl::addGroup(const GroupDef& def) {
     if (groups.size() >= kMaxGroups)
         return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(kMaxGroups) + " groups"};
-    const Status total = validateTotal(static_cast<std::int64_t>(characters.size()) + def.count);
+    const Status total = validateTotal(static_cast<std::int64_t>(characters.size()) + def.count, parameters);
     if (!total.ok()) return total.within("group '" + def.name + "'");
     if (def.count < 1)
         return invalidArgument("group '" + def.name + "': found count " + std::to_string(def.count) +

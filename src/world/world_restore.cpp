@@ -120,7 +120,7 @@ Status World::Impl::checkState() {
     if (Status s = validateParameters(parameters, environment.def().box); !s.ok()) return s;
     if (Status s = checkGround(environment); !s.ok()) return s;
     if (Status s = checkArrays(characters); !s.ok()) return s;
-    if (Status s = validateTotal(static_cast<std::int64_t>(characters.size())); !s.ok()) return s;
+    if (Status s = validateTotal(static_cast<std::int64_t>(characters.size()), parameters); !s.ok()) return s;
     if (groups.size() > kMaxGroups || !ascending(characters.id, nextCharacter)) return wrong("numbers out of order");
     const std::size_t motions = environment.def().clips.size();
     for (std::size_t i = 0; i < characters.size(); ++i)

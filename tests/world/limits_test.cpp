@@ -79,22 +79,42 @@ TEST_CASE("the density grid follows its parameters, and a restored world goes on
 }
 
 TEST_CASE("one limit on characters, for scenarios, groups that join, and counts") {
-    WorldDef def = openFloor(4);
-    def.groups.push_back(def.groups[0]);
-    def.groups[1].count = kMaxCharacters - 3;
-    const auto many = World::create(def);
-    REQUIRE_FALSE(many.ok());
-    CHECK(holds(many.status().message(), "at most 5000"));
-    World world = World::create(openFloor(4)).value();
+    for (const bool exact : {true, false}) {
+        const std::int32_t most = exact ? kMaxExact : kMaxCharacters;
+        const std::string told = "at most " + std::to_string(most);
+        WorldDef def = openFloor(4);
+        def.parameters.planSolver = static_cast<double>(exact ? PlanSolver::Exact : PlanSolver::Fast);
+        WorldDef full = def;
+        full.groups.push_back(def.groups[0]);
+        full.groups[1].count = most - 3;
+        const auto many = World::create(full);
+        REQUIRE_FALSE(many.ok());
+        CHECK(holds(many.status().message(), told.c_str()));
+        World world = World::create(def).value();
+        std::uint32_t sequence = 0;
+        GroupDef group;
+        group.count = most - 3;
+        CHECK(holds(refusalOf(world, sequence, AddGroup{group}), told.c_str()));
+        group.count = 5;
+        CHECK(refusalOf(world, sequence, AddGroup{group}).empty());
+        CHECK(holds(refusalOf(world, sequence, SetCount{world.group(1).id, most - 3}), told.c_str()));
+        CHECK(holds(refusalOf(world, sequence, SetCount{world.group(1).id, kMaxCharacters + 1}), "200000"));
+        CHECK(world.characters().size() == 9);
+    }
+}
+
+TEST_CASE("a crowd too large for exact plans stays with fast ones, and says so") {
+    WorldDef def = openFloor(kMaxExact + 1);
+    def.box = {{-60, -60}, {60, 60}};
+    def.groups[0].position = {};
+    CHECK(holds(World::create(def).status().message(), "exact plans (plan.solver 0) serve at most 5000"));
+    def.parameters.planSolver = static_cast<double>(PlanSolver::Fast);
+    Result<World> world = World::create(def);
+    REQUIRE(world.ok());
     std::uint32_t sequence = 0;
-    GroupDef group;
-    group.count = kMaxCharacters - 3;
-    CHECK(holds(refusalOf(world, sequence, AddGroup{group}), "at most 5000"));
-    group.count = 5;
-    CHECK(refusalOf(world, sequence, AddGroup{group}).empty());
-    CHECK(holds(refusalOf(world, sequence, SetCount{world.group(1).id, kMaxCharacters - 3}), "at most 5000"));
-    CHECK(holds(refusalOf(world, sequence, SetCount{world.group(1).id, kMaxCharacters + 1}), "5000"));
-    CHECK(world.characters().size() == 9);
+    CHECK(holds(refusalOf(*world, sequence, SetParameter{"plan.solver", 0.0}), "serve at most 5000"));
+    CHECK(world->parameters().planSolver == static_cast<double>(PlanSolver::Fast));
+    CHECK(world->characters().size() == static_cast<std::size_t>(kMaxExact) + 1);
 }
 
 TEST_CASE("the widest characters that may be still find room in the open") {

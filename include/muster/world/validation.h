@@ -5,7 +5,8 @@
 
 namespace muster {
 
-inline constexpr std::int32_t kMaxCharacters = 5000;    ///< Of a world: the exact plan keeps costs for every pair.
+inline constexpr std::int32_t kMaxCharacters = 200000;  ///< Of a world.
+inline constexpr std::int32_t kMaxExact = 5000;         ///< Of a world with exact plans: they keep a cost for every pair.
 inline constexpr std::size_t kMaxGroups = 200;          ///< Of a world: their indices travel as bytes.
 inline constexpr std::size_t kMaxCorners = 10000;       ///< Of one polygon, and waypoints of one path.
 inline constexpr std::size_t kMaxObstacles = 20000;     ///< Of a scenario; patches, items likewise.
@@ -26,8 +27,8 @@ Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t 
 Status validateItem(const ItemDef& item);
 /// InvalidArgument where a clip's text or number is bad.
 Status validateClip(const ClipFacts& clip);
-/// LimitExceeded where a world would hold more characters than it can.
-Status validateTotal(std::int64_t characters);
+/// LimitExceeded where a world with these parameters would hold more characters than it can.
+Status validateTotal(std::int64_t characters, const Parameters& parameters);
 /// InvalidArgument where the count, pose, starts or formation is bad.
 Status validateGroup(const GroupDef& group);
 /// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").

@@ -16,7 +16,7 @@ namespace muster {
 /// A group of characters with one mesh.
 struct GroupDef {
     std::string name = "Group";  ///< Shown on its chip.
-    std::int32_t count = 36;     ///< Characters, 1 to 5,000.
+    std::int32_t count = 36;     ///< Characters, 1 to 200,000; with exact plans 5,000 in all groups.
     FormationDef formation;      ///< Kind and spacing.
     Vec2 position;               ///< Centre of the formation [m].
     double angle = 0.0;          ///< Where it faces, from +x counter-clockwise [rad].
