@@ -18,6 +18,14 @@ Json orNull(double value) {
     return value < 0.0 ? Json(nullptr) : Json(value);
 }
 
+Json walkJson(const WalkTotals& walk) {
+    return {{"sum_m", walk.sum}, {"squares_m2", walk.squares}, {"longest_m", walk.longest}};
+}
+
+void printWalk(const char* name, const WalkTotals& walk) {
+    std::printf("%-26s sum %.2f m  squares %.2f m^2  longest %.2f m\n", name, walk.sum, walk.squares, walk.longest);
+}
+
 }  // namespace
 
 Json figuresJson(const RunFigures& f) {
@@ -33,6 +41,8 @@ Json figuresJson(const RunFigures& f) {
             {"overlap_pairs_max", f.overlapPairsMax},
             {"worst_penetration_pct", 100.0 * f.worstPenetration},
             {"swaps_per_character_per_s", f.swapsPerCharacterPerSecond},
+            {"planned", walkJson(f.planned)},
+            {"walked", walkJson(f.walked)},
             {"lag_p95_m", f.lagP95},
             {"unmatched", f.unmatched},
             {"collected", f.collected},
@@ -57,6 +67,8 @@ void printFigures(const RunFigures& f) {
     std::printf("overlap_pairs_max          %d\n", f.overlapPairsMax);
     std::printf("worst_penetration_pct      %.2f\n", 100.0 * f.worstPenetration);
     std::printf("swaps_per_character_per_s  %.4f\n", f.swapsPerCharacterPerSecond);
+    printWalk("planned", f.planned);
+    printWalk("walked", f.walked);
     std::printf("lag_p95_m                  %.3f\n", f.lagP95);
     std::printf("unmatched                  %d\n", f.unmatched);
     std::printf("collected                  %d\n", f.collected);

@@ -149,6 +149,8 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
     figures.overlapPairsMax = overlapPairsMax_;
     figures.worstPenetration = worstPenetration_;
     if (characterSeconds_ > 0.0) figures.swapsPerCharacterPerSecond = static_cast<double>(swaps_) / characterSeconds_;
+    for (std::size_t g = 0; g < world.groupCount(); ++g) figures.planned.add(world.group(g).walk);
+    for (const double walk : walked_) figures.walked.add(walk);
     std::vector<double> lags;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         const double lag = lagOf(world, i);

@@ -1,6 +1,7 @@
 #include "muster/world/world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "muster/world/validation.h"
@@ -115,6 +116,19 @@ const char* stageName(Stage stage) {
     constexpr const char* kNames[] = {"commands", "controls", "user mesh", "final mesh", "places", "density and cost",
                                       "plan",     "steering", "contacts",  "patches",    "events"};
     return stage < Stage::Count ? kNames[static_cast<std::size_t>(stage)] : "none";
+}
+
+void WalkTotals::add(double walk) {
+    if (!std::isfinite(walk)) return;
+    sum += walk;
+    squares += walk * walk;
+    longest = std::max(longest, walk);
+}
+
+void WalkTotals::add(const WalkTotals& others) {
+    sum += others.sum;
+    squares += others.squares;
+    longest = std::max(longest, others.longest);
 }
 
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -13,17 +13,6 @@ using StageFunction = void (World::Impl::*)();
 
 constexpr double kUnmatchedReach = 2.0;  // The unmatched stop this far from the nearest place [m].
 
-WalkTotals totalsOf(std::span<const double> costs) {
-    WalkTotals totals;
-    for (const double cost : costs) {
-        if (!std::isfinite(cost)) continue;
-        totals.sum += cost;
-        totals.squares += cost * cost;
-        totals.longest = std::max(totals.longest, cost);
-    }
-    return totals;
-}
-
 }  // namespace
 
 // The whole step, stage by stage.
@@ -162,7 +151,8 @@ void World::Impl::finishPlan(Group& group) {
     (void)status;
     group.objective = memory.planResult.objective;
     group.gapBound = memory.planResult.gapBound;
-    group.walk = totalsOf(memory.planResult.cost);
+    group.walk = {};
+    for (const double cost : memory.planResult.cost) group.walk.add(cost);
     memory.groupPlaces.assign(group.members.size(), -1);
     for (const Flow& flow : memory.planResult.flows) memory.groupPlaces[static_cast<std::size_t>(flow.character)] = flow.place;
     if (group.reassigns) group.kept = memory.groupPlaces;

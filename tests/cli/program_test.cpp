@@ -112,11 +112,15 @@ TEST_CASE("play reports every named figure, records a take that replays, and wri
     CHECK(outcome.error.empty());
     const Json figures = json(outcome);
     for (const char* key : {"characters", "steps", "hash", "arrived95_s", "arrived100_s", "stuck", "path_ratio",
-                            "overlap_pairs_max", "worst_penetration_pct", "swaps_per_character_per_s", "step_ms"}) {
+                            "overlap_pairs_max", "worst_penetration_pct", "swaps_per_character_per_s", "planned", "walked", "step_ms"}) {
         CAPTURE(key);
         CHECK(figures.contains(key));
     }
     CHECK(figures["characters"] == 9);
+    const Json& walked = figures["walked"];
+    CHECK(walked["sum_m"].get<double>() > walked["longest_m"].get<double>());
+    CHECK(walked["sum_m"].get<double>() <= 9 * walked["longest_m"].get<double>());
+    CHECK(figures["planned"]["squares_m2"].get<double>() >= 0.0);
     CHECK(figures["steps"] == 360);
     CHECK(figures["path_ratio"].is_null());
     CHECK(figures["step_ms"]["stages"].size() == 11);

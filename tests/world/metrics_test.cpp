@@ -53,6 +53,10 @@ TEST_CASE("an open walk: arrival, path ratio and counts are those of arithmetic"
     CHECK(f.swapsPerCharacterPerSecond == 0.0);
     CHECK(f.pathRatio == doctest::Approx(1.0).epsilon(0.02));
     CHECK(f.lagP95 < 0.1);
+    CHECK(f.walked.sum == doctest::Approx(3 * 10.0).epsilon(0.01));
+    CHECK(f.walked.longest == doctest::Approx(10.0).epsilon(0.01));
+    CHECK(f.walked.squares == doctest::Approx(3 * 10.0 * 10.0).epsilon(0.02));
+    CHECK(f.planned.longest < 0.1);  // All stand on their places.
     CHECK(f.stepP50 <= f.stepP95);
     CHECK(f.stepP95 <= f.stepMax);
     double stages = 0.0;

@@ -1,6 +1,7 @@
 // Worlds on the task runner of somebody else: any order of items, any workers, the same bits.
 #include <doctest.h>
 
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -110,4 +111,16 @@ TEST_CASE("the totals of walks are those of the last plan") {
     CHECK(walk.longest == doctest::Approx(expected.longest).epsilon(0.05));
     CHECK(walk.squares >= walk.longest * walk.longest);
     CHECK(walk.sum * walk.sum >= walk.squares);
+}
+
+TEST_CASE("totals of walks: the infinite do not count, others are added") {
+    WalkTotals a, b;
+    a.add(3.0);
+    a.add(std::numeric_limits<double>::infinity());
+    b.add(4.0);
+    b.add(1.0);
+    a.add(b);
+    CHECK(a.sum == 8.0);
+    CHECK(a.squares == 26.0);
+    CHECK(a.longest == 4.0);
 }

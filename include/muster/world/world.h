@@ -48,6 +48,11 @@ struct WalkTotals {
     double squares = 0.0;  ///< [m^2].
     double longest = 0.0;  ///< [m].
 
+    /// Adds one way; infinite ones do not count.
+    void add(double walk);
+    /// Adds the ways of others.
+    void add(const WalkTotals& others);
+
     /// Lets an archive read or write the totals.
     template <class Archive>
     void visit(Archive& archive) {
