@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLargestByDefault = 1000;
+constexpr std::size_t kLargestExact = 1000;  // Characters that one field per place is practicable for.
 constexpr double kLongest = 1e6;  // [s]
 
 struct PeersOptions {
@@ -102,6 +102,8 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     return scene;
 }
 
+std::size_t countOf(const WorldDef& def) { return static_cast<std::size_t>(def.groups.front().count); }
+
 Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
     const auto text = readTextFile(options.file);
     if (!text.ok()) return text.status();
@@ -112,14 +114,15 @@ Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
     std::vector<Scene> scenes;
     for (const auto& [name, body] : json["scenes"].items()) {
         if (!options.scene.empty() && name != options.scene) continue;
-        const std::size_t count = body.is_object() && body.contains("start") ? body["start"].size() : 0;
-        if (options.scene.empty() && count > kLargestByDefault) {
-            std::fprintf(stderr, "muster: %s is left out: %zu characters are too many for the exact plan\n", name.c_str(),
-                         count);
-            continue;
-        }
         auto scene = readScene(name, body, options);
         if (!scene.ok()) return scene.status();
+        const WorldDef& def = scene->def;
+        const bool exact = def.parameters.planSolver == static_cast<double>(PlanSolver::Exact);
+        if (options.scene.empty() && exact && countOf(def) > kLargestExact) {
+            std::fprintf(stderr, "muster: %s is left out: %zu characters are too many for the exact plan; --plan fast takes them\n",
+                         name.c_str(), countOf(def));
+            continue;
+        }
         scenes.push_back(std::move(scene).value());
     }
     if (!scenes.empty()) return scenes;
@@ -170,6 +173,7 @@ int peers(const PeersOptions& options) {
         run.threads = options.threads;
         run.trajectoryPath = files[i];
         run.label = scene.name;
+        run.pathRatio = countOf(scene.def) <= kLargestExact;
         auto world = World::create(scene.def, run.threads);
         if (!world.ok()) return reportFailure(world.status().within(sceneName(options.file, scene.name)));
         const auto figures = runWorld(*std::move(world), scene.def, {}, run);
@@ -192,7 +196,8 @@ void addPeersCommand(CLI::App& app, int& exitCode) {
     command->add_option("SCENES", options->file, "JSON file: scenes by name, each with world, T, start, slots, "
                                                  "polygons_ccw and circles.")
         ->required();
-    command->add_option("--scene", options->scene, "Only this scene. Without it, scenes above 1,000 characters are left out.");
+    command->add_option("--scene", options->scene, "Only this scene. Without it, scenes above 1,000 characters are left out where the "
+                                                 "plan is exact.");
     options->overrides.addTo(*command);
     command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")->check(CLI::Range(0, 256));
     command->add_option("--trajectory", options->trajectory,
@@ -201,6 +206,7 @@ void addPeersCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--json", options->json, "One JSON array on standard output, an object per scene.");
     command->footer(
         "Radius 0.25 m, top speed 2 m/s, 60 steps a second; the potential field is off, since slots are fixed.\n"
+        "The path ratio is left out above 1,000 characters.\n"
         "Times are until 95 % and 100 % stand within 0.5 m of their slots; (k) of them are stuck.\n"
         "Examples:\n"
         "  muster peers scenes.json\n"

@@ -77,7 +77,7 @@ Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<
         if (due && metrics.settled(world)) break;
     }
     if (Status s = recorders.finish(world); !s.ok()) return s;
-    return metrics.figures(world);
+    return metrics.figures(world, run.pathRatio);
 }
 
 }  // namespace muster

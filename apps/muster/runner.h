@@ -16,6 +16,7 @@ struct RunDef {
     std::int32_t threads = 1;    ///< As for World::create.
     std::string takePath;        ///< Where the take goes; empty for none.
     std::string trajectoryPath;  ///< Where the CSV goes; empty for none.
+    bool pathRatio = true;       ///< Report it: a cost field per character.
     std::string label;           ///< Shown with the progress.
 };
 
