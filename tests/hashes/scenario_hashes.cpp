@@ -1,4 +1,4 @@
-// Plays every scenario with its gestures and prints the hash of its state every two seconds. The same lines must
+// Plays every scenario with its gestures, by each solver of plans, and prints the hash of its state every two seconds. The same lines must
 // come out of every compiler, build type, number of threads, and of WebAssembly.
 #include <algorithm>
 #include <cstdio>
@@ -18,9 +18,11 @@ int fail(const muster::Status& status) {
     return 1;
 }
 
-int play(const std::filesystem::path& path, double seconds, int threads) {
-    const auto def = muster::loadScenario(path.string());
+int play(const std::filesystem::path& path, muster::PlanSolver solver, double seconds, int threads) {
+    auto def = muster::loadScenario(path.string());
     if (!def.ok()) return fail(def.status());
+    def->parameters.planSolver = static_cast<double>(solver);
+    const char* plan = solver == muster::PlanSolver::Fast ? "fast" : "exact";
     auto world = muster::World::create(*def, threads);
     if (!world.ok()) return fail(world.status());
     const auto gestures = path.parent_path() / "gestures" / path.filename();
@@ -36,7 +38,7 @@ int play(const std::filesystem::path& path, double seconds, int threads) {
     for (int step = 1; step <= steps; ++step) {
         world->step();
         if (step % 120 == 0 || step == steps)
-            std::printf("%s %d %s\n", path.stem().c_str(), step, muster::toHex(world->hash()).c_str());
+            std::printf("%s/%s %d %s\n", path.stem().c_str(), plan, step, muster::toHex(world->hash()).c_str());
     }
     return 0;
 }
@@ -59,6 +61,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     for (const auto& path : paths)
-        if (const int code = play(path, std::atof(argv[2]), std::atoi(argv[3])); code != 0) return code;
+        for (const auto solver : {muster::PlanSolver::Exact, muster::PlanSolver::Fast})
+            if (const int code = play(path, solver, std::atof(argv[2]), std::atoi(argv[3])); code != 0) return code;
     return 0;
 }
