@@ -42,6 +42,8 @@ void CellList::sort(std::span<const Vec2> points, double least) {
     // Filled from the back, so that points of one cell stay in ascending order.
     for (std::size_t k = points.size(); k-- > 0;)
         item_[static_cast<std::size_t>(--start_[static_cast<std::size_t>(cellOf_[k])])] = static_cast<std::int32_t>(k);
+    sorted_.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) sorted_[k] = points[static_cast<std::size_t>(item_[k])];
 }
 
 }  // namespace muster

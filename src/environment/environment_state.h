@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <mutex>
 #include <optional>
 
@@ -117,6 +118,8 @@ struct Environment::Impl {
     static constexpr double kReach = kClearanceLimit;
     /// Slack of contact tests: a disc set exactly against a surface counts as free [m].
     static constexpr double kTouch = 1e-7;
+    /// Of `slowest` where no patch lies.
+    static constexpr float kNoPatch = std::numeric_limits<float>::infinity();
 
     void start(const EnvironmentDef& definition);
     /// Reads or writes the definitions, ids and clock; only a reader fills the two lists.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "environment/nearest_surface.h"
+
 namespace muster {
 namespace {
 
@@ -18,8 +20,11 @@ ConvexNearest nearestOf(const Polygon& corners, Vec2 p) {
     ConvexNearest best;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
         const Vec2 a = corners[j], b = corners[i];
-        if (cross(b - a, p - a) < 0.0) best.inside = false;
-        const Vec2 candidate = closestOnSegment(a, b, p);
+        const Vec2 along = b - a;
+        if (cross(along, p - a) < 0.0) best.inside = false;
+        // closestOnSegment() of a side, without a call.
+        const double whole = lengthSquared(along), part = dot(p - a, along);
+        const Vec2 candidate = part <= 0.0 || whole <= 0.0 ? a : part >= whole ? b : a + along * (part / whole);
         const double squared = lengthSquared(candidate - p);
         if (squared >= best.squared) continue;
         best.squared = squared;
@@ -40,6 +45,13 @@ double ObstaclePiece::signedDistance(Vec2 p) const {
 Vec2 ObstaclePiece::closestSurface(Vec2 p) const {
     if (corners.empty()) return centre + normalized(p - centre, {1.0, 0.0}) * radius;
     return nearestOf(corners, p).point;
+}
+
+NearestSurface nearestSurface(const ObstaclePiece& piece, Vec2 p) {
+    if (piece.corners.empty()) return {piece.signedDistance(p), piece.closestSurface(p)};
+    const ConvexNearest best = nearestOf(piece.corners, p);
+    const double d = std::sqrt(best.squared);
+    return {best.inside ? -d : d, best.point};
 }
 
 double ObstaclePiece::segmentDistance(Vec2 a, Vec2 b) const {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "environment/environment_state.h"
+#include "environment/nearest_surface.h"
 #include "muster/base/grid_search.h"
 
 namespace muster {
@@ -34,6 +35,7 @@ public:
     }
     // The point nearest to p that all walls allow: on one wall or where two meet. False where none does.
     bool solve(Vec2 p, Vec2& best) const {
+        if (solveDeepest(p, best)) return true;
         double bestSquared = std::numeric_limits<double>::infinity();
         const auto offer = [&](Vec2 x) {
             const double squared = lengthSquared(x - p);
@@ -54,15 +56,26 @@ public:
     }
 
 private:
+    // Nothing is nearer than the wall broken most, where all others allow the point on it.
+    bool solveDeepest(Vec2 p, Vec2& best) const {
+        std::size_t deepest = 0;
+        for (std::size_t i = 1; i < count_; ++i)
+            if (walls_[i].gap(p) < walls_[deepest].gap(p)) deepest = i;
+        if (count_ == 0 || walls_[deepest].gap(p) >= 0.0) return false;
+        const Vec2 x = p - walls_[deepest].normal * walls_[deepest].gap(p);
+        if (!allow(x)) return false;
+        best = x;
+        return true;
+    }
+
     std::array<Wall, kMostWalls> walls_;
     std::size_t count_ = 0;
 };
 
-Wall wallOf(const ObstaclePiece& piece, Vec2 p, double radius) {
-    const Vec2 surface = piece.closestSurface(p);
-    const Vec2 away = piece.signedDistance(p) < 0.0 ? surface - p : p - surface;
-    const Vec2 normal = normalized(away, normalized(surface - piece.centre, {1.0, 0.0}));
-    return {normal, dot(normal, surface) + radius};
+Wall wallOf(const ObstaclePiece& piece, const NearestSurface& nearest, Vec2 p, double radius) {
+    const Vec2 away = nearest.distance < 0.0 ? nearest.point - p : p - nearest.point;
+    const Vec2 normal = normalized(away, normalized(nearest.point - piece.centre, {1.0, 0.0}));
+    return {normal, dot(normal, nearest.point) + radius};
 }
 
 // Sides of the box as walls.
@@ -115,10 +128,10 @@ Vec2 Environment::pushOut(Vec2 p, double radius) const {
         bool free = true;
         s.forNear(p, radius, [&](std::int32_t number) {
             const ObstaclePiece& piece = s.pieces[number];
-            const double d = piece.signedDistance(p);
-            if (d >= radius) return;
-            free = free && d >= radius - 2.0 * kExact;
-            walls.add(wallOf(piece, p, radius));
+            const NearestSurface nearest = nearestSurface(piece, p);
+            if (nearest.distance >= radius) return;
+            free = free && nearest.distance >= radius - 2.0 * kExact;
+            walls.add(wallOf(piece, nearest, p, radius));
         });
         if (free) return p;
         Vec2 next;

@@ -99,7 +99,10 @@ GroundSample Environment::ground(Vec2 p) const {
         if (ruler >= 0 && s.patches[piece.patch].speed >= s.patches[ruler].speed) return;
         if (insideConvex(piece.corners, p)) ruler = piece.patch;
     };
+    if (s.patchPieces.empty()) return {};
     if (s.inBox(p)) {
+        // A patch covers at least a share of the cell of any point in it.
+        if (s.slowest.live()[s.grid.index(s.grid.nearestCell(p))] == Impl::kNoPatch) return {};
         s.patchIndex.forPiecesAt(p, look);
     } else {
         for (std::size_t i = 0; i < s.patchPieces.size(); ++i) look(static_cast<std::int32_t>(i));

@@ -9,7 +9,6 @@ namespace muster {
 namespace {
 
 constexpr double kBinSlack = 1e-6;  // [m] Bins list a little more than exact distances ask for.
-constexpr float kNoPatch = std::numeric_limits<float>::infinity();
 
 Box unite(const Box& a, const Box& b) {
     return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},

@@ -6,14 +6,20 @@ namespace muster {
 
 void RegionLabels::clear() {
     const std::lock_guard lock(mutex_);
+    last_.store(nullptr, std::memory_order_release);
     for (Entry& entry : entries_) entry.valid = false;
 }
 
 std::span<const std::int32_t> RegionLabels::labels(const Grid& grid, std::span<const float> clearance, double radius) {
+    // Mostly the same radius again, by many threads at once.
+    if (const Entry* last = last_.load(std::memory_order_acquire); last != nullptr && last->radius == radius) return last->label;
     const std::lock_guard lock(mutex_);
     for (const Entry& entry : entries_) {
-        if (entry.valid && entry.radius == radius) return entry.label;
+        if (!entry.valid || entry.radius != radius) continue;
+        last_.store(&entry, std::memory_order_release);
+        return entry.label;
     }
+    last_.store(nullptr, std::memory_order_release);
     Entry& entry = entries_[next_];
     next_ = (next_ + 1) % kKept;
     entry.radius = radius;

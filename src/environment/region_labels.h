@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <span>
@@ -32,6 +33,7 @@ private:
     void flood(const Grid& grid, std::span<const float> clearance, Entry& entry);
 
     std::mutex mutex_;
+    std::atomic<const Entry*> last_{nullptr};  // Asked for last; null where labels were forgotten since.
     std::array<Entry, kKept> entries_;
     std::size_t next_ = 0;
     std::vector<std::int32_t> queue_;

@@ -175,7 +175,7 @@ namespace {
 // Moves a vertex that lies inside obstacles to the nearest surface (SPEC M5). Where pieces overlap the
 // nearest surface of one may lie in the next, so this repeats; a vertex that stays inside is pushed out.
 Vec2 meetContact(const Environment& environment, Vec2 p) {
-    if (environment.distanceToObstacle(p) >= 0.0) return p;
+    if (environment.distanceToObstacle(p, 0.0) >= 0.0) return p;
     struct Deepest {
         Vec2 p;
         double depth = -1e-12;

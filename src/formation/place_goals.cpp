@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kSeeksPerStep = 64;  // Goals for which room is sought, so that a step stays cheap.
+constexpr std::int32_t kSpotsPerStep = 8000;  // Looked at for goals without room, so that a step stays cheap.
 constexpr std::int32_t kRings = 8;          // Round a goal, one diameter wide each.
 
 }  // namespace
@@ -53,28 +53,36 @@ Vec2 PlaceGround::reachable(Vec2 p) const {
     return inRegion(clear) ? clear : inside;
 }
 
+namespace {
+
+// Tries the spots round a goal, from the inside out; counts them off `left`.
+bool seatOne(const PlaceGround& ground, double apart, const std::vector<std::uint8_t>& fit, NearSearch& search,
+             std::vector<Vec2>& goals, std::size_t goal, std::int32_t& left) {
+    const Vec2 middle = goals[goal];
+    for (std::int32_t ring = 1; ring <= kRings; ++ring) {
+        const std::int32_t spots = 6 * ring;
+        for (std::int32_t s = 0; s < spots; ++s, --left) {
+            const double angle = 2.0 * kPi * (s + 0.5 * (ring % 2)) / spots;
+            const Vec2 spot = middle + Vec2{cosine(angle), sine(angle)} * (1.01 * apart * ring);
+            if (search.occupied(spot, fit, goals) || !ground.standable(spot)) continue;
+            search.take(spot);
+            goals[goal] = spot;
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals, std::vector<std::uint8_t>& fit,
                SpacingMemory& memory) {
+    if (std::find(fit.begin(), fit.end(), std::uint8_t{0}) == fit.end()) return;
     NearSearch search(goals, apart, memory);
-    std::int32_t left = kSeeksPerStep;
+    std::int32_t left = kSpotsPerStep;
     for (std::size_t k = 0; k < goals.size() && left > 0; ++k) {
-        if (fit[k] != 0) continue;
-        --left;
-        const Vec2 middle = goals[k];
-        bool seated = false;
-        for (std::int32_t ring = 1; ring <= kRings && !seated; ++ring) {
-            const std::int32_t spots = 6 * ring;
-            for (std::int32_t s = 0; s < spots && !seated; ++s) {
-                const double angle = 2.0 * kPi * (s + 0.5 * (ring % 2)) / spots;
-                const Vec2 spot = middle + Vec2{cosine(angle), sine(angle)} * (1.01 * apart * ring);
-                if (!ground.standable(spot) || search.occupied(spot, fit, goals)) continue;
-                search.take(spot);
-                goals[k] = spot;
-                seated = true;
-            }
-        }
-        // Marked only now: goals in hand are found by their old cells.
-        if (seated) fit[k] = 2;
+        // Marked 1 only at the end: goals in hand are found by their old cells.
+        if (fit[k] == 0 && seatOne(ground, apart, fit, search, goals, k, left)) fit[k] = 2;
     }
     for (std::uint8_t& f : fit) f = f != 0 ? 1 : 0;
 }

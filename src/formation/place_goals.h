@@ -40,7 +40,7 @@ private:
 inline double lineRadius(const PlaceDef& def) { return def.radius - std::fmin(1e-3, 0.01 * def.radius); }
 
 /// Finds free room near by for goals marked 0 in `fit`, a diameter from all others, and marks those that
-/// found some with 1. At most kSeeksPerStep of them are tried, in ascending order.
+/// found some with 1. They are tried in ascending order, until so many spots were looked at as a step allows.
 void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals, std::vector<std::uint8_t>& fit,
                SpacingMemory& memory);
 

@@ -18,43 +18,46 @@ void forRow(const CellList& cells, std::int32_t left, std::int32_t right, std::i
     for (const std::int32_t k : cells.within(grid.index({left, y}), grid.index({right, y}))) visit(static_cast<std::size_t>(k));
 }
 
-// Calls visit(low, high) for every pair nearer than `apart` of which one point passes `looksAt`, each
-// once, in a fixed order.
-template <class LooksAt, class Visit>
-void forClosePairs(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, LooksAt looksAt, Visit visit) {
-    memory.cells.sort(points, apart);
-    for (std::size_t one = 0; one < points.size(); ++one) {
-        if (!looksAt(one)) continue;
-        const Cell cell = memory.cells.grid().at(memory.cells.cellOf(one));
-        for (std::int32_t r = cell.y - 1; r <= cell.y + 1; ++r) {
-            forRow(memory.cells, cell.x - 1, cell.x + 1, r, [&](std::size_t other) {
-                // Of a pair that both look, the higher one visits.
-                if (other == one || (other > one && looksAt(other))) return;
-                if (lengthSquared(points[one] - points[other]) < apart * apart)
-                    visit(std::min(one, other), std::max(one, other));
-            });
-        }
-    }
+// Pairs are listed up to this much farther apart than asked, and listed anew once a point moved half of that.
+constexpr double kMargin = 0.8;
+
+void listPairs(const std::vector<Vec2>& points, double apart, SpacingMemory& memory) {
+    const double most = 0.5 * kMargin * apart;
+    bool listed = memory.foundAt.size() == points.size();
+    for (std::size_t k = 0; k < points.size() && listed; ++k)
+        listed = lengthSquared(points[k] - memory.foundAt[k]) <= most * most;
+    if (listed) return;
+    const double reach = apart * (1.0 + kMargin);
+    memory.near.clear();
+    memory.foundAt = points;
+    if (points.empty()) return;
+    memory.cells.sort(points, reach);
+    memory.cells.forPairs(reach, [&](std::int32_t low, std::int32_t high) { memory.near.push_back({low, high}); });
 }
 
 }  // namespace
 
 bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& moved) {
+    listPairs(points, apart, memory);
     memory.push.assign(points.size(), {});
     bool any = false;
     // A little more than asked, or the last gap would close only in the limit.
     const double wanted = apart * 1.02;
-    const auto looksAt = [&](std::size_t k) { return moved[k] != 0; };
-    forClosePairs(points, apart, memory, looksAt, [&](std::size_t low, std::size_t high) {
+    for (const SpacingMemory::Pair pair : memory.near) {
+        const auto low = static_cast<std::size_t>(pair.low), high = static_cast<std::size_t>(pair.high);
         const Vec2 way = points[high] - points[low];
+        if (!(lengthSquared(way) < apart * apart) || (moved[low] == 0 && moved[high] == 0)) continue;
         const double gap = length(way);
-        const double angle = 2.399963229728653 * static_cast<double>(high);
-        const Vec2 direction = gap > 1e-9 * apart ? way / gap : Vec2{cosine(angle), sine(angle)};
+        Vec2 direction = way / gap;
+        if (!(gap > 1e-9 * apart)) {
+            const double angle = 2.399963229728653 * static_cast<double>(high);
+            direction = {cosine(angle), sine(angle)};
+        }
         const Vec2 half = direction * (0.5 * (wanted - gap));
         memory.push[low] -= half;
         memory.push[high] += half;
         any = true;
-    });
+    }
     std::fill(moved.begin(), moved.end(), std::uint8_t{0});
     if (!any) return false;
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -67,15 +70,24 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
 }
 
 void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& fit) {
-    const auto all = [](std::size_t) { return true; };
-    forClosePairs(points, apart, memory, all, [&](std::size_t low, std::size_t high) {
-        if (fit[low] != 0) fit[high] = 0;
+    listPairs(points, apart, memory);
+    memory.close.clear();
+    for (const SpacingMemory::Pair pair : memory.near) {
+        const Vec2 way = points[static_cast<std::size_t>(pair.high)] - points[static_cast<std::size_t>(pair.low)];
+        if (lengthSquared(way) < apart * apart) memory.close.push_back(pair);
+    }
+    // In the order of the higher ones, so that each learns first whether those before it stay.
+    std::sort(memory.close.begin(), memory.close.end(), [](SpacingMemory::Pair a, SpacingMemory::Pair b) {
+        return a.high != b.high ? a.high < b.high : a.low < b.low;
     });
+    for (const SpacingMemory::Pair pair : memory.close)
+        if (fit[static_cast<std::size_t>(pair.low)] != 0) fit[static_cast<std::size_t>(pair.high)] = 0;
 }
 
 NearSearch::NearSearch(const std::vector<Vec2>& points, double apart, SpacingMemory& memory)
     : apart_(apart), memory_(memory) {
     memory.cells.sort(points, apart);
+    memory.foundAt.clear();
     memory_.push.clear();
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kSpacingRounds = 8;          // Of moving targets apart.
 constexpr std::int32_t kPathsPerStep = 8;  // Searches for a way round, so that the cost of a step is bounded.
+constexpr double kMetresPerStep = 80.0;    // As the crow flies, of all these searches but the last.
 constexpr double kGrazed = 0.1;            // Who gets on by less than this share of a step is blocked.
 constexpr double kReplanDistance = 1.0;    // A goal that moved farther asks for a new way [m].
 
@@ -43,6 +44,7 @@ void PlaceTracker::findGoals(const PlaceDef& def, std::span<const Vec2> targets,
         goal_[k] = ground.reachable(isFinite(targets[k]) ? targets[k] : (box.min + box.max) / 2.0);
     const double apart = 2.0 * def.radius;
     mark_.assign(n, 1);
+    spacing_.foundAt.clear();
     for (int round = 0; round < kSpacingRounds; ++round) {
         if (!partClosePairs(goal_, apart, spacing_, mark_)) return;
         for (std::size_t k = 0; k < n; ++k)
@@ -144,6 +146,22 @@ private:
     double radius_;
 };
 
+// Forgets detours, but not their memory.
+template <class Drop>
+void PlaceTracker::dropDetours(const Drop& drop) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < detours_.size(); ++k) {
+        if (drop(detours_[k])) {
+            detours_[k].way.clear();
+            spareWays_.push_back(std::move(detours_[k].way));
+        } else {
+            if (kept != k) detours_[kept] = std::move(detours_[k]);
+            ++kept;
+        }
+    }
+    detours_.resize(kept);
+}
+
 void PlaceTracker::reset(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                          std::int32_t region) {
     findGoals(def, targets, environment, region);
@@ -160,6 +178,7 @@ void PlaceTracker::findWays(const PlaceDef& def, const Environment& environment)
     std::int32_t left = kPathsPerStep;
     const std::size_t first = turn_ % n;
     turn_ = static_cast<std::uint32_t>((first + 1) % n);
+    double metres = kMetresPerStep;
     for (std::size_t k = 0; k < n && left > 0; ++k) {
         const std::size_t place = (first + k) % n;
         const auto index = static_cast<std::int32_t>(place);
@@ -169,11 +188,19 @@ void PlaceTracker::findWays(const PlaceDef& def, const Environment& environment)
         // Where no way was found it is sought again when the place's turn comes first.
         const bool again = k == 0 && known && at->way.empty() && mark_[place] == 2;
         if (mark_[place] != 1 && !again) continue;
-        if (!known) at = detours_.insert(at, Detour{});
+        if (!known) {
+            at = detours_.insert(at, Detour{});
+            if (!spareWays_.empty()) {
+                at->way.swap(spareWays_.back());
+                spareWays_.pop_back();
+            }
+        }
         at->place = index;
         at->goal = goal_[place];
-        at->way = environment.findPath(position_[place], goal_[place], def.radius);
-        if (--left == 0) turn_ = static_cast<std::uint32_t>((place + 1) % n);
+        environment.findPath(position_[place], goal_[place], def.radius, at->way);
+        metres -= distance(position_[place], goal_[place]);
+        left = metres > 0.0 ? left - 1 : 0;
+        if (left == 0) turn_ = static_cast<std::uint32_t>((place + 1) % n);
     }
 }
 
@@ -186,7 +213,7 @@ void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, c
     position_.insert(position_.end(), goal_.begin() + static_cast<std::ptrdiff_t>(old), goal_.end());
     velocity_.resize(old);
     velocity_.resize(n, {});
-    std::erase_if(detours_, [&](const Detour& d) { return d.place < 0 || static_cast<std::size_t>(d.place) >= n; });
+    dropDetours([&](const Detour& d) { return d.place < 0 || static_cast<std::size_t>(d.place) >= n; });
     Mover mover(*this, def, environment, dt);
     mark_.assign(n, 0);
     std::size_t next = 0;
@@ -195,7 +222,7 @@ void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, c
         mark_[place] = static_cast<std::uint8_t>(mover.move(place, known ? &detours_[next] : nullptr));
         next += known ? 1 : 0;
     }
-    std::erase_if(detours_, [&](const Detour& d) { return mark_[static_cast<std::size_t>(d.place)] == 0; });
+    dropDetours([&](const Detour& d) { return mark_[static_cast<std::size_t>(d.place)] == 0; });
     findWays(def, environment);
 }
 

@@ -62,38 +62,19 @@ void World::Impl::removeCharacter(std::size_t index) {
 
 // The connected region in which most of the group's characters stand; ties go to the lower label.
 std::int32_t World::Impl::regionOf(const Group& group) {
-    std::vector<std::int32_t>& labels = memory.regionLabels;
-    labels.clear();
+    std::vector<std::int32_t>& counts = memory.regionCounts;
+    counts.clear();
+    std::int32_t best = -1;
     for (const std::int32_t i : group.members) {
         const std::int32_t label = environment.region(characters.position[static_cast<std::size_t>(i)], parameters.radius);
-        if (label >= 0) labels.push_back(label);
+        if (label < 0) continue;
+        const auto at = static_cast<std::size_t>(label);
+        if (at >= counts.size()) counts.resize(at + 1, 0);
+        ++counts[at];
     }
-    std::sort(labels.begin(), labels.end());
-    std::int32_t best = -1;
-    std::size_t most = 0;
-    for (std::size_t begin = 0; begin < labels.size();) {
-        std::size_t end = begin;
-        while (end < labels.size() && labels[end] == labels[begin]) ++end;
-        if (end - begin > most) {
-            most = end - begin;
-            best = labels[begin];
-        }
-        begin = end;
-    }
+    for (std::size_t label = 0; label < counts.size(); ++label)
+        if (counts[label] > (best < 0 ? 0 : counts[static_cast<std::size_t>(best)])) best = static_cast<std::int32_t>(label);
     return best;
-}
-
-// By `plan.solver`; the only place that knows which solvers there are.
-std::unique_ptr<Plan> World::Impl::makePlan() const {
-    return parameters.planSolver == static_cast<double>(PlanSolver::Fast) ? makeFastPlan() : makeExactPlan();
-}
-
-// Another solver takes over: every group is planned anew in this step, from the places that its characters have.
-void World::Impl::exchangePlans() {
-    for (Group& group : groups) {
-        group.plan = makePlan();
-        group.planNow = true;
-    }
 }
 
 Status World::Impl::addGroup(const GroupDef& def) {

@@ -58,7 +58,7 @@ struct StepMemory {
     std::vector<Vec2> nextHeading;
     std::vector<Vec2> nextPosition;
     std::vector<MotionEvent> motionEvents;
-    std::vector<std::int32_t> regionLabels;
+    std::vector<std::int32_t> regionCounts;  ///< Characters by region.
     PlanResult planResult;
 };
 

@@ -19,10 +19,12 @@ public:
     const Grid& grid() const { return grid_; }  ///< Covers the points; no cells where there are none.
     /// The cell of a point.
     std::int32_t cellOf(std::size_t point) const { return cellOf_[point]; }
-    /// All points, cell by cell.
-    std::span<const std::int32_t> items() const { return item_; }
-    /// Where a cell's points begin among items(); cell grid().count() is the end.
-    std::int32_t begin(std::int32_t cell) const { return start_[static_cast<std::size_t>(cell)]; }
+    /// Calls `visit(i, j)`, i < j, once for every pair of points nearer than `reach`, at most the edge that sort() was
+    /// given [m], in a fixed order.
+    template <class Visit>
+    void forPairs(double reach, const Visit& visit) const {
+        for (std::int32_t y = 0; y < grid_.height; ++y) forPairsOfRow(y, reach * reach, visit);
+    }
     /// Points in the cells from `first` to `last`, both included, of one row or of the whole grid.
     std::span<const std::int32_t> within(std::int32_t first, std::int32_t last) const {
         const auto begin = static_cast<std::size_t>(start_[static_cast<std::size_t>(first)]);
@@ -31,7 +33,37 @@ public:
     }
 
 private:
+    std::int32_t begin(std::int32_t cell) const { return start_[static_cast<std::size_t>(cell)]; }
+
+    // Of each point's neighbours those that lie behind it in the order of cells: the rest of its cell and the one to
+    // the right, which follow each other in memory, and three cells of the row above, which do so too.
+    template <class Visit>
+    void forPairsOfRow(std::int32_t y, double reach2, const Visit& visit) const {
+        const auto test = [&](std::int32_t u, std::int32_t from, std::int32_t to) {
+            const Vec2 p = sorted_[static_cast<std::size_t>(u)];
+            for (auto v = static_cast<std::size_t>(from); v < static_cast<std::size_t>(to); ++v) {
+                if (!(lengthSquared(sorted_[v] - p) < reach2)) continue;
+                const std::int32_t i = item_[static_cast<std::size_t>(u)], j = item_[v];
+                visit(i < j ? i : j, i < j ? j : i);
+            }
+        };
+        const std::int32_t first = grid_.index({0, y});
+        const bool top = y + 1 == grid_.height;
+        for (std::int32_t x = 0; x < grid_.width; ++x) {
+            const std::int32_t here = begin(first + x), end = begin(first + x + 1);
+            if (here == end) continue;
+            const std::int32_t right = x + 1 < grid_.width ? x + 1 : x;
+            const std::int32_t above = top ? 0 : begin(first + grid_.width + (x > 0 ? x - 1 : 0));
+            const std::int32_t aboveEnd = top ? 0 : begin(first + grid_.width + right + 1);
+            for (std::int32_t u = here; u < end; ++u) {
+                test(u, u + 1, begin(first + right + 1));
+                test(u, above, aboveEnd);
+            }
+        }
+    }
+
     Grid grid_;
+    std::vector<Vec2> sorted_;          // Points, cell by cell.
     std::vector<std::int32_t> start_;   // Of each cell in item_, and the end.
     std::vector<std::int32_t> item_;    // Points, cell by cell.
     std::vector<std::int32_t> cellOf_;  // Of each point.

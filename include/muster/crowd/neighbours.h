@@ -30,10 +30,7 @@ public:
     void findPairs(std::span<const Vec2> positions, double reach, std::vector<NearPair>& pairs);
 
 private:
-    void findInRow(std::int32_t y, double reach2, std::vector<NearPair>& pairs);
-
     CellList cells_;
-    std::vector<Vec2> sorted_;  // Positions in the order of cells.
 };
 
 }  // namespace muster

@@ -40,6 +40,7 @@ public:
 
 private:
     void add(Vec2 position, Vec2 velocity);
+    void sortOccupied();
 
     DensityDef def_;
     Grid grid_;

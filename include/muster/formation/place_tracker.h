@@ -12,8 +12,17 @@ namespace muster {
 
 /// Working memory of a search for pairs of points that lie too near to each other: points by cells.
 struct SpacingMemory {
-    CellList cells;          ///< The points, in cells at least as large as the distance looked for.
-    std::vector<Vec2> push;  ///< Of each point [m].
+    /// Two points, `low` < `high`.
+    struct Pair {
+        std::int32_t low = 0;   ///< Index of a point.
+        std::int32_t high = 0;  ///< Index of a point.
+    };
+
+    CellList cells;            ///< The points, in cells at least as large as the distance looked for.
+    std::vector<Vec2> push;    ///< Of each point [m].
+    std::vector<Pair> near;    ///< Pairs that may come too near.
+    std::vector<Vec2> foundAt; ///< Where the points were when these were looked for [m]; empty for never.
+    std::vector<Pair> close;   ///< Pairs too near.
 };
 
 /// How places travel.
@@ -69,6 +78,8 @@ private:
     class Mover;  // One step's travel.
 
     bool consistent() const;
+    template <class Drop>
+    void dropDetours(const Drop& drop);
     void findGoals(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                    std::int32_t region);
     void findWays(const PlaceDef& def, const Environment& environment);
@@ -81,6 +92,7 @@ private:
     std::vector<Vec2> goal_;       // Working memory: reachable targets.
     std::vector<std::uint8_t> mark_;
     SpacingMemory spacing_;
+    std::vector<std::vector<Vec2>> spareWays_;  // Memory of ways that ended.
 };
 
 }  // namespace muster
