@@ -16,7 +16,7 @@ namespace muster {
 struct MatchingDef {
     double exponent = 2.0;         ///< p of the objective sum c^p, 1 to 16.
     double threshold = 0.1;        ///< A change (one cycle of exchanges) must gain more than this [cost^p] >= 0.
-    double thresholdShare = 0.01;  ///< ... and more than this share of the objective of those it concerns >= 0.
+    double thresholdShare = 0.001; ///< ... and more than this share of the objective of those it concerns >= 0.
     std::int32_t refreshPeriod = 4;      ///< Every so many steps a row of arcs asks for its costs again, >= 1.
     std::int32_t farRefreshPeriod = 16;  ///< ... where the mean cost is above `farCost`.
     std::int32_t retargetPeriod = 32;    ///< Every so many steps a row looks for its neighbours anew.

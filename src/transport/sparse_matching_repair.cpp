@@ -10,7 +10,7 @@ constexpr std::uint8_t kRest = 16;             // Steps, after a change that gai
 constexpr std::uint8_t kRestCapped = 3;        // Steps, after a search that was cut short, so that others get a turn.
 constexpr std::int32_t kTries = 3;             // Arcs of one seat in one step.
 constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.
-constexpr double kStale = 2.0;                 // Times the threshold: a change that gains so much was held back by stale weights.
+constexpr double kStale = 2.0;                 // Times what was asked: seemed to gain so much by stale weights only.
 constexpr std::int32_t kLanes = MatchingArcs::kLanes;
 
 // A violation as small as this share of the mean is let be, too.
@@ -111,7 +111,7 @@ void MatchingRepair::repairSeat(const MatchingContext& context, MatchingState& s
         if (end != SearchEnd::Cycle || commit(context, state)) continue;
         // Where much is left the weights were out of date, and another search may help; else it is the threshold.
         const double left = -state.reduced(arc);
-        if (left > tolerance && left < kStale * context.threshold) {
+        if (left > tolerance && left < kStale * asked_) {
             state.resting[static_cast<std::size_t>(seat)] = kRest;
             return;
         }
@@ -139,7 +139,8 @@ bool MatchingRepair::commit(const MatchingContext& context, MatchingState& state
         before += state.ownPower[static_cast<std::size_t>(cycle[k])];
         if (state.seats.live(to) && state.seats.holder(cycle[k]) >= 0) after += context.power(costs_[k]);
     }
-    if (!(before - after > std::max(context.threshold, context.def.thresholdShare * before))) {
+    asked_ = std::max(context.threshold, context.def.thresholdShare * before);
+    if (!(before - after > asked_)) {
         noteWeights(context, state);
         return false;
     }

@@ -43,6 +43,7 @@ private:
     std::vector<Violation> violations_;
     std::vector<float> costs_;           // Of the cycle: each holder to the next seat, 0 where one is missing.
     std::vector<std::int32_t> holders_;  // Of the cycle: holders before it.
+    double asked_ = 0.0;  // What the last cycle looked at had to gain.
     std::int32_t exchanges_ = 0;
     std::int32_t violated_ = 0;
     std::int64_t settled_ = 0;
