@@ -47,9 +47,10 @@ void fillGroup(const GroupView& view, protocol::GroupFrame& frame) {
     frame.id = view.id.value;
     frame.meshVersion = view.formationVersion;
     frame.lag = narrow(view.meanLag);
+    frame.walkSum = narrow(view.walk.sum);
+    frame.walkSquares = narrow(view.walk.squares);
+    frame.walkLongest = narrow(view.walk.longest);
     fillPoints(frame.vertices, view.mesh->finalMesh());
-    fillPoints(frame.places, view.places->positions());
-    frame.fit = view.places->fit();
     frame.controls.clear();
     for (const Control& control : view.controls->controls())
         frame.controls.push_back(controlFrame(control, *view.mesh));
@@ -96,21 +97,11 @@ void FrameBuilder::observe(const World& world) {
 void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
     const Characters& characters = world.characters();
     const std::size_t count = characters.size();
+    crowd_.place(characters.position);
     frame.ids = characters.id;
     frame.group.resize(count);
-    frame.x.resize(count);
-    frame.y.resize(count);
-    frame.heading.resize(count);
-    frame.motion.resize(count);
-    frame.phase.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
         frame.group[i] = static_cast<std::uint8_t>(std::min<std::uint32_t>(characters.group[i], 255));
-        frame.x[i] = narrow(characters.position[i].x);
-        frame.y[i] = narrow(characters.position[i].y);
-        frame.heading[i] = narrow(std::atan2(characters.heading[i].y, characters.heading[i].x));
-        frame.motion[i] = static_cast<std::uint8_t>(std::clamp(characters.motion[i], 0, 255));
-        frame.phase[i] = static_cast<std::uint8_t>(characters.phase[i]);
-    }
     if (frame.ids == ids_ && frame.group == groups_) return;
     ids_ = frame.ids;
     groups_ = frame.group;
@@ -137,7 +128,11 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     frame.time = world.time();
     buildCharacters(world, frame);
     frame.groups.resize(world.groupCount());
-    for (std::size_t g = 0; g < world.groupCount(); ++g) fillGroup(world.group(g), frame.groups[g]);
+    places_.resize(world.groupCount());
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        fillGroup(world.group(g), frame.groups[g]);
+        places_[g].take(world.group(g));
+    }
     fillMoving(world.environment(), frame.moving);
     frame.collected.assign(world.collected().begin(), world.collected().end());
     frame.stepMs = narrow(slowestStep_);
@@ -154,6 +149,11 @@ protocol::GroupMesh buildGroupMesh(const GroupView& group) {
     message.version = group.formationVersion;
     message.formation = std::string(formationName(group.def->formation.kind));
     const TriangleMesh& mesh = group.mesh->formation().mesh;
+    for (const MeshPoint& place : group.mesh->formation().places) {
+        message.placeTriangles.push_back(static_cast<std::uint32_t>(place.triangle));
+        message.placeWeights.push_back(narrow(place.weight[0]));
+        message.placeWeights.push_back(narrow(place.weight[1]));
+    }
     for (const Triangle& triangle : mesh.triangles)
         for (const std::int32_t vertex : triangle) message.triangles.push_back(static_cast<std::uint32_t>(vertex));
     for (const auto& loop : boundaryLoops(mesh)) {
@@ -165,6 +165,7 @@ protocol::GroupMesh buildGroupMesh(const GroupView& group) {
 
 void appendEvents(const World& world, std::vector<protocol::EventFrame>& events) {
     for (const Event& event : world.events()) {
+        if (event.kind == EventKind::Swap) continue;  // Many in a large crowd; their rate is told.
         events.push_back({static_cast<std::uint8_t>(event.kind), event.subject, event.value,
                           narrow(event.position.x), narrow(event.position.y)});
     }

@@ -5,6 +5,8 @@
 
 #include "muster/session/protocol.h"
 #include "muster/world/world.h"
+#include "session/crowd_picture.h"
+#include "session/places_encoder.h"
 
 namespace muster {
 
@@ -15,8 +17,12 @@ public:
     void restart();
     /// Call after every step.
     void observe(const World& world);
-    /// Writes ids, positions, groups, moving things and figures of the world as it stands to `frame`.
+    /// Writes ids, groups, moving things and figures of the world as it stands to `frame`.
     void build(const World& world, protocol::Frame& frame);
+    /// Everybody's places at the last build; motion adds what they play.
+    CrowdPicture& crowd() { return crowd_; }
+    /// Places of each group at the last build.
+    const std::vector<PlacesPicture>& places() const { return places_; }
     /// Grows whenever the characters or their groups change; of the last build.
     std::uint32_t idsVersion() const { return idsVersion_; }
 
@@ -30,6 +36,8 @@ private:
     std::vector<std::uint32_t> ids_;    // Of the last build.
     std::vector<std::uint8_t> groups_;
     std::uint32_t idsVersion_ = 0;
+    CrowdPicture crowd_;
+    std::vector<PlacesPicture> places_;
     std::vector<float> lags_;           // Working memory.
     double slowestStep_ = 0.0;   // Of the steps that the next frame tells of, or the last told of [ms].
     bool stepsTold_ = true;      // A frame has told of them.
@@ -37,7 +45,7 @@ private:
 
 /// Topology of a group's mesh.
 protocol::GroupMesh buildGroupMesh(const GroupView& group);
-/// Events as the page gets them.
+/// Events as the page gets them: all but swaps, whose rate frames tell.
 void appendEvents(const World& world, std::vector<protocol::EventFrame>& events);
 
 }  // namespace muster

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "muster/session/protocol.h"
+
 namespace muster {
 namespace {
 
 constexpr std::uint32_t kStepsBetweenChoices = 6;
 constexpr std::size_t kMostClips = 256;  // Their indices are single bytes.
-constexpr double kLongestClip = 65.0;    // Times in them are 16 bits of milliseconds [s].
+constexpr double kLongestClip = 65.0;    // Phases in them are 16 bits: a millisecond each [s].
+constexpr float kCoarseClip = 5.0f;      // Phases of 8 bits do for clips up to this length [s].
+constexpr std::size_t kLargeCrowd = 2000;
+constexpr std::size_t kNearOfLarge = 100;  // Whole poses for each client then: frames stay within 8 bytes for each.
 constexpr std::size_t kMostPoses =
     50'000;                         // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
 constexpr float kWhole = 32767.0f;  // What 1 is in the numbers of a rotation.
@@ -21,13 +26,42 @@ std::int16_t millimetres(float metres) {
     return static_cast<std::int16_t>(std::lround(std::clamp(metres * 1000.0f, -32767.0f, 32767.0f)));
 }
 
-std::uint16_t milliseconds(float seconds) {
-    return static_cast<std::uint16_t>(std::lround(std::clamp(seconds * 1000.0f, 0.0f, 65535.0f)));
+std::uint16_t turn65536(float angle) {
+    const double turns = static_cast<double>(angle) / 6.283185307179586;
+    return static_cast<std::uint16_t>(static_cast<std::uint32_t>((turns - std::floor(turns)) * 65536.0 + 0.5) & 65535u);
+}
+
+std::uint16_t phase65536(float time, float duration) {
+    if (!(duration > 0.0f)) return 0;
+    return static_cast<std::uint16_t>(std::clamp(time / duration * 65536.0f, 0.0f, 65535.0f));
 }
 
 void appendRotations(const BodyPose& pose, std::vector<std::int16_t>& list) {
     for (const Quat& q : pose.rotation)
         for (const float value : {q.x, q.y, q.z, q.w}) list.push_back(share(value));
+}
+
+// Three numbers of 16 bits: of a unit quaternion the largest component follows from the others, which are at most
+// sqrt(1/2). Which it is, is told by the lowest bits of the first two.
+void appendTurn(const Quat& q, std::vector<std::int16_t>& list) {
+    constexpr float kMost = 0.70710678f, kUnits = 16383.0f;
+    const float parts[4] = {q.x, q.y, q.z, q.w};
+    int largest = 0;
+    for (int k = 1; k < 4; ++k)
+        if (std::fabs(parts[k]) > std::fabs(parts[largest])) largest = k;
+    const float sign = parts[largest] < 0.0f ? -1.0f : 1.0f;
+    for (int k = 0, told = 0; k < 4; ++k) {
+        if (k == largest) continue;
+        const long whole = std::lround(std::clamp(sign * parts[k] / kMost, -1.0f, 1.0f) * kUnits);
+        const int bit = told < 2 ? (largest >> told) & 1 : 0;
+        list.push_back(static_cast<std::int16_t>(2 * whole + bit));
+        ++told;
+    }
+}
+
+void appendPose(const BodyPose& pose, std::vector<std::int16_t>& list) {
+    for (const float value : {pose.hips.x, pose.hips.y, pose.hips.z}) list.push_back(millimetres(value));
+    for (const Quat& q : pose.rotation) appendTurn(q, list);
 }
 
 Status tooMany(const std::string& what, std::size_t found, std::size_t most) {
@@ -80,7 +114,12 @@ void MotionFrames::encodeMotions() {
         const auto parent = joint.parent < 0 ? static_cast<std::uint32_t>(j) : static_cast<std::uint32_t>(joint.parent);
         message.joints.push_back({joint.name, parent, joint.offset.x, joint.offset.y, joint.offset.z});
     }
-    for (const Clip& clip : library_->clips) message.clips.push_back(clipFrames(clip));
+    durations_.clear();
+    for (const Clip& clip : library_->clips) {
+        message.clips.push_back(clipFrames(clip));
+        durations_.push_back(static_cast<float>(clip.duration()));
+    }
+    longClips_ = std::any_of(durations_.begin(), durations_.end(), [](float seconds) { return seconds > kCoarseClip; });
     std::vector<std::uint8_t> bytes = protocol::encode(message);
     if (bytes == motions_) return;
     motions_ = std::move(bytes);
@@ -92,7 +131,8 @@ void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& 
     const Characters& characters = world.characters();
     near_.clear();
     for (const Attention& attention : attentions) {
-        const std::size_t count = std::min(attention.count, characters.size());
+        const std::size_t most = characters.size() > kLargeCrowd ? kNearOfLarge : characters.size();
+        const std::size_t count = std::min(attention.count, most);
         if (count == 0) continue;
         byDistance_.clear();
         for (std::size_t i = 0; i < characters.size(); ++i)
@@ -118,26 +158,24 @@ void MotionFrames::observe(const World& world, const std::vector<Attention>& att
     motion_->update(world);
 }
 
-void MotionFrames::build(protocol::Frame& frame) const {
+void MotionFrames::build(CrowdPicture& picture) const {
     const auto playbacks = motion_->playbacks();
-    const std::size_t count = playbacks.size();
-    for (auto* list : {&frame.clip, &frame.fromClip, &frame.fade}) list->resize(count);
-    for (auto* list : {&frame.clipTime, &frame.fromTime}) list->resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    picture.resize(playbacks.size());
+    picture.longClips = longClips_;
+    for (std::size_t i = 0; i < playbacks.size(); ++i) {
         const Playback& playback = playbacks[i];
-        frame.clip[i] = static_cast<std::uint8_t>(playback.clip);
-        frame.fromClip[i] = static_cast<std::uint8_t>(playback.fromClip);
-        frame.clipTime[i] = milliseconds(playback.time);
-        frame.fromTime[i] = milliseconds(playback.fromTime);
-        frame.fade[i] = static_cast<std::uint8_t>(std::lround(std::clamp(playback.fade, 0.0f, 1.0f) * 255.0f));
-        if (i < frame.heading.size()) frame.heading[i] = playback.yaw;
+        picture.heading[i] = turn65536(playback.yaw);
+        picture.clip[i] = static_cast<std::uint8_t>(playback.clip);
+        picture.phase[i] = phase65536(playback.time, durations_[playback.clip]);
     }
-    frame.near.assign(motion_->near().begin(), motion_->near().end());
-    frame.nearPoses.clear();
-    for (std::size_t k = 0; k < frame.near.size(); ++k) {
-        const BodyPose& pose = motion_->pose(k);
-        for (const float value : {pose.hips.x, pose.hips.y, pose.hips.z}) frame.nearPoses.push_back(millimetres(value));
-        appendRotations(pose, frame.nearPoses);
+    picture.near.assign(motion_->near().begin(), motion_->near().end());
+    picture.nearPlaces.clear();
+    picture.nearPoses.clear();
+    for (std::size_t k = 0; k < picture.near.size(); ++k) {
+        const Playback& playback = playbacks[picture.near[k]];
+        for (const double value : {playback.position.x, playback.position.y, static_cast<double>(playback.yaw)})
+            picture.nearPlaces.push_back(static_cast<float>(value));
+        appendPose(motion_->pose(k), picture.nearPoses);
     }
 }
 

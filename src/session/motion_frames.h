@@ -7,7 +7,7 @@
 
 #include "muster/clips/clip.h"
 #include "muster/motion/crowd_motion.h"
-#include "muster/session/protocol.h"
+#include "session/crowd_picture.h"
 
 namespace muster {
 
@@ -27,8 +27,8 @@ public:
     void restart(ClipLibrary library);
     /// Call after every step, with where all clients look.
     void observe(const World& world, const std::vector<Attention>& attentions);
-    /// Writes clips, times and whole poses to `frame`; headings become those of the bodies.
-    void build(protocol::Frame& frame) const;
+    /// Writes headings, clips, phases and whole poses to `picture`.
+    void build(CrowdPicture& picture) const;
 
     /// Skeleton and clips as an encoded Motions message.
     const std::vector<std::uint8_t>& motions() const { return motions_; }
@@ -42,6 +42,8 @@ private:
     std::unique_ptr<ClipLibrary> library_;   // Where it stands CrowdMotion looks.
     std::unique_ptr<CrowdMotion> motion_;
     std::vector<std::uint8_t> motions_;
+    std::vector<float> durations_;           // Of clips [s].
+    bool longClips_ = false;                 // Some are too long for phases of 8 bits.
     std::uint32_t revision_ = 0;
     std::uint32_t untilChoice_ = 0;          // Steps until whose poses are whole is chosen anew.
     std::size_t attended_ = 0;               // Asked for at the last choice.

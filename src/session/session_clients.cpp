@@ -5,6 +5,17 @@
 #include "session/session_state.h"
 
 namespace muster {
+namespace {
+
+// A display that blends between frames needs no more of them where they are large [s]. A little less than the rate
+// promises: what comes with a step is not to wait for the next.
+double frameSpacing(std::size_t characters) {
+    constexpr double kSlack = 0.004;
+    if (characters > 20'000) return 1.0 / 20.0 - kSlack;
+    return characters > 2'000 ? 1.0 / 30.0 - kSlack : 0.0;
+}
+
+}  // namespace
 
 std::uint32_t Session::connect() {
     const std::uint32_t id = ++impl_->lastClient;
@@ -72,7 +83,8 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     SessionClient& to = found->second;
     if (to.greeted && impl_->world && !to.awaitsAck) {
         impl_->sendOverlay(to);
-        if (to.sentState != impl_->state) impl_->sendFrame(to);
+        const bool due = !impl_->playing || impl_->realTime >= to.frameDue;
+        if (to.sentState != impl_->state && due) impl_->sendFrame(to);
     }
     messages.swap(to.outbox);
 }
@@ -96,29 +108,37 @@ void Session::Impl::sendScene(SessionClient& client) {
         if (sent != client.sentMeshes.end() && sent->second == group.formationVersion) continue;
         client.outbox.push_back(protocol::encode(buildGroupMesh(group)));
         client.sentMeshes[group.id.value] = group.formationVersion;
+        client.places[group.id.value].restart();
     }
+}
+
+// What is the same for all clients, once for each state.
+void Session::Impl::buildFrame() {
+    if (frameState == state) return;
+    frames.build(*world, frame);
+    motion.build(frames.crowd());
+    frame.playing = playing;
+    frame.speed = static_cast<float>(speed);
+    frame.recordedSeconds = recordedFrom < 0.0 ? -1.0f : static_cast<float>(world->time() - recordedFrom);
+    frame.replaying = replay.has_value();
+    frame.demonstrating = demonstrating();
+    frame.sceneRevision = sceneRevision;
+    frameState = state;
 }
 
 void Session::Impl::sendFrame(SessionClient& client) {
     sendScene(client);
-    if (frameState != state) {
-        frames.build(*world, frame);
-        motion.build(frame);
-        frame.playing = playing;
-        frame.speed = static_cast<float>(speed);
-        frame.recordedSeconds = recordedFrom < 0.0 ? -1.0f : static_cast<float>(world->time() - recordedFrom);
-        frame.replaying = replay.has_value();
-        frame.demonstrating = demonstrating();
-        frame.sceneRevision = sceneRevision;
-        frameState = state;
-    }
+    buildFrame();
+    const bool known = client.sentIds == frames.idsVersion();
+    client.crowd.encode(frames.crowd(), !known, frame.crowd);
+    for (std::size_t g = 0; g < frame.groups.size(); ++g)
+        client.places[frame.groups[g].id].encode(frames.places()[g], frame.groups[g]);
     frame.frame = ++client.frame;
     frame.touchEcho = client.touchShown;
     frame.events.swap(client.events);
     // The ids are taken out for this one message where the client has them already.
     std::vector<std::uint32_t> ids;
     std::vector<std::uint8_t> groups;
-    const bool known = client.sentIds == frames.idsVersion();
     if (known) ids.swap(frame.ids), groups.swap(frame.group);
     client.outbox.push_back(protocol::encode(frame));
     if (known) ids.swap(frame.ids), groups.swap(frame.group);
@@ -126,6 +146,7 @@ void Session::Impl::sendFrame(SessionClient& client) {
     client.events.clear();
     client.sentIds = frames.idsVersion();
     client.sentState = state;
+    client.frameDue = realTime + frameSpacing(world->characters().size());
     client.awaitsAck = true;
 }
 

@@ -10,9 +10,11 @@
 #include "muster/session/protocol.h"
 #include "muster/session/session.h"
 #include "muster/session/token_bucket.h"
+#include "session/crowd_encoder.h"
 #include "session/frame_builder.h"
 #include "session/motion_frames.h"
 #include "session/pacer.h"
+#include "session/places_encoder.h"
 #include "session/replayer.h"
 #include "session/take_log.h"
 #include "session/touch_clock.h"
@@ -39,7 +41,10 @@ struct SessionClient {
     std::uint32_t sentScene = 0;      ///< Revision; 0 for none.
     std::uint32_t sentMotions = 0;    ///< Revision; 0 for none.
     std::uint32_t sentIds = 0;        ///< Version; 0 for none.
+    double frameDue = 0.0;            ///< Real time of the next frame of a world that plays [s].
+    CrowdEncoder crowd;               ///< What it knows of the characters.
     std::map<std::uint32_t, std::uint32_t> sentMeshes;  ///< Version by group.
+    std::map<std::uint32_t, PlacesEncoder> places;      ///< What it knows of places, by group.
     std::vector<protocol::EventFrame> events;           ///< Since that frame.
     Attention attention;              ///< Where it looks.
     double touchWaiting = 0.0;        ///< Newest page time among touches that wait for a step [s].
@@ -84,6 +89,7 @@ struct Session::Impl {
                 std::optional<Vec2> place = std::nullopt);
     void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text);
     void sendScene(SessionClient& client);
+    void buildFrame();
     void sendFrame(SessionClient& client);
     void sendOverlay(SessionClient& client);
 

@@ -9,6 +9,7 @@
 
 #include "muster/session/protocol.h"
 #include "muster/session/session.h"
+#include "session/page_decoder.h"
 
 namespace muster::testing {
 
@@ -79,7 +80,10 @@ private:
     void take(const protocol::ServerMessage& message, bool acknowledge) {
         if (const auto* m = std::get_if<protocol::Welcome>(&message)) welcome = *m;
         if (const auto* m = std::get_if<protocol::Scene>(&message)) scenes.push_back(*m);
-        if (const auto* m = std::get_if<protocol::GroupMesh>(&message)) meshes.push_back(*m);
+        if (const auto* m = std::get_if<protocol::GroupMesh>(&message)) {
+            meshes.push_back(*m);
+            decoder_.take(*m);
+        }
         if (const auto* m = std::get_if<protocol::Motions>(&message)) {
             if (motions.empty()) framesBeforeMotions = frames.size();
             motions.push_back(*m);
@@ -89,11 +93,13 @@ private:
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
             frames.push_back(*m);
+            page = decoder_.take(*m);
             if (acknowledge) send(protocol::FrameAck{m->frame});
         }
     }
 
     Session& session_;
+    PageDecoder decoder_;
 
 public:
     std::uint32_t id;
@@ -101,6 +107,7 @@ public:
     std::vector<protocol::Scene> scenes;
     std::vector<protocol::GroupMesh> meshes;
     std::vector<protocol::Frame> frames;
+    PageFrame page;  ///< The newest frame, decoded.
     std::vector<protocol::Motions> motions;
     std::size_t framesBeforeMotions = 0;
     std::vector<protocol::Overlay> overlays;

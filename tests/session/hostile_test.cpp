@@ -119,7 +119,7 @@ TEST_CASE("Random bytes never break a session") {
     // It still does what an honest client asks.
     watcher.send(protocol::LoadScenario{"small"});
     run(session, 0.2, {&watcher});
-    CHECK(watcher.frames.back().x.size() == 16);
+    CHECK(watcher.frames.back().crowd.count == 16);
 }
 
 TEST_CASE("Numbers out of range are refused, at the limit accepted") {

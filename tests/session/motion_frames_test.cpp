@@ -14,12 +14,13 @@ using namespace muster::testing;
 
 namespace {
 
-constexpr std::size_t kNumbersPerPose = 3 + 4 * kJointCount;
+constexpr std::size_t kNumbersPerPose = 3 + 3 * kJointCount;
 
 /// The ids nearest to a spot, by sorting everybody.
-std::vector<std::uint32_t> nearest(const protocol::Frame& frame, const std::vector<std::uint32_t>& ids, Vec2 spot, std::size_t count) {
+std::vector<std::uint32_t> nearest(const PageFrame& page, Vec2 spot, std::size_t count) {
     std::vector<std::pair<double, std::uint32_t>> all;
-    for (std::size_t i = 0; i < ids.size(); ++i) all.emplace_back(lengthSquared(Vec2{frame.x[i], frame.y[i]} - spot), ids[i]);
+    for (std::size_t i = 0; i < page.ids.size(); ++i)
+        all.emplace_back(lengthSquared(Vec2{page.x[i], page.y[i]} - spot), page.ids[i]);
     std::sort(all.begin(), all.end());
     std::vector<std::uint32_t> result;
     for (std::size_t k = 0; k < count; ++k) result.push_back(all[k].second);
@@ -29,7 +30,7 @@ std::vector<std::uint32_t> nearest(const protocol::Frame& frame, const std::vect
 
 std::vector<std::uint32_t> idsOf(const protocol::Frame& frame, const std::vector<std::uint32_t>& ids) {
     std::vector<std::uint32_t> result;
-    for (const std::uint32_t index : frame.near) result.push_back(ids.at(index));
+    for (const std::uint32_t index : frame.crowd.near) result.push_back(ids.at(index));
     return result;
 }
 
@@ -73,13 +74,12 @@ TEST_CASE("every character has a clip; nobody a whole pose until somebody looks"
     FakeClient client(session);
     run(session, 0.3, {&client});
     const protocol::Frame& frame = client.frames.back();
-    CHECK(frame.clip.size() == 16);
-    CHECK(frame.fade.size() == 16);
-    for (const std::uint8_t clip : frame.clip) CHECK(clip < ownClips().clips.size());
-    for (std::size_t i = 0; i < frame.clip.size(); ++i)
-        CHECK(frame.clipTime[i] <= std::ceil(1000.0 * ownClips().clips[frame.clip[i]].duration()));
-    CHECK(frame.near.empty());
-    CHECK(frame.nearPoses.empty());
+    CHECK(client.page.clip.size() == 16);
+    for (const std::uint8_t clip : client.page.clip) CHECK(clip < ownClips().clips.size());
+    REQUIRE(client.page.phase.size() == 16);
+    CHECK(std::any_of(client.page.phase.begin(), client.page.phase.end(), [](double phase) { return phase > 0.0; }));
+    CHECK(frame.crowd.near.empty());
+    CHECK(frame.crowd.nearPoses.empty());
 }
 
 TEST_CASE("those nearest to where a client looks come with whole poses") {
@@ -91,23 +91,27 @@ TEST_CASE("those nearest to where a client looks come with whole poses") {
     attend(client, 9.0f, 7.0f, 5);
     run(session, 0.1, {&client});
     const protocol::Frame& frame = client.frames.back();
-    REQUIRE(frame.near.size() == 5);
-    CHECK(std::is_sorted(frame.near.begin(), frame.near.end()));
-    CHECK(idsOf(frame, ids) == nearest(frame, ids, {9.0, 7.0}, 5));
-    REQUIRE(frame.nearPoses.size() == 5 * kNumbersPerPose);
+    REQUIRE(frame.crowd.near.size() == 5);
+    CHECK(std::is_sorted(frame.crowd.near.begin(), frame.crowd.near.end()));
+    CHECK(idsOf(frame, ids) == nearest(client.page, {9.0, 7.0}, 5));
+    REQUIRE(frame.crowd.nearPoses.size() == 5 * kNumbersPerPose);
     for (std::size_t k = 0; k < 5; ++k) {
-        const std::int16_t* pose = frame.nearPoses.data() + k * kNumbersPerPose;
+        const std::int16_t* pose = frame.crowd.nearPoses.data() + k * kNumbersPerPose;
         CHECK(pose[2] > 700);  // Standing: hips [mm] above the ground.
         CHECK(pose[2] < 1100);
-        for (std::size_t j = 0; j < kJointCount; ++j) {
-            double norm = 0.0;
-            for (std::size_t n = 0; n < 4; ++n) norm += std::pow(pose[3 + 4 * j + n] / 32767.0, 2);
-            CHECK(norm == doctest::Approx(1.0).epsilon(1e-3));
-        }
+        for (const Quat& q : PageDecoder::turns(pose))
+            CHECK(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w == doctest::Approx(1.0).epsilon(1e-5));
+        // A standing head is level: its turns from the hips on come to little.
+        const Quat hips = PageDecoder::turns(pose).front();
+        CHECK(std::fabs(hips.w) > 0.9);
+        const std::size_t who = frame.crowd.near[k];
+        CHECK(std::fabs(frame.crowd.nearPlaces[3 * k] - client.page.x[who]) < 0.001);
+        CHECK(std::fabs(std::remainder(frame.crowd.nearPlaces[3 * k + 2] - client.page.heading[who], 6.283185307179586)) <
+              2e-4);
     }
     attend(client, 0.0f, 0.0f, 0);
     run(session, 0.1, {&client});
-    CHECK(client.frames.back().near.empty());
+    CHECK(client.frames.back().crowd.near.empty());
 }
 
 TEST_CASE("two clients look at two spots") {
@@ -117,8 +121,8 @@ TEST_CASE("two clients look at two spots") {
     attend(one, 9.0f, 9.0f, 1);
     attend(two, -9.0f, -9.0f, 2);
     run(session, 0.2, {&one, &two});
-    CHECK(one.frames.back().near.size() == 3);
-    CHECK(one.frames.back().near == two.frames.back().near);
+    CHECK(one.frames.back().crowd.near.size() == 3);
+    CHECK(one.frames.back().crowd.near == two.frames.back().crowd.near);
 }
 
 TEST_CASE("asking for too many or for nowhere is refused and changes nothing") {
@@ -126,15 +130,15 @@ TEST_CASE("asking for too many or for nowhere is refused and changes nothing") {
     FakeClient client(session);
     attend(client, 0.0f, 0.0f, 500);
     run(session, 0.2, {&client});
-    CHECK(client.frames.back().near.size() == 16);
+    CHECK(client.frames.back().crowd.near.size() == 16);
     attend(client, 0.0f, 0.0f, 501);
     run(session, 0.2, {&client});
     CHECK(client.noticed("Attend").find("501") != std::string::npos);
-    CHECK(client.frames.back().near.size() == 16);
+    CHECK(client.frames.back().crowd.near.size() == 16);
     attend(client, std::numeric_limits<float>::quiet_NaN(), 0.0f, 3);
     run(session, 0.2, {&client});
     CHECK(client.noticed("Attend").find("not finite") != std::string::npos);
-    CHECK(client.frames.back().near.size() == 16);
+    CHECK(client.frames.back().crowd.near.size() == 16);
 }
 
 TEST_CASE("looking changes nothing in the world") {
@@ -230,14 +234,15 @@ TEST_CASE("whole poses follow the crowd as it grows, shrinks and begins anew") {
         client.send(protocol::SetCount{group, count});
         run(session, 0.3, {&client});
         const protocol::Frame& frame = client.frames.back();
-        CHECK(frame.clip.size() == count);
-        REQUIRE(frame.near.size() == count);
-        CHECK(frame.near.back() == count - 1);
-        CHECK(frame.nearPoses.size() == count * kNumbersPerPose);
+        CHECK(frame.crowd.count == count);
+        CHECK(client.page.clip.size() == count);
+        REQUIRE(frame.crowd.near.size() == count);
+        CHECK(frame.crowd.near.back() == count - 1);
+        CHECK(frame.crowd.nearPoses.size() == count * kNumbersPerPose);
     }
     client.send(protocol::Transport{protocol::TransportAction::Restart});
     run(session, 0.3, {&client});
-    CHECK(client.frames.back().near.size() == 16);
+    CHECK(client.frames.back().crowd.near.size() == 16);
     CHECK(client.motions.size() == 1);
 }
 
@@ -248,16 +253,17 @@ TEST_CASE("while paused nothing moves; one step moves on by a sixtieth") {
     run(session, 0.5, {&client});
     client.send(protocol::Transport{protocol::TransportAction::Pause});
     run(session, 0.2, {&client});
-    const std::vector<std::uint16_t> before = client.frames.back().clipTime;
+    const std::vector<double> before = client.page.phase;
+    const std::vector<std::uint8_t> clips = client.page.clip;
     run(session, 0.5, {&client});
-    CHECK(client.frames.back().clipTime == before);
+    CHECK(client.page.phase == before);
     client.send(protocol::Transport{protocol::TransportAction::SingleStep});
     run(session, 0.2, {&client});
-    const std::vector<std::uint16_t>& after = client.frames.back().clipTime;
+    const std::vector<double>& after = client.page.phase;
     REQUIRE(after.size() == before.size());
     for (std::size_t i = 0; i < after.size(); ++i) {
         // Idle, each by a cadence of its own; or over the end into the next cycle.
-        const int moved = after[i] - before[i];
+        const double moved = 1000.0 * (after[i] - before[i]) * ownClips().clips[clips[i]].duration();
         CHECK_MESSAGE(((moved >= 11 && moved <= 23) || moved < 0), moved);
     }
 }
@@ -271,6 +277,7 @@ TEST_CASE("a replay shows the motion that was seen") {
     client.touchAt(protocol::TouchPhase::Move, {4.0, 1.0}, 1.1);
     run(session, 1.5, {&client});
     const protocol::Frame seen = client.frames.back();
+    const PageFrame seenPage = client.page;
     const auto take = session.take();
     REQUIRE(take.ok());
     Session again{sessionDef()};
@@ -281,8 +288,8 @@ TEST_CASE("a replay shows the motion that was seen") {
         run(again, 1.0 / 60.0, {&viewer});
     const protocol::Frame& shown = viewer.frames.back();
     REQUIRE(shown.step == seen.step);
-    CHECK(shown.clip == seen.clip);
-    CHECK(shown.clipTime == seen.clipTime);
-    CHECK(shown.heading == seen.heading);
-    CHECK(shown.near == seen.near);
+    CHECK(viewer.page.clip == seenPage.clip);
+    CHECK(viewer.page.phase == seenPage.phase);
+    CHECK(viewer.page.heading == seenPage.heading);
+    CHECK(shown.crowd.near == seen.crowd.near);
 }

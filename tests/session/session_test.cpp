@@ -1,3 +1,4 @@
+#include <cmath>
 #include "session/fake_client.h"
 
 #include <nlohmann/json.hpp>
@@ -69,13 +70,18 @@ TEST_CASE("Frames show the world") {
     const Characters& characters = session.world()->characters();
     CHECK(frame.step == 60);
     CHECK(frame.time == doctest::Approx(1.0));
-    REQUIRE(frame.x.size() == 16);
+    REQUIRE(client.page.x.size() == 16);
     for (std::size_t i = 0; i < 16; ++i) {
-        CHECK(frame.x[i] == static_cast<float>(characters.position[i].x));
-        CHECK(frame.y[i] == static_cast<float>(characters.position[i].y));
+        CHECK(std::fabs(client.page.x[i] - characters.position[i].x) < 0.0006);
+        CHECK(std::fabs(client.page.y[i] - characters.position[i].y) < 0.0006);
     }
     REQUIRE(frame.groups.size() == 1);
-    CHECK(frame.groups[0].places.size() == 32);
+    REQUIRE(client.page.places[0].size() == 32);
+    for (std::size_t k = 0; k < 16; ++k) {
+        const Vec2 place = session.world()->group(0).places->positions()[k];
+        CHECK(std::fabs(client.page.places[0][2 * k] - place.x) < 0.006);
+        CHECK(std::fabs(client.page.places[0][2 * k + 1] - place.y) < 0.006);
+    }
     CHECK(frame.groups[0].vertices.size() == 2 * session.world()->group(0).mesh->finalMesh().size());
     // Triangles and boundary refer to those vertices.
     REQUIRE(client.meshes.size() == 1);
@@ -109,7 +115,7 @@ TEST_CASE("A touch reaches the next frame and steers the crowd") {
     client.touchAt(protocol::TouchPhase::Up, {3.1, 0.1}, page + 61 / 60.0);
     run(session, 6.0, {&client});
     double mean = 0.0;
-    for (const float x : client.frames.back().x) mean += x / 16.0;
+    for (const double x : client.page.x) mean += x / 16.0;
     CHECK(mean == doctest::Approx(3.0).epsilon(0.2));
     CHECK(client.notices.empty());
 }
@@ -191,7 +197,7 @@ TEST_CASE("Formation, count and parameters change the world and the scene") {
     client.send(protocol::SetParameter{"plan.exponent", 1.0});
     run(session, 0.2, {&client});
     CHECK(client.meshes.back().formation == "wedge");
-    CHECK(client.frames.back().x.size() == 20);
+    CHECK(client.frames.back().crowd.count == 20);
     CHECK(session.world()->parameters().exponent == 1.0);
     const auto scene = nlohmann::json::parse(client.scenes.back().json);
     CHECK(scene["groups"][0]["count"] == 20);

@@ -12,8 +12,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 4;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v4";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 5;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v5";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -107,15 +107,51 @@ struct GroupFrame {
     std::uint32_t id = 0;
     std::uint32_t meshVersion = 0;
     float lag = 0.0f;  ///< mean distance to places [m]
+    float walkSum = 0.0f;  ///< of all walks, as the last plan knows them
+    float walkSquares = 0.0f;  ///< sum of their squares
+    float walkLongest = 0.0f;
     std::vector<float> vertices;  ///< x, y of Vf
-    std::vector<float> places;  ///< x, y
-    std::vector<std::uint8_t> fit;  ///< per place, 0: no room for anyone
+    std::vector<std::uint32_t> moved;  ///< places with another offset than in the last frame sent
+    std::vector<std::int16_t> offsets;  ///< x, y per such from their points of the mesh [cm]
+    std::vector<std::uint8_t> unfit;  ///< a bit per place, the lowest first, 1: no room for anyone; empty where unchanged
     std::vector<ControlFrame> controls;
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(id, meshVersion, lag, vertices, places, fit, controls);
+        archive(id, meshVersion, lag, walkSum, walkSquares, walkLongest, vertices, moved, offsets, unfit,
+                controls);
+    }
+};
+
+/// All characters, in some four bytes each: see docs/protocol.md.
+struct CrowdFrame {
+    std::uint32_t count = 0;
+    double x0 = 0.0;  ///< where x is 0 [m]
+    double y0 = 0.0;
+    float quantum = 0.0f;  ///< what 1 is in x and y [m]; a power of two
+    std::vector<std::uint16_t> x;  ///< of everybody, or empty where steps follow
+    std::vector<std::uint16_t> y;
+    std::vector<std::int8_t> stepX;  ///< since the last frame sent
+    std::vector<std::int8_t> stepY;
+    std::vector<std::uint32_t> jumped;  ///< indices of those who moved too far for a step
+    std::vector<std::uint16_t> jumpedX;  ///< where they are
+    std::vector<std::uint16_t> jumpedY;
+    std::vector<std::uint8_t> heading;  ///< whole 256ths of a turn
+    std::vector<std::uint8_t> headingFine;  ///< 256ths of these; empty in large crowds
+    std::vector<std::uint32_t> changed;  ///< indices of those who play another clip than in the last frame sent
+    std::vector<std::uint8_t> clip;  ///< index into Motions: theirs, or everybody's where x is
+    std::vector<std::uint8_t> phase;  ///< whole 256ths of the clip
+    std::vector<std::uint8_t> phaseFine;  ///< 256ths of these; empty in large crowds
+    std::vector<std::uint32_t> near;  ///< indices of those who come with whole poses
+    std::vector<float> nearPlaces;  ///< per such x, y [m], heading [rad]
+    std::vector<std::int16_t> nearPoses;  ///< per such: hips x, y, z [mm], then three numbers per joint, for a body of size 1
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(count, x0, y0, quantum, x, y, stepX, stepY, jumped, jumpedX, jumpedY, heading, headingFine,
+                changed, clip, phase, phaseFine, near, nearPlaces, nearPoses);
     }
 };
 
@@ -443,11 +479,13 @@ struct GroupMesh {
     std::string formation;
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> boundary;  ///< loops: length, then vertices
+    std::vector<std::uint32_t> placeTriangles;  ///< per place, index of the triangle it lies in
+    std::vector<float> placeWeights;  ///< per place, of that triangle's first and second vertex; the third's makes 1
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, version, formation, triangles, boundary);
+        archive(group, version, formation, triangles, boundary, placeTriangles, placeWeights);
     }
 };
 
@@ -466,18 +504,7 @@ struct Frame {
     std::uint32_t sceneRevision = 0;
     std::vector<std::uint32_t> ids;  ///< of characters; empty where unchanged since the last frame sent
     std::vector<std::uint8_t> group;  ///< index into groups
-    std::vector<float> x;
-    std::vector<float> y;
-    std::vector<float> heading;  ///< [rad]
-    std::vector<std::uint8_t> motion;
-    std::vector<std::uint8_t> phase;
-    std::vector<std::uint8_t> clip;  ///< index into Motions
-    std::vector<std::uint16_t> clipTime;  ///< in it [ms]
-    std::vector<std::uint8_t> fromClip;  ///< the clip that fades out
-    std::vector<std::uint16_t> fromTime;  ///< [ms]
-    std::vector<std::uint8_t> fade;  ///< share of it still shown, over 255
-    std::vector<std::uint32_t> near;  ///< indices of those who come with whole poses
-    std::vector<std::int16_t> nearPoses;  ///< per such: hips x, y, z [mm], then per joint x, y, z, w over 32767, for a body of size 1
+    CrowdFrame crowd;
     std::vector<GroupFrame> groups;
     std::vector<MovingFrame> moving;
     std::vector<std::uint8_t> collected;
@@ -490,8 +517,8 @@ struct Frame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(frame, step, time, playing, speed, recordedSeconds, replaying, demonstrating, touchEcho,
-                sceneRevision, ids, group, x, y, heading, motion, phase, clip, clipTime, fromClip, fromTime,
-                fade, near, nearPoses, groups, moving, collected, stepMs, lagP95, swapsPerSecond, events);
+                sceneRevision, ids, group, crowd, groups, moving, collected, stepMs, lagP95, swapsPerSecond,
+                events);
     }
 };
 

@@ -1,17 +1,18 @@
 import { describe, expect, it } from 'vitest';
-import type { EventFrame, Frame } from '../protocol/messages';
+import type { EventFrame } from '../protocol/messages';
+import type { StudioFrame } from './studio_frame';
 import { FrameGate, mergeStale } from './frame_gate';
 
-function frame(number: number, ids: number[] = [], events: number[] = []): Frame {
+function frame(number: number, ids: number[] = [], events: number[] = []): StudioFrame {
   const part = {
     type: 'Frame', frame: number, ids: Uint32Array.from(ids), group: Uint8Array.from(ids.map(() => 0)),
     events: events.map((subject) => ({ subject }) as EventFrame),
   };
-  return part as unknown as Frame;
+  return part as unknown as StudioFrame;
 }
 
-function gate(): { gate: FrameGate; seen: Frame[] } {
-  const seen: Frame[] = [];
+function gate(): { gate: FrameGate; seen: StudioFrame[] } {
+  const seen: StudioFrame[] = [];
   return { gate: new FrameGate((one) => seen.push(one)), seen };
 }
 

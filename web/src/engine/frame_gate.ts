@@ -1,9 +1,9 @@
 // Lets one frame at a time through to the page; while the page is busy only the newest waits.
 
-import type { Frame } from '../protocol/messages';
+import type { StudioFrame } from './studio_frame';
 
 /** A frame that was overtaken leaves behind what later frames do not repeat: ids and events. */
-export function mergeStale(stale: Frame, newer: Frame): Frame {
+export function mergeStale(stale: StudioFrame, newer: StudioFrame): StudioFrame {
   const idsKept = newer.ids.length === 0 && stale.ids.length > 0;
   return {
     ...newer,
@@ -14,14 +14,14 @@ export function mergeStale(stale: Frame, newer: Frame): Frame {
 }
 
 export class FrameGate {
-  private waiting: { frame: Frame; receivedAt: number } | null = null;
+  private waiting: { frame: StudioFrame; receivedAt: number } | null = null;
   private pageIsReady = true;
   /** Frames that the page never saw. */
   dropped = 0;
 
-  constructor(private readonly deliver: (frame: Frame, receivedAt: number) => void) {}
+  constructor(private readonly deliver: (frame: StudioFrame, receivedAt: number) => void) {}
 
-  offer(frame: Frame, receivedAt: number): void {
+  offer(frame: StudioFrame, receivedAt: number): void {
     if (this.pageIsReady) {
       this.pageIsReady = false;
       this.deliver(frame, receivedAt);

@@ -1,6 +1,7 @@
 // What page and worker tell each other.
 
 import type { ClientMessage, Frame, ServerMessage } from '../protocol/messages';
+import type { StudioFrame } from './studio_frame';
 
 /** Where the connection stands. */
 export type LinkState =
@@ -19,5 +20,5 @@ export type ToWorker =
 export type FromWorker =
   | { readonly kind: 'message'; readonly message: Exclude<ServerMessage, Frame> }
   /** `receivedAt` since the epoch [ms], as worker and page have different origins of time. */
-  | { readonly kind: 'frame'; readonly frame: Frame; readonly receivedAt: number }
+  | { readonly kind: 'frame'; readonly frame: StudioFrame; readonly receivedAt: number }
   | { readonly kind: 'link'; readonly state: LinkState };

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Frame, Welcome } from '../protocol/messages';
+import type { Welcome } from '../protocol/messages';
+import type { StudioFrame } from './studio_frame';
 import type { FromWorker, ToWorker } from './link_messages';
 import { StudioClient, type WorkerPort } from './studio_client';
 
@@ -20,7 +21,7 @@ describe('StudioClient', () => {
     const client = new StudioClient(worker, 1000);
     const times: number[] = [];
     client.on('frame', ({ receivedAt }) => times.push(receivedAt));
-    worker.say({ kind: 'frame', frame: { type: 'Frame' } as Frame, receivedAt: 1250 });
+    worker.say({ kind: 'frame', frame: { type: 'Frame' } as StudioFrame, receivedAt: 1250 });
     expect(times).toEqual([250]);
     expect(worker.posted).toEqual([{ kind: 'ready' }]);
   });

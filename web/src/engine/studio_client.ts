@@ -12,6 +12,7 @@ import type {
   Welcome,
 } from '../protocol/messages';
 import { Emitter } from './emitter';
+import type { StudioFrame } from './studio_frame';
 import type { FromWorker, LinkState, ToWorker } from './link_messages';
 
 export interface StudioEvents {
@@ -21,7 +22,7 @@ export interface StudioEvents {
   motions: Motions;
   groupMesh: GroupMesh;
   /** `receivedAt` by performance.now() [ms]. */
-  frame: { readonly frame: Frame; readonly receivedAt: number };
+  frame: { readonly frame: StudioFrame; readonly receivedAt: number };
   overlay: Overlay;
   notice: Notice;
 }

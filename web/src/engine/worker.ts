@@ -4,7 +4,9 @@ import { SUBPROTOCOL, decodeServer, encodeClient, type ClientMessage, type Frame
 import { problem } from '../protocol/problem';
 import { Connection, type Socket, type Timers } from './connection';
 import { FrameGate } from './frame_gate';
+import { FrameUnpacker } from './frame_unpacker';
 import type { FromWorker, ToWorker } from './link_messages';
+import { buffersOf } from './studio_frame';
 
 const timers: Timers = {
   now: () => Date.now(),
@@ -22,14 +24,17 @@ function epochMs(): number {
 
 class LinkWorker {
   private url = '';
-  private readonly gate = new FrameGate((frame, receivedAt) => post({ kind: 'frame', frame, receivedAt }));
+  private unpacker = new FrameUnpacker();
+  private readonly gate = new FrameGate((frame, receivedAt) => {
+    self.postMessage({ kind: 'frame', frame, receivedAt } satisfies FromWorker, { transfer: buffersOf(frame) });
+  });
   private readonly connection = new Connection(
     () => new WebSocket(this.url, SUBPROTOCOL) as unknown as Socket,
     timers,
     {
       onBytes: (bytes) => this.receive(bytes),
       onState: (state) => {
-        if (state.phase !== 'open') this.gate.reset();
+        if (state.phase !== 'open') this.forget();
         if (state.phase === 'open') this.send({ type: 'Hello', name: 'Studio' });
         post({ kind: 'link', state });
       },
@@ -55,6 +60,12 @@ class LinkWorker {
     }
   }
 
+  /** A new connection tells everything anew. */
+  private forget(): void {
+    this.gate.reset();
+    this.unpacker = new FrameUnpacker();
+  }
+
   private send(message: ClientMessage): void {
     this.connection.send(encodeClient(message));
   }
@@ -63,8 +74,10 @@ class LinkWorker {
     const receivedAt = epochMs();
     try {
       const message = decodeServer(bytes);
-      if (message.type === 'Frame') this.receiveFrame(message, receivedAt);
-      else post({ kind: 'message', message });
+      if (message.type === 'Frame') return this.receiveFrame(message, receivedAt);
+      if (message.type === 'Motions') this.unpacker.setMotions(message);
+      if (message.type === 'GroupMesh') this.unpacker.setMesh(message);
+      post({ kind: 'message', message });
     } catch (error) {
       const text = `The page could not read a message of the server: ${String(error)}`;
       post({ kind: 'message', message: problem('decode', text) });
@@ -73,7 +86,7 @@ class LinkWorker {
 
   private receiveFrame(frame: Frame, receivedAt: number): void {
     this.send({ type: 'FrameAck', frame: frame.frame });
-    this.gate.offer(frame, receivedAt);
+    this.gate.offer(this.unpacker.unpack(frame), receivedAt);
   }
 }
 

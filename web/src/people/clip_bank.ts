@@ -1,4 +1,4 @@
-// All motion clips as poses, and which two poses a moment of one lies between.
+// All motion clips as poses, one after the other.
 
 import { kPoseNumbers, type Rig, kPoseFloats, solveRig } from './rig';
 import { kJoints } from './skeleton';
@@ -17,20 +17,10 @@ export interface ClipPoses {
   readonly rotations: ArrayLike<number>;
 }
 
-/** Two poses by their index in the bank, and how far from the first to the second. */
-export interface Moment {
-  first: number;
-  second: number;
-  mix: number;
-}
-
 interface Entry {
   readonly first: number;
   readonly poses: number;
-  readonly rate: number;
   readonly cyclic: boolean;
-  /** Of one play, by the server's clock [s]. */
-  readonly length: number;
   readonly name: string;
   readonly motion: string;
   /** In place of the server's: poses that it sends whole are not of this one. */
@@ -50,10 +40,6 @@ export function standingClip(): ClipPoses {
   return { name: 'idle', motion: 'run', rate: 1, cyclic: true, poses: 1, hips: [0, 0, 0.95], rotations };
 }
 
-function lengthOf(clip: Pick<ClipPoses, 'poses' | 'rate' | 'cyclic'>): number {
-  return (clip.cyclic ? clip.poses : Math.max(1, clip.poses - 1)) / clip.rate;
-}
-
 export class ClipBank {
   readonly poseCount: number;
   /** kPoseNumbers per pose. */
@@ -70,7 +56,7 @@ export class ClipBank {
     played.forEach((clip, i) => {
       const original = wanted[i]!;
       this.entries_.push({
-        first, poses: clip.poses, rate: clip.rate, cyclic: original.cyclic, length: lengthOf(original), name: original.name, motion: original.motion,
+        first, poses: clip.poses, cyclic: original.cyclic, name: original.name, motion: original.motion,
         replaced: clip !== original,
       });
       this.fill(clip, first);
@@ -94,25 +80,9 @@ export class ClipBank {
     return this.entry(clip).replaced;
   }
 
-  /** Length of one play [s]. */
-  length(clip: number): number {
-    return this.entry(clip).length;
-  }
-
-  cyclic(clip: number): boolean {
-    return this.entry(clip).cyclic;
-  }
-
-  /** Where a clip is at a time in it [s]. */
-  moment(clip: number, time: number, out: Moment): void {
-    const { first, poses, rate, cyclic, length, replaced } = this.entry(clip);
-    const spans = cyclic ? poses : Math.max(1, poses - 1);
-    const at = (replaced ? time / length : (time * rate) / spans) * spans;
-    const inside = cyclic ? at - poses * Math.floor(at / poses) : Math.min(Math.max(at, 0), poses - 1);
-    const whole = Math.min(Math.floor(inside), poses - 1);
-    out.first = first + whole;
-    out.second = first + (cyclic ? (whole + 1) % poses : Math.min(whole + 1, poses - 1));
-    out.mix = inside - whole;
+  /** Where in the bank its poses are. */
+  span(clip: number): { readonly first: number; readonly poses: number; readonly cyclic: boolean } {
+    return this.entry(clip);
   }
 
   /** All poses solved on a body: kPoseFloats per pose. */

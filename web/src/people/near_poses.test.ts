@@ -7,13 +7,13 @@ import { jointIndex } from './skeleton';
 function frame(near: readonly number[], heights: readonly number[], angle = 0, members = 8): NearFrame {
   const numbers = heights.flatMap((height) => {
     const pose = new Array<number>(kPoseNumbers).fill(0);
-    pose[2] = Math.round(1000 * height);
-    for (let j = 0; j < 21; ++j) pose[3 + 4 * j + 3] = 32767;
-    pose[5] = Math.round(32767 * Math.sin(angle / 2));
-    pose[6] = Math.round(32767 * Math.cos(angle / 2));
+    pose[2] = height;
+    for (let j = 0; j < 21; ++j) pose[3 + 4 * j + 3] = 1;
+    pose[5] = Math.sin(angle / 2);
+    pose[6] = Math.cos(angle / 2);
     return pose;
   });
-  return { x: new Float32Array(members), near, nearPoses: Int16Array.from(numbers) };
+  return { x: new Float32Array(members), near, nearPoses: Float32Array.from(numbers) };
 }
 
 function solvedHeights(near: NearPoses): number[] {
@@ -54,7 +54,7 @@ describe('NearPoses', () => {
     const near = new NearPoses();
     near.mix(frame([0, 1, 2], [1, 1, 1]), frame([0, 1, 2], [1, 1, 1]), 0.5, 3, 2);
     expect(near.count).toBe(2);
-    near.mix(frame([], []), { x: [0, 0, 0], near: [0, 1], nearPoses: new Int16Array(kPoseNumbers + 5) }, 0.5, 3, 9);
+    near.mix(frame([], []), { x: [0, 0, 0], near: [0, 1], nearPoses: new Float32Array(kPoseNumbers + 5) }, 0.5, 3, 9);
     expect(near.count).toBe(1);
     near.mix(frame([], []), frame([9], [1]), 0.5, 3, 9);
     expect(Array.from(near.slots)).toEqual([-1, -1, -1]);
@@ -67,8 +67,8 @@ describe('NearPoses', () => {
       const angle = Math.asin((0.2 - x) / leg);
       const { x: places, near, nearPoses } = frame([0], [ankle + leg * Math.cos(angle) + 0.04]);
       const pose = Array.from(nearPoses);
-      pose[3 + 4 * thigh + 1] = Math.round(32767 * Math.sin(-angle / 2));
-      pose[3 + 4 * thigh + 3] = Math.round(32767 * Math.cos(-angle / 2));
+      pose[3 + 4 * thigh + 1] = Math.sin(-angle / 2);
+      pose[3 + 4 * thigh + 3] = Math.cos(-angle / 2);
       return { x: places, near, nearPoses: pose };
     };
     const near = new NearPoses();

@@ -14,9 +14,6 @@ export interface NearFrame {
   readonly nearPoses: Numbers;
 }
 
-/** Numbers on the wire per pose. */
-const kWire = kPoseNumbers;
-
 export class NearPoses {
   /** Per character its slot, or -1. */
   slots = new Int16Array(0);
@@ -28,7 +25,7 @@ export class NearPoses {
 
   /** Mixes everyone who is near in `to`, at most `most`, out of `members` characters. */
   mix(from: NearFrame, to: NearFrame, alpha: number, members: number, most: number): void {
-    this.count = Math.min(to.near.length, Math.floor(to.nearPoses.length / kWire), most);
+    this.count = Math.min(to.near.length, Math.floor(to.nearPoses.length / kPoseNumbers), most);
     this.reserve(members);
     this.slots.fill(-1);
     this.earlier_.fill(-1);
@@ -70,7 +67,6 @@ export class NearPoses {
 }
 
 function read(numbers: Numbers, slot: number, out: Float32Array): void {
-  const at = kWire * slot;
-  for (let k = 0; k < 3; ++k) out[k] = numbers[at + k]! / 1000;
-  for (let k = 3; k < kWire; ++k) out[k] = numbers[at + k]! / 32767;
+  const at = kPoseNumbers * slot;
+  for (let k = 0; k < kPoseNumbers; ++k) out[k] = numbers[at + k]!;
 }

@@ -5,9 +5,9 @@ import { type Body, kRegion } from './body';
 import { plainRig } from './rig';
 import { jointIndex, restPositions } from './skeleton';
 
-type Point = readonly [number, number, number];
+export type Point = readonly [number, number, number];
 
-interface Tube {
+export interface Tube {
   readonly joint: string;
   readonly from: Point;
   readonly to: Point;
@@ -97,9 +97,10 @@ function axesOf([x, y, z]: Point): [Point, Point] {
   return [[d[1] * uz - d[2] * uy, d[2] * ux - d[0] * uz, d[0] * uy - d[1] * ux], d];
 }
 
-function build(sides: number): BufferGeometry {
+/** A skin of tubes with so many sides. */
+export function buildTubes(list: readonly Tube[], sides: (tube: Tube) => number): BufferGeometry {
   const builder = new TubeBuilder();
-  for (const tube of tubes()) builder.add(tube, sides);
+  for (const tube of list) builder.add(tube, sides(tube));
   const count = builder.regions.length;
   const geometry = new BufferGeometry();
   const weights = new Float32Array(4 * count).map((_, i) => (i % 4 === 0 ? 1 : 0));
@@ -118,5 +119,5 @@ function build(sides: number): BufferGeometry {
 
 /** The simple person at both levels. */
 export function makePlainBody(): Body {
-  return { name: 'plain', rig: plainRig(), near: [{ geometry: build(10), map: null }], far: [{ geometry: build(5), map: null }] };
+  return { name: 'plain', rig: plainRig(), near: [{ geometry: buildTubes(tubes(), () => 10), map: null }], far: [{ geometry: buildTubes(tubes(), () => 5), map: null }] };
 }

@@ -5,7 +5,7 @@ export class ProtocolError extends Error {
   override name = 'ProtocolError';
 }
 
-type Numbers = Uint8Array | Uint16Array | Int16Array | Uint32Array | Float32Array | Float64Array;
+type Numbers = Uint8Array | Int8Array | Uint16Array | Int16Array | Uint32Array | Float32Array | Float64Array;
 
 /** Reads values in turn; throws ProtocolError where the bytes do not suffice or have no such value. */
 export class ByteReader {
@@ -50,6 +50,9 @@ export class ByteReader {
   }
   u8s(): Uint8Array {
     return new Uint8Array(this.slice(1));
+  }
+  i8s(): Int8Array {
+    return new Int8Array(this.slice(1));
   }
   u16s(): Uint16Array {
     return new Uint16Array(this.slice(2));
@@ -130,6 +133,9 @@ export class ByteWriter {
     this.u8s(new TextEncoder().encode(value));
   }
   u8s(values: Uint8Array): void {
+    this.raw(values);
+  }
+  i8s(values: Int8Array): void {
     this.raw(values);
   }
   u16s(values: Uint16Array): void {

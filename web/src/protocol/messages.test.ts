@@ -102,13 +102,16 @@ describe('a frame of the server', () => {
     expect([frame.replaying, frame.demonstrating]).toEqual([false, true]);
     expect(frame.ids).toEqual(Uint32Array.of(1, 2));
     expect(frame.group).toEqual(Uint8Array.of(0, 1));
-    expect(frame.x).toEqual(Float32Array.of(0.5, -1.25));
-    expect(frame.motion).toEqual(Uint8Array.of(0, 3));
-    expect(frame.clipTime).toEqual(Uint16Array.of(0, 40000));
-    expect(frame.fade).toEqual(Uint8Array.of(0, 255));
-    expect(frame.nearPoses).toEqual(Int16Array.of(950, -3, -32767));
+    const { crowd } = frame;
+    expect([crowd.count, crowd.x0, crowd.y0, crowd.quantum]).toEqual([2, -32.5, 16, 1 / 1024]);
+    expect([crowd.stepX, crowd.stepY]).toEqual([Int8Array.of(-128, 127), Int8Array.of(0, -1)]);
+    expect([crowd.jumpedX, crowd.jumpedY]).toEqual([Uint16Array.of(65535), Uint16Array.of(258)]);
+    expect([crowd.heading, crowd.clip]).toEqual([Uint8Array.of(0, 200), Uint8Array.of(5)]);
+    expect(crowd.nearPlaces).toEqual(Float32Array.of(0.5, -1.25, 3));
+    expect(crowd.nearPoses).toEqual(Int16Array.of(950, -3, -32767));
     expect(frame.groups[0]!.vertices).toEqual(Float32Array.of(0, 0, 1, 0, 0, 1));
-    expect(frame.groups[0]!.fit).toEqual(Uint8Array.of(1, 0, 1));
+    expect(frame.groups[0]!.walkSum).toBe(12.5);
+    expect(frame.groups[0]!.offsets).toEqual(Int16Array.of(-40, 300));
     const control = frame.groups[0]!.controls[0]!;
     expect(control.kind).toBe(ControlKind.Area);
     expect(control.points[0]).toEqual({ touch: 9, down: true, x: 1, y: 2, path: Float32Array.of(3, 4) });
@@ -128,9 +131,10 @@ describe('a frame of the server', () => {
   it('has arrays of its own, aligned, that can be transferred', () => {
     const bytes = goldenFrame();
     const frame = decodeServer(bytes) as Frame;
-    expect(frame.x.byteOffset).toBe(0);
-    expect(frame.x.buffer).not.toBe(bytes);
-    expect(frame.x.buffer.byteLength).toBe(8);
+    const { jumpedX } = frame.crowd;
+    expect(jumpedX.byteOffset).toBe(0);
+    expect(jumpedX.buffer).not.toBe(bytes);
+    expect(jumpedX.buffer.byteLength).toBe(2);
   });
 });
 

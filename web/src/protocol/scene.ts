@@ -59,6 +59,11 @@ export interface SceneCheckpoint {
   readonly group: number;
 }
 
+export interface SceneParameter {
+  readonly name: string;
+  readonly value: number;
+}
+
 export interface SceneFacts {
   /** File name without .json; in folders FOLDER/NAME. */
   readonly name: string;
@@ -78,6 +83,7 @@ export interface SceneFacts {
   readonly groups: readonly SceneGroup[];
   readonly items: readonly SceneItem[];
   readonly checkpoints: readonly SceneCheckpoint[];
+  readonly parameters: readonly SceneParameter[];
 }
 
 /** True where both are the same place, whatever stands in it: the view need not open anew. */
@@ -106,5 +112,6 @@ export function parseScene(json: string): SceneFacts {
     groups: facts.groups ?? [],
     items: facts.items ?? [],
     checkpoints: facts.checkpoints ?? [],
+    parameters: facts.parameters ?? [],
   };
 }

@@ -1,7 +1,7 @@
 // Keys that act on camera and controls.
 
 import { pageClock } from '../engine/latency_meter';
-import type { Frame } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import type { CameraControls, GroundPoint, ScreenPoint } from '../view/camera_types';
 import { pointsOf } from '../geometry/plane';
 import type { HeldControls, OwnControl } from './held_controls';
@@ -32,7 +32,7 @@ export function groundAxes(toGround: (at: ScreenPoint) => GroundPoint | null, mi
 
 export class CrowdKeys {
   private readonly steering: KeyboardSteering;
-  private frame: Frame | null = null;
+  private frame: StudioFrame | null = null;
   /** Where the mouse is over the scene; null while it drags. */
   private pointer: ScreenPoint | null = null;
 
@@ -46,7 +46,7 @@ export class CrowdKeys {
     this.steering = new KeyboardSteering(controls);
   }
 
-  observe(frame: Frame): void {
+  observe(frame: StudioFrame): void {
     this.frame = frame;
   }
 

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { Frame } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import type { DraftControl } from '../view/mark_layer';
 import { Drafts, type AskedControl } from './drafts';
 import { HeldControls } from './held_controls';
@@ -12,7 +12,7 @@ let calls: number;
 let asked: () => readonly AskedControl[];
 let drafts: Drafts;
 
-function frame(playing: boolean, touchEcho = 0, step = 1, more: Partial<Frame> = {}): Frame {
+function frame(playing: boolean, touchEcho = 0, step = 1, more: Partial<StudioFrame> = {}): StudioFrame {
   return { ...frameWith(step, []), playing, touchEcho, replaying: false, ...more };
 }
 

@@ -2,7 +2,8 @@
 // what they have drawn, until the next step takes it.
 
 import { convexHull } from '../geometry/plane';
-import { ControlKind, type Frame } from '../protocol/messages';
+import { ControlKind } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import type { GroundPoint } from '../view/camera_types';
 import type { DraftControl } from '../view/mark_layer';
 
@@ -63,7 +64,7 @@ export class Drafts implements DraftBook {
   }
 
   /** Forgets what this frame answers. */
-  observe(frame: Frame): void {
+  observe(frame: StudioFrame): void {
     this.groups = frame.groups.map(({ id }) => id);
     this.ends = endsOf(frame, this.clientId());
     // A replay takes nothing from fingers.
@@ -104,7 +105,7 @@ export class Drafts implements DraftBook {
 }
 
 /** Touches are numbered by each client. */
-function endsOf(frame: Frame, client: number): Map<number, GroundPoint> {
+function endsOf(frame: StudioFrame, client: number): Map<number, GroundPoint> {
   const own = frame.groups.flatMap((group) => group.controls.filter((control) => control.client === client));
   const points = own.flatMap((control) => control.points);
   return new Map(points.map(({ touch, x, y, path }) => {

@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import type { GroupFrame, GroupMesh } from '../protocol/messages';
+import type { GroupMesh } from '../protocol/messages';
+import type { StudioGroup } from '../engine/studio_frame';
 import { FormationHitTest, fingertipFrom, metresFrom } from './formation_hit_test';
 
-function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame: GroupFrame } {
+function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame: StudioGroup } {
   return {
     mesh: {
       type: 'GroupMesh',
@@ -11,11 +12,16 @@ function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame
       formation: 'square',
       triangles: new Uint32Array([0, 1, 2, 0, 2, 3]),
       boundary: new Uint32Array([4, 0, 1, 2, 3]),
+      placeTriangles: new Uint32Array(),
+      placeWeights: new Float32Array(),
     },
     frame: {
       id: group,
       meshVersion: version,
       lag: 0,
+      walkSum: 0,
+      walkSquares: 0,
+      walkLongest: 0,
       vertices: new Float32Array([x, 0, x + 4, 0, x + 4, 4, x, 4]),
       places: new Float32Array(),
       fit: new Uint8Array(),
@@ -24,7 +30,7 @@ function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame
   };
 }
 
-function hitTest(...squares: { mesh: GroupMesh; frame: GroupFrame }[]): FormationHitTest {
+function hitTest(...squares: { mesh: GroupMesh; frame: StudioGroup }[]): FormationHitTest {
   const test = new FormationHitTest();
   for (const { mesh } of squares) test.setMesh(mesh);
   test.setGroups(squares.map(({ frame }) => frame));

@@ -1,7 +1,8 @@
 // Which formation a contact begins on, tested against the newest Vf.
 
 import { distanceToSegment, insideTriangle, pointsOf } from '../geometry/plane';
-import type { GroupFrame, GroupMesh } from '../protocol/messages';
+import type { GroupMesh } from '../protocol/messages';
+import type { StudioGroup } from '../engine/studio_frame';
 import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import { rimOf } from '../view/mesh_topology';
 
@@ -49,13 +50,13 @@ interface Mesh {
 
 export class FormationHitTest {
   private readonly meshes = new Map<number, Mesh>();
-  private groups: readonly GroupFrame[] = [];
+  private groups: readonly StudioGroup[] = [];
 
   setMesh({ group, version, triangles, boundary }: GroupMesh): void {
     this.meshes.set(group, { version, triangles, rim: rimOf(boundary) });
   }
 
-  setGroups(groups: readonly GroupFrame[]): void {
+  setGroups(groups: readonly StudioGroup[]): void {
     this.groups = groups;
   }
 
@@ -70,7 +71,7 @@ export class FormationHitTest {
   }
 
   /** Null out of reach, and where mesh and vertices do not belong together yet. */
-  private distanceTo(group: GroupFrame, point: GroundPoint, reach: RimReach): number | null {
+  private distanceTo(group: StudioGroup, point: GroundPoint, reach: RimReach): number | null {
     const mesh = this.meshes.get(group.id);
     if (!mesh || mesh.version !== group.meshVersion) return null;
     const vertices = pointsOf(group.vertices);

@@ -1,7 +1,8 @@
 // What of the controls on the meshes a contact takes hold of: an end, a bar, or a whole area.
 
 import { convexHull, distance, distanceToSegment, insidePolygon } from '../geometry/plane';
-import { ControlKind, type ControlFrame, type GroupFrame } from '../protocol/messages';
+import { ControlKind, type ControlFrame } from '../protocol/messages';
+import type { StudioGroup } from '../engine/studio_frame';
 import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 
 export interface Grab {
@@ -45,7 +46,7 @@ function holdsBody(control: ControlFrame, ground: GroundPoint, at: ScreenPoint, 
 
 /** Handles win over bars and areas; reaches are measured on the screen. */
 export function grabAt(
-  groups: readonly GroupFrame[],
+  groups: readonly StudioGroup[],
   ground: GroundPoint,
   toScreen: ToScreen,
   grabbable: (control: ControlFrame, group: number) => Grabbable,

@@ -1,7 +1,8 @@
 // Controls whose fingers are not real ones: made by rubber band, lasso or keyboard, or taken up again after the
 // fingers lifted. Their touches stay down until they are let go.
 
-import { ControlKind, type ControlFrame, type Frame, type GroupFrame } from '../protocol/messages';
+import { ControlKind, type ControlFrame } from '../protocol/messages';
+import type { StudioFrame, StudioGroup } from '../engine/studio_frame';
 import type { MessageSender } from '../engine/studio_client';
 import type { GroundPoint } from '../view/camera_types';
 import { noDrafts, type DraftBook } from './drafts';
@@ -135,7 +136,7 @@ export class HeldControls {
   }
 
   /** Ends all of ours, pinned or not; those that no frame shows yet lift. */
-  letGoAll(time: number, frame: Frame | null): void {
+  letGoAll(time: number, frame: StudioFrame | null): void {
     for (const { touch } of this.held.flatMap((held) => held.fingers)) this.drafts.drop(touch);
     for (const held of this.unanswered) this.letGo(held, time);
     this.held = [];
@@ -165,19 +166,19 @@ export class HeldControls {
   }
 
   /** Our newest control in this frame, for keys without a pointer: touches count on, ids only within a group. */
-  newestIn(frame: Frame): OwnControl | null {
+  newestIn(frame: StudioFrame): OwnControl | null {
     const age = ({ control }: OwnControl): number => Math.max(...control.points.map(({ touch }) => touch));
     return this.ownIn(frame).reduce<OwnControl | null>((best, own) => (best && age(best) >= age(own) ? best : own), null);
   }
 
   /** The control in this frame that a drag holds. */
-  draggedIn(frame: Frame): OwnControl | null {
+  draggedIn(frame: StudioFrame): OwnControl | null {
     const dragged = this.held.filter((held) => held.drags > 0);
     return this.ownIn(frame).find(({ group, control }) => dragged.some((held) => this.matches(held, control, group))) ?? null;
   }
 
   /** Learns the numbers of new controls, pins those that shall be, forgets those that are gone. */
-  observe(frame: Frame): void {
+  observe(frame: StudioFrame): void {
     this.step = frame.step;
     const shown = this.ownIn(frame);
     for (const held of [...this.held]) {
@@ -195,9 +196,9 @@ export class HeldControls {
     this.held = [];
   }
 
-  private ownIn(frame: Frame | null): OwnControl[] {
+  private ownIn(frame: StudioFrame | null): OwnControl[] {
     const me = this.clientId();
-    const own = ({ id, controls }: GroupFrame): OwnControl[] =>
+    const own = ({ id, controls }: StudioGroup): OwnControl[] =>
       controls.filter((control) => control.client === me).map((control) => ({ group: id, control }));
     return frame?.groups.flatMap(own) ?? [];
   }

@@ -1,6 +1,7 @@
 // What several tests of the tools need: a client that remembers, and contacts.
 
-import type { ClientMessage, ControlFrame, Frame, TouchEvent } from '../protocol/messages';
+import type { ClientMessage, ControlFrame, TouchEvent } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import type { Contact } from './contact';
 
@@ -36,9 +37,9 @@ export function controlFrame(id: number, kind: 0 | 1 | 2, at: readonly GroundPoi
 }
 
 /** A frame with one group, 5, that has these controls. */
-export function frameWith(step: number, controls: readonly ControlFrame[]): Frame {
+export function frameWith(step: number, controls: readonly ControlFrame[]): StudioFrame {
   const group = { id: 5, meshVersion: 1, lag: 0, vertices: new Float32Array(), places: new Float32Array(), fit: new Uint8Array(), controls };
-  return { type: 'Frame', step, groups: [group] } as unknown as Frame;
+  return { type: 'Frame', step, groups: [group] } as unknown as StudioFrame;
 }
 
 export class FakeScene {

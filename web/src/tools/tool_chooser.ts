@@ -1,6 +1,7 @@
 // Who owns a contact: decided once, where and how it begins.
 
-import type { ControlFrame, Frame } from '../protocol/messages';
+import type { ControlFrame } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import type { CameraGesture, OrbitGesture } from './camera_gesture';
 import type { Contact, ContactOwner } from './contact';
@@ -30,13 +31,13 @@ const MIDDLE = 1;
 const RIGHT = 2;
 
 export class ToolChooser {
-  private frame: Frame | null = null;
+  private frame: StudioFrame | null = null;
   /** Space is held: the left button pans. */
   panning = false;
 
   constructor(private readonly tools: ChooserTools) {}
 
-  observe(frame: Frame): void {
+  observe(frame: StudioFrame): void {
     this.frame = frame;
   }
 

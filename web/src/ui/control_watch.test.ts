@@ -1,10 +1,11 @@
 import { expect, it } from 'vitest';
-import { ControlKind, type ControlFrame, type Frame } from '../protocol/messages';
+import { ControlKind, type ControlFrame } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import { ControlWatch } from './control_watch';
 
-function frameWith(...controls: Partial<ControlFrame>[]): Frame {
+function frameWith(...controls: Partial<ControlFrame>[]): StudioFrame {
   const group = { id: 1, controls: controls.map((one) => ({ client: 5, points: [], ...one })) };
-  return { type: 'Frame', groups: [group] } as unknown as Frame;
+  return { type: 'Frame', groups: [group] } as unknown as StudioFrame;
 }
 
 it('tells of controls that begin and of those that change their kind, once', () => {

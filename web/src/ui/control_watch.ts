@@ -1,6 +1,7 @@
 // Notices controls that begin or change their kind.
 
-import { ControlKind, type Frame } from '../protocol/messages';
+import { ControlKind } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 
 export interface ControlNews {
   /** Index into the frame's groups. */
@@ -20,7 +21,7 @@ export class ControlWatch {
   private known = new Map<string, ControlKind>();
 
   /** What is new since the last frame. */
-  observe(frame: Frame): ControlNews[] {
+  observe(frame: StudioFrame): ControlNews[] {
     const news: ControlNews[] = [];
     const now = new Map<string, ControlKind>();
     frame.groups.forEach((group, index) => {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Frame, GroupMesh } from '../protocol/messages';
+import type { GroupMesh } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import { parseScene } from '../protocol/scene';
 import { FrameReader, countGroups, sceneKey } from './frame_reader';
 import { initialState } from './studio_state';
@@ -12,12 +13,12 @@ const scene = parseScene(JSON.stringify({
   ],
 }));
 
-function frame(group: number[], groups: number[] = [4, 9]): Frame {
+function frame(group: number[], groups: number[] = [4, 9]): StudioFrame {
   const part = {
-    type: 'Frame', group: Uint8Array.from(group), x: new Float32Array(3), groups: groups.map((id) => ({ id, controls: [] })),
+    type: 'Frame', group: Uint8Array.from(group), x: new Float32Array(3), groups: groups.map((id) => ({ id, controls: [], walkSum: 3, walkSquares: 5, walkLongest: 2 })),
     playing: true, speed: 2, recordedSeconds: 1.5, stepMs: 6, lagP95: 0.8, swapsPerSecond: 0.1, replaying: false, demonstrating: true,
   };
-  return part as unknown as Frame;
+  return part as unknown as StudioFrame;
 }
 
 describe('FrameReader', () => {

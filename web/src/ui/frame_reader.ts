@@ -1,7 +1,9 @@
 // From scene, meshes and frames to what the panels show.
 
-import type { Frame, GroupMesh } from '../protocol/messages';
+import type { GroupMesh } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import type { SceneFacts } from '../protocol/scene';
+import { walksOf } from './objective';
 import type { GroupInfo, StudioState } from './studio_state';
 
 /** Characters per group index. */
@@ -35,7 +37,7 @@ export class FrameReader {
   }
 
   /** `before` is kept where nothing changed, so that watchers stay quiet. */
-  groups(frame: Frame, before: readonly GroupInfo[]): readonly GroupInfo[] {
+  groups(frame: StudioFrame, before: readonly GroupInfo[]): readonly GroupInfo[] {
     if (frame.group.length > 0) this.counts = countGroups(frame.group, frame.groups.length);
     const groups = frame.groups.map(({ id }, index): GroupInfo => {
       const known = this.scene?.groups.find((group) => group.id === id);
@@ -50,7 +52,7 @@ export class FrameReader {
     return JSON.stringify(groups) === JSON.stringify(before) ? before : groups;
   }
 
-  change(frame: Frame, state: StudioState): Partial<StudioState> {
+  change(frame: StudioFrame, state: StudioState): Partial<StudioState> {
     const groups = this.groups(frame, state.groups);
     return {
       groups,
@@ -65,6 +67,7 @@ export class FrameReader {
       stepMs: frame.stepMs,
       lag: frame.lagP95,
       swaps: frame.swapsPerSecond,
+      walks: walksOf(frame),
       frames: state.frames + 1,
       loaded: true,
     };

@@ -1,8 +1,10 @@
-// The live figures: characters, step time, lag and swaps.
+// The live figures: characters, step time, lag, swaps, and what the plan's objective comes to.
 
 import { element, setText } from './dom';
 import { formatCount, formatFigure, formatMs } from './formatters';
+import { objectiveOf, objectivesFor, OBJECTIVES, objectiveText } from './objective';
 import { Sparkline } from './sparkline';
+import type { StudioActions } from './studio_actions';
 import type { StudioState, StudioStore } from './studio_state';
 
 interface Row {
@@ -21,7 +23,15 @@ export class Readout {
   private readonly lag = this.row('lag', 'Lag p95', 'lag', 'm', new Sparkline(0, 1), 'Distance of characters to their places, p95');
   private readonly swaps = this.row('swaps', 'Swaps', '', '/s', new Sparkline(0, 0.2), 'Changes of place without a command, per character and second');
 
-  constructor(store: StudioStore) {
+  private readonly objective = element('select', { class: 'objective', 'aria-label': 'What plans make least' });
+  private readonly options = OBJECTIVES.map((_, index) => element('option', { value: String(index) }));
+
+  constructor(store: StudioStore, actions: StudioActions) {
+    this.root.append(element('div', { class: 'figure figure-objective', 'data-tip': 'What plans make least, and what all walks come to' },
+      element('span', { class: 'figure-label secondary' }, 'Plan'), this.objective));
+    this.objective.append(...this.options);
+    this.objective.addEventListener('change', () => actions.setObjective(Number(this.objective.value)));
+    store.watch(['parameters'], (state) => this.showObjective(state));
     store.watch(['frames'], (state) => this.show(state));
   }
 
@@ -43,8 +53,19 @@ export class Readout {
     setText(this.step.value, formatMs(state.stepMs));
     setText(this.lag.value, formatFigure(state.lag));
     setText(this.swaps.value, formatFigure(state.swaps));
+    this.options.forEach((option, index) => setText(option, objectiveText(index, state.walks)));
     this.step.spark?.push(state.stepMs);
     this.lag.spark?.push(state.lag);
     this.swaps.spark?.push(state.swaps);
+  }
+
+  private showObjective({ parameters, walks }: StudioState): void {
+    const shown = objectivesFor(parameters);
+    this.options.forEach((option, index) => {
+      option.hidden = option.disabled = !shown.includes(index);
+      setText(option, objectiveText(index, walks));
+    });
+    this.objective.selectedIndex = objectiveOf(parameters);
+    this.objective.closest<HTMLElement>('.figure')!.hidden = shown.length === 0;
   }
 }

@@ -22,6 +22,8 @@ export interface StudioActions {
   leaveReplay(): void;
   setFormation(name: string): void;
   setActiveGroup(index: number): void;
+  /** What plans make least: an index into OBJECTIVES. */
+  setObjective(index: number): void;
   toggleLayer(layer: keyof LayerState): void;
   /** Shows the overlay, or takes it away where it is shown. */
   toggleOverlay(kind: OverlayKind): void;

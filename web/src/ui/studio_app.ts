@@ -2,7 +2,8 @@
 
 import { LatencyMeter, pageClock } from '../engine/latency_meter';
 import type { StudioClient } from '../engine/studio_client';
-import { OverlayKind, ControlKind, type Frame, type GroupMesh, type Notice, type Overlay, type Scene, type Welcome } from '../protocol/messages';
+import { OverlayKind, ControlKind, type GroupMesh, type Notice, type Overlay, type Scene, type Welcome } from '../protocol/messages';
+import type { StudioFrame } from '../engine/studio_frame';
 import { isSameWorld, parseScene, type SceneFacts } from '../protocol/scene';
 import { problem } from '../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../tools/camera_gesture';
@@ -41,7 +42,7 @@ export class StudioApp {
   readonly latency = new LatencyMeter();
   readonly store = new StudioStore();
   /** Newest decoded frame. */
-  frame: Frame | null = null;
+  frame: StudioFrame | null = null;
   private scene: SceneFacts | null = null;
   private sceneRevision = 0;
   private readonly reader = new FrameReader();
@@ -238,8 +239,8 @@ export class StudioApp {
     try {
       const scene = parseScene(message.json);
       this.reader.setScene(scene);
-      const { title, name, credit, demonstration } = scene;
-      this.store.set({ title, scenario: name, credit, demonstration, loaded: true });
+      const { title, name, credit, demonstration, parameters } = scene;
+      this.store.set({ title, scenario: name, credit, demonstration, parameters, loaded: true });
       const before = this.scene;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       if (before && sceneKey(before) === sceneKey(scene)) return;
@@ -259,9 +260,15 @@ export class StudioApp {
     this.store.set({ active: 0, notice: null });
   }
 
-  private showFrame(frame: Frame, receivedAt: number): void {
+  private showFrame(frame: StudioFrame, receivedAt: number): void {
     // One that was on its way when the scene changed speaks of what is gone.
     if (frame.sceneRevision !== this.sceneRevision) return;
+    const start = performance.now();
+    this.takeFrame(frame, receivedAt);
+    this.view.stats.takenMs += performance.now() - start;
+  }
+
+  private takeFrame(frame: StudioFrame, receivedAt: number): void {
     this.frame = frame;
     this.hitTest.setGroups(frame.groups);
     this.chooser.observe(frame);

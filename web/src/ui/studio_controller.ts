@@ -4,6 +4,7 @@ import { OverlayKind, TransportAction } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../engine/studio_client';
 import type { GroundPoint } from '../view/camera_types';
+import { OBJECTIVES, objectiveParameter } from './objective';
 import type { OwnPeople } from './own_people';
 import type { StudioActions } from './studio_actions';
 import type { LayerState, StudioStore } from './studio_state';
@@ -105,6 +106,12 @@ export class StudioController implements StudioActions {
   loadScenario(name: string): void {
     this.setOverlay(OverlayKind.None, -1);
     this.client.send({ type: 'LoadScenario', name });
+  }
+
+  setObjective(index: number): void {
+    const { name, value } = objectiveParameter(this.store.state.parameters, index);
+    this.client.send({ type: 'SetParameter', name, value });
+    this.say(`Plans: ${OBJECTIVES[index]!.label.toLowerCase()}`);
   }
 
   setFormation(name: string): void {

@@ -45,7 +45,7 @@ export class StudioShell {
     const layers = new LayerBar(store, actions).root;
     this.formations = new FormationPanel(store, actions);
     this.transport = new TransportBar(store, actions);
-    this.readout = new Readout(store);
+    this.readout = new Readout(store, actions);
     const phone = new PhoneBar(store, actions, () => this.transport.chooseFile(), () => this.transport.chooseCharacter()).root;
     const sheet = element('div', { class: 'sheet' }, this.formations.root, element('hr'), this.transport.root);
     const hint = new HintBar(store, actions).root;

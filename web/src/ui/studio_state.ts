@@ -2,7 +2,9 @@
 
 import { OverlayKind, type Notice, type ScenarioInfo } from '../protocol/messages';
 import type { LinkState } from '../engine/link_messages';
+import type { SceneParameter } from '../protocol/scene';
 import type { Layout } from './layout';
+import type { Walks } from './objective';
 
 export type Theme = 'light' | 'dark';
 export type InputKind = 'touch' | 'mouse';
@@ -71,6 +73,9 @@ export interface StudioState {
   readonly stepMs: number;
   readonly lag: number;
   readonly swaps: number;
+  readonly walks: Walks;
+  /** Of the world. */
+  readonly parameters: readonly SceneParameter[];
   /** Rises with each frame, for what draws histories. */
   readonly frames: number;
   /** The file that everybody looks like; empty for our people. */
@@ -108,6 +113,8 @@ export const initialState: StudioState = {
   stepMs: 0,
   lag: 0,
   swaps: 0,
+  walks: { sum: 0, squares: 0, longest: 0 },
+  parameters: [],
   frames: 0,
   ownCharacter: '',
   notice: null,

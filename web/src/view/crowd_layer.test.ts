@@ -1,4 +1,4 @@
-import { InstancedBufferGeometry, Mesh, type InterleavedBufferAttribute, Texture } from 'three';
+import { InstancedBufferGeometry, Mesh, type InstancedBufferAttribute, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { standingClip, type ClipPoses } from '../people/clip_bank';
 import { makePlainBody } from '../people/plain_body';
@@ -9,7 +9,7 @@ import { CrowdState } from './crowd_state';
 import type { FrameView } from './frame_types';
 import { paletteOf } from './palette';
 import type { Quality } from './quality';
-import { madeFrame } from './test_frames';
+import { madeFrame, type Played } from './test_frames';
 
 const kClips: ClipPoses[] = ['idle', 'run', 'crawl'].map((name) => {
   const stand = standingClip();
@@ -24,13 +24,12 @@ function camera(distance = 40): CameraController {
 }
 
 /** A layer that drew people at these x, and the meshes that have instances. */
-function drawn(quality: Quality, xs: readonly number[], more: Partial<FrameView> = {}, distance = 40) {
+function drawn(quality: Quality, xs: readonly number[], more: Partial<FrameView> & Played = {}, distance = 40) {
   const layer = new CrowdLayer(quality);
   layer.setBodies(['one', 'two'].map((name) => ({ ...makePlainBody(), name })));
   layer.setMotions(kClips);
   layer.setColours([0, 1], paletteOf('light'), 2);
   const state = new CrowdState();
-  state.setClips(layer.bank);
   state.setMembers(xs.map((_, i) => i + 1), xs.map((_, i) => i % 2));
   const frame = madeFrame(1, xs, more);
   const blend = { from: frame, to: frame, alpha: 0 };
@@ -39,19 +38,13 @@ function drawn(quality: Quality, xs: readonly number[], more: Partial<FrameView>
   return { layer, state, blend };
 }
 
-/** Sixteen numbers per character, by x. */
-function instances(layer: CrowdLayer): Map<number, number[]> {
-  const found = new Map<number, number[]>();
+/** Rows of whole poses, by number in the crowd. */
+function slots(layer: CrowdLayer): Map<number, number> {
+  const found = new Map<number, number>();
   layer.group.traverse((node) => {
-    if (!(node instanceof Mesh) || !(node.geometry instanceof InstancedBufferGeometry) || !node.geometry.attributes['aNow']) return;
-    const geometry = node.geometry;
-    for (let i = 0; i < geometry.instanceCount; ++i) {
-      const numbers = ['aPlace', 'aNow', 'aBefore', 'aLook'].flatMap((name) => {
-        const attribute = geometry.attributes[name] as InterleavedBufferAttribute;
-        return [attribute.getX(i), attribute.getY(i), attribute.getZ(i), attribute.getW(i)];
-      });
-      found.set(Math.round(numbers[0]!), numbers);
-    }
+    if (!(node instanceof Mesh) || !node.geometry.attributes['aWho'] || !node.geometry.attributes['joints']) return;
+    const who = node.geometry.attributes['aWho'] as InstancedBufferAttribute;
+    for (let i = 0; i < (node.geometry as InstancedBufferGeometry).instanceCount; ++i) found.set(who.getX(i), who.getY(i));
   });
   return found;
 }
@@ -89,35 +82,26 @@ describe('CrowdLayer', () => {
     expect(light.every((one) => one.near === 0)).toBe(true);
   });
 
-  it('tells the clip, the one that fades, and who is never greyed', () => {
-    const people = instances(drawn('full', [-3, 3], { clip: [1, 2], clipTime: [150, 0], fromClip: [0, 1], fromTime: [50, 100], fade: [0, 51] }).layer);
-    const [left, right] = [people.get(-3)!, people.get(3)!];
-    // Poses of clips follow each other in the bank.
-    expect(left.slice(4, 6)).toEqual([5, 6]);
-    expect(left[6]).toBeCloseTo(0.5);
-    expect(left[7]).toBe(0);
-    expect(right.slice(4, 6)).toEqual([8, 9]);
-    expect(right[7]).toBeCloseTo(0.2);
-    expect(right.slice(8, 10)).toEqual([5, 6]);
-    expect([left[11], right[11]]).toEqual([-1, -1]);
-    expect([left[15]! < 25, right[15]! >= 100]).toEqual([true, true]);
-    expect(left.slice(12, 15)).not.toEqual(right.slice(12, 15));
+  it('draws tiny bodies where a person is a few px tall', () => {
+    const tiny = drawn('full', [-3, -1, 1, 3], {}, 900).layer.drawn;
+    expect(tiny.map((one) => [one.near, one.far, one.tiny]).flat().reduce((a, b) => a + b)).toBe(4);
+    expect(tiny.map((one) => one.tiny).reduce((a, b) => a + b)).toBe(4);
   });
 
   it('shows whole poses of those who have them, but for clips of a visitor’s own', () => {
     const whole = new Array<number>(kPoseNumbers).fill(0);
-    for (let j = 0; j < 21; ++j) whole[3 + 4 * j + 3] = 32767;
+    for (let j = 0; j < 21; ++j) whole[3 + 4 * j + 3] = 1;
     const { layer, state, blend } = drawn('full', [-3, 3], { clip: [1, 1], near: [1], nearPoses: whole });
-    expect([instances(layer).get(-3)![11], instances(layer).get(3)![11]]).toEqual([-1, 0]);
+    expect([slots(layer).get(0), slots(layer).get(1)]).toEqual([-1, 0]);
     layer.setOwn({ ...makePlainBody(), name: 'own' }, [{ ...kClips[1]!, poses: 4 }]);
     layer.update(state, blend, camera());
-    expect(layer.drawn).toEqual([{ body: 'own', near: 2, far: 0 }]);
-    expect(instances(layer).get(3)![11]).toBe(-1);
+    expect(layer.drawn).toEqual([{ body: 'own', near: 2, far: 0, tiny: 0 }]);
+    expect(slots(layer).get(1)).toBe(-1);
     layer.setOwn(null);
     layer.update(state, blend, camera());
     expect(layer.drawn.map((one) => one.body)).toEqual(['one', 'two']);
-    expect(instances(layer).get(3)![11]).toBe(0);
+    expect(slots(layer).get(1)).toBe(0);
     const light = drawn('light', [-3, 3], { clip: [1, 1], near: [1], nearPoses: whole });
-    expect(instances(light.layer).get(3)![11]).toBe(-1);
+    expect(slots(light.layer).get(1)).toBe(-1);
   });
 });

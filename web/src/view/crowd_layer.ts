@@ -10,54 +10,52 @@ import type { CameraController } from './camera_controller';
 import { ContactDiscs } from './contact_discs';
 import type { CrowdState } from './crowd_state';
 import type { FrameBlend } from './frame_timeline';
-import { kHidden, kNear, LevelOfDetail } from './level_of_detail';
+import { CrowdPictures, linear } from './crowd_pictures';
+import { kFar, kHidden, kNear, LevelOfDetail } from './level_of_detail';
 import { accentOf, type Palette } from './palette';
-import { DressedBody, linear, PlayWriter, RigPoses } from './people';
-import { PeopleUniforms } from './people_material';
-import { kChosen } from './people_shader';
+import { DressedBody, RigPoses } from './people';
+import { type AllPeople, PeopleUniforms } from './people_material';
 import type { Quality } from './quality';
 
 /** Most whole poses that are shown at once. */
 export const kNearMost = 256;
 
-/** Long and dark is the disc of shade by what one does: standing unless listed. */
-const kShades: Readonly<Record<string, readonly [long: number, shade: number]>> = {
-  crawl: [2, 1], swim: [1, 0], climb: [1, 0.5], jump: [1, 0.6], duck: [1.25, 1],
-};
-const kStanding = [1, 1] as const;
-
 export class CrowdLayer {
   readonly group = new Group();
   private readonly uniforms_ = new PeopleUniforms();
-  private readonly discs_ = new ContactDiscs();
+  private readonly pictures_ = new CrowdPictures();
+  private readonly shaders_: AllPeople = { people: this.uniforms_, crowd: this.pictures_.uniforms };
+  private readonly discs_ = new ContactDiscs(this.pictures_.uniforms);
   private readonly near_ = new NearPoses();
   private readonly levels_ = new LevelOfDetail();
   private bank_ = new ClipBank([]);
-  private writer_ = new PlayWriter(this.bank_);
   private clips_: readonly ClipPoses[] = [];
   private ours_: readonly Body[] = [makePlainBody()];
   private own_: { readonly body: Body; readonly clips: readonly ClipPoses[] } | null = null;
   private dressed_: DressedBody[] = [];
   /** One for all bodies with the same joints. */
   private poses_: RigPoses[] = [];
-  private shades_: (readonly [number, number])[] = [];
   private accents_: Float32Array = new Float32Array(3);
-  private groups_ = 1;
   private chosen_ = -1;
+  /** Of the members that the graphics card knows; -1 where they must go up anew. */
+  private members_ = -1;
+  /** Per clip, 1 where a visitor's own is played: whole poses are not of it. */
+  private replaced_ = new Uint8Array(0);
 
   constructor(private readonly quality_: Quality) {
     this.group.add(this.discs_.mesh);
     this.dress();
   }
 
-  /** What plays; lengths of clips for those who mix times. */
+  /** What plays. */
   get bank(): ClipBank {
     return this.bank_;
   }
 
-  /** Characters in the last picture by body: fine and far. */
-  get drawn(): { readonly body: string; readonly near: number; readonly far: number }[] {
-    return this.dressed_.map(({ body, near, far }) => ({ body: body.name, near: near.list.count, far: far.list.count }));
+  /** Characters in the last picture by body: fine, coarse and tiny ones. */
+  get drawn(): { readonly body: string; readonly near: number; readonly far: number; readonly tiny: number }[] {
+    return this.dressed_.map(({ body, near, far, tiny }) =>
+      ({ body: body.name, near: near.list.count, far: far.list.count, tiny: tiny.list.count }));
   }
 
   setMotions(clips: readonly ClipPoses[]): void {
@@ -91,19 +89,16 @@ export class CrowdLayer {
   setColours(colours: readonly number[], palette: Palette, chosen: number): void {
     const shown = colours.length > 0 ? colours : [0];
     this.accents_ = linear(shown.map((colour) => accentOf(palette, colour)));
-    this.groups_ = shown.length;
     this.chosen_ = chosen;
+    this.members_ = -1;
   }
 
   /** Sends everybody as they are now. */
   update(state: CrowdState, blend: FrameBlend | null, camera: CameraController): void {
-    const whole = this.quality_ === 'full' && blend !== null;
-    if (whole) this.near_.mix(blend.from, blend.to, blend.alpha, state.count, kNearMost);
-    if (whole) for (const poses of this.poses_) poses.pose(this.near_);
     for (const body of this.dressed_) body.begin(state.count);
-    this.discs_.begin(state.count);
-    this.levels_.begin(camera);
-    for (let i = 0; i < state.count; ++i) this.add(state, i, whole);
+    this.discs_.list.begin(state.count);
+    if (blend) this.take(state, blend);
+    if (blend) this.choose(state, blend, camera);
     for (const body of this.dressed_) body.end();
     this.discs_.end();
   }
@@ -112,32 +107,33 @@ export class CrowdLayer {
     this.undress();
     if (this.own_) disposeBody(this.own_.body);
     this.discs_.dispose();
+    this.pictures_.dispose();
   }
 
-  private add(state: CrowdState, i: number, whole: boolean): void {
-    const p = state.placement;
-    const x = p[4 * i]!, y = p[4 * i + 1]!, heading = p[4 * i + 2]!, size = p[4 * i + 3]!;
-    const level = this.levels_.levelAt(x, y);
-    if (level === kHidden) return;
-    const dressed = this.dressed_[state.body(i, this.dressed_.length)]!;
-    const fine = level === kNear && this.quality_ === 'full';
-    const { list } = fine ? dressed.near : dressed.far;
-    const at = list.next();
-    const { data } = list;
-    data[at] = x;
-    data[at + 1] = y;
-    data[at + 2] = heading;
-    data[at + 3] = size;
-    const clip = state.clip[i]!;
-    const fade = state.fade[i]!;
-    const slot = whole && !this.bank_.replaced(clip) ? this.near_.slots[i] ?? -1 : -1;
-    this.writer_.write(data, at + 4, clip, state.time[i]!, state.before[i]!, state.beforeTime[i]!, fade, slot);
-    const accent = 3 * Math.min(state.group[i]!, this.groups_ - 1);
-    for (let k = 0; k < 3; ++k) data[at + 12 + k] = this.accents_[accent + k]!;
-    data[at + 15] = state.look[i]! + (state.ids[i] === this.chosen_ ? kChosen : 0);
-    const now = this.shades_[clip] ?? kStanding;
-    const before = this.shades_[state.before[i]!] ?? kStanding;
-    this.discs_.add(x, y, heading, size, now[0] + (before[0] - now[0]) * fade, now[1] + (before[1] - now[1]) * fade);
+  /** What the graphics card has to know of this moment. */
+  private take(state: CrowdState, blend: FrameBlend): void {
+    if (this.members_ !== state.version) this.pictures_.setMembers(state, this.accents_, this.chosen_);
+    this.members_ = state.version;
+    this.pictures_.show(blend);
+    if (this.quality_ !== 'full') return;
+    this.near_.mix(blend.from, blend.to, blend.alpha, state.count, kNearMost);
+    for (const poses of this.poses_) poses.pose(this.near_);
+  }
+
+  /** Who is drawn, and how finely, by where they will be. */
+  private choose(state: CrowdState, { to }: FrameBlend, camera: CameraController): void {
+    const { dressed_: dressed, levels_: levels, discs_: discs, near_: { slots } } = this;
+    const full = this.quality_ === 'full';
+    const count = Math.min(state.count, to.x.length);
+    levels.begin(camera);
+    for (let i = 0; i < count; ++i) {
+      const level = levels.levelAt(to.x[i]!, to.y[i]!);
+      if (level === kHidden) continue;
+      const body = dressed[state.body(i, dressed.length)]!;
+      const detail = level === kNear && full ? body.near : level >= kFar ? body.far : body.tiny;
+      detail.list.add(i, full && this.replaced_[to.clip[i]!] !== 1 ? slots[i]! : -1);
+      discs.list.add(i, -1);
+    }
   }
 
   private undress(): void {
@@ -150,15 +146,15 @@ export class CrowdLayer {
     this.undress();
     this.group.add(this.discs_.mesh);
     const bodies = this.own_ ? [this.own_.body] : this.ours_;
-    this.dressed_ = bodies.map((body) => new DressedBody(this.quality_, this.uniforms_, this.posesOf(body.rig), body));
+    this.dressed_ = bodies.map((body) => new DressedBody(this.quality_, this.shaders_, this.posesOf(body.rig), body));
     for (const body of this.dressed_) this.group.add(body.group);
     this.play();
   }
 
   private play(): void {
     this.bank_ = new ClipBank(this.clips_, this.own_?.clips ?? []);
-    this.writer_ = new PlayWriter(this.bank_);
-    this.shades_ = Array.from({ length: this.bank_.clipCount }, (_, clip) => kShades[this.bank_.motion(clip)] ?? kStanding);
+    this.pictures_.setClips(this.bank_);
+    this.replaced_ = Uint8Array.from({ length: this.bank_.clipCount }, (_, clip) => (this.bank_.replaced(clip) ? 1 : 0));
     for (const poses of this.poses_) poses.bake(this.bank_);
   }
 

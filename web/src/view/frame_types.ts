@@ -59,19 +59,13 @@ export interface FrameView {
   readonly group: Numbers;
   readonly x: Numbers;
   readonly y: Numbers;
-  readonly heading: Numbers;
-  readonly motion: Numbers;
-  readonly phase: Numbers;
-  /** Per character the clip it plays (index into the clips) and the time in it [ms]. */
+  /** Per character the clip it plays (index into the clips). */
   readonly clip: Numbers;
-  readonly clipTime: Numbers;
-  /** The clip that fades out, the time in it [ms], and its share, over 255. */
-  readonly fromClip: Numbers;
-  readonly fromTime: Numbers;
-  readonly fade: Numbers;
+  /** What the graphics card is told of everybody: see StudioFrame. */
+  readonly rows: Float32Array;
   /** Indices of those who come with whole poses. */
   readonly near: Numbers;
-  /** Per such: hips x, y, z [mm], then per joint x, y, z, w over 32767. */
+  /** Per such: hips x, y, z [m], then per joint x, y, z, w. */
   readonly nearPoses: Numbers;
   readonly groups: readonly GroupView[];
   readonly moving: readonly MovingView[];

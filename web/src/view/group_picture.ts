@@ -18,11 +18,26 @@ interface Formed {
   readonly since: number;
 }
 
+/** What a layer shows. */
+interface Shown {
+  readonly groups: readonly GroupView[];
+  readonly key: string;
+}
+
+function isSame(a: Shown | null, b: Shown): boolean {
+  return a !== null && a.groups === b.groups && a.key === b.key;
+}
+
 export class GroupPicture {
   /** By group id and version: the last few, since frames may be dropped. */
   private readonly topologies_ = new Map<string, MeshTopology>();
   private readonly formed_ = new Map<number, Formed>();
   private groups_: readonly GroupView[] = [];
+  /** Grows with each mesh that comes. */
+  private meshes_ = 0;
+  /** What the layers show now: nothing goes up twice. */
+  private shownMeshes_: Shown | null = null;
+  private shownPlaces_: Shown | null = null;
 
   clear(): void {
     this.topologies_.clear();
@@ -31,6 +46,7 @@ export class GroupPicture {
   }
 
   setMesh(mesh: GroupMeshView): void {
+    this.meshes_ += 1;
     this.topologies_.set(`${mesh.group}:${mesh.version}`, makeTopology(mesh));
     this.topologies_.delete(`${mesh.group}:${mesh.version - 3}`);
   }
@@ -42,6 +58,9 @@ export class GroupPicture {
 
   /** Hands the meshes to their layer, less those whose shape has not come yet; `accents` are the groups' colours. */
   showMeshes(layer: MeshLayer, visible: boolean, accents: readonly string[]): void {
+    const wanted = { groups: this.groups_, key: `${visible}:${this.meshes_}:${accents.join()}` };
+    if (isSame(this.shownMeshes_, wanted)) return;
+    this.shownMeshes_ = wanted;
     const shown: ShownMesh[] = [];
     this.groups_.forEach((group, index) => {
       const topology = this.topologies_.get(`${group.id}:${group.meshVersion}`);
@@ -54,6 +73,9 @@ export class GroupPicture {
   /** Draws places as rings: dashed while a formation is new, crossed where nobody finds room. */
   showPlaces(rings: InstancedRings, visible: boolean, accents: readonly string[], now: number): void {
     const coming = this.groups_.map((group) => this.isComing(group, now));
+    const wanted = { groups: this.groups_, key: `${visible}:${coming.join()}:${accents.join()}` };
+    if (isSame(this.shownPlaces_, wanted)) return;
+    this.shownPlaces_ = wanted;
     rings.begin(visible ? this.groups_.reduce((sum, group) => sum + group.places.length / 2, 0) : 0);
     if (visible) {
       this.groups_.forEach(({ places, fit }, index) => {

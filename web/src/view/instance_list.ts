@@ -1,17 +1,12 @@
-// Characters drawn at once: sixteen numbers each, as the shader of people reads them.
+// Characters drawn at once: for each its number in the crowd and the row of a whole pose, or -1.
 
-import { DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribute, type InstancedBufferGeometry } from 'three';
+import { DynamicDrawUsage, InstancedBufferAttribute, type InstancedBufferGeometry } from 'three';
 import { forgetInstances } from './instances';
 
-/** Numbers of one character: aPlace, aNow, aBefore, aLook. */
-export const kInstanceFloats = 16;
-const kNames = ['aPlace', 'aNow', 'aBefore', 'aLook'] as const;
-
 export class InstanceList {
-  data = new Float32Array(0);
   count = 0;
-  private buffer_: InstancedInterleavedBuffer | null = null;
-  private capacity_ = 0;
+  private data_ = new Float32Array(0);
+  private attribute_: InstancedBufferAttribute | null = null;
 
   /** `geometries` are all drawn with these. */
   constructor(private readonly geometries_: readonly InstancedBufferGeometry[]) {}
@@ -19,28 +14,28 @@ export class InstanceList {
   /** Empties the list and makes room. */
   begin(most: number): void {
     this.count = 0;
-    if (most <= this.capacity_) return;
-    this.capacity_ = Math.ceil(1.3 * most);
-    this.data = new Float32Array(kInstanceFloats * this.capacity_);
-    this.buffer_ = new InstancedInterleavedBuffer(this.data, kInstanceFloats, 1);
-    this.buffer_.setUsage(DynamicDrawUsage);
+    if (2 * most <= this.data_.length) return;
+    this.data_ = new Float32Array(2 * Math.ceil(1.3 * most));
+    this.attribute_ = new InstancedBufferAttribute(this.data_, 2);
+    this.attribute_.setUsage(DynamicDrawUsage);
     for (const geometry of this.geometries_) {
       forgetInstances(geometry);
-      kNames.forEach((name, i) => geometry.setAttribute(name, new InterleavedBufferAttribute(this.buffer_!, 4, 4 * i)));
+      geometry.setAttribute('aWho', this.attribute_);
     }
   }
 
-  /** Where the next one's numbers go in `data`. */
-  next(): number {
-    return kInstanceFloats * this.count++;
+  add(who: number, slot: number): void {
+    this.data_[2 * this.count] = who;
+    this.data_[2 * this.count + 1] = slot;
+    this.count += 1;
   }
 
   /** Sends what was written. */
   end(): void {
     for (const geometry of this.geometries_) geometry.instanceCount = this.count;
-    if (!this.buffer_ || this.count === 0) return;
-    this.buffer_.clearUpdateRanges();
-    this.buffer_.addUpdateRange(0, kInstanceFloats * this.count);
-    this.buffer_.needsUpdate = true;
+    if (!this.attribute_ || this.count === 0) return;
+    this.attribute_.clearUpdateRanges();
+    this.attribute_.addUpdateRange(0, 2 * this.count);
+    this.attribute_.needsUpdate = true;
   }
 }

@@ -2,6 +2,7 @@
 import { InstancedBufferGeometry } from 'three';
 import { describe, expect, it } from 'vitest';
 import { ContactDiscs } from './contact_discs';
+import { CrowdPictures } from './crowd_pictures';
 import { FatLines } from './fat_lines';
 import { InstanceList } from './instance_list';
 import { InstancedRings } from './instanced_rings';
@@ -41,19 +42,21 @@ describe('what is drawn in instances makes room for more of them', () => {
     expect(count()).toBe(0);
     list.begin(100);
     expect(count()).toBe(1);
-    for (let i = 0; i < 100; ++i) expect(list.next()).toBe(16 * i);
+    for (let i = 0; i < 100; ++i) list.add(3 * i, i === 7 ? 2 : -1);
     list.end();
     expect(geometry.instanceCount).toBe(100);
-    expect(geometry.attributes['aLook']!.count).toBeGreaterThanOrEqual(100);
+    const who = geometry.attributes['aWho']!;
+    expect(who.count).toBeGreaterThanOrEqual(100);
+    expect([who.getX(7), who.getY(7), who.getX(99), who.getY(99)]).toEqual([21, 2, 297, -1]);
   });
 
   it('discs', () => {
-    const discs = new ContactDiscs();
-    discs.begin(36);
+    const discs = new ContactDiscs(new CrowdPictures().uniforms);
+    discs.list.begin(36);
     const count = disposals(discs.mesh.geometry);
-    discs.begin(100);
+    discs.list.begin(100);
     expect(count()).toBe(1);
-    for (let i = 0; i < 100; ++i) discs.add(i, 0, 0, 1, 1, 1);
+    for (let i = 0; i < 100; ++i) discs.list.add(i, -1);
     discs.end();
     expect(discs.mesh.geometry.instanceCount).toBe(100);
   });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { CameraController } from './camera_controller';
-import { kFar, kHidden, kNear, LevelOfDetail } from './level_of_detail';
+import { kFar, kHidden, kNear, kTiny, LevelOfDetail } from './level_of_detail';
 
 function camera(distance: number): CameraController {
   const made = new CameraController();
@@ -18,6 +18,8 @@ describe('LevelOfDetail', () => {
     expect(levels.levelAt(0, -60)).toBe(kHidden);
     levels.begin(camera(300));
     expect(levels.levelAt(0, 0)).toBe(kFar);
+    levels.begin(camera(900));
+    expect(levels.levelAt(0, 0)).toBe(kTiny);
   });
 
   it('leaves nobody out whose figure shows', () => {
@@ -53,5 +55,21 @@ describe('LevelOfDetail', () => {
     expect(new Set(settled).size).toBe(1);
     for (let i = 0; i < 40; ++i) fine(20);
     expect(fine(20)).toBe(20);
+  });
+
+  it('keeps coarse bodies to some thousand and a half of ten thousand', () => {
+    const levels = new LevelOfDetail();
+    const counts = (): number[] => {
+      const found = [0, 0, 0, 0];
+      levels.begin(camera(160));
+      for (let i = 0; i < 10000; ++i) found[levels.levelAt((i % 100) / 4 - 12, -20 + (i / 100) * 0.5)]! += 1;
+      return found;
+    };
+    for (let i = 0; i < 60; ++i) counts();
+    const [hidden, tiny, far, near] = counts();
+    expect(hidden! + tiny! + far! + near!).toBe(10000);
+    expect(far! + near!).toBeLessThanOrEqual(1750);
+    expect(far!).toBeGreaterThan(200);
+    expect(tiny!).toBeGreaterThan(5000);
   });
 });

@@ -1,12 +1,13 @@
-// Everybody in the scene: one instanced draw call per body and level of detail, and one for the discs of shade.
+// Everybody in the scene: one instanced draw call per body and level of detail.
 
-import { type BufferGeometry, Color, Group, InstancedBufferGeometry, type Material, Mesh, ShaderMaterial, Vector3 } from 'three';
-import { type Body, type BodyPart, trianglesOf } from '../people/body';
-import { type ClipBank, type Moment } from '../people/clip_bank';
+import { type BufferGeometry, Group, InstancedBufferGeometry, type Material, Mesh, ShaderMaterial, Vector3 } from 'three';
+import type { Body, BodyPart } from '../people/body';
+import { makeTinyBody } from '../people/tiny_body';
+import type { ClipBank } from '../people/clip_bank';
 import type { NearPoses } from '../people/near_poses';
 import { PoseTexture } from '../people/pose_texture';
 import type { Rig } from '../people/rig';
-import { type BodyUniforms, peopleDepthMaterial, peopleMaterial, type PeopleUniforms } from './people_material';
+import { type AllPeople, type BodyUniforms, peopleDepthMaterial, peopleMaterial } from './people_material';
 import { InstanceList } from './instance_list';
 import type { Quality } from './quality';
 import { kJoints } from '../people/skeleton';
@@ -34,7 +35,7 @@ class Level {
   readonly list: InstanceList;
 
   /** `shadows`: what throws shadows in place of the parts; far fewer triangles look the same there. */
-  constructor(quality: Quality, people: PeopleUniforms, body: BodyUniforms, parts: readonly BodyPart[], shadows: readonly BodyPart[]) {
+  constructor(quality: Quality, people: AllPeople, body: BodyUniforms, parts: readonly BodyPart[], shadows: readonly BodyPart[]) {
     const seen = parts.map(({ geometry, map }) => instancedMesh(geometry, peopleMaterial(quality, people, body, map)));
     const thrown = shadows.map(({ geometry }) => instancedMesh(geometry, unseenMaterial()));
     for (const mesh of thrown) {
@@ -97,57 +98,31 @@ export class DressedBody {
   readonly group = new Group();
   readonly near: Level;
   readonly far: Level;
-  /** Triangles of one at each level. */
-  readonly triangles: readonly [number, number];
+  /** A few tubes on the same joints: for those who are small on the screen. */
+  readonly tiny: Level;
 
-  constructor(quality: Quality, people: PeopleUniforms, poses: RigPoses, readonly body: Body) {
+  constructor(quality: Quality, people: AllPeople, poses: RigPoses, readonly body: Body) {
     this.near = new Level(quality, people, poses.uniforms, body.near, quality === 'full' ? body.far : []);
     this.far = new Level(quality, people, poses.uniforms, body.far, []);
-    this.triangles = [trianglesOf(body.near), trianglesOf(body.far)];
-    this.group.add(...this.near.meshes, ...this.far.meshes);
+    this.tiny = new Level(quality, people, poses.uniforms, [{ geometry: makeTinyBody(body.rig), map: null }], []);
+    this.group.add(...this.near.meshes, ...this.far.meshes, ...this.tiny.meshes);
   }
 
   begin(most: number): void {
     this.near.list.begin(most);
     this.far.list.begin(most);
+    this.tiny.list.begin(most);
   }
 
   end(): void {
     this.near.end();
     this.far.end();
+    this.tiny.end();
   }
 
   dispose(): void {
     this.near.dispose();
     this.far.dispose();
+    this.tiny.dispose();
   }
-}
-
-/** Writes what a character plays. */
-export class PlayWriter {
-  private readonly moment_: Moment = { first: 0, second: 0, mix: 0 };
-
-  constructor(private readonly bank_: ClipBank) {}
-
-  /** aNow and aBefore at `at`: the clip and the one before, and the slot of a whole pose or -1. */
-  write(data: Float32Array, at: number, clip: number, time: number, before: number, beforeTime: number, fade: number, slot: number): void {
-    const moment = this.moment_;
-    this.bank_.moment(clip, time, moment);
-    data[at] = moment.first;
-    data[at + 1] = moment.second;
-    data[at + 2] = moment.mix;
-    data[at + 3] = fade;
-    if (fade > 0) this.bank_.moment(before, beforeTime, moment);
-    data[at + 4] = moment.first;
-    data[at + 5] = moment.second;
-    data[at + 6] = moment.mix;
-    data[at + 7] = slot;
-  }
-}
-
-/** Accents as the shader takes them. */
-export function linear(hexes: readonly string[]): Float32Array {
-  const out = new Float32Array(3 * hexes.length);
-  hexes.forEach((hex, i) => new Color(hex).toArray(out, 3 * i));
-  return out;
 }

@@ -5,6 +5,7 @@ import {
   type WebGLProgramParametersWithUniforms,
 } from 'three';
 import { kHairs, kSkins } from '../people/look';
+import type { CrowdPictures } from './crowd_pictures';
 import { kPeopleColour, kPeoplePose, kPeopleShown } from './people_shader';
 import type { Quality } from './quality';
 import { kEarthColour, kSkyColour, kSunColour, kToSun } from './sun';
@@ -33,6 +34,12 @@ export class PeopleUniforms {
   }
 }
 
+/** What the shaders of all people read. */
+export interface AllPeople {
+  readonly people: PeopleUniforms;
+  readonly crowd: CrowdPictures['uniforms'];
+}
+
 /** Values of one body. */
 export interface BodyUniforms {
   readonly uBaked: { value: Texture };
@@ -40,7 +47,7 @@ export interface BodyUniforms {
   readonly uBind: { value: Vector3[] };
 }
 
-type All = PeopleUniforms & BodyUniforms & { readonly uMap: { value: Texture | null } };
+type All = PeopleUniforms & CrowdPictures['uniforms'] & BodyUniforms & { readonly uMap: { value: Texture | null } };
 
 const kMapAt = '#ifdef BODY_MAP\nvMapAt = uv;\n#endif\n';
 const kMapVarying = '#ifdef BODY_MAP\nvarying vec2 vMapAt;\n#endif\n';
@@ -64,16 +71,21 @@ function injectDepth(shader: WebGLProgramParametersWithUniforms, uniforms: All):
     .replace('#include <begin_vertex>', 'vec3 transformed = posePerson(position, vec3(0.0, 0.0, 1.0)).at;');
 }
 
+/** Uniforms stay the same objects: the crowd's pictures are exchanged in them. */
+function together(people: PeopleUniforms, crowd: CrowdPictures['uniforms'], body: BodyUniforms, map: Texture | null): All {
+  return { ...people, ...crowd, ...body, uMap: { value: map } } as All;
+}
+
 /** For shadow maps. */
-export function peopleDepthMaterial(people: PeopleUniforms, body: BodyUniforms): MeshDepthMaterial {
+export function peopleDepthMaterial({ people, crowd }: AllPeople, body: BodyUniforms): MeshDepthMaterial {
   const depth = new MeshDepthMaterial({ depthPacking: RGBADepthPacking });
-  depth.onBeforeCompile = (shader): void => injectDepth(shader, { ...people, ...body, uMap: { value: null } } as All);
+  depth.onBeforeCompile = (shader): void => injectDepth(shader, together(people, crowd, body, null));
   depth.customProgramCacheKey = (): string => 'people-depth';
   return depth;
 }
 
-export function peopleMaterial(quality: Quality, people: PeopleUniforms, body: BodyUniforms, map: Texture | null): MeshLambertMaterial | ShaderMaterial {
-  const uniforms = { ...people, ...body, uMap: { value: map } } as All;
+export function peopleMaterial(quality: Quality, { people, crowd }: AllPeople, body: BodyUniforms, map: Texture | null): MeshLambertMaterial | ShaderMaterial {
+  const uniforms = together(people, crowd, body, map);
   const defines: Record<string, string> = map ? { BODY_MAP: '' } : {};
   if (quality === 'light') return lightMaterial(uniforms, { ...defines, LIGHT: '' });
   const material = Object.assign(new MeshLambertMaterial(), { defines });

@@ -12,9 +12,9 @@ const kHead = 1.7;
 export function pickCharacter(at: ScreenPoint, state: CrowdState, camera: CameraController): number {
   let best = -1;
   let least = Math.max(10, 0.4 * camera.pixelsPerMetre());
-  for (let i = 0; i < state.count; ++i) {
-    const x = state.placement[4 * i] ?? 0;
-    const y = state.placement[4 * i + 1] ?? 0;
+  const { places, count } = state;
+  for (let i = 0; i < count; ++i) {
+    const x = places[2 * i]!, y = places[2 * i + 1]!;
     const away = distanceToSegment(at, camera.worldToScreen(x, y), camera.worldToScreen(x, y, kHead));
     if (away >= least) continue;
     least = away;

@@ -37,7 +37,7 @@ const kNoFrame: readonly MovingView[] = [];
 /** Draws the world once per display frame: controls and meshes of the newest frame, characters between the last two. */
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
-  readonly stats: ViewStats = { drawCalls: 0, triangles: 0, frameMs: 0, frames: 0, shownFrame: 0 };
+  readonly stats: ViewStats = { drawCalls: 0, triangles: 0, frameMs: 0, takenMs: 0, frames: 0, shownFrame: 0 };
   private readonly stage_: Stage;
   private readonly marks_ = new ControlMarks();
   private readonly markLayer_: MarkLayer;
@@ -118,7 +118,6 @@ export class StudioView implements StudioScene {
 
   setMotions(clips: readonly ClipPoses[]): void {
     this.stage_.crowd.setMotions(clips);
-    this.crowd_.setClips(this.stage_.crowd.bank);
     this.wake();
   }
 
@@ -129,7 +128,6 @@ export class StudioView implements StudioScene {
 
   setOwnBody(body: Body | null, clips: readonly ClipPoses[] = []): void {
     this.stage_.crowd.setOwn(body, clips);
-    this.crowd_.setClips(this.stage_.crowd.bank);
     this.wake();
   }
 
@@ -318,7 +316,8 @@ export class StudioView implements StudioScene {
     this.groups_.update(newest?.groups ?? []);
     this.marks_.update(newest?.groups ?? [], now);
     this.show(now, blend);
-    this.stats.frameMs = performance.now() - start;
+    this.stats.frameMs = performance.now() - start + this.stats.takenMs;
+    this.stats.takenMs = 0;
     this.stats.frames += 1;
     if (newest) this.stats.shownFrame = newest.frame;
   }
@@ -399,9 +398,7 @@ export class StudioView implements StudioScene {
   /** Points round crowd, places and paths. */
   private crowdPoints(): GroundPoint[] {
     const box = new BoundsBuilder();
-    for (let i = 0; i < this.crowd_.count; ++i) {
-      box.add(this.crowd_.placement[4 * i] ?? 0, this.crowd_.placement[4 * i + 1] ?? 0);
-    }
+    box.addAll(this.crowd_.places);
     for (const group of this.timeline_.newest?.groups ?? []) {
       box.addAll(group.places);
       for (const control of group.controls) for (const point of control.points) box.addAll(point.path);

@@ -3,7 +3,14 @@ import { describe, expect, it } from 'vitest';
 import type { SceneObstacle } from '../protocol/scene';
 import { CameraController } from './camera_controller';
 import { paletteOf } from './palette';
-import { Trees } from './trees';
+import { type Standing, Trees } from './trees';
+import { StandingGrid } from './standing_grid';
+
+function standing(places: readonly number[]): Standing {
+  const grid = new StandingGrid();
+  grid.fill(Float32Array.from(places), 2, places.length / 2);
+  return grid;
+}
 
 function madeTrees(): Trees {
   const trees = new Trees();
@@ -24,19 +31,19 @@ describe('trees', () => {
     const trees = madeTrees();
     const view = camera(Math.PI / 4);
     // Seen from the south at 45 degrees a crown hides who stands as far behind it as it is high.
-    const behind = { count: 1, placement: Float32Array.of(0, 2, 0, 1) };
+    const behind = standing([0, 2]);
     let pictures = 0;
     while (trees.reveal(behind, view)) pictures += 1;
     expect(pictures).toBeGreaterThan(3);
     expect(trees.solid[0]).toBeLessThan(0.3);
     expect(trees.solid[1]).toBe(1);
-    while (trees.reveal({ count: 1, placement: Float32Array.of(0, -5, 0, 1) }, view));
+    while (trees.reveal(standing([0, -5]), view));
     expect(trees.solid[0]).toBeGreaterThan(0.95);
   });
 
   it('hide others when seen from above', () => {
     const trees = madeTrees();
-    while (trees.reveal({ count: 1, placement: Float32Array.of(10.3, 0.2, 0, 1) }, camera(1.48)));
+    while (trees.reveal(standing([10.3, 0.2]), camera(1.48)));
     expect([trees.solid[0]! > 0.9, trees.solid[1]! < 0.3]).toEqual([true, true]);
   });
 
@@ -45,6 +52,6 @@ describe('trees', () => {
     expect(trees.group.children.map((mesh) => (mesh as InstancedMesh).count)).toEqual([2, 2]);
     trees.clear();
     expect(trees.group.children).toHaveLength(0);
-    expect(trees.reveal({ count: 0, placement: new Float32Array(0) }, camera(1))).toBe(false);
+    expect(trees.reveal(standing([]), camera(1))).toBe(false);
   });
 });

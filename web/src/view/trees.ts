@@ -25,10 +25,10 @@ interface Crown {
   readonly size: number;
 }
 
-/** People to be seen: x and y in four numbers each. */
+/** People to be seen. */
 export interface Standing {
-  readonly count: number;
-  readonly placement: Float32Array;
+  /** True where one of them is within `reach` of a spot [m]. */
+  someoneNear(x: number, y: number, reach: number): boolean;
 }
 
 export class Trees {
@@ -93,7 +93,7 @@ export class Trees {
     this.crowns_.forEach(({ x, y, size }, i) => {
       // On the ground, where the line of sight through the crown's middle meets people.
       const away = (kCrownHeight * size - kPerson) * slope;
-      const wanted = someoneNear(people, x + ux * away, y + uy * away, kCrownReach * size) ? kThin : 1;
+      const wanted = people.someoneNear(x + ux * away, y + uy * away, kCrownReach * size) ? kThin : 1;
       const now = this.solid_.array[i]!;
       if (Math.abs(wanted - now) < 0.01) return;
       changes = true;
@@ -117,12 +117,4 @@ export class Trees {
     this.clear();
     this.material_.dispose();
   }
-}
-
-function someoneNear({ count, placement }: Standing, x: number, y: number, reach: number): boolean {
-  for (let i = 0; i < count; ++i) {
-    const dx = placement[4 * i]! - x, dy = placement[4 * i + 1]! - y;
-    if (dx * dx + dy * dy < reach * reach) return true;
-  }
-  return false;
 }
