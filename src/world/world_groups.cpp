@@ -77,6 +77,19 @@ std::int32_t World::Impl::regionOf(const Group& group) {
     return best;
 }
 
+// By `plan.solver`; the only place that knows which solvers there are.
+std::unique_ptr<Plan> World::Impl::makePlan() const {
+    return parameters.planSolver == static_cast<double>(PlanSolver::Fast) ? makeFastPlan() : makeExactPlan();
+}
+
+// Another solver takes over: every group is planned anew in this step, from the places that its characters have.
+void World::Impl::exchangePlans() {
+    for (Group& group : groups) {
+        group.plan = makePlan();
+        group.planNow = true;
+    }
+}
+
 Status World::Impl::addGroup(const GroupDef& def) {
     if (groups.size() >= kMaxGroups)
         return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(kMaxGroups) + " groups"};
