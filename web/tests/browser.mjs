@@ -10,6 +10,7 @@ import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
 import * as session from './cases/session.mjs';
 import * as touch from './cases/touch.mjs';
+import { startMadeCrowd } from './support/made_crowd.mjs';
 import { startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
@@ -46,6 +47,7 @@ const CASES = [
   ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],
   ['a character of one’s own', people.ownCharacter, ['desktop', 'phone'], { search: '?quality=full' }],
   ['a thousand people', people.budgets, ['desktop'], { search: '?quality=full&stats', scenario: 'web/tests/scenarios/thousand.json' }],
+  ['ten thousand people', people.budgetsOfMany, ['desktop', 'portrait'], { search: '?quality=full&stats', made: { count: 10000, near: 100 } }],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
@@ -70,8 +72,9 @@ async function runCase(name, test, size, options) {
   let own = null;
   try {
     if (options.scenario) own = await startStudio({ scenario: options.scenario, port: 18280 });
+    if (options.made) own = await startMadeCrowd({ ...options.made, bodies: server.url });
     studio = await StudioPage.open(browser, `${(own ?? server).url}${options.search ?? ''}`, { size, ...options });
-    await studio.restart();
+    if (!options.made) await studio.restart();
     await studio.fit();
     if (options.room) await studio.makeRoom();
     const left = await test(studio, own ?? server);

@@ -185,12 +185,16 @@ function listen(socket, hear) {
   });
 }
 
-/** Serves `count` walkers, `near` of them with whole poses, on a free port. */
-export async function startMadeCrowd({ count = 10000, near = 100 } = {}) {
+/** Serves `count` walkers, `near` of them with whole poses, on a free port; `bodies`: address of a studio that has them. */
+export async function startMadeCrowd({ count = 10000, near = 100, bodies = '' } = {}) {
   const messages = await protocol();
   const conversations = [];
-  const server = createServer((request, response) => {
+  const server = createServer(async (request, response) => {
     const path = new URL(request.url, 'http://made').pathname;
+    if (path.startsWith('/bodies/') && bodies) {
+      const answer = await fetch(new URL(path, bodies));
+      return response.writeHead(answer.status).end(Buffer.from(await answer.arrayBuffer()));
+    }
     const file = `${dist}${path === '/' ? 'index.html' : path.slice(1)}`;
     if (path.includes('..') || !existsSync(file)) return response.writeHead(404).end();
     response.writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' }).end(readFileSync(file));
