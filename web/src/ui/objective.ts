@@ -24,11 +24,16 @@ export function walksOf({ groups }: Pick<StudioFrame, 'groups'>): Walks {
   }), { sum: 0, squares: 0, longest: 0 });
 }
 
+/** "812 m". */
+export function objectiveFigure(index: number, walks: Walks): string {
+  const { unit, value } = OBJECTIVES[index]!;
+  const figure = value(walks);
+  return `${figure < 1000 ? formatFigure(figure) : formatCount(figure)}\u2009${unit}`;
+}
+
 /** "Least sum: 812 m". */
 export function objectiveText(index: number, walks: Walks): string {
-  const { label, unit, value } = OBJECTIVES[index]!;
-  const figure = value(walks);
-  return `${label}: ${figure < 1000 ? formatFigure(figure) : formatCount(figure)}\u2009${unit}`;
+  return `${OBJECTIVES[index]!.label}: ${objectiveFigure(index, walks)}`;
 }
 
 const valueOf = (parameters: readonly SceneParameter[], name: string): number | undefined =>

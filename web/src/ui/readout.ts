@@ -1,8 +1,8 @@
 // The live figures: characters, step time, lag, swaps, and what the plan's objective comes to.
 
-import { element, setText } from './dom';
+import { element, setAttribute, setText } from './dom';
 import { formatCount, formatFigure, formatMs } from './formatters';
-import { objectiveOf, objectivesFor, OBJECTIVES, objectiveText } from './objective';
+import { objectiveFigure, objectiveOf, objectivesFor, OBJECTIVES, objectiveText } from './objective';
 import { Sparkline } from './sparkline';
 import type { StudioActions } from './studio_actions';
 import type { StudioState, StudioStore } from './studio_state';
@@ -24,11 +24,13 @@ export class Readout {
   private readonly swaps = this.row('swaps', 'Swaps', '', '/s', new Sparkline(0, 0.2), 'Changes of place without a command, per character and second');
 
   private readonly objective = element('select', { class: 'objective', 'aria-label': 'What plans make least' });
-  private readonly options = OBJECTIVES.map((_, index) => element('option', { value: String(index) }));
+  private readonly options = OBJECTIVES.map(({ label }, index) => element('option', { value: String(index) }, label));
+  private readonly walks = element('strong', { class: 'value' });
+  private readonly plan = element('div', { class: 'figure figure-objective' }, this.objective,
+    element('span', { class: 'figure-value' }, this.walks));
 
   constructor(store: StudioStore, actions: StudioActions) {
-    this.root.append(element('div', { class: 'figure figure-objective', 'data-tip': 'What plans make least, and what all walks come to' },
-      element('span', { class: 'figure-label secondary' }, 'Plan'), this.objective));
+    this.root.append(this.plan);
     this.objective.append(...this.options);
     this.objective.addEventListener('change', () => actions.setObjective(Number(this.objective.value)));
     store.watch(['parameters'], (state) => this.showObjective(state));
@@ -53,19 +55,27 @@ export class Readout {
     setText(this.step.value, formatMs(state.stepMs));
     setText(this.lag.value, formatFigure(state.lag));
     setText(this.swaps.value, formatFigure(state.swaps));
-    this.options.forEach((option, index) => setText(option, objectiveText(index, state.walks)));
+    this.showWalks(state);
     this.step.spark?.push(state.stepMs);
     this.lag.spark?.push(state.lag);
     this.swaps.spark?.push(state.swaps);
   }
 
-  private showObjective({ parameters, walks }: StudioState): void {
+  /** What the chosen objective comes to; all of them in the tip. */
+  private showWalks({ walks }: StudioState): void {
+    const chosen = this.objective.selectedIndex;
+    setText(this.walks, chosen < 0 ? '' : objectiveFigure(chosen, walks));
+    setAttribute(this.plan, 'data-tip', `What plans make least. All walks: ${OBJECTIVES.map((_, index) => objectiveText(index, walks)).join(', ')}`);
+  }
+
+  private showObjective(state: StudioState): void {
+    const { parameters } = state;
     const shown = objectivesFor(parameters);
     this.options.forEach((option, index) => {
       option.hidden = option.disabled = !shown.includes(index);
-      setText(option, objectiveText(index, walks));
     });
     this.objective.selectedIndex = objectiveOf(parameters);
-    this.objective.closest<HTMLElement>('.figure')!.hidden = shown.length === 0;
+    this.plan.hidden = shown.length === 0;
+    this.showWalks(state);
   }
 }
