@@ -131,7 +131,7 @@ TEST_CASE("values out of range are refused") {
     CHECK(refused(TouchMove{1, {2e6, 0}, 0}));
     CHECK(refused(TouchUp{1, nan}));
     CHECK(refused(SetCount{GroupId{1}, 0}));
-    CHECK(refused(SetCount{GroupId{1}, 100001}));
+    CHECK(refused(SetCount{GroupId{1}, 200001}));
     CHECK(refused(SetPose{GroupId{1}, {0, 0}, infinity}));
     CHECK(refused(SetParameter{"plan.exponent", 0.5}));
     CHECK(refused(SetParameter{"no.such", 0.5}));
