@@ -23,7 +23,8 @@ struct CaseDef {
 /// Of a quality pass.
 struct Quality {
     std::string judge = "none";    ///< "exact", "bound" or "none".
-    std::int32_t looks = 0;        ///< Times it was judged.
+    std::int32_t looks = 0;        ///< Times it was judged, less the first.
+    double gapCold = -1.0;         ///< Of the first plan, looked at after the second step [%]; -1 where it was not.
     double gapMean = 0.0;          ///< [%]
     double gapMax = 0.0;           ///< [%]
     double objectiveMean = 0.0;    ///< Of the committed plans, per character [cost^p].

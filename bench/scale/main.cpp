@@ -15,7 +15,12 @@ constexpr double kSecondsBeside = 1.0;      // Of its run: it is slow.
 
 void printHead(const Options& options) {
     if (options.json) return;
-    std::printf("Times of whole steps: the thread's CPU time with one thread, wall time with more.\n%s\n", tableHead().c_str());
+    std::printf("Times of whole steps: the thread's CPU time with one thread, wall time with more.\n\n%s\n",
+                options.markdown ? markdownHead().c_str() : tableHead().c_str());
+}
+
+std::string lineOf(const Options& options, const Row& row) {
+    return options.json ? jsonRow(row) : options.markdown ? markdownRow(row) : tableRow(row);
 }
 
 void printGrowth(const Options& options, const std::vector<Row>& rows) {
@@ -23,7 +28,7 @@ void printGrowth(const Options& options, const std::vector<Row>& rows) {
     for (const Regime regime : {Regime::Far, Regime::Tracking}) {
         const Growth growth = growthOf(rows, regime);
         if (growth.points == 0) continue;
-        std::printf("%s: the cost of a step grows as n^%.2f from %d to %d characters (p50, %d rows)\n",
+        std::printf("\n%s: the cost of a step grows as n^%.2f from %d to %d characters (p50, %d rows)\n",
                     regimeName(regime), growth.exponent, growth.least, growth.most, growth.points);
     }
 }
@@ -35,7 +40,8 @@ Status judge(const Options& options, Row& row, ThreadPool& pool) {
     QualityPass pass(looksEvery(options.gapEvery, scene), label, pool);
     const Result<Row> again = runCase(row.def, [&](const World& world) { pass.observe(world); });
     if (!again.ok()) return again.status();
-    if (!pass.status().ok()) std::fprintf(stderr, "muster-bench: %s: not judged: %s\n", label.c_str(), pass.status().message().c_str());
+    if (!pass.status().ok())
+        std::fprintf(stderr, "muster-bench: %s: not judged: %s\n", label.c_str(), pass.status().message().c_str());
     row.quality = pass.quality();
     if (again->hash != row.hash) return Status(StatusCode::Corrupt, label + ": the run that was judged ended in another state");
     return {};
@@ -75,7 +81,7 @@ int run(const Options& options) {
             if (row.status().code() != StatusCode::NotFound) exitCode = 1;
             continue;
         }
-        std::printf("%s\n", options.json ? jsonRow(*row).c_str() : tableRow(*row).c_str());
+        std::printf("%s\n", lineOf(options, *row).c_str());
         std::fflush(stdout);
         rows.push_back(*row);
     }

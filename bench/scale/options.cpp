@@ -13,6 +13,7 @@ constexpr int kWrong = 2;
 void describe(CLI::App& scale, Options& o) {
     scale.add_flag("--quick", o.quick, "160 and 1,000 characters, one seed, short runs, few gaps");
     scale.add_flag("--json", o.json, "One JSON object a line");
+    scale.add_flag("--markdown", o.markdown, "The table in Markdown, for docs/performance.md");
     scale.add_option("--scene", o.scenes, "Scenes (all)")->delimiter(',');
     scale.add_option("--regime", o.regimes, "far, tracking, reversing (all)")->delimiter(',');
     scale.add_option("--n", o.counts, "Characters (160,1000,10000)")->delimiter(',');
@@ -54,6 +55,7 @@ Status check(const Options& o) {
         if (t < 1 || t > 256) return invalidArgument("found threads " + std::to_string(t) + ", expected 1 to 256");
     if (!(o.seconds >= 0.0 && o.seconds <= 3600.0)) return invalidArgument("--seconds: expected 0 to 3600");
     if (o.gapEvery < 0) return invalidArgument("--gap-every: expected at least 1");
+    if (o.json && o.markdown) return invalidArgument("found --json and --markdown, expected one of them");
     return {};
 }
 

@@ -6,6 +6,11 @@
 #include "muster/base/stopwatch.h"
 
 namespace muster::scale {
+namespace {
+
+constexpr std::uint32_t kFirstLook = 2;
+
+}  // namespace
 
 Committed committedBy(const World& world) {
     const Characters& characters = world.characters();
@@ -25,7 +30,8 @@ QualityPass::QualityPass(std::int32_t every, std::string label, ThreadPool& pool
     : every_(every), label_(std::move(label)), pool_(pool) {}
 
 void QualityPass::observe(const World& world) {
-    if (!status_.ok() || world.stepCount() % static_cast<std::uint32_t>(every_) != 2 % every_) return;
+    const bool first = world.stepCount() == kFirstLook;
+    if (!status_.ok() || (!first && world.stepCount() % static_cast<std::uint32_t>(every_) != 0)) return;
     look(world);
 }
 
@@ -64,11 +70,15 @@ void QualityPass::look(const World& world) {
         verdict = judgeByBound(*cost, plan, pool_);
     }
     const double gap = 100.0 * verdict.gap(plan.exponent);
-    const double looks = ++quality_.looks;
     quality_.judge = exact ? "exact" : "bound";
-    quality_.gapMax = std::max(quality_.gapMax, gap);
-    quality_.gapMean += (gap - quality_.gapMean) / looks;
-    quality_.objectiveMean += (verdict.committed / std::max(1, verdict.held) - quality_.objectiveMean) / looks;
+    if (world.stepCount() == kFirstLook) {
+        quality_.gapCold = gap;
+    } else {
+        const double looks = ++quality_.looks;
+        quality_.gapMax = std::max(quality_.gapMax, gap);
+        quality_.gapMean += (gap - quality_.gapMean) / looks;
+        quality_.objectiveMean += (verdict.committed / std::max(1, verdict.held) - quality_.objectiveMean) / looks;
+    }
     if (label_.empty()) return;
     std::fprintf(stderr, "%s: step %u: gap %.4f %%, objective %.4f each of %d, %d rounds, %.0f ms\n", label_.c_str(),
                  world.stepCount(), gap, verdict.committed / std::max(1, verdict.held), verdict.held, verdict.rounds,

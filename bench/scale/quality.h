@@ -23,7 +23,7 @@ std::int32_t looksEvery(std::int32_t every, const SceneDef& scene);
 /// What the first group of a world has committed.
 Committed committedBy(const World& world);
 
-/// Looks at every `every`-th step, from the second on (the first plan is made in the first).
+/// Looks at every `every`-th step, and after the second: at the first plan, which counts on its own.
 class QualityPass {
 public:
     /// `label` names the case where progress is told on standard error; empty for silence.

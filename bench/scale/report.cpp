@@ -49,6 +49,7 @@ std::string jsonRow(const Row& row) {
     line += judged ? number("gap_mean_pct", row.quality.gapMean) + number("gap_max_pct", row.quality.gapMax) +
                          number("objective", row.quality.objectiveMean)
                    : key("gap_mean_pct") + "null, " + key("gap_max_pct") + "null, ";
+    line += row.quality.gapCold >= 0.0 ? number("gap_cold_pct", row.quality.gapCold) : key("gap_cold_pct") + "null, ";
     line += number("swaps_per_s", row.swaps) + number("lag_m", row.lagMean) + number("arrived", row.arrived) +
             number("allocations", static_cast<double>(row.allocations), "%.0f") + number("memory_mb", row.memory, "%.1f");
     if (row.exactRatio > 0.0) line += number("exact_ratio", row.exactRatio);
@@ -72,6 +73,21 @@ std::string tableRow(const Row& row) {
     line += hexadecimal(row.hash);
     if (row.exactRatio > 0.0) line += format("  exact: %.1f times as long", row.exactRatio);
     return line;
+}
+
+std::string markdownHead() {
+    return "| scene | regime | n | plan | threads | seed | p50 / p95 / max ms | cold ms | judge | gap mean / worst / cold % | "
+           "swaps/s | allocations | MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|";
+}
+
+std::string markdownRow(const Row& row) {
+    const CaseDef& def = row.def;
+    const Quality& quality = row.quality;
+    std::string line = format("| %s | %s | %d | %s | %d | %d ", def.scene.name.c_str(), regimeName(def.scene.regime),
+                              def.scene.count, def.plan.c_str(), def.threads, static_cast<int>(def.scene.seed));
+    line += format("| %.3g / %.3g / %.3g | %.3g | %s ", row.p50, row.p95, row.max, row.cold, quality.judge.c_str());
+    line += quality.looks > 0 ? format("| %.3f / %.3f / %.3g ", quality.gapMean, quality.gapMax, quality.gapCold) : "| - ";
+    return line + format("| %.2f | %lld | %.0f |", row.swaps, static_cast<long long>(row.allocations), row.memory);
 }
 
 Growth growthOf(std::span<const Row> rows, Regime regime) {

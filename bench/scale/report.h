@@ -14,6 +14,10 @@ std::string jsonRow(const Row& row);
 std::string tableHead();
 /// A line of it.
 std::string tableRow(const Row& row);
+/// The head and the rule of the table in Markdown.
+std::string markdownHead();
+/// A line of it.
+std::string markdownRow(const Row& row);
 
 /// How the cost of a step grows.
 struct Growth {

@@ -1,6 +1,7 @@
 // Scenes for measuring: they stand as they say, and the drag leads where the course goes.
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "muster/world/validation.h"
@@ -117,6 +118,28 @@ TEST_CASE("a far crowd arrives, and the run ends there") {
     CHECK(row.arrived == 1.0);
     CHECK(row.steps < 60 * 60);
     CHECK(row.steps > 40 * 25);
+}
+
+TEST_CASE("a row says the same in JSON, Markdown and the table") {
+    Row row;
+    row.def.scene = sceneOf("block", Regime::Reversing, 1000);
+    row.p95 = 0.875;
+    row.hash = 0xabcdef;
+    const std::string bare = jsonRow(row);
+    CHECK(bare.find("\"gap_max_pct\": null") != std::string::npos);
+    row.quality = {"bound", 3, 12.5, 0.25, 0.5, 2.0};
+    const std::string json = jsonRow(row);
+    for (const char* part : {"\"scene\": \"block\"", "\"regime\": \"reversing\"", "\"n\": 1000", "\"ms_p95\": 0.875",
+                             "\"gap_mean_pct\": 0.25", "\"gap_max_pct\": 0.5", "\"gap_cold_pct\": 12.5",
+                             "\"judge\": \"bound\"", "\"contacts\": 0.0000", "\"hash\": \"0000000000abcdef\"}"})
+        CHECK_MESSAGE(json.find(part) != std::string::npos, part);
+    CHECK(json.front() == '{');
+    CHECK(json.find('\n') == std::string::npos);
+    CHECK(markdownRow(row).find("| bound | 0.250 / 0.500 / 12.5 |") != std::string::npos);
+    const std::string head = markdownHead();
+    const std::string line = markdownRow(row);
+    CHECK(std::count(head.begin(), head.begin() + head.find('\n'), '|') == std::count(line.begin(), line.end(), '|'));
+    CHECK(tableRow(row).find("0.875") != std::string::npos);
 }
 
 TEST_CASE("growth is the slope of each series on its own") {
