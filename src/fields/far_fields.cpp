@@ -69,12 +69,6 @@ FarFields::Corners FarFields::cornersOf(Vec2 place) {
     return corners;
 }
 
-void FarFields::wish(Vec2 place) {
-    const Corners corners = cornersOf(place);
-    for (std::int32_t k = 0; k < corners.count; ++k)
-        if (lattice_.use(corners.cell[k]) < 0) lattice_.wish(corners.cell[k]);
-}
-
 bool FarFields::sees(const CostField& field, Vec2 place) const {
     const double square = field.squareBetween(place);
     const double line = kInLine * ground_->lineCost(place, field.source()) + 1.5 * field.grid().cell;
@@ -89,7 +83,10 @@ LandmarkStencil FarFields::stencil(Vec2 place) {
     std::int32_t best = -1;
     for (std::int32_t k = 0; k < corners.count; ++k) {
         const std::int32_t slot = lattice_.use(corners.cell[k]);
-        if (slot < 0) continue;
+        if (slot < 0) {
+            lattice_.wish(corners.cell[k]);
+            continue;
+        }
         if (best < 0 || lattice_.field(slot).squareBetween(place) < lattice_.field(best).squareBetween(place)) best = slot;
         if (sees(lattice_.field(slot), place)) known[count++] = {slot, grid.centre(grid.at(corners.cell[k]))};
     }

@@ -17,13 +17,11 @@ public:
 
     /// Begins a step on this ground for so many places; forgets all where the ground or the spacing has changed.
     void beginStep(const StaticGround& ground, std::size_t places);
-    /// Asks for the fields round a place that are missing.
-    void wish(Vec2 place);
     /// Makes at most `most` of those asked for; true where any was made.
     bool build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
-    /// The stencil of a place from the fields there are.
+    /// The stencil of a place from the fields there are; asks for those that are missing.
     LandmarkStencil stencil(Vec2 place);
     /// The squared cost by a stencil; infinite where `from` cannot be reached.
     double square(const LandmarkStencil& stencil, Vec2 from) const;

@@ -6,7 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kIdle = 240;  // Steps after which a field that nobody used may go.
+constexpr std::uint32_t kIdle = 240;        // Steps after which a field that nobody used may go.
+constexpr std::size_t kMostWishes = 8192;   // Kept until the next build.
+constexpr std::size_t kFilter = 4096;       // Wishes looked back to for doubles.
 
 }  // namespace
 
@@ -14,6 +16,8 @@ FieldLattice::FieldLattice(std::int32_t capacity) : capacity_(capacity) {
     table_.assign(std::bit_ceil(static_cast<std::uint32_t>(2 * capacity)), -1);
     landmark_.reserve(capacity);
     used_.reserve(capacity);
+    wishes_.reserve(kMostWishes);
+    filter_.assign(kFilter, -1);
 }
 
 void FieldLattice::clear() {
@@ -21,6 +25,7 @@ void FieldLattice::clear() {
     landmark_.clear();
     used_.clear();
     wishes_.clear();
+    std::fill(filter_.begin(), filter_.end(), -1);
     std::fill(table_.begin(), table_.end(), -1);
 }
 
@@ -40,7 +45,12 @@ std::int32_t FieldLattice::use(std::int32_t landmark) {
     return -1;
 }
 
-void FieldLattice::wish(std::int32_t landmark) { wishes_.push_back(landmark); }
+void FieldLattice::wish(std::int32_t landmark) {
+    std::int32_t& last = filter_[home(landmark) % kFilter];
+    if (last == landmark || wishes_.size() >= kMostWishes) return;
+    last = landmark;
+    wishes_.push_back(landmark);
+}
 
 void FieldLattice::insert(std::int32_t landmark, std::int32_t slot) {
     const auto mask = static_cast<std::uint32_t>(table_.size() - 1);
@@ -90,6 +100,7 @@ void FieldLattice::admit(std::int32_t most) {
         fresh_.push_back(slot);
     }
     wishes_.clear();
+    std::fill(filter_.begin(), filter_.end(), -1);
 }
 
 }  // namespace muster

@@ -25,8 +25,6 @@ public:
     std::int32_t use(std::int32_t landmark);
     /// Asks for a landmark's field.
     void wish(std::int32_t landmark);
-    /// True where something is wished for.
-    bool wished() const { return !wishes_.empty(); }
     /// Makes at most `most` of the fields wished for, in the order of the wishes, and forgets the other wishes.
     /// `solve(landmark, field, worker)` fills one.
     /// Returns true where there are fields now that were not there before.
@@ -54,7 +52,7 @@ public:
     /// Lets an archive read or write which fields there are, not the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(clock_, count_, landmark_, used_);
+        archive(clock_, count_, landmark_, used_, wishes_);
         if constexpr (Archive::kReading) restore(archive);
     }
 
@@ -80,6 +78,7 @@ private:
     std::vector<CostField> fields_;       // Of each slot, and memory for later ones.
     std::vector<std::int32_t> table_;     // Slots by landmark, -1 for none: open addressing.
     std::vector<std::int32_t> wishes_;
+    std::vector<std::int32_t> filter_;    // Wishes by landmark, so that few are noted twice.
     std::vector<std::int32_t> fresh_;
 };
 

@@ -18,9 +18,13 @@ constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was 
 constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
 constexpr std::int32_t kTraceSteps = 14;    // Along a far way, to a point in sight ahead...
 constexpr double kTraceStep = 1.0;          // ... each so long [m].
-constexpr double kDetourAhead = 4.0;        // To where a window leads when nothing on the way is in sight [m].
 constexpr std::int32_t kServes = 8;         // Steps for which a point in sight serves.
 constexpr double kReached = 0.6;            // [m]
+constexpr double kLookAhead = 2.0;          // Of headings tried where it is crowded [m].
+constexpr double kCrowded = 0.15;           // Excess of a metre ahead from which other headings are tried.
+constexpr double kKeep = 0.05;              // A turn must save more [m of open ground].
+// 25 and 50 degrees to either side.
+constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944}, {0.64278760968653933, 0.76604444311897804}};
 constexpr std::uint32_t kFarPeriod = 8;     // Steps between two looks for the far landmarks of a place.
 
 }  // namespace
@@ -67,9 +71,12 @@ struct Geodesics::Impl {
     double excessAlong(const CostField& field, Vec2 from, Vec2 to) const;
     bool withinWindows(Vec2 from, Vec2 to) const;
     double bent(Vec2 from, std::int32_t place) const;
+    float costFrom(Vec2 from, std::int32_t place) const;
+    WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
+    Vec2 roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const;
     bool farKnown(Vec2 from, std::int32_t place, float& cost) const;
-    Vec2 farDirection(const CostField& field, Vec2 from, WayPoint& memory) const;
-    bool findPointAhead(const CostField& field, Vec2 from, Vec2& point, Vec2& detour) const;
+    Vec2 farDirection(std::int32_t place, Vec2 from, WayPoint& memory) const;
+    bool findPointAhead(const CostField& field, Vec2 from, Vec2& point) const;
 };
 
 Geodesics::Geodesics(const GeodesicsDef& def) : impl_(std::make_unique<Impl>(def)) {}
@@ -102,10 +109,6 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
 // Wishes of the last step are met as far as the budget goes; stencils follow from what there is.
 void Geodesics::Impl::tick(ThreadPool& pool) {
     ++step;
-    for (std::size_t j = 0; j < places.size(); ++j) {
-        if (askedNear[j] > 0) near.wish(places[j]);
-        if (askedFar[j] > 0 && looksFar(j)) far.wish(places[j]);
-    }
     near.build(perStep(def.nearPerStep), pool);
     findStencils(far.build(def.farPerStep, pool));
 }
@@ -138,15 +141,13 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
     Impl& s = *impl_;
     if (s.ground->plain()) return;
     for (std::size_t j = 0; j < s.places.size(); ++j)
-        for (const Vec2 p : from)
-            if (!s.ground->straight(p, s.places[j])) {
-                (s.withinWindows(p, s.places[j]) ? s.askedNear[j] : s.askedFar[j]) = kRemembered;
-                if (s.askedFar[j] > 0) break;
-            }
-    for (std::size_t j = 0; j < s.places.size(); ++j) {
-        if (s.askedFar[j] > 0) s.far.wish(s.places[j]);
-        if (s.askedNear[j] > 0) s.near.wish(s.places[j]);
-    }
+        for (const Vec2 p : from) {
+            const bool farAway = distance(p, s.places[j]) >= kFarAway;
+            if (!farAway && s.ground->straight(p, s.places[j])) continue;
+            (s.withinWindows(p, s.places[j]) ? s.askedNear[j] : s.askedFar[j]) = kRemembered;
+            if (s.askedFar[j] > 0) break;
+        }
+    s.findStencils(true);
     s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.near.build(s.perStep(4 * s.def.nearPerStep), pool);
     s.findStencils(true);
@@ -217,34 +218,33 @@ bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, float& cost) const
     const double line = distance(from, places[place]);
     if (line < kFarAway) return false;
     ask(askedFar, place);
-    const double far = farCost(from, place, line);
-    cost = static_cast<float>(far);
-    return far < kInfinite;
+    const double there = farCost(from, place, line);
+    cost = static_cast<float>(there);
+    return there < kInfinite;
 }
 
 bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->ground->straight(from, impl_->places[place]); }
 
-float Geodesics::cost(Vec2 from, std::int32_t place) const {
-    const Impl& s = *impl_;
-    const Vec2 to = s.places[place];
-    float far = 0.0f;
-    if (s.farKnown(from, place, far)) return far;
-    if (s.ground->straight(from, to))
-        return static_cast<float>(s.ground->unit(to) * (distance(from, to) + s.excess->along(from, to)));
-    return static_cast<float>(s.bent(from, place));
+float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }
+
+float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
+    const Vec2 to = places[place];
+    float known = 0.0f;
+    if (farKnown(from, place, known)) return known;
+    if (ground->straight(from, to))
+        return static_cast<float>(ground->unit(to) * (distance(from, to) + excess->along(from, to)));
+    return static_cast<float>(bent(from, place));
 }
 
-// Goes down the field; `point` becomes the last point of the way in sight, `detour` one some metres on.
-bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, Vec2& point, Vec2& detour) const {
+// Goes down the field; `point` becomes the last point of the way in sight.
+bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, Vec2& point) const {
     Vec2 at = from;
     bool found = false;
     std::int32_t lost = 0;
-    detour = from;
     for (std::int32_t k = 0; k < kTraceSteps && lost < 3; ++k) {
         const Vec2 onward = field.direction(at);
         if (onward == Vec2{}) break;
         at += onward * kTraceStep;
-        if ((k + 1) * kTraceStep <= kDetourAhead) detour = at;
         if (ground->straight(from, at)) {
             point = at;
             found = true;
@@ -256,14 +256,14 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, Vec2& po
     return found;
 }
 
-Vec2 Geodesics::Impl::farDirection(const CostField& field, Vec2 from, WayPoint& memory) const {
+// To a point in sight on the way down the field of the nearest landmark, else down that field.
+Vec2 Geodesics::Impl::farDirection(std::int32_t place, Vec2 from, WayPoint& memory) const {
+    const CostField& field = far.field(farStencil[place].nearest);
     const bool serves = memory.steps > 0 && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
     if (!serves) {
-        Vec2 detour;
-        if (!findPointAhead(field, from, memory.point, detour)) {
+        if (!findPointAhead(field, from, memory.point)) {
             memory.steps = 0;
-            memory.point = detour;
-            return {};
+            return field.direction(from);
         }
         memory.steps = kServes;
     }
@@ -272,30 +272,53 @@ Vec2 Geodesics::Impl::farDirection(const CostField& field, Vec2 from, WayPoint& 
 }
 
 WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const {
-    const Impl& s = *impl_;
+    WayAhead way = impl_->stillWay(from, place, memory);
+    way.direction = impl_->roundTheCrowd(from, place, way);
+    return way;
+}
+
+// Where the crowd ahead is dense, the best of a few headings: what the first metres cost in it, and the way on from there.
+Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const {
+    if (excess->none() || way.direction == Vec2{} || way.cost < 2.0 * kLookAhead) return way.direction;
+    const double unit = ground->unit(from);
+    const auto costBy = [&](Vec2 heading) {
+        const Vec2 next = from + heading * kLookAhead;
+        if (!ground->straight(from, next)) return kInfinite;
+        return unit * (kLookAhead + excess->along(from, next)) + costFrom(next, place);
+    };
+    if (excess->along(from, from + way.direction * kLookAhead) < kCrowded * kLookAhead) return way.direction;
+    Vec2 best = way.direction;
+    double least = costBy(best) - kKeep;
+    for (const Rotation& turn : kHeadings)
+        for (const Vec2 heading : {turn.apply(way.direction), turn.applyInverse(way.direction)}) {
+            const double cost = costBy(heading);
+            if (!(cost < least)) continue;
+            least = cost;
+            best = heading;
+        }
+    return best;
+}
+
+WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const {
+    const Impl& s = *this;
     const Vec2 to = s.places[place];
     const double line = distance(from, to);
     if (memory.place != place) memory = {from, place, 0};
     WayAhead way;
     if (s.farKnown(from, place, way.cost)) {
-        const CostField& field = s.far.field(s.farStencil[place].nearest);
-        way.direction = s.farDirection(field, from, memory);
-        if (way.direction == Vec2{}) way.direction = field.direction(from);
+        way.direction = s.farDirection(place, from, memory);
         return way;
     }
     if (s.ground->straight(from, to))
         return {normalized(to - from), static_cast<float>(s.ground->unit(to) * (line + s.excess->along(from, to)))};
     way.cost = static_cast<float>(s.bent(from, place));
-    const LandmarkStencil& near = s.nearStencil[place];
-    const LandmarkStencil& far = s.farStencil[place];
-    if (s.withinWindows(from, to) && near.count > 0) {
-        const CostField& field = s.near.field(near.nearest);
+    if (s.withinWindows(from, to) && s.nearStencil[place].count > 0) {
+        const CostField& field = s.near.field(s.nearStencil[place].nearest);
         // Beside the landmark the way to it says nothing of the way to the place.
         const bool beside = distance(from, field.source()) < 1.5 * distance(field.source(), to);
         way.direction = beside ? normalized(to - from) : field.direction(from);
-    } else if (far.count > 0) {
-        way.direction = s.farDirection(s.far.field(far.nearest), from, memory);
-        if (way.direction == Vec2{}) way.direction = s.far.field(far.nearest).direction(from);
+    } else if (s.farStencil[place].count > 0) {
+        way.direction = s.farDirection(place, from, memory);
     }
     return way;
 }

@@ -49,12 +49,6 @@ NearWindows::Corners NearWindows::cornersOf(Vec2 place) const {
     return corners;
 }
 
-void NearWindows::wish(Vec2 place) {
-    const Corners corners = cornersOf(place);
-    for (std::int32_t k = 0; k < corners.count; ++k)
-        if (lattice_.use(corners.cell[k]) < 0) lattice_.wish(corners.cell[k]);
-}
-
 LandmarkStencil NearWindows::stencil(Vec2 place) {
     const Corners corners = cornersOf(place);
     const Grid& grid = ground_->fine().grid;
@@ -63,6 +57,7 @@ LandmarkStencil NearWindows::stencil(Vec2 place) {
     for (std::int32_t k = 0; k < corners.count; ++k) {
         const std::int32_t slot = lattice_.use(corners.cell[k]);
         if (slot >= 0) known[count++] = {slot, grid.centre(grid.at(corners.cell[k]))};
+        else lattice_.wish(corners.cell[k]);
     }
     return weighLandmarks({known, count}, corners.square, place, ground_->unit(place));
 }
@@ -77,16 +72,6 @@ double NearWindows::square(const LandmarkStencil& stencil, Vec2 from) const {
         sum += static_cast<double>(stencil.weight[k]) * field.squareBetween(from);
     }
     return sum;
-}
-
-std::int32_t NearWindows::landmarkNear(Vec2 p) const {
-    const Grid& grid = ground_->fine().grid;
-    constexpr std::int32_t kSpacing = kSpacings[0];
-    const Cell c = grid.nearestCell(p);
-    const Cell middle{std::min((c.x + kSpacing / 2) / kSpacing * kSpacing, grid.width - 1),
-                      std::min((c.y + kSpacing / 2) / kSpacing * kSpacing, grid.height - 1)};
-    if (!ground_->blocked(grid.index(middle))) return grid.index(middle);
-    return ground_->blocked(grid.index(c)) ? -1 : grid.index(c);
 }
 
 void NearWindows::build(std::int32_t most, ThreadPool& pool) {

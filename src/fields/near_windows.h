@@ -18,24 +18,16 @@ public:
 
     /// Begins a step on this ground; forgets all where it has changed.
     void beginStep(const StaticGround& ground);
-    /// Asks for the windows round a place that are missing.
-    void wish(Vec2 place);
-    /// Asks for the window of one landmark.
-    void wishLandmark(std::int32_t cell) { lattice_.wish(cell); }
     /// Makes at most `most` of those asked for.
     void build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
-    /// The stencil of a place from the windows there are.
+    /// The stencil of a place from the windows there are; asks for those that are missing.
     LandmarkStencil stencil(Vec2 place);
     /// The squared cost by a stencil; infinite where `from` lies outside one of the windows.
     double square(const LandmarkStencil& stencil, Vec2 from) const;
     /// The window in a slot.
     const CostField& field(std::int32_t slot) const { return lattice_.field(slot); }
-    /// The slot of a landmark's window, -1 for none.
-    std::int32_t slotOf(std::int32_t cell) { return lattice_.use(cell); }
-    /// The landmark nearest to `p`, of those spaced widest, that is free; -1 where there is none.
-    std::int32_t landmarkNear(Vec2 p) const;
     /// Windows kept.
     std::int32_t count() const { return lattice_.count(); }
 

@@ -104,7 +104,7 @@ public:
     std::size_t groupCount() const;            ///< Groups now.
     GroupView group(std::size_t index) const;  ///< In ascending order of ids.
     const DensityField& density() const;       ///< Of the last step.
-    /// Unit cost that the last plan read; null before the first.
+    /// Unit cost of the last step; null before the first.
     const UnitCost* unitCost() const;
     std::span<const Event> events() const;         ///< Of the last step.
     std::span<const Rejection> rejections() const; ///< Of the last step.
