@@ -141,7 +141,7 @@ TEST_CASE("Numbers out of range are refused, at the limit accepted") {
     checkRefused(session, protocol::SetFormation{1, "heap"}, "SetFormation");
     checkRefused(session, protocol::SetFormation{9, "line"}, "SetFormation");
     checkRefused(session, protocol::SetCount{1, 0}, "SetCount");
-    checkRefused(session, protocol::SetCount{1, 2001}, "SetCount");
+    checkRefused(session, protocol::SetCount{1, 20001}, "SetCount");
     checkRefused(session, protocol::SetCount{1, 0xffffffffu}, "SetCount");
     checkRefused(session, protocol::SetParameter{"plan.exponent", kNan}, "SetParameter");
     checkRefused(session, protocol::SetParameter{"no.such", 1.0}, "SetParameter");

@@ -26,7 +26,7 @@ struct SessionLimits {
     std::size_t touchesPerMessage = 1024;         ///< Events of one Touches message.
     std::size_t pointsPerControl = 64;            ///< Points of one AddControl message.
     std::size_t waitingCommands = 20000;          ///< For one step: reached only while paused.
-    std::int32_t charactersPerGroup = 2000;       ///< By SetCount.
+    std::int32_t charactersPerGroup = 20000;      ///< By SetCount.
     std::size_t takeBytes = std::size_t{64} << 20;///< Of the log kept since the world began; it ends there.
     std::size_t openTakeBytes = std::size_t{64} << 20;  ///< Of a take to open.
     std::size_t wholePoses = 500;                 ///< Of the characters a client looks at.
