@@ -57,7 +57,7 @@ TEST_CASE("a wrong command line gives one sentence and 2") {
     const std::string small = put("small.json", kSmall);
     for (const std::string& line : std::vector<std::string>{
              "", "dance", "play", "play a b", "play --seconds", "play x --seconds -3", "play x --seconds soon",
-             "play x --plan fast", "play x --preset rubens", "play x --threads -1", "play x --demo --gestures y", "picture x -o y --gestures z --demo", "play x --nonsense", "replay", "check",
+             "play x --plan slow", "play x --preset rubens", "play x --threads -1", "play x --demo --gestures y", "picture x -o y --gestures z --demo", "play x --nonsense", "replay", "check",
              "import x", "import x -o y --cell 0", "import x -o y --count 0", "picture x", "picture x -o y --width 3",
              "play x --seconds nan", "import x -o y --ground nan", "import x -o y --cell inf", "picture x -o y --at nan",
              "picture x -o y --at -1", "picture x -o y --group -1", "picture x -o y --place -1", "peers", "studio --port 99999", "studio --page /nowhere"}) {

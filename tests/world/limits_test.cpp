@@ -107,6 +107,7 @@ TEST_CASE("a crowd too large for exact plans stays with fast ones, and says so")
     WorldDef def = openFloor(kMaxExact + 1);
     def.box = {{-60, -60}, {60, 60}};
     def.groups[0].position = {};
+    def.parameters.planSolver = static_cast<double>(PlanSolver::Exact);
     CHECK(holds(World::create(def).status().message(), "exact plans (plan.solver 0) serve at most 5000"));
     def.parameters.planSolver = static_cast<double>(PlanSolver::Fast);
     Result<World> world = World::create(def);

@@ -37,6 +37,14 @@ void threadsOfItsOwn(void* context, std::int32_t count, Task task, void* taskCon
     for (std::thread& thread : threads) thread.join();
 }
 
+// Fast plans hand out work in pieces of a hundred characters and more, so they get more of them.
+WorldDef floorBy(PlanSolver solver, std::uint64_t seed) {
+    WorldDef def = testing::busyFloor(seed);
+    def.parameters.planSolver = static_cast<double>(solver);
+    if (solver == PlanSolver::Fast) def.groups[0].count = 300, def.groups[0].formation.spacing = 0.6;
+    return def;
+}
+
 std::vector<std::uint64_t> hashesOf(World& world, int steps) {
     std::vector<std::uint64_t> hashes;
     for (int i = 0; i < steps; ++i) {
@@ -49,30 +57,34 @@ std::vector<std::uint64_t> hashesOf(World& world, int steps) {
 }  // namespace
 
 TEST_CASE("a world on a foreign task runner goes through the same states") {
-    const WorldDef def = testing::busyFloor(11);
-    Result<World> own = World::create(def);
-    REQUIRE(own.ok());
-    const std::vector<std::uint64_t> expected = hashesOf(*own, 40);
-    for (const TaskRunner& runner : {TaskRunner{2, nullptr, backwards}, TaskRunner{3, nullptr, threadsOfItsOwn}}) {
-        Asked asked;
-        Result<World> world = World::create(def, TaskRunner{runner.threads, &asked, runner.run});
-        REQUIRE(world.ok());
-        CHECK(hashesOf(*world, 40) == expected);
-        CHECK(asked.runs > 0);
+    for (const PlanSolver solver : {PlanSolver::Exact, PlanSolver::Fast}) {
+        const WorldDef def = floorBy(solver, 11);
+        Result<World> own = World::create(def);
+        REQUIRE(own.ok());
+        const std::vector<std::uint64_t> expected = hashesOf(*own, 40);
+        for (const TaskRunner& runner : {TaskRunner{2, nullptr, backwards}, TaskRunner{3, nullptr, threadsOfItsOwn}}) {
+            Asked asked;
+            Result<World> world = World::create(def, TaskRunner{runner.threads, &asked, runner.run});
+            REQUIRE(world.ok());
+            CHECK(hashesOf(*world, 40) == expected);
+            CHECK(asked.runs > 0);
+        }
     }
 }
 
 TEST_CASE("a snapshot goes on on a foreign task runner as it would on threads") {
-    Result<World> world = World::create(testing::busyFloor(12), 2);
-    REQUIRE(world.ok());
-    hashesOf(*world, 25);
-    const std::vector<std::uint8_t> saved = world->snapshot();
-    Asked asked;
-    Result<World> restored = World::restore(saved, TaskRunner{2, &asked, backwards});
-    REQUIRE(restored.ok());
-    CHECK(restored->hash() == world->hash());
-    CHECK(hashesOf(*restored, 30) == hashesOf(*world, 30));
-    CHECK(asked.items > 0);
+    for (const PlanSolver solver : {PlanSolver::Exact, PlanSolver::Fast}) {
+        Result<World> world = World::create(floorBy(solver, 12), 2);
+        REQUIRE(world.ok());
+        hashesOf(*world, 25);
+        const std::vector<std::uint8_t> saved = world->snapshot();
+        Asked asked;
+        Result<World> restored = World::restore(saved, TaskRunner{2, &asked, backwards});
+        REQUIRE(restored.ok());
+        CHECK(restored->hash() == world->hash());
+        CHECK(hashesOf(*restored, 30) == hashesOf(*world, 30));
+        CHECK(asked.items > 0);
+    }
 }
 
 TEST_CASE("a runner that cannot run is refused by name") {

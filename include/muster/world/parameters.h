@@ -48,7 +48,7 @@ struct Parameters {
     double discomfortGain = 8.0;
     // Plan (SPEC A1).
     double planMode = 0.0;
-    double planSolver = 0.0;
+    double planSolver = 1.0;
     double objective = 0.0;
     double planPeriod = 0.0;
     double exponent = 2.0;
