@@ -34,15 +34,17 @@ std::uint32_t FieldLattice::home(std::int32_t landmark) const {
     return (mixed ^ (mixed >> 15)) & static_cast<std::uint32_t>(table_.size() - 1);
 }
 
-std::int32_t FieldLattice::use(std::int32_t landmark) {
+std::int32_t FieldLattice::find(std::int32_t landmark) const {
     const auto mask = static_cast<std::uint32_t>(table_.size() - 1);
-    for (std::uint32_t at = home(landmark); table_[at] >= 0; at = (at + 1) & mask) {
-        const std::int32_t slot = table_[at];
-        if (landmark_[slot] != landmark) continue;
-        used_[slot] = clock_;
-        return slot;
-    }
+    for (std::uint32_t at = home(landmark); table_[at] >= 0; at = (at + 1) & mask)
+        if (landmark_[table_[at]] == landmark) return table_[at];
     return -1;
+}
+
+std::int32_t FieldLattice::use(std::int32_t landmark) {
+    const std::int32_t slot = find(landmark);
+    if (slot >= 0) used_[slot] = clock_;
+    return slot;
 }
 
 void FieldLattice::wish(std::int32_t landmark) {

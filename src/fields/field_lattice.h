@@ -23,6 +23,8 @@ public:
     void beginStep() { ++clock_; }
     /// The slot of a landmark's field, -1 where there is none; it counts as used now.
     std::int32_t use(std::int32_t landmark);
+    /// The same without counting as use.
+    std::int32_t find(std::int32_t landmark) const;
     /// Asks for a landmark's field.
     void wish(std::int32_t landmark);
     /// Makes at most `most` of the fields wished for, in the order of the wishes, and forgets the other wishes.

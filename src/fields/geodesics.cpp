@@ -18,6 +18,10 @@ constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was 
 constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
 constexpr std::int32_t kTraceSteps = 14;    // Along a far way, to a point in sight ahead...
 constexpr double kTraceStep = 1.0;          // ... each so long [m].
+constexpr std::int32_t kWindowSteps = 4;    // Of these, to the landmark of a window that leads round a corner near by.
+constexpr std::int32_t kMostLost = 5;       // Points out of sight after which no more are looked at.
+constexpr double kWorthAiming = 1.5;        // Points nearer than this are no aim [m].
+constexpr double kTouching = 0.1;           // Room of one who walks along a wall [m].
 constexpr std::int32_t kServes = 8;         // Steps for which a point in sight serves.
 constexpr double kReached = 0.6;            // [m]
 constexpr double kLookAhead = 2.0;          // Of headings tried where it is crowded [m].
@@ -76,7 +80,8 @@ struct Geodesics::Impl {
     Vec2 roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const;
     bool farKnown(Vec2 from, std::int32_t place, float& cost) const;
     Vec2 farDirection(std::int32_t place, Vec2 from, WayPoint& memory) const;
-    bool findPointAhead(const CostField& field, Vec2 from, Vec2& point) const;
+    Vec2 alongWall(Vec2 from, Vec2 way) const;
+    bool findPointAhead(const CostField& field, Vec2 from, WayPoint& memory) const;
 };
 
 Geodesics::Geodesics(const GeodesicsDef& def) : impl_(std::make_unique<Impl>(def)) {}
@@ -236,18 +241,20 @@ float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
     return static_cast<float>(bent(from, place));
 }
 
-// Goes down the field; `point` becomes the last point of the way in sight.
-bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, Vec2& point) const {
+// Goes down the field; notes the last point of the way in sight, and the landmark of a window some metres on.
+bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, WayPoint& memory) const {
     Vec2 at = from;
     bool found = false;
     std::int32_t lost = 0;
-    for (std::int32_t k = 0; k < kTraceSteps && lost < 3; ++k) {
+    memory.window = -1;
+    for (std::int32_t k = 0; k < kTraceSteps && lost < kMostLost; ++k) {
         const Vec2 onward = field.direction(at);
         if (onward == Vec2{}) break;
         at += onward * kTraceStep;
+        if (k < kWindowSteps) memory.window = near.landmarkNear(at, memory.window);
         if (ground->straight(from, at)) {
-            point = at;
-            found = true;
+            memory.point = at;
+            found = distance(from, at) > kWorthAiming;
             lost = 0;
         } else {
             ++lost;
@@ -256,19 +263,36 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, Vec2& po
     return found;
 }
 
-// To a point in sight on the way down the field of the nearest landmark, else down that field.
+// To a point in sight on the way down the field of the nearest landmark. Where there is none, the way is bent near by:
+// down the window of a landmark some metres on.
 Vec2 Geodesics::Impl::farDirection(std::int32_t place, Vec2 from, WayPoint& memory) const {
     const CostField& field = far.field(farStencil[place].nearest);
-    const bool serves = memory.steps > 0 && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
-    if (!serves) {
-        if (!findPointAhead(field, from, memory.point)) {
-            memory.steps = 0;
-            return field.direction(from);
-        }
+    const bool aims = memory.inSight && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
+    if (memory.steps <= 0 || (memory.inSight && !aims)) {
+        memory.inSight = findPointAhead(field, from, memory);
         memory.steps = kServes;
     }
     --memory.steps;
-    return normalized(memory.point - from);
+    if (memory.inSight) return normalized(memory.point - from);
+    const std::int32_t slot = memory.window >= 0 ? near.slotOf(memory.window) : -1;
+    const Vec2 way = slot >= 0 ? near.field(slot).direction(from) : Vec2{};
+    return way == Vec2{} ? alongWall(from, field.direction(from)) : way;
+}
+
+// The coarse field may lead into a wall: along it then.
+Vec2 Geodesics::Impl::alongWall(Vec2 from, Vec2 way) const {
+    if (ground->roomBetween(from) > kTouching) return way;
+    const double edge = ground->fine().grid.cell;
+    const Vec2 rise{ground->roomBetween(from + Vec2{edge, 0.0}) - ground->roomBetween(from - Vec2{edge, 0.0}),
+                    ground->roomBetween(from + Vec2{0.0, edge}) - ground->roomBetween(from - Vec2{0.0, edge})};
+    const Vec2 out = normalized(rise);
+    const double into = dot(way, out);
+    return into < 0.0 ? normalized(way - out * into, way) : way;
+}
+
+void Geodesics::remember(std::span<const WayPoint> walkers) {
+    for (const WayPoint& walker : walkers)
+        if (walker.place >= 0 && walker.window >= 0 && !walker.inSight) impl_->near.keep(walker.window);
 }
 
 WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const {
@@ -303,7 +327,7 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
     const Impl& s = *this;
     const Vec2 to = s.places[place];
     const double line = distance(from, to);
-    if (memory.place != place) memory = {from, place, 0};
+    if (memory.place != place) memory = {from, place, 0, -1, false};
     WayAhead way;
     if (s.farKnown(from, place, way.cost)) {
         way.direction = s.farDirection(place, from, memory);

@@ -74,6 +74,16 @@ double NearWindows::square(const LandmarkStencil& stencil, Vec2 from) const {
     return sum;
 }
 
+std::int32_t NearWindows::landmarkNear(Vec2 p, std::int32_t other) const {
+    const Grid& grid = ground_->fine().grid;
+    constexpr std::int32_t kSpacing = kSpacings[0];
+    const Cell c = grid.nearestCell(p);
+    const Cell middle{std::min((c.x + kSpacing / 2) / kSpacing * kSpacing, grid.width - 1),
+                      std::min((c.y + kSpacing / 2) / kSpacing * kSpacing, grid.height - 1)};
+    if (!ground_->blocked(grid.index(middle))) return grid.index(middle);
+    return ground_->blocked(grid.index(c)) ? other : grid.index(c);
+}
+
 void NearWindows::build(std::int32_t most, ThreadPool& pool) {
     if (static_cast<std::int32_t>(workers_.size()) < pool.threads()) workers_.resize(pool.threads());
     lattice_.build(most, pool, [this](std::int32_t landmark, CostField& field, std::int32_t worker) {

@@ -28,6 +28,14 @@ public:
     double square(const LandmarkStencil& stencil, Vec2 from) const;
     /// The window in a slot.
     const CostField& field(std::int32_t slot) const { return lattice_.field(slot); }
+    /// Asks for the window of a landmark, or notes that it is used.
+    void keep(std::int32_t landmark) {
+        if (lattice_.use(landmark) < 0) lattice_.wish(landmark);
+    }
+    /// The slot of a landmark's window, -1 for none.
+    std::int32_t slotOf(std::int32_t landmark) const { return lattice_.find(landmark); }
+    /// The free landmark nearest to `p`, of those spaced widest; `other` where there is none.
+    std::int32_t landmarkNear(Vec2 p, std::int32_t other) const;
     /// Windows kept.
     std::int32_t count() const { return lattice_.count(); }
 

@@ -169,6 +169,7 @@ void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> 
             cost[i] = way.direction == Vec2{} && way.cost > 0.0f ? kInfinite : static_cast<double>(way.cost);
         }
     });
+    geodesics_.remember(walkers_);
 }
 
 double FastPlan::costAt(std::int32_t place, Vec2 p) const {

@@ -26,16 +26,19 @@ struct WayAhead {
     float cost = 0.0f;  ///< To the place.
 };
 
-/// What a walker remembers from step to step of a long way: a point in sight that lies on it.
+/// What a walker remembers from step to step of a long way: a point in sight that lies on it, or the landmark of a window
+/// that leads round the next corner.
 struct WayPoint {
     Vec2 point;                 ///< [m]
     std::int32_t place = -1;    ///< The place to which it leads; -1 for none.
     std::int32_t steps = 0;     ///< For which it still serves.
+    std::int32_t window = -1;   ///< The landmark: a ground cell; -1 for none.
+    bool inSight = false;       ///< The point serves; else the window.
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(point, place, steps);
+        archive(point, place, steps, window, inSight);
     }
 };
 
@@ -58,6 +61,8 @@ public:
     float cost(Vec2 from, std::int32_t place) const;
     /// The same with the direction to go; `memory` is the walker's own.
     WayAhead ahead(Vec2 from, std::int32_t place, WayPoint& memory) const;
+    /// Keeps the windows that walkers need, and asks for those that are missing. Call after all have asked ahead().
+    void remember(std::span<const WayPoint> walkers);
     /// True where the cost is that of the straight line.
     bool straight(Vec2 from, std::int32_t place) const;
 
