@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fields/between_centres.h"
 #include "fields/discomfort.h"
 
 namespace muster {
@@ -155,14 +154,7 @@ void CrowdExcess::addMovedGround(const Environment& environment, double radius) 
 }
 
 void CrowdExcess::markBusy() {
-    if (none()) return;
-    Cell least{grid_.width, grid_.height};
-    Cell most{-1, -1};
-    for (const std::int32_t cell : moved_) {
-        const Cell c = grid_.nearestCell(hazardGrid_.centre(hazardGrid_.at(cell)));
-        least = {std::min(least.x, c.x - 1), std::min(least.y, c.y - 1)};
-        most = {std::max(most.x, c.x + 1), std::max(most.y, c.y + 1)};
-    }
+    crowdBounds_ = {};
     for (const std::int32_t cell : listed_) {
         const Cell c = grid_.at(cell);
         for (std::int32_t y = std::max(0, c.y - 1); y <= std::min(grid_.height - 1, c.y + 1); ++y)
@@ -171,53 +163,63 @@ void CrowdExcess::markBusy() {
                 if (busy == 0) busyList_.push_back(grid_.index({x, y}));
                 busy = 1;
             }
-        least = {std::min(least.x, c.x - 1), std::min(least.y, c.y - 1)};
-        most = {std::max(most.x, c.x + 1), std::max(most.y, c.y + 1)};
+        crowdBounds_.take(grid_.centre(c), grid_.cell);
     }
-    bounds_ = {grid_.centre(least), grid_.centre(most)};
+    hazardBounds_ = {};
+    for (const std::int32_t cell : moved_)
+        hazardBounds_.take(hazardGrid_.centre(hazardGrid_.at(cell)), kHazardCell);
+}
+
+CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCell, Vec2 p) {
+    const double u = std::clamp((p.x - grid.origin.x) * perCell - 0.5, 0.0, grid.width - 1.0);
+    const double v = std::clamp((p.y - grid.origin.y) * perCell - 0.5, 0.0, grid.height - 1.0);
+    const std::int32_t x = std::min(static_cast<std::int32_t>(u), std::max(0, grid.width - 2));
+    const std::int32_t y = std::min(static_cast<std::int32_t>(v), std::max(0, grid.height - 2));
+    return {y * grid.width + x, static_cast<float>(u - x), static_cast<float>(v - y), grid.width > 1 ? 1 : 0,
+            grid.height > 1 ? grid.width : 0};
 }
 
 // Excess of the crowd at `p` for somebody who goes towards `to`, a unit vector.
 double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
-    if (busy_[grid_.index(grid_.nearestCell(p))] == 0) return 0.0;
-    const BetweenCentres at = betweenCentres(grid_, p);
-    const CellCost* low = excess_.data() + grid_.index(at.low);
-    const CellCost* high = low + (grid_.height > 1 ? grid_.width : 0);
-    const std::int32_t right = grid_.width > 1 ? 1 : 0;
+    const Between at = between(grid_, 1.0 / grid_.cell, p);
+    if ((busy_[at.low] | busy_[at.low + at.right + at.up]) == 0) return 0.0;
+    const CellCost* low = excess_.data() + at.low;
+    const CellCost* high = low + at.up;
     const auto read = [&](float CellCost::*side) {
-        return 1.0 + (low->*side * (1.0 - at.fx) + low[right].*side * at.fx) * (1.0 - at.fy) +
-               (high->*side * (1.0 - at.fx) + high[right].*side * at.fx) * at.fy;
+        const float below = low->*side + (low[at.right].*side - low->*side) * at.fx;
+        const float above = high->*side + (high[at.right].*side - high->*side) * at.fx;
+        return 1.0f + below + (above - below) * at.fy;
     };
-    const double x = to.x * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
-    const double y = to.y * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
-    return std::sqrt(x * x + y * y) - 1.0;
+    const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
+    const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
+    return static_cast<double>(std::sqrt(x * x + y * y)) - 1.0;
 }
 
 double CrowdExcess::hazardAt(Vec2 p) const {
-    const BetweenCentres at = betweenCentres(hazardGrid_, p);
-    const float* low = hazard_.data() + hazardGrid_.index(at.low);
-    const float* high = low + (hazardGrid_.height > 1 ? hazardGrid_.width : 0);
-    const std::int32_t right = hazardGrid_.width > 1 ? 1 : 0;
-    return (low[0] * (1.0 - at.fx) + low[right] * at.fx) * (1.0 - at.fy) +
-           (high[0] * (1.0 - at.fx) + high[right] * at.fx) * at.fy;
+    const Between at = between(hazardGrid_, 1.0 / kHazardCell, p);
+    const float* low = hazard_.data() + at.low;
+    const float* high = low + at.up;
+    const float below = low[0] + (low[at.right] - low[0]) * at.fx;
+    const float above = high[0] + (high[at.right] - high[0]) * at.fx;
+    return static_cast<double>(below + (above - below) * at.fy);
 }
 
 double CrowdExcess::along(Vec2 a, Vec2 b) const {
-    if (none()) return 0.0;
-    const bool apart = std::max(a.x, b.x) < bounds_.min.x || std::min(a.x, b.x) > bounds_.max.x ||
-                       std::max(a.y, b.y) < bounds_.min.y || std::min(a.y, b.y) > bounds_.max.y;
-    if (apart) return 0.0;
+    const bool crowd = !listed_.empty() && crowdBounds_.meets(a, b);
+    const bool hazard = !moved_.empty() && hazardBounds_.meets(a, b);
+    if (!crowd && !hazard) return 0.0;
     const double whole = distance(a, b);
     if (!(whole > 0.0)) return 0.0;
     const Vec2 to = (b - a) / whole;
     const std::int32_t samples = std::min(kSamples, static_cast<std::int32_t>(whole / kSampleStep) + 1);
+    const double share = 1.0 / samples;
     double sum = 0.0;
     for (std::int32_t k = 0; k < samples; ++k) {
-        const Vec2 p = a + (b - a) * ((k + 0.5) / samples);
-        if (!listed_.empty()) sum += crowdAlong(p, to);
-        if (!moved_.empty()) sum += hazardAt(p);
+        const Vec2 p = a + (b - a) * ((k + 0.5) * share);
+        if (crowd) sum += crowdAlong(p, to);
+        if (hazard) sum += hazardAt(p);
     }
-    return sum * whole / samples;
+    return sum * whole * share;
 }
 
 }  // namespace muster

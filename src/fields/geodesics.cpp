@@ -71,10 +71,12 @@ struct Geodesics::Impl {
     bool looksFar(std::size_t place) const;
     double readingShift(Vec2 from, const Grid& grid) const;
     double nearCost(Vec2 from, std::int32_t place, double line) const;
+    double nearCostFromMouth(const LandmarkStencil& stencil, Vec2 from) const;
     double farCost(Vec2 from, std::int32_t place, double line) const;
     double excessAlong(const CostField& field, Vec2 from, Vec2 to) const;
     bool withinWindows(Vec2 from, Vec2 to) const;
     double bent(Vec2 from, std::int32_t place) const;
+    double bent(Vec2 from, std::int32_t place, double nearBy) const;
     float costFrom(Vec2 from, std::int32_t place) const;
     WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
     Vec2 roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const;
@@ -153,8 +155,15 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
             if (s.askedFar[j] > 0) break;
         }
     s.findStencils(true);
-    s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.near.build(s.perStep(4 * s.def.nearPerStep), pool);
+    s.findStencils(true);
+    // Where walls keep windows from telling, far fields have to.
+    for (std::size_t j = 0; j < s.places.size(); ++j)
+        if (s.askedNear[j] > 0)
+            for (const Vec2 p : from)
+                if (s.withinWindows(p, s.places[j])) s.bent(p, static_cast<std::int32_t>(j));
+    s.findStencils(true);
+    s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.findStencils(true);
 }
 
@@ -188,10 +197,20 @@ double Geodesics::Impl::nearCost(Vec2 from, std::int32_t place, double line) con
     const LandmarkStencil& stencil = nearStencil[place];
     if (stencil.count == 0) return kInfinite;
     const double square = near.square(stencil, from) - readingShift(from, ground->fine().grid);
-    if (!(square < kInfinite)) return kInfinite;
     const double least = ground->fine().lowest * line;
-    const double still = std::sqrt(std::max(square, least * least));
+    const double still = square < kInfinite ? std::sqrt(std::max(square, least * least)) : nearCostFromMouth(stencil, from);
+    if (!(still < kInfinite)) return kInfinite;
     return still + ground->unit(from) * excessAlong(near.field(stencil.nearest), from, places[place]);
+}
+
+// Whoever stands in a door too narrow for the cells to show it goes by the free cell beside it.
+double Geodesics::Impl::nearCostFromMouth(const LandmarkStencil& stencil, Vec2 from) const {
+    const Grid& grid = ground->fine().grid;
+    const std::int32_t cell = ground->blocked(grid.index(grid.nearestCell(from))) ? ground->freeCellNear(from) : -1;
+    if (cell < 0) return kInfinite;
+    const Vec2 out = grid.centre(grid.at(cell));
+    const double square = near.square(stencil, out);
+    return square < kInfinite ? std::sqrt(std::max(0.0, square)) + ground->unit(out) * distance(from, out) : kInfinite;
 }
 
 double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) const {
@@ -205,15 +224,17 @@ double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) cons
 
 double Geodesics::Impl::bent(Vec2 from, std::int32_t place) const {
     const Vec2 to = places[place];
+    return bent(from, place, withinWindows(from, to) ? nearCost(from, place, distance(from, to)) : kInfinite);
+}
+
+// `nearBy` is the cost by the windows, infinite where they tell none.
+double Geodesics::Impl::bent(Vec2 from, std::int32_t place, double nearBy) const {
+    const Vec2 to = places[place];
     const double line = distance(from, to);
-    double cost = kInfinite;
-    if (withinWindows(from, to)) {
-        ask(askedNear, place);
-        cost = nearCost(from, place, line);
-    }
-    if (cost < kInfinite) return cost;
+    if (withinWindows(from, to)) ask(askedNear, place);
+    if (nearBy < kInfinite) return nearBy;
     ask(askedFar, place);
-    cost = farCost(from, place, line);
+    const double cost = farCost(from, place, line);
     return cost < kInfinite ? cost : kUnknown * ground->unit(from) * line;
 }
 
@@ -335,8 +356,9 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
     }
     if (s.ground->straight(from, to))
         return {normalized(to - from), static_cast<float>(s.ground->unit(to) * (line + s.excess->along(from, to)))};
-    way.cost = static_cast<float>(s.bent(from, place));
-    if (s.withinWindows(from, to) && s.nearStencil[place].count > 0) {
+    const double nearBy = s.withinWindows(from, to) ? s.nearCost(from, place, line) : kInfinite;
+    way.cost = static_cast<float>(s.bent(from, place, nearBy));
+    if (nearBy < kInfinite) {
         const CostField& field = s.near.field(s.nearStencil[place].nearest);
         // Beside the landmark the way to it says nothing of the way to the place.
         const bool beside = distance(from, field.source()) < 1.5 * distance(field.source(), to);

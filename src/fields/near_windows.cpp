@@ -46,6 +46,9 @@ NearWindows::Corners NearWindows::cornersOf(Vec2 place) const {
         if (!grid.contains(c) || ground_->blocked(grid.index(c))) corners.square = false;
         else corners.cell[corners.count++] = grid.index(c);
     }
+    // A place in a door too narrow for the cells to show it has the free cell beside it.
+    if (corners.count == 0)
+        if (const std::int32_t beside = ground_->freeCellNear(place); beside >= 0) corners.cell[corners.count++] = beside;
     return corners;
 }
 

@@ -184,6 +184,22 @@ void StaticGround::makeCoarse() {
     }
 }
 
+std::int32_t StaticGround::freeCellNear(Vec2 p) const {
+    constexpr std::int32_t kReach = 2;
+    const Cell middle = grid_.nearestCell(p);
+    std::int32_t found = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::int32_t y = middle.y - kReach; y <= middle.y + kReach; ++y)
+        for (std::int32_t x = middle.x - kReach; x <= middle.x + kReach; ++x) {
+            if (!grid_.contains({x, y}) || blocked(grid_.index({x, y}))) continue;
+            const double d = lengthSquared(grid_.centre({x, y}) - p);
+            if (d >= nearest) continue;
+            nearest = d;
+            found = grid_.index({x, y});
+        }
+    return found;
+}
+
 double StaticGround::roomBetween(Vec2 p) const {
     if (cellAt(p) < 0) return -1.0;
     const BetweenCentres at = betweenCentres(grid_, p);
@@ -207,7 +223,8 @@ bool StaticGround::straight(Vec2 a, Vec2 b) const {
     const double whole = distance(a, b);
     // On slow ground a way out of it and back may be faster, unless both ends lie deep in it.
     if (!even_ && unit(b) > fine_.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
-    if (room(b) >= whole) return true;
+    // Nothing fits between two so close together, though they stand in a door too narrow for the cells to show it.
+    if (whole <= radius_ || room(b) >= whole) return true;
     const Vec2 along = whole > 0.0 ? (b - a) / whole : Vec2{};
     double at = 0.0;
     for (;;) {

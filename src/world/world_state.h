@@ -33,6 +33,8 @@ struct Group {
     std::vector<std::int32_t> kept;  ///< Place of each member by the last plan that could change them.
     std::int32_t slice = 0;   ///< Shares of the pending plan done.
     std::int32_t slices = 1;  ///< Shares it was cut into.
+    std::int32_t region = -1;           // Cache of this step: region in which most of its characters stand.
+    bool apart = false;                 // Cache of this step: they stand in several regions.
     std::vector<std::int32_t> members;  // Cache: indices of its characters, ascending.
 
     /// Lets an archive read or write everything but the plan and the caches.

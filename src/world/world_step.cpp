@@ -67,7 +67,10 @@ void World::Impl::meetEnvironment() {
 void World::Impl::movePlaces() {
     for (Group& group : groups) {
         group.mesh.placePositions(memory.targets);
-        group.places.advance(placeDef(), memory.targets, environment, regionOf(group), parameters.stepTime);
+        group.region = regionOf(group);
+        const auto standsIn = [](std::int32_t count) { return count > 0; };
+        group.apart = std::count_if(memory.regionCounts.begin(), memory.regionCounts.end(), standsIn) > 1;
+        group.places.advance(placeDef(), memory.targets, environment, group.region, parameters.stepTime);
     }
 }
 
@@ -99,11 +102,10 @@ const UnitCost* World::Impl::unitCostNow() {
 // Who stands on ground that is cut off from where most of the group is.
 void World::Impl::findPresent(const Group& group) {
     memory.groupPresent.clear();
-    if (ground.plain()) return;
-    const std::int32_t region = regionOf(group);
+    if (!group.apart) return;
     for (const Vec2 p : memory.groupPositions) {
         const std::int32_t label = environment.region(p, parameters.radius);
-        memory.groupPresent.push_back(label < 0 || region < 0 || label == region ? 1 : 0);
+        memory.groupPresent.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
     }
 }
 

@@ -42,6 +42,8 @@ public:
     double lineCost(Vec2 a, Vec2 b) const;
     /// True where nobody of the radius can stand at the centre of the cell.
     bool blocked(std::int32_t cell) const { return wallRoom_[static_cast<std::size_t>(cell)] < 0.0f; }
+    /// The free cell nearest to `p` within two cells, -1 where there is none.
+    std::int32_t freeCellNear(Vec2 p) const;
     /// Room to the walls at the centre of a cell [m].
     float wallRoom(std::int32_t cell) const { return wallRoom_[static_cast<std::size_t>(cell)]; }
 
