@@ -163,6 +163,7 @@ void StaticGround::makeCoarse() {
     coarse_.lowest = fine_.lowest;
     const Grid& grid = coarse_.grid;
     coarse_.cells.assign(static_cast<std::size_t>(grid.count()), {kInfinite, kInfinite, kInfinite, kInfinite});
+    // No nodes beside walls: straight ways would be seen to lead through cells that thin walls divide.
     coarse_.nodes.clear();
     for (std::int32_t k = 0; k < grid.count(); ++k) {
         const Cell c = grid.at(k);
@@ -172,15 +173,6 @@ void StaticGround::makeCoarse() {
         coarse_.cells[k].north = north;
         if (c.x + 1 < grid.width) coarse_.cells[k + 1].west = east;
         if (c.y + 1 < grid.height) coarse_.cells[k + grid.width].south = north;
-    }
-    for (std::int32_t k = 0; k < grid.count(); ++k) {
-        const CellCost& c = coarse_.cells[k];
-        const float least = std::min({c.east, c.north, c.west, c.south});
-        const bool even = c.east == c.north && c.north == c.west && c.west == c.south;
-        if (even || !(least < kInfinite)) continue;
-        const auto plain = [&](float side) { return side == least || side == kInfinite; };
-        const bool one = plain(c.east) && plain(c.north) && plain(c.west) && plain(c.south);
-        coarse_.nodes.push_back({k, 0.0f, 0.0f, 0.0f, 0.0f, one ? least : 0.0f});
     }
 }
 

@@ -16,6 +16,8 @@ constexpr std::int32_t kWaitingPerPlan = 32;      // Unmatched characters for wh
 constexpr std::size_t kSurveyed = 24;             // Characters from which a first plan looks at the ground.
 constexpr double kLongestWalkExponent = 8.0;      // Stands for the longest walk alone.
 constexpr double kLongestWalkShare = 0.2;         // Changes must gain that share then.
+constexpr std::size_t kSmallCrowd = 3000;
+constexpr std::int32_t kSmallRounds = 24;         // Of repairs after a cold start.
 
 template <class T>
 void copy(std::span<const T> from, std::vector<T>& to) {
@@ -49,6 +51,8 @@ MatchingDef FastPlan::matchingDef() const {
     def.exponent = def_.longestWalk ? kLongestWalkExponent : def_.exponent;
     def.threshold = def_.longestWalk ? 0.0 : def_.threshold;
     def.thresholdShare = def_.longestWalk ? kLongestWalkShare : def_.thresholdShare;
+    // A small crowd can afford a better start.
+    if (characters_.size() <= kSmallCrowd) def.coldRounds = kSmallRounds;
     return def;
 }
 
