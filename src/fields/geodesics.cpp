@@ -72,6 +72,7 @@ struct Geodesics::Impl {
     double readingShift(Vec2 from, const Grid& grid) const;
     double nearCost(Vec2 from, std::int32_t place, double line) const;
     double nearCostFromMouth(const LandmarkStencil& stencil, Vec2 from) const;
+    Vec2 nearDirection(const CostField& field, Vec2 from) const;
     double farCost(Vec2 from, std::int32_t place, double line) const;
     double excessAlong(const CostField& field, Vec2 from, Vec2 to) const;
     bool withinWindows(Vec2 from, Vec2 to) const;
@@ -211,6 +212,12 @@ double Geodesics::Impl::nearCostFromMouth(const LandmarkStencil& stencil, Vec2 f
     const Vec2 out = grid.centre(grid.at(cell));
     const double square = near.square(stencil, out);
     return square < kInfinite ? std::sqrt(std::max(0.0, square)) + ground->unit(out) * distance(from, out) : kInfinite;
+}
+
+Vec2 Geodesics::Impl::nearDirection(const CostField& field, Vec2 from) const {
+    const Grid& grid = ground->fine().grid;
+    const std::int32_t cell = field.squareBetween(from) < kInfinite ? -1 : ground->freeCellNear(from);
+    return cell >= 0 ? normalized(grid.centre(grid.at(cell)) - from) : field.direction(from);
 }
 
 double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) const {
@@ -362,7 +369,7 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
         const CostField& field = s.near.field(s.nearStencil[place].nearest);
         // Beside the landmark the way to it says nothing of the way to the place.
         const bool beside = distance(from, field.source()) < 1.5 * distance(field.source(), to);
-        way.direction = beside ? normalized(to - from) : field.direction(from);
+        way.direction = beside ? normalized(to - from) : nearDirection(field, from);
     } else if (s.farStencil[place].count > 0) {
         way.direction = s.farDirection(place, from, memory);
     }
