@@ -22,7 +22,7 @@ constexpr std::int32_t kWindowSteps = 4;    // Of these, to the landmark of a wi
 constexpr std::int32_t kMostLost = 5;       // Points out of sight after which no more are looked at.
 constexpr double kWorthAiming = 1.5;        // Points nearer than this are no aim [m].
 constexpr double kTouching = 0.1;           // Room of one who walks along a wall [m].
-constexpr std::int32_t kServes = 8;         // Steps for which a point in sight serves.
+constexpr std::int32_t kServes = 8;         // Steps for which what was found serves, and up to as many more.
 constexpr double kReached = 0.6;            // [m]
 constexpr double kLookAhead = 2.0;          // Of headings tried where it is crowded [m].
 constexpr double kCrowded = 0.15;           // Excess of a metre ahead from which other headings are tried.
@@ -298,7 +298,8 @@ Vec2 Geodesics::Impl::farDirection(std::int32_t place, Vec2 from, WayPoint& memo
     const bool aims = memory.inSight && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
     if (memory.steps <= 0 || (memory.inSight && !aims)) {
         memory.inSight = findPointAhead(field, from, memory);
-        memory.steps = kServes;
+        // Not for all equally long, so that not all look again in one step.
+        memory.steps = kServes + place % kServes;
     }
     --memory.steps;
     if (memory.inSight) return normalized(memory.point - from);
