@@ -21,6 +21,8 @@ public:
     bool roomy(Vec2 p, double distance) const;
     /// The point itself where a disc with clearance is free there and in the region; else the nearest such.
     Vec2 reachable(Vec2 p) const;
+    /// The point itself with clearance, out of what is in the way by the nearest side, whatever the region.
+    Vec2 pushed(Vec2 p) const { return environment_.pushOut(p, clearRadius()); }
     /// True where a character can stand at `p` with clearance, in the region.
     bool standable(Vec2 p) const { return roomy(p, clearRadius()) && inRegion(p); }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formation/goal_carrier.h"
 #include "formation/place_goals.h"
 #include "formation/place_spacing.h"
 
@@ -10,20 +11,27 @@ namespace muster {
 namespace {
 
 constexpr int kSpacingRounds = 8;          // Of moving targets apart.
-constexpr std::int32_t kPathsPerStep = 8;  // Searches for a way round, so that the cost of a step is bounded.
-constexpr double kMetresPerStep = 80.0;    // As the crow flies, of all these searches but the last.
+constexpr std::int32_t kPathsPerStep = 4;  // Searches for a way round, so that the cost of a step is bounded.
+constexpr double kMetresPerStep = 25.0;    // As the crow flies, of all these searches but the last.
 constexpr double kGrazed = 0.1;            // Who gets on by less than this share of a step is blocked.
+constexpr double kDrawn = 2.0;             // Goals beside their targets are drawn to them at so many top speeds.
+constexpr std::size_t kChunk = 256;        // Places a task moves.
 constexpr double kReplanDistance = 1.0;    // A goal that moved farther asks for a new way [m].
 
 }  // namespace
+
+PlaceTracker::PlaceTracker() : carry_(std::make_unique<CarryMemory>()) {}
+PlaceTracker::~PlaceTracker() = default;
+PlaceTracker::PlaceTracker(PlaceTracker&&) noexcept = default;
+PlaceTracker& PlaceTracker::operator=(PlaceTracker&&) noexcept = default;
 
 // What was read must fit together, and numbers be such that steps stay finite.
 bool PlaceTracker::consistent() const {
     const auto sane = [](Vec2 p) { return std::fabs(p.x) <= 1e10 && std::fabs(p.y) <= 1e10; };
     const std::size_t n = position_.size();
-    if (velocity_.size() != n || fit_.size() != n) return false;
+    if (velocity_.size() != n || fit_.size() != n || goal_.size() != n || target_.size() != n) return false;
     for (std::size_t k = 0; k < n; ++k)
-        if (!sane(position_[k]) || !sane(velocity_[k]) || fit_[k] > 1) return false;
+        if (!sane(position_[k]) || !sane(velocity_[k]) || !sane(goal_[k]) || !sane(target_[k]) || fit_[k] > 1) return false;
     std::int32_t last = -1;
     for (const Detour& detour : detours_) {
         if (detour.place <= last || static_cast<std::size_t>(detour.place) >= n || !sane(detour.goal)) return false;
@@ -33,15 +41,21 @@ bool PlaceTracker::consistent() const {
     return true;
 }
 
-void PlaceTracker::findGoals(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
-                             std::int32_t region) {
+void PlaceTracker::readTargets(std::span<const Vec2> targets, const Environment& environment) {
+    const Box& box = environment.def().box;
+    wanted_.assign(targets.begin(), targets.end());
+    for (Vec2& p : wanted_)
+        if (!isFinite(p)) p = (box.min + box.max) / 2.0;
+}
+
+// All anew, whatever they were.
+void PlaceTracker::findGoals(const PlaceDef& def, const Environment& environment, std::int32_t region) {
     const PlaceGround ground(def, environment, region);
-    const std::size_t n = targets.size();
+    const std::size_t n = wanted_.size();
+    target_ = wanted_;
     goal_.resize(n);
     fit_.assign(n, 1);
-    const Box& box = environment.def().box;
-    for (std::size_t k = 0; k < n; ++k)
-        goal_[k] = ground.reachable(isFinite(targets[k]) ? targets[k] : (box.min + box.max) / 2.0);
+    for (std::size_t k = 0; k < n; ++k) goal_[k] = ground.reachable(wanted_[k]);
     const double apart = 2.0 * def.radius;
     mark_.assign(n, 1);
     spacing_.foundAt.clear();
@@ -164,11 +178,12 @@ void PlaceTracker::dropDetours(const Drop& drop) {
 
 void PlaceTracker::reset(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                          std::int32_t region) {
-    findGoals(def, targets, environment, region);
+    readTargets(targets, environment);
+    findGoals(def, environment, region);
     position_ = goal_;
     velocity_.assign(goal_.size(), {});
     detours_.clear();
-    turn_ = 0;
+    turn_ = seatTurn_ = 0;
 }
 
 // Marks: 0 needs nothing, 1 needs a way, 2 keeps its detour. Few ways are sought per step, in turns.
@@ -204,9 +219,32 @@ void PlaceTracker::findWays(const PlaceDef& def, const Environment& environment)
     }
 }
 
+// By chunks: a place looks at nothing but the ground, and has its own detour.
+void PlaceTracker::moveAll(Mover& mover, ThreadPool* pool) {
+    const std::size_t n = position_.size();
+    mark_.assign(n, 0);
+    const auto task = [&](std::int32_t chunk, std::int32_t) {
+        const auto first = static_cast<std::size_t>(chunk) * kChunk;
+        auto next = std::lower_bound(detours_.begin(), detours_.end(), static_cast<std::int32_t>(first),
+                                     [](const Detour& d, std::int32_t p) { return d.place < p; });
+        for (std::size_t place = first; place < std::min(n, first + kChunk); ++place) {
+            const bool known = next != detours_.end() && static_cast<std::size_t>(next->place) == place;
+            mark_[place] = static_cast<std::uint8_t>(mover.move(place, known ? &*next : nullptr));
+            if (known) ++next;
+        }
+    };
+    const auto chunks = static_cast<std::int32_t>((n + kChunk - 1) / kChunk);
+    if (pool != nullptr && chunks > 1) pool->run(chunks, task);
+    else for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
+}
+
 void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
-                           std::int32_t region, double dt) {
-    findGoals(def, targets, environment, region);
+                           std::int32_t region, double dt, ThreadPool* pool) {
+    readTargets(targets, environment);
+    const PlaceGround ground(def, environment, region);
+    const GoalState state{goal_, target_, fit_, seatTurn_};
+    GoalCarrier carrier(ground, 2.0 * def.radius, kDrawn * def.maxSpeed * dt, state, *carry_);
+    if (!carrier.run(wanted_, pool)) findGoals(def, environment, region);
     const std::size_t n = goal_.size();
     const std::size_t old = std::min({position_.size(), velocity_.size(), n});
     position_.resize(old);
@@ -215,13 +253,7 @@ void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, c
     velocity_.resize(n, {});
     dropDetours([&](const Detour& d) { return d.place < 0 || static_cast<std::size_t>(d.place) >= n; });
     Mover mover(*this, def, environment, dt);
-    mark_.assign(n, 0);
-    std::size_t next = 0;
-    for (std::size_t place = 0; place < n; ++place) {
-        const bool known = next < detours_.size() && static_cast<std::size_t>(detours_[next].place) == place;
-        mark_[place] = static_cast<std::uint8_t>(mover.move(place, known ? &detours_[next] : nullptr));
-        next += known ? 1 : 0;
-    }
+    moveAll(mover, pool);
     dropDetours([&](const Detour& d) { return mark_[static_cast<std::size_t>(d.place)] == 0; });
     findWays(def, environment);
 }

@@ -215,13 +215,21 @@ TEST_CASE("random scenes: no place crosses an obstacle, all keep the speed bound
                 for (const ObstacleDef& o : obstacles) REQUIRE(segmentDistance(o.polygon, before[i], now) > def.radius - 3e-3);
             }
         }
+        // Warm, goals are no farther from their targets than those sought anew, but for what being too lazy to move gains.
         PlaceTracker fresh;
         fresh.reset(def, targetsAt(centre), environment, region);
         CHECK(closestPair(fresh) >= 2 * def.radius * (1 - 1e-8));
+        CHECK(closestPair(places) >= 2 * def.radius * (1 - 1e-8));
+        const std::vector<Vec2> targets = targetsAt(centre);
+        double warm = 0.0, cold = 0.0;
         for (std::size_t i = 0; i < 36; ++i) {
             ++all;
-            arrived += distance(fresh.positions()[i], places.positions()[i]) < 1e-6 ? 1 : 0;
+            arrived += distance(places.goals()[i], places.positions()[i]) < 1e-6 ? 1 : 0;
+            CHECK(places.fit()[i] == 1);
+            warm += distance(places.goals()[i], targets[i]) / 36.0;
+            cold += distance(fresh.goals()[i], targets[i]) / 36.0;
         }
+        CHECK(warm <= cold + 0.5 * 2 * def.radius);
     }
     MESSAGE("places on their reachable targets at the end: " << arrived << " of " << all);
     CHECK(arrived == all);
@@ -248,6 +256,76 @@ TEST_CASE("a moving obstacle pushes places out, never through") {
     }
     MESSAGE("least distance to the car's surface " << deepest << " m");
     for (std::size_t i = 0; i < 3; ++i) CHECK(distance(places.positions()[i], targets[i]) < 1e-9);
+}
+
+TEST_CASE("goals squeezed through a gap stay apart and free, glide, and are the same for any number of threads") {
+    Environment environment = emptyWorld(40.0);
+    REQUIRE(environment.addObstacle(box({-3, 4}, {3, 40})).ok());
+    REQUIRE(environment.addObstacle(box({-3, -40}, {3, -4})).ok());
+    environment.setTime(0.0);
+    const std::int32_t region = environment.region({-10, 0}, 0.25);
+    std::vector<Vec2> targets;
+    const auto aim = [&](double x) {
+        targets.clear();
+        for (int k = 0; k < 600; ++k) targets.push_back({x + k % 25 - 12.0, k / 25 - 12.0});
+    };
+    ThreadPool pool(3);
+    PlaceDef def;
+    PlaceTracker places, threaded;
+    aim(-16.0);
+    places.reset(def, targets, environment, region);
+    threaded.reset(def, targets, environment, region);
+    CHECK(places.goals() == targets);
+    std::size_t leaps = 0, moves = 0, unfit = 0, displaced = 0;
+    for (int k = 0; k < 1500; ++k) {
+        aim(std::min(-16.0 + 1.4 * k * kStep, 18.0));
+        const std::vector<Vec2> before = places.goals();
+        places.advance(def, targets, environment, region, kStep);
+        threaded.advance(def, targets, environment, region, kStep, &pool);
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            const Vec2 goal = places.goals()[i];
+            if (places.fit()[i] == 0) ++unfit;
+            if (places.fit()[i] == 0) continue;
+            REQUIRE(environment.distanceToObstacle(goal) > def.radius);
+            displaced += goal == targets[i] ? 0 : 1;
+            leaps += distance(goal, before[i]) > 0.15 ? 1 : 0;
+            ++moves;
+        }
+        if (k % 50 != 0) continue;
+        CHECK(hashOf(places) == hashOf(threaded));
+        double least = 1.0;
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (places.fit()[i] != 0 && places.fit()[j] != 0)
+                    least = std::min(least, distance(places.goals()[i], places.goals()[j]));
+        CHECK(least >= 2 * def.radius * (1 - 1e-8));
+    }
+    MESSAGE("of " << moves << " moves of goals " << leaps << " were leaps, " << displaced << " beside targets; unfit " << unfit);
+    CHECK(displaced > moves / 20);  // It was a squeeze.
+    CHECK(leaps < moves / 200);
+    CHECK(unfit < moves / 20);
+    CHECK(places.goals() == targets);  // Behind the gap all are where they belong.
+}
+
+TEST_CASE("one target that leaps takes its place along; the others keep their seats") {
+    Environment environment = emptyWorld();
+    environment.setTime(0.0);
+    std::vector<Vec2> targets;
+    for (int k = 0; k < 30; ++k) targets.push_back({k % 6 * 1.0, k / 6 * 1.0});
+    targets[7] = targets[8];  // Two targets in one spot: one of them is seated beside it.
+    PlaceTracker places;
+    places.reset({}, targets, environment, -1);
+    for (int k = 0; k < 30; ++k) places.advance({}, targets, environment, -1, kStep);
+    const std::vector<Vec2> before = places.goals();
+    targets[20] = {-8, -8};
+    places.advance({}, targets, environment, -1, kStep);
+    CHECK(places.goals()[20] == targets[20]);
+    for (std::size_t i = 0; i < 30; ++i)
+        if (i != 20) CHECK(distance(places.goals()[i], before[i]) <= 0.15);
+    for (int k = 0; k < 600; ++k) places.advance({}, targets, environment, -1, kStep);
+    CHECK(std::count(places.fit().begin(), places.fit().end(), 1) == 30);
+    CHECK(closestPair(places) >= 0.5 * (1 - 1e-8));
+    CHECK(distance(places.positions()[20], targets[20]) < 1e-9);
 }
 
 TEST_CASE("saved on the way round and restored, places go on to the same bits") {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "muster/base/cell_list.h"
+#include "muster/base/parallel.h"
 #include "muster/environment/environment.h"
 
 namespace muster {
@@ -32,18 +34,27 @@ struct PlaceDef {
     double maxSpeed = 2.0;   ///< [m/s] > 0, times the ground's travel speed.
 };
 
+struct CarryMemory;  // Working memory of goals that are carried from step to step.
+
 /// Places of one group: each follows its target continuously, along ways a character could take.
 class PlaceTracker {
 public:
+    PlaceTracker();                                    ///< No places.
+    ~PlaceTracker();
+    PlaceTracker(PlaceTracker&&) noexcept;             ///< Moves.
+    PlaceTracker& operator=(PlaceTracker&&) noexcept;  ///< Moves.
+
     /// Puts every place on its reachable target at once (a new group).
     void reset(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                std::int32_t region);
-    /// Moves places towards `targets` (one per place) for `dt` [s]: targets are first moved to the nearest
-    /// point of the region with clearance and a diameter apart; those that find no room are marked unfit.
+    /// Moves places towards `targets` (one per place) for `dt` [s]. Where targets are clear of obstacles and of each
+    /// other they are the places' goals; goals of others are seats near by, in the region with clearance and a
+    /// diameter apart. These are carried from step to step, and better ones sought in turns; those that find no room
+    /// are marked unfit.
     /// A place whose straight way is blocked follows a path round the obstacle; it never crosses one.
     /// A changed number of targets adds places at their reachable targets or drops the last ones.
     void advance(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
-                 std::int32_t region, double dt);
+                 std::int32_t region, double dt, ThreadPool* pool = nullptr);
 
     const std::vector<Vec2>& positions() const { return position_; }    ///< [m]
     const std::vector<Vec2>& velocities() const { return velocity_; }   ///< [m/s]
@@ -56,7 +67,7 @@ public:
     /// Lets an archive read or write the state.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(position_, velocity_, fit_, detours_, turn_);
+        archive(position_, velocity_, fit_, detours_, turn_, goal_, target_, seatTurn_);
         if constexpr (Archive::kReading)
             if (!consistent()) archive.fail();
     }
@@ -80,8 +91,9 @@ private:
     bool consistent() const;
     template <class Drop>
     void dropDetours(const Drop& drop);
-    void findGoals(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
-                   std::int32_t region);
+    void readTargets(std::span<const Vec2> targets, const Environment& environment);
+    void findGoals(const PlaceDef& def, const Environment& environment, std::int32_t region);
+    void moveAll(Mover& mover, ThreadPool* pool);
     void findWays(const PlaceDef& def, const Environment& environment);
 
     std::vector<Vec2> position_;
@@ -89,8 +101,12 @@ private:
     std::vector<std::uint8_t> fit_;
     std::vector<Detour> detours_;  ///< Ordered by place.
     std::uint32_t turn_ = 0;       ///< Place whose turn it is to look for a way first.
-    std::vector<Vec2> goal_;       // Working memory: reachable targets.
+    std::vector<Vec2> goal_;       ///< Seats: reachable targets [m].
+    std::vector<Vec2> target_;     ///< Targets they are for [m].
+    std::uint32_t seatTurn_ = 0;   ///< Place whose turn it is to look for a better seat.
+    std::vector<Vec2> wanted_;     // Working memory: targets, all finite.
     std::vector<std::uint8_t> mark_;
+    std::unique_ptr<CarryMemory> carry_;
     SpacingMemory spacing_;
     std::vector<std::vector<Vec2>> spareWays_;  // Memory of ways that ended.
 };
