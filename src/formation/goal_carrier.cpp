@@ -14,7 +14,7 @@ constexpr std::int32_t kLeastSpots = 400;  // Looked at in a step for those with
 constexpr std::size_t kPlacesPerSpot = 5;  // and one more for so many places.
 constexpr std::int32_t kSeekCost = 8;      // In spots, of asking where one could best be.
 constexpr std::int32_t kRings = 8;         // Round that spot, one diameter wide each.
-constexpr double kWorthwhile = 0.5;        // A new seat is this much nearer to the target, in diameters.
+constexpr double kWorthwhile = 2.0;        // A new seat is this much nearer, in diameters, but on the target itself.
 constexpr double kTouch = 1.0 - 1e-9;      // Of what is asked for: seats that touch stay so while they are carried.
 
 }  // namespace
@@ -111,8 +111,7 @@ bool GoalCarrier::seat(std::size_t k, Vec2 target, std::int32_t& left) {
     const Vec2 best = ground_.reachable(target);
     double gain = 1e300;
     if (s_.fit[k] != 0) gain = distance(s_.goal[k], target) - distance(best, target) - kWorthwhile * apart_;
-    if (gain <= 0.0) return false;
-    if (offer(k, best)) return true;
+    if ((gain > 0.0 || best == target) && offer(k, best)) return true;
     for (std::int32_t ring = 1; ring <= kRings; ++ring) {
         const double radius = 1.01 * apart_ * ring;
         if (radius > gain) return false;
