@@ -13,7 +13,20 @@ constexpr double kTurnRate = 8.0;       // Share of the turn made up per second.
 constexpr double kTouchGap = 0.04;      // Nearer than this two touch [m].
 constexpr double kBlockedSpeed = 0.15;  // Who touches others and is slower is held up [m/s].
 constexpr double kGiveWay = 0.3;        // At which one steps back from somebody held up [m/s].
+constexpr std::size_t kChunk = 256;     // Characters a task steers.
 constexpr double kWalkingSpeed = 0.15;  // Below it one stands and faces with the formation [m/s].
+
+// Calls each(i) for all characters, by chunks; they must not touch each other's results.
+template <class Each>
+void forChunks(ThreadPool* pool, std::size_t count, const Each& each) {
+    const auto task = [&](std::int32_t chunk, std::int32_t) {
+        const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
+        for (std::size_t i = first; i < std::min(count, first + kChunk); ++i) each(i);
+    };
+    const auto chunks = static_cast<std::int32_t>((count + kChunk - 1) / kChunk);
+    if (pool != nullptr && chunks > 1) pool->run(chunks, task);
+    else for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
+}
 
 Vec2 withinLock(Vec2 direction, Vec2 heading) {
     if (dot(direction, heading) >= kLockTurn.c) return direction;
@@ -77,29 +90,34 @@ void Steering::holdBack(const SteeringDef& def, const Characters& now) {
     }
 }
 
+// The next velocity and heading of one character.
+void Steering::move(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i, double dt,
+                    std::span<Vec2> velocity, std::span<Vec2> heading) const {
+    const double share = std::min(1.0, def.velocityGain * dt);
+    const Vec2 wish = clampLength(preferred_[i], topSpeed_[i]);
+    const Vec2 change = clampLength((wish - now.velocity[i]) * share, def.acceleration * dt);
+    velocity[i] = clampLength(now.velocity[i] + change, topSpeed_[i]);
+    const double speed = length(velocity[i]);
+    const Vec2 towards = speed > kWalkingSpeed ? velocity[i] / speed : input.facing[i];
+    heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i]
+                                                     : turned(now.heading[i], towards, std::min(1.0, kTurnRate * dt));
+}
+
 void Steering::run(const SteeringDef& def, const Characters& now, const SteeringInput& input,
-                   const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading) {
+                   const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading,
+                   ThreadPool* pool) {
     const std::size_t count = now.size();
     preferred_.resize(count);
     topSpeed_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    forChunks(pool, count, [&](std::size_t i) {
         topSpeed_[i] = def.maxSpeed * environment.ground(now.position[i]).travelSpeed;
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
-    }
+    });
     reach_ = 2.0 * def.radius + std::max(def.separationReach, kTouchGap);
     neighbours_.findPairs(now.position, reach_, pairs_);
     addSidesteps(def, now);
     holdBack(def, now);
-    const double share = std::min(1.0, def.velocityGain * dt);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec2 wish = clampLength(preferred_[i], topSpeed_[i]);
-        const Vec2 change = clampLength((wish - now.velocity[i]) * share, def.acceleration * dt);
-        velocity[i] = clampLength(now.velocity[i] + change, topSpeed_[i]);
-        const double speed = length(velocity[i]);
-        const Vec2 towards = speed > kWalkingSpeed ? velocity[i] / speed : input.facing[i];
-        heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i]
-                                                         : turned(now.heading[i], towards, std::min(1.0, kTurnRate * dt));
-    }
+    forChunks(pool, count, [&](std::size_t i) { move(def, now, input, i, dt, velocity, heading); });
 }
 
 }  // namespace muster

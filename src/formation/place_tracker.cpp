@@ -11,8 +11,8 @@ namespace muster {
 namespace {
 
 constexpr int kSpacingRounds = 8;          // Of moving targets apart.
-constexpr std::int32_t kPathsPerStep = 4;  // Searches for a way round, so that the cost of a step is bounded.
-constexpr double kMetresPerStep = 25.0;    // As the crow flies, of all these searches but the last.
+constexpr std::int32_t kPathsPerStep = 3;  // Searches for a way round, so that the cost of a step is bounded.
+constexpr double kMetresPerStep = 12.0;    // As the crow flies, of all these searches but the last.
 constexpr double kGrazed = 0.1;            // Who gets on by less than this share of a step is blocked.
 constexpr double kDrawn = 2.0;             // Goals beside their targets are drawn to them at so many top speeds.
 constexpr std::size_t kChunk = 256;        // Places a task moves.

@@ -70,7 +70,7 @@ void World::Impl::movePlaces() {
         group.region = regionOf(group);
         const auto standsIn = [](std::int32_t count) { return count > 0; };
         group.apart = std::count_if(memory.regionCounts.begin(), memory.regionCounts.end(), standsIn) > 1;
-        group.places.advance(placeDef(), memory.targets, environment, group.region, parameters.stepTime);
+        group.places.advance(placeDef(), memory.targets, environment, group.region, parameters.stepTime, pool.get());
     }
 }
 
@@ -232,7 +232,7 @@ void World::Impl::steer() {
     for (Group& group : groups) steerGroup(group);
     const SteeringInput input{memory.placePosition, memory.placeVelocity, memory.facing};
     steering.run(steeringDef(), characters, input, environment, parameters.stepTime, memory.nextVelocity,
-                 memory.nextHeading);
+                 memory.nextHeading, pool.get());
     for (std::size_t i = 0; i < count; ++i)
         memory.nextPosition[i] = characters.position[i] + memory.nextVelocity[i] * parameters.stepTime;
 }

@@ -134,3 +134,28 @@ TEST_CASE("within a single-step motion nobody turns away by more than 20 degrees
     CHECK(dot(normalized(velocity[0]), Vec2{1, 0}) > 0.93);
     CHECK(heading[0] == Vec2{1, 0});
 }
+
+TEST_CASE("steering gives the same bits with any number of threads") {
+    const Environment environment = ground(0.4);
+    Characters c;
+    std::vector<Vec2> places, drift;
+    for (int k = 0; k < 1100; ++k) {
+        add(c, {k % 40 * 0.6 - 12.0, k / 40 * 0.6 - 8.0}, normalized(Vec2{1.0, 0.01 * (k % 17 - 8)}));
+        places.push_back(c.position.back() + Vec2{0.1 * (k % 31), 0.05 * (k % 7)});
+        drift.push_back({0.5, 0.0});
+    }
+    const std::vector<Vec2> facing(c.size(), Vec2{0, 1});
+    const SteeringInput input{places, drift, facing};
+    Steering steering;
+    std::vector<Vec2> velocity(c.size()), heading(c.size()), velocities(c.size()), headings(c.size());
+    steering.run({}, c, input, environment, kStep, velocity, heading);
+    for (const std::int32_t threads : {1, 2, 5}) {
+        ThreadPool pool(threads);
+        velocities.assign(c.size(), {9, 9});
+        headings.assign(c.size(), {9, 9});
+        steering.run({}, c, input, environment, kStep, velocities, headings, &pool);
+        CHECK(velocities == velocity);
+        CHECK(headings == heading);
+    }
+    CHECK(length(velocity[500]) > 0.01);
+}

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "muster/base/parallel.h"
 #include "muster/crowd/characters.h"
 #include "muster/crowd/neighbours.h"
 #include "muster/environment/environment.h"
@@ -32,9 +33,9 @@ struct SteeringInput {
 /// Computes next velocities and headings from the frozen present.
 class Steering {
 public:
-    /// Reads `now`, writes next velocity and heading (one per character).
+    /// Reads `now`, writes next velocity and heading (one per character). The same bits with and without a pool.
     void run(const SteeringDef& def, const Characters& now, const SteeringInput& input, const Environment& environment,
-             double dt, std::span<Vec2> velocity, std::span<Vec2> heading);
+             double dt, std::span<Vec2> velocity, std::span<Vec2> heading, ThreadPool* pool = nullptr);
 
     /// Pairs nearer than reach() in the last run, at its positions.
     std::span<const NearPair> pairs() const { return pairs_; }
@@ -44,6 +45,8 @@ public:
 private:
     Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i,
                            double topSpeed) const;
+    void move(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i, double dt,
+              std::span<Vec2> velocity, std::span<Vec2> heading) const;
     void addSidesteps(const SteeringDef& def, const Characters& now);
     void holdBack(const SteeringDef& def, const Characters& now);
 
