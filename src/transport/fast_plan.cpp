@@ -85,7 +85,11 @@ void FastPlan::assign(ThreadPool& pool) {
         const std::size_t stride = std::max<std::size_t>(1, characters_.size() / kSurveyed);
         for (std::size_t i = 0; i < characters_.size(); i += stride) from.push_back(characters_[i]);
         geodesics_.survey(from, pool);
-        matching_.coldStart(matchingDef(), input, costs_, pool);
+        // Nobody holds a place that it would be a pity to change.
+        MatchingDef def = matchingDef();
+        def.threshold = 0.0;
+        def.thresholdShare = 0.0;
+        matching_.coldStart(def, input, costs_, pool);
         return;
     }
     if (!sameAsMatched()) matching_.adopt(matchingDef(), input, incumbent_, costs_, pool);
