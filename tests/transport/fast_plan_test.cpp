@@ -129,10 +129,10 @@ TEST_CASE("the first plan takes every place once and reports what it costs") {
     for (const double c : a.cost) sum += c * c;
     CHECK(a.objective == doctest::Approx(sum));
     CHECK(a.changed == 100);
-    // Its costs are nearly the exact plan's, and by these what it took is near the optimum.
+    // By the exact costs what it took is near the optimum; its own are longer by what the coarse ground adds at corners.
     scene.take(a);
     CHECK(scene.gap(pool) < 0.01);
-    CHECK(a.objective == doctest::Approx(b.objective * (1.0 + scene.gap(pool))).epsilon(0.01));
+    CHECK(a.objective == doctest::Approx(b.objective * (1.0 + scene.gap(pool))).epsilon(0.02));
 }
 
 TEST_CASE("the number of threads changes nothing") {
