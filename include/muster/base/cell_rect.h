@@ -10,8 +10,8 @@ namespace muster {
 
 /// Cells from `low` to `high`, both included; empty where high lies below low.
 struct CellRect {
-    Cell low{0, 0};
-    Cell high{-1, -1};
+    Cell low{0, 0};     ///< Lower left.
+    Cell high{-1, -1};  ///< Upper right.
 
     /// True where it holds no cell.
     bool empty() const { return high.x < low.x || high.y < low.y; }

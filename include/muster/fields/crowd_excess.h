@@ -30,7 +30,7 @@ public:
     static constexpr double kHazardCell = 0.5;   ///< Edge of the finer cells [m].
 
 private:
-    // Where a point lies between four cells: the index of the lower left one, shares, and steps to the others.
+    /// Where a point lies between four cells: the index of the lower left one, shares, and steps to the others.
     struct Between {
         std::int32_t low;
         float fx;
@@ -38,15 +38,16 @@ private:
         std::int32_t right;
         std::int32_t up;
     };
-    // A box round cells from which something can be read; empty at first.
+    /// A box round cells from which something can be read; empty at first.
     struct Bounds {
         Vec2 min{1e300, 1e300};
         Vec2 max{-1e300, -1e300};
+        /// Grows it round a cell.
         void take(Vec2 centre, double cell) {
             min = {centre.x - cell < min.x ? centre.x - cell : min.x, centre.y - cell < min.y ? centre.y - cell : min.y};
             max = {centre.x + cell > max.x ? centre.x + cell : max.x, centre.y + cell > max.y ? centre.y + cell : max.y};
         }
-        // True where the box round the line meets it.
+        /// True where the box round the line meets it.
         bool meets(Vec2 a, Vec2 b) const {
             return (a.x > min.x || b.x > min.x) && (a.x < max.x || b.x < max.x) && (a.y > min.y || b.y > min.y) &&
                    (a.y < max.y || b.y < max.y);
