@@ -67,7 +67,9 @@ void GoalCarrier::meet(std::size_t a, std::size_t b) {
     if (s_.fit[a] == 0 || s_.fit[b] == 0) return;
     const double least = apart_ * kTouch;
     if (lengthSquared(spotOf(a) - spotOf(b)) >= least * least) return;
-    const auto rank = [&](std::size_t k) { return 2 * m_.level[k] + (m_.level[k] != Stays && m_.exact[k] == 0 ? 1 : 0); };
+    const auto rank = [&](std::size_t k) {
+        return 2 * m_.level[k] + (m_.level[k] != Stays && m_.exact[k] == 0 ? 1 : 0);
+    };
     const int ra = rank(a), rb = rank(b);
     lower(ra != rb ? (ra > rb ? a : b) : std::max(a, b));
 }
@@ -153,8 +155,8 @@ bool GoalCarrier::run(std::span<const Vec2> targets, ThreadPool* pool) {
     const auto leapt = static_cast<std::size_t>(std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Leapt}));
     if (leapt * kLeapShare > n) return false;
     for (std::size_t k = 0; k < n; ++k) {
-        const bool lost = m_.level[k] == Leapt || (m_.level[k] == Stays && s_.fit[k] != 0 && !ground_.standable(s_.goal[k]));
-        if (!lost) continue;
+        const bool stays = m_.level[k] == Stays && (s_.fit[k] == 0 || ground_.standable(s_.goal[k]));
+        if (stays || m_.level[k] == Carried || m_.level[k] == Drawn) continue;
         m_.level[k] = Stays;
         s_.fit[k] = 0;
     }

@@ -16,7 +16,8 @@ constexpr double kMetresPerStep = 12.0;    // As the crow flies, of all these se
 constexpr double kGrazed = 0.1;            // Who gets on by less than this share of a step is blocked.
 constexpr double kDrawn = 2.0;             // Goals beside their targets are drawn to them at so many top speeds.
 constexpr std::size_t kChunk = 256;        // Places a task moves.
-constexpr double kReplanDistance = 1.0;    // A goal that moved farther asks for a new way [m].
+constexpr double kReplanDistance = 1.0;    // A goal that moved farther asks for a new way [m],
+constexpr double kReplanShare = 0.25;      // and farther than this share of what is left as the crow flies.
 
 }  // namespace
 
@@ -31,7 +32,8 @@ bool PlaceTracker::consistent() const {
     const std::size_t n = position_.size();
     if (velocity_.size() != n || fit_.size() != n || goal_.size() != n || target_.size() != n) return false;
     for (std::size_t k = 0; k < n; ++k)
-        if (!sane(position_[k]) || !sane(velocity_[k]) || !sane(goal_[k]) || !sane(target_[k]) || fit_[k] > 1) return false;
+        for (const Vec2 p : {position_[k], velocity_[k], goal_[k], target_[k]})
+            if (!sane(p) || fit_[k] > 1) return false;
     std::int32_t last = -1;
     for (const Detour& detour : detours_) {
         if (detour.place <= last || static_cast<std::size_t>(detour.place) >= n || !sane(detour.goal)) return false;
@@ -95,7 +97,8 @@ public:
             need = detour != nullptr ? Need::KeepsDetour : Need::Nothing;
         } else if (detour != nullptr && !detour->way.empty()) {
             need = follow(position, *detour, reach);
-            if (distance(detour->goal, goal) > kReplanDistance) need = Need::Way;
+            const double stale = std::max(kReplanDistance, kReplanShare * distance(position, goal));
+            if (distance(detour->goal, goal) > stale) need = Need::Way;
         } else {
             const bool sought = detour != nullptr && distance(detour->goal, goal) <= kReplanDistance;
             approach(position, goal, reach);

@@ -28,7 +28,8 @@ bool SeatList::holds(const std::vector<Vec2>& seats, const std::vector<Vec2>& ne
     for (std::size_t k = 0; k < seats.size(); ++k) {
         if (fit[k] == 0) continue;
         const Vec2 here = foundAt_[k] + drift_;
-        if (!(lengthSquared(seats[k] - here) <= most * most && lengthSquared(next[k] - here) <= most * most)) return false;
+        const double far = std::max(lengthSquared(seats[k] - here), lengthSquared(next[k] - here));
+        if (!(far <= most * most)) return false;
     }
     return true;
 }
