@@ -16,6 +16,7 @@ constexpr std::int32_t kWaitingPerPlan = 32;      // Unmatched characters for wh
 constexpr std::size_t kSurveyed = 24;             // Characters from which a first plan looks at the ground.
 constexpr double kLongestWalkExponent = 8.0;      // Stands for the longest walk alone.
 constexpr double kLongestWalkShare = 0.2;         // Changes must gain that share then.
+constexpr double kMostSettled = 40000.0;          // Nodes of all searches in a step, whatever the crowd.
 constexpr std::size_t kSmallCrowd = 3000;
 constexpr std::int32_t kSmallRounds = 24;         // Of repairs after a cold start.
 
@@ -53,6 +54,8 @@ MatchingDef FastPlan::matchingDef() const {
     def.thresholdShare = def_.longestWalk ? kLongestWalkShare : def_.thresholdShare;
     // A small crowd can afford a better start.
     if (characters_.size() <= kSmallCrowd) def.coldRounds = kSmallRounds;
+    const auto count = static_cast<double>(std::max<std::size_t>(1, characters_.size()));
+    def.searchShare = std::min(def.searchShare, kMostSettled / count);
     return def;
 }
 
