@@ -17,6 +17,12 @@ find_package(Threads REQUIRED)
 add_library(muster_flags INTERFACE)
 target_compile_features(muster_flags INTERFACE cxx_std_20)
 target_compile_options(muster_flags INTERFACE -ffp-contract=off)
+# g++ 12 joins multiplications and alternating additions of neighbouring numbers to one rounding (vfmaddsub) whatever
+# -ffp-contract says, where the processor can: so it is told that this one cannot.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-m(arch|fma|avx)"
+   AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(muster_flags INTERFACE -mno-fma -mno-fma4 -mno-avx512f)
+endif()
 target_compile_definitions(muster_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
 add_library(muster_warnings INTERFACE)
 target_compile_options(muster_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
