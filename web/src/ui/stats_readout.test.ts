@@ -8,7 +8,7 @@ it('is asked for by the address', () => {
 
 it('tells draws, triangles and the time of pictures, each picture once', () => {
   const readout = new StatsReadout();
-  const stats = { drawCalls: 12, triangles: 34567, frameMs: 2, takenMs: 0, frames: 1, shownFrame: 0 };
+  const stats = { drawCalls: 12, triangles: 34567, frameMs: 2, takenMs: 0, taken: 0, frames: 1, shownFrame: 0 };
   readout.show(stats);
   readout.show({ ...stats, frameMs: 99 });
   for (let i = 2; i <= 20; ++i) readout.show({ ...stats, frameMs: i === 20 ? 8 : 2, frames: i });

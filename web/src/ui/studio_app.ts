@@ -266,6 +266,7 @@ export class StudioApp {
     const start = performance.now();
     this.takeFrame(frame, receivedAt);
     this.view.stats.takenMs += performance.now() - start;
+    this.view.stats.taken += 1;
   }
 
   private takeFrame(frame: StudioFrame, receivedAt: number): void {

@@ -18,10 +18,13 @@ export interface Layers {
 export interface ViewStats {
   drawCalls: number;
   triangles: number;
-  /** JavaScript time of the last picture, and of the server's frames taken since the one before [ms]. */
+  /** JavaScript time of the last picture and of one of the server's frames taken since the one before, on average: where
+   * drawing keeps up there is one a picture [ms]. */
   frameMs: number;
   /** Of frames taken since the last picture [ms]. */
   takenMs: number;
+  /** Their number. */
+  taken: number;
   /** Frames rendered. */
   frames: number;
   /** Number of the server frame whose controls, meshes and places the last picture shows; 0 before the first.

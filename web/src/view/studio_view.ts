@@ -37,7 +37,7 @@ const kNoFrame: readonly MovingView[] = [];
 /** Draws the world once per display frame: controls and meshes of the newest frame, characters between the last two. */
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
-  readonly stats: ViewStats = { drawCalls: 0, triangles: 0, frameMs: 0, takenMs: 0, frames: 0, shownFrame: 0 };
+  readonly stats: ViewStats = { drawCalls: 0, triangles: 0, frameMs: 0, takenMs: 0, taken: 0, frames: 0, shownFrame: 0 };
   private readonly stage_: Stage;
   private readonly marks_ = new ControlMarks();
   private readonly markLayer_: MarkLayer;
@@ -316,8 +316,9 @@ export class StudioView implements StudioScene {
     this.groups_.update(newest?.groups ?? []);
     this.marks_.update(newest?.groups ?? [], now);
     this.show(now, blend);
-    this.stats.frameMs = performance.now() - start + this.stats.takenMs;
+    this.stats.frameMs = performance.now() - start + this.stats.takenMs / Math.max(1, this.stats.taken);
     this.stats.takenMs = 0;
+    this.stats.taken = 0;
     this.stats.frames += 1;
     if (newest) this.stats.shownFrame = newest.frame;
   }
