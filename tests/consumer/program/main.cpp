@@ -26,7 +26,9 @@ void runTasks(void* runs, std::int32_t count, Task task, void* context) {
 int main() {
     muster::WorldDef def;
     muster::GroupDef group;
-    group.count = 25;
+    constexpr int kCount = 400;  // Fewer are no work for two.
+    group.count = kCount;
+    def.box = {{-32.0, -32.0}, {32.0, 32.0}};
     def.groups.push_back(group);
     int runs = 0;
     muster::Result<muster::World> made = muster::World::create(def, muster::TaskRunner{2, &runs, runTasks});
@@ -44,7 +46,7 @@ int main() {
     accepted = accepted && submit(31, 2, muster::TouchUp{1, 31.0 / 60.0}).ok();
     for (int i = 0; i < 600; ++i) world.step();
     double mean = 0.0;
-    for (const muster::Vec2 p : world.characters().position) mean += p.x / 25.0;
-    std::printf("25 characters walked %.2f m on average; %d pieces of work were handed over\n", mean, runs);
+    for (const muster::Vec2 p : world.characters().position) mean += p.x / kCount;
+    std::printf("%d characters walked %.2f m on average; %d pieces of work were handed over\n", kCount, mean, runs);
     return accepted && mean > 4.0 && runs > 0 ? 0 : 1;
 }
