@@ -10,7 +10,8 @@ namespace muster {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr double kSampleStep = 0.5;      // Between two readings along a line [m]...
+constexpr double kCrowdStep = 1.0;       // Between two readings of the crowd along a line, as shares of its cell...
+constexpr double kHazardStep = 1.0;      // ... and of moving things...
 constexpr std::int32_t kSamples = 16;    // ... but not more than this many.
 
 // Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).
@@ -56,6 +57,7 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
         looked_.assign(count, 0);
         listed_.reserve(count);
         busyList_.reserve(count);
+        busySum_.reserve(static_cast<std::size_t>(grid_.width + 1) * (grid_.height + 1));
         lookedList_.reserve(count);
         listed_.clear();
         busyList_.clear();
@@ -165,9 +167,33 @@ void CrowdExcess::markBusy() {
             }
         crowdBounds_.take(grid_.centre(c), grid_.cell);
     }
+    sumBusy();
     hazardBounds_ = {};
     for (const std::int32_t cell : moved_)
         hazardBounds_.take(hazardGrid_.centre(hazardGrid_.at(cell)), kHazardCell);
+}
+
+// Over the box round all busy cells; one more row and column, of zeros, below and left of it.
+void CrowdExcess::sumBusy() {
+    busyLow_ = {grid_.width, grid_.height};
+    busyHigh_ = {-1, -1};
+    for (const std::int32_t cell : busyList_) {
+        const Cell c = grid_.at(cell);
+        busyLow_ = {std::min(busyLow_.x, c.x), std::min(busyLow_.y, c.y)};
+        busyHigh_ = {std::max(busyHigh_.x, c.x), std::max(busyHigh_.y, c.y)};
+    }
+    busyStride_ = std::max(0, busyHigh_.x - busyLow_.x + 1) + 1;
+    const std::int32_t rows = std::max(0, busyHigh_.y - busyLow_.y + 1) + 1;
+    busySum_.assign(static_cast<std::size_t>(busyStride_) * rows, 0);
+    for (std::int32_t y = 1; y < rows; ++y) {
+        std::int32_t row = 0;
+        const std::uint8_t* busy = busy_.data() + grid_.index({busyLow_.x, busyLow_.y + y - 1});
+        std::int32_t* out = busySum_.data() + static_cast<std::size_t>(y) * busyStride_;
+        for (std::int32_t x = 1; x < busyStride_; ++x) {
+            row += busy[x - 1];
+            out[x] = out[x - busyStride_] + row;
+        }
+    }
 }
 
 CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCell, Vec2 p) {
@@ -204,22 +230,40 @@ double CrowdExcess::hazardAt(Vec2 p) const {
     return static_cast<double>(below + (above - below) * at.fy);
 }
 
+// Whether some crowd can be read within the box round the line, by sums over all cells below and left of one.
+bool CrowdExcess::busyAlong(Vec2 a, Vec2 b) const {
+    if (listed_.empty() || !crowdBounds_.meets(a, b)) return false;
+    const Cell p = grid_.nearestCell(a - 0.5 * Vec2{grid_.cell, grid_.cell});
+    const Cell q = grid_.nearestCell(b - 0.5 * Vec2{grid_.cell, grid_.cell});
+    const std::int32_t left = std::max(std::min(p.x, q.x), busyLow_.x);
+    const std::int32_t low = std::max(std::min(p.y, q.y), busyLow_.y);
+    const std::int32_t right = std::min(std::max(p.x, q.x) + 2, busyHigh_.x + 1);
+    const std::int32_t high = std::min(std::max(p.y, q.y) + 2, busyHigh_.y + 1);
+    if (left >= right || low >= high) return false;
+    const auto sum = [&](std::int32_t x, std::int32_t y) {
+        return busySum_[static_cast<std::size_t>(y - busyLow_.y) * busyStride_ + (x - busyLow_.x)];
+    };
+    return sum(right, high) - sum(left, high) - sum(right, low) + sum(left, low) > 0;
+}
+
 double CrowdExcess::along(Vec2 a, Vec2 b) const {
-    const bool crowd = !listed_.empty() && crowdBounds_.meets(a, b);
+    const bool crowd = busyAlong(a, b);
     const bool hazard = !moved_.empty() && hazardBounds_.meets(a, b);
     if (!crowd && !hazard) return 0.0;
     const double whole = distance(a, b);
     if (!(whole > 0.0)) return 0.0;
     const Vec2 to = (b - a) / whole;
-    const std::int32_t samples = std::min(kSamples, static_cast<std::int32_t>(whole / kSampleStep) + 1);
-    const double share = 1.0 / samples;
-    double sum = 0.0;
-    for (std::int32_t k = 0; k < samples; ++k) {
-        const Vec2 p = a + (b - a) * ((k + 0.5) * share);
-        if (crowd) sum += crowdAlong(p, to);
-        if (hazard) sum += hazardAt(p);
-    }
-    return sum * whole * share;
+    const auto mean = [&](double step, const auto& read) {
+        const std::int32_t samples = std::min(kSamples, static_cast<std::int32_t>(whole / step) + 1);
+        const double share = 1.0 / samples;
+        double sum = 0.0;
+        for (std::int32_t k = 0; k < samples; ++k) sum += read(a + (b - a) * ((k + 0.5) * share));
+        return sum * share;
+    };
+    double excess = 0.0;
+    if (crowd) excess += mean(kCrowdStep * grid_.cell, [&](Vec2 p) { return crowdAlong(p, to); });
+    if (hazard) excess += mean(kHazardStep * kHazardCell, [&](Vec2 p) { return hazardAt(p); });
+    return excess * whole;
 }
 
 }  // namespace muster

@@ -57,6 +57,14 @@ bool middleOfArc(const WallNode& a, const WallNode& b, const Root& from, float x
     return inward > kFlat;
 }
 
+// True where a point at a wall lies at the other side of the wall that a root stands at, which is thinner than a cell.
+bool beyondWall(const Root& root, const WallNode& end, float x, float y) {
+    constexpr float kSteep = 0.5f;
+    if (root.normalX * end.normalX + root.normalY * end.normalY > -kSteep || root.rise(x, y) > -kSteep) return false;
+    const Root there{x, y, 0.0f, 1.0f, end.normalX, end.normalY};
+    return there.rise(root.x, root.y) < -kSteep;
+}
+
 }  // namespace
 
 // Where the value of a cell belongs, from the centre of cell (0, 0) [cells].
@@ -217,6 +225,7 @@ void Front::bend(FrontCell from, FrontCell to, float old) {
     float y = 0.0f;
     place(to, x, y);
     const std::int32_t end = sight_.wall(to.cell);
+    if (end != 0 && beyondWall(roots_[number], sight_.node(end), x, y)) return;
     Root middle;
     const bool arc = end != 0 && middleOfArc(sight_.node(sight_.wall(from.cell)), sight_.node(end), roots_[number], x, y, middle);
     const float value = arc ? middle.costAt(x, y) : roots_[number].costAt(x, y);

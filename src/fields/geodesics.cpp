@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fields/between_centres.h"
 #include "fields/far_fields.h"
-#include "fields/near_windows.h"
+#include "fields/window_costs.h"
 
 namespace muster {
 namespace {
@@ -14,8 +13,9 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, whether the line is clear or not [m].
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
-constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its stencils.
-constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
+constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its far stencil.
+constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
+constexpr std::int32_t kMiddleHalf = 24;    // ... and of one on cells twice as wide.
 constexpr std::int32_t kTraceSteps = 14;    // Along a far way, to a point in sight ahead...
 constexpr double kTraceStep = 1.0;          // ... each so long [m].
 constexpr std::int32_t kWindowSteps = 4;    // Of these, to the landmark of a window that leads round a corner near by.
@@ -34,55 +34,55 @@ constexpr std::uint32_t kFarPeriod = 8;     // Steps between two looks for the f
 }  // namespace
 
 struct Geodesics::Impl {
+    /// A cost, and by what it is known.
+    struct Bent {
+        double cost;
+        enum { Near, Middle, Far, Unknown } by;
+    };
+
     GeodesicsDef def;
     const StaticGround* ground = nullptr;
     const CrowdExcess* excess = nullptr;
     std::vector<Vec2> places;
-    std::vector<std::uint8_t> askedNear;  // Steps for which a place still wants windows.
-    std::vector<std::uint8_t> askedFar;
-    std::vector<LandmarkStencil> nearStencil;
+    WindowCosts near;    // A few metres round places, on the ground cells.
+    WindowCosts middle;  // Some more, on cells twice as wide.
+    std::vector<std::uint8_t> askedFar;  // Steps for which a place still wants far fields.
     std::vector<LandmarkStencil> farStencil;
-    NearWindows near;
     FarFields far;
     std::vector<std::uint8_t> farFound;   // The far stencil was looked for since the place was asked for.
     std::uint32_t step = 0;
     bool loaded = false;
 
-    explicit Impl(const GeodesicsDef& d) : def(d), near(d.nearFields) {}
+    explicit Impl(const GeodesicsDef& d) : def(d), near({d.nearFields, kNearHalf}), middle({d.middleFields, kMiddleHalf}) {}
 
     template <class Archive>
     void visit(Archive& archive) {
-        archive(places, askedNear, askedFar, farFound, farStencil, step, near, far);
+        archive(places, askedFar, farFound, farStencil, step, near, middle, far);
         if constexpr (Archive::kReading) {
             const std::size_t n = places.size();
-            if (askedNear.size() != n || askedFar.size() != n || farFound.size() != n || farStencil.size() != n) archive.fail();
+            if (near.places() != n || middle.places() != n || askedFar.size() != n || farFound.size() != n || farStencil.size() != n) archive.fail();
             loaded = true;
         }
     }
     std::int32_t perStep(std::int32_t most) const {
         return std::max(most, static_cast<std::int32_t>(static_cast<std::int64_t>(most) * static_cast<std::int64_t>(places.size()) / 1000));
     }
-    void ask(const std::vector<std::uint8_t>& asked, std::int32_t place) const {
-        auto* flag = const_cast<std::uint8_t*>(&asked[static_cast<std::size_t>(place)]);
-        __atomic_store_n(flag, kRemembered, __ATOMIC_RELAXED);
+    void askFar(std::int32_t place) const {
+        auto* steps = const_cast<std::uint8_t*>(&askedFar[static_cast<std::size_t>(place)]);
+        __atomic_store_n(steps, kRemembered, __ATOMIC_RELAXED);
     }
     void tick(ThreadPool& pool);
-    void findStencils(bool anew);
+    void findFarStencils(bool anew);
     bool looksFar(std::size_t place) const;
-    double readingShift(Vec2 from, const Grid& grid) const;
-    double nearCost(Vec2 from, std::int32_t place, double line) const;
-    double nearCostFromMouth(const LandmarkStencil& stencil, Vec2 from) const;
-    Vec2 nearDirection(const CostField& field, Vec2 from) const;
+    void askFor(Vec2 from, std::int32_t place);
     double farCost(Vec2 from, std::int32_t place, double line) const;
-    double excessAlong(const CostField& field, Vec2 from, Vec2 to) const;
-    bool withinWindows(Vec2 from, Vec2 to) const;
-    double bent(Vec2 from, std::int32_t place) const;
-    double bent(Vec2 from, std::int32_t place, double nearBy) const;
+    Bent bent(Vec2 from, std::int32_t place) const;
+    float straightCost(Vec2 from, Vec2 to) const;
     float costFrom(Vec2 from, std::int32_t place) const;
     WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
     Vec2 roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const;
     bool farKnown(Vec2 from, std::int32_t place, float& cost) const;
-    Vec2 farDirection(std::int32_t place, Vec2 from, WayPoint& memory) const;
+    Vec2 longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const;
     Vec2 alongWall(Vec2 from, Vec2 way) const;
     bool findPointAhead(const CostField& field, Vec2 from, WayPoint& memory) const;
 };
@@ -98,16 +98,16 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
     s.ground = &ground;
     s.excess = &excess;
     s.places.assign(places.begin(), places.end());
-    s.askedNear.resize(places.size(), 0);
     s.askedFar.resize(places.size(), 0);
     s.farFound.resize(places.size(), 0);
-    s.nearStencil.resize(places.size());
     s.farStencil.resize(places.size());
-    s.near.beginStep(ground);
+    s.near.beginStep(ground, ground.fineLevel(), excess, s.places);
+    s.middle.beginStep(ground, ground.middle(), excess, s.places);
     s.far.beginStep(ground, places.size());
     if (ground.plain()) return;
     if (s.loaded) {
         s.near.rebuild(pool);
+        s.middle.rebuild(pool);
         s.far.rebuild(pool);
         s.loaded = false;
     }
@@ -118,7 +118,10 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
 void Geodesics::Impl::tick(ThreadPool& pool) {
     ++step;
     near.build(perStep(def.nearPerStep), pool);
-    findStencils(far.build(def.farPerStep, pool));
+    middle.build(perStep(def.middlePerStep), pool);
+    near.findStencils(true);
+    middle.findStencils(true);
+    findFarStencils(far.build(def.farPerStep, pool));
 }
 
 // Places move little from step to step, so that far landmarks are looked for in turn.
@@ -126,13 +129,8 @@ bool Geodesics::Impl::looksFar(std::size_t place) const {
     return farFound[place] == 0 || (step + place) % kFarPeriod == 0;
 }
 
-void Geodesics::Impl::findStencils(bool anew) {
+void Geodesics::Impl::findFarStencils(bool anew) {
     for (std::size_t j = 0; j < places.size(); ++j) {
-        nearStencil[j].count = 0;
-        if (askedNear[j] > 0) {
-            --askedNear[j];
-            nearStencil[j] = near.stencil(places[j]);
-        }
         if (askedFar[j] == 0) {
             farFound[j] = 0;
             farStencil[j].count = 0;
@@ -145,104 +143,63 @@ void Geodesics::Impl::findStencils(bool anew) {
     }
 }
 
+// Notes what could tell the cost.
+void Geodesics::Impl::askFor(Vec2 from, std::int32_t place) {
+    const bool farAway = distance(from, places[place]) >= kFarAway;
+    if (!farAway && ground->straight(from, places[place])) return;
+    if (near.reaches(from, place)) near.ask(place);
+    else if (middle.reaches(from, place)) middle.ask(place);
+    else askFar(place);
+}
+
 void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
     Impl& s = *impl_;
     if (s.ground->plain()) return;
-    for (std::size_t j = 0; j < s.places.size(); ++j)
-        for (const Vec2 p : from) {
-            const bool farAway = distance(p, s.places[j]) >= kFarAway;
-            if (!farAway && s.ground->straight(p, s.places[j])) continue;
-            (s.withinWindows(p, s.places[j]) ? s.askedNear[j] : s.askedFar[j]) = kRemembered;
-            if (s.askedFar[j] > 0) break;
-        }
-    s.findStencils(true);
-    s.near.build(s.perStep(4 * s.def.nearPerStep), pool);
-    s.findStencils(true);
-    // Where walls keep windows from telling, far fields have to.
-    for (std::size_t j = 0; j < s.places.size(); ++j)
-        if (s.askedNear[j] > 0)
-            for (const Vec2 p : from)
-                if (s.withinWindows(p, s.places[j])) s.bent(p, static_cast<std::int32_t>(j));
-    s.findStencils(true);
-    s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
-    s.findStencils(true);
-}
-
-bool Geodesics::Impl::withinWindows(Vec2 from, Vec2 to) const {
-    const double reach = (NearWindows::kHalf - 4.5) * ground->fine().grid.cell;
-    return std::fabs(from.x - to.x) < reach && std::fabs(from.y - to.y) < reach;
-}
-
-// Bilinear interpolation overrates squares by this much on uniform ground.
-double Geodesics::Impl::readingShift(Vec2 from, const Grid& grid) const {
-    const BetweenCentres at = betweenCentres(grid, from);
-    const double unit = ground->unit(from) * grid.cell;
-    return unit * unit * (at.fx * (1.0 - at.fx) + at.fy * (1.0 - at.fy));
-}
-
-// The excess along the corners of a way through the field, and on to the place.
-double Geodesics::Impl::excessAlong(const CostField& field, Vec2 from, Vec2 to) const {
-    if (excess->none()) return 0.0;
-    Vec2 corners[kMostCorners];
-    const std::int32_t count = field.corners(from, corners);
-    double sum = 0.0;
-    Vec2 at = from;
-    for (std::int32_t k = 0; k < count; ++k) {
-        sum += excess->along(at, corners[k]);
-        at = corners[k];
+    const auto count = static_cast<std::int32_t>(s.places.size());
+    for (std::int32_t j = 0; j < count; ++j)
+        for (std::size_t k = 0; k < from.size() && s.askedFar[j] == 0; ++k) s.askFor(from[k], j);
+    for (WindowCosts* windows : {&s.near, &s.middle}) {
+        windows->findStencils(false);
+        windows->build(s.perStep(4 * s.def.nearPerStep), pool);
+        windows->findStencils(false);
     }
-    return sum + excess->along(at, to);
-}
-
-double Geodesics::Impl::nearCost(Vec2 from, std::int32_t place, double line) const {
-    const LandmarkStencil& stencil = nearStencil[place];
-    if (stencil.count == 0) return kInfinite;
-    const double square = near.square(stencil, from) - readingShift(from, ground->fine().grid);
-    const double least = ground->fine().lowest * line;
-    const double still = square < kInfinite ? std::sqrt(std::max(square, least * least)) : nearCostFromMouth(stencil, from);
-    if (!(still < kInfinite)) return kInfinite;
-    return still + ground->unit(from) * excessAlong(near.field(stencil.nearest), from, places[place]);
-}
-
-// Whoever stands in a door too narrow for the cells to show it goes by the free cell beside it.
-double Geodesics::Impl::nearCostFromMouth(const LandmarkStencil& stencil, Vec2 from) const {
-    const Grid& grid = ground->fine().grid;
-    const std::int32_t cell = ground->blocked(grid.index(grid.nearestCell(from))) ? ground->freeCellNear(from) : -1;
-    if (cell < 0) return kInfinite;
-    const Vec2 out = grid.centre(grid.at(cell));
-    const double square = near.square(stencil, out);
-    return square < kInfinite ? std::sqrt(std::max(0.0, square)) + ground->unit(out) * distance(from, out) : kInfinite;
-}
-
-Vec2 Geodesics::Impl::nearDirection(const CostField& field, Vec2 from) const {
-    const Grid& grid = ground->fine().grid;
-    const std::int32_t cell = field.squareBetween(from) < kInfinite ? -1 : ground->freeCellNear(from);
-    return cell >= 0 ? normalized(grid.centre(grid.at(cell)) - from) : field.direction(from);
+    // Where walls keep windows from telling, far fields have to.
+    for (std::int32_t j = 0; j < count; ++j)
+        if (s.near.asked(j) || s.middle.asked(j))
+            for (const Vec2 p : from)
+                if (s.middle.reaches(p, j)) s.bent(p, j);
+    s.findFarStencils(true);
+    s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
+    s.findFarStencils(true);
 }
 
 double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) const {
     const LandmarkStencil& stencil = farStencil[place];
     if (stencil.count == 0) return kInfinite;
-    const double square = far.square(stencil, from) - readingShift(from, ground->coarse().grid);
+    const double square = far.square(stencil, from) - readingShift(ground->coarse().grid, from, ground->unit(from));
     if (!(square < kInfinite)) return kInfinite;
     const double least = ground->fine().lowest * line;
     return std::sqrt(std::max(square, least * least));
 }
 
-double Geodesics::Impl::bent(Vec2 from, std::int32_t place) const {
-    const Vec2 to = places[place];
-    return bent(from, place, withinWindows(from, to) ? nearCost(from, place, distance(from, to)) : kInfinite);
-}
-
-// `nearBy` is the cost by the windows, infinite where they tell none.
-double Geodesics::Impl::bent(Vec2 from, std::int32_t place, double nearBy) const {
-    const Vec2 to = places[place];
-    const double line = distance(from, to);
-    if (withinWindows(from, to)) ask(askedNear, place);
-    if (nearBy < kInfinite) return nearBy;
-    ask(askedFar, place);
+// The finest windows that reach so far; coarser ones where those do not know the way.
+Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place) const {
+    const double line = distance(from, places[place]);
+    if (near.reaches(from, place)) {
+        near.ask(place);
+        const double cost = near.cost(from, place, line);
+        if (cost < kInfinite) return {cost, Bent::Near};
+    }
+    if (middle.reaches(from, place)) {
+        // While the finer ones are made these may know it already.
+        if (!near.reaches(from, place) || near.known(place)) middle.ask(place);
+        const double cost = middle.cost(from, place, line);
+        if (cost < kInfinite) return {cost, Bent::Middle};
+    }
+    askFar(place);
     const double cost = farCost(from, place, line);
-    return cost < kInfinite ? cost : kUnknown * ground->unit(from) * line;
+    if (cost < kInfinite) return {cost, Bent::Far};
+    return {kUnknown * ground->unit(from) * line, Bent::Unknown};
 }
 
 // Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the same.
@@ -250,7 +207,7 @@ bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, float& cost) const
     if (ground->plain()) return false;
     const double line = distance(from, places[place]);
     if (line < kFarAway) return false;
-    ask(askedFar, place);
+    askFar(place);
     const double there = farCost(from, place, line);
     cost = static_cast<float>(there);
     return there < kInfinite;
@@ -260,13 +217,16 @@ bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->gr
 
 float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }
 
+float Geodesics::Impl::straightCost(Vec2 from, Vec2 to) const {
+    return static_cast<float>(ground->unit(to) * (distance(from, to) + excess->along(from, to)));
+}
+
 float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
     const Vec2 to = places[place];
     float known = 0.0f;
     if (farKnown(from, place, known)) return known;
-    if (ground->straight(from, to))
-        return static_cast<float>(ground->unit(to) * (distance(from, to) + excess->along(from, to)));
-    return static_cast<float>(bent(from, place));
+    if (ground->straight(from, to)) return straightCost(from, to);
+    return static_cast<float>(bent(from, place).cost);
 }
 
 // Goes down the field; notes the last point of the way in sight, and the landmark of a window some metres on.
@@ -279,7 +239,7 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, WayPoint
         const Vec2 onward = field.direction(at);
         if (onward == Vec2{}) break;
         at += onward * kTraceStep;
-        if (k < kWindowSteps) memory.window = near.landmarkNear(at, memory.window);
+        if (k < kWindowSteps) memory.window = near.windows().landmarkNear(at, memory.window);
         if (ground->straight(from, at)) {
             memory.point = at;
             found = distance(from, at) > kWorthAiming;
@@ -291,10 +251,9 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, WayPoint
     return found;
 }
 
-// To a point in sight on the way down the field of the nearest landmark. Where there is none, the way is bent near by:
+// To a point in sight on the way down a field of a landmark of the place. Where there is none, the way is bent near by:
 // down the window of a landmark some metres on.
-Vec2 Geodesics::Impl::farDirection(std::int32_t place, Vec2 from, WayPoint& memory) const {
-    const CostField& field = far.field(farStencil[place].nearest);
+Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const {
     const bool aims = memory.inSight && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
     if (memory.steps <= 0 || (memory.inSight && !aims)) {
         memory.inSight = findPointAhead(field, from, memory);
@@ -303,8 +262,8 @@ Vec2 Geodesics::Impl::farDirection(std::int32_t place, Vec2 from, WayPoint& memo
     }
     --memory.steps;
     if (memory.inSight) return normalized(memory.point - from);
-    const std::int32_t slot = memory.window >= 0 ? near.slotOf(memory.window) : -1;
-    const Vec2 way = slot >= 0 ? near.field(slot).direction(from) : Vec2{};
+    const std::int32_t slot = memory.window >= 0 ? near.windows().slotOf(memory.window) : -1;
+    const Vec2 way = slot >= 0 ? near.windows().field(slot).direction(from) : Vec2{};
     return way == Vec2{} ? alongWall(from, field.direction(from)) : way;
 }
 
@@ -321,7 +280,7 @@ Vec2 Geodesics::Impl::alongWall(Vec2 from, Vec2 way) const {
 
 void Geodesics::remember(std::span<const WayPoint> walkers) {
     for (const WayPoint& walker : walkers)
-        if (walker.place >= 0 && walker.window >= 0 && !walker.inSight) impl_->near.keep(walker.window);
+        if (walker.place >= 0 && walker.window >= 0 && !walker.inSight) impl_->near.windows().keep(walker.window);
 }
 
 WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const {
@@ -353,27 +312,20 @@ Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhea
 }
 
 WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const {
-    const Impl& s = *this;
-    const Vec2 to = s.places[place];
-    const double line = distance(from, to);
+    const Vec2 to = places[place];
     if (memory.place != place) memory = {from, place, 0, -1, false};
+    const auto farField = [&]() -> const CostField& { return far.field(farStencil[place].nearest); };
     WayAhead way;
-    if (s.farKnown(from, place, way.cost)) {
-        way.direction = s.farDirection(place, from, memory);
+    if (farKnown(from, place, way.cost)) {
+        way.direction = longDirection(farField(), place, from, memory);
         return way;
     }
-    if (s.ground->straight(from, to))
-        return {normalized(to - from), static_cast<float>(s.ground->unit(to) * (line + s.excess->along(from, to)))};
-    const double nearBy = s.withinWindows(from, to) ? s.nearCost(from, place, line) : kInfinite;
-    way.cost = static_cast<float>(s.bent(from, place, nearBy));
-    if (nearBy < kInfinite) {
-        const CostField& field = s.near.field(s.nearStencil[place].nearest);
-        // Beside the landmark the way to it says nothing of the way to the place.
-        const bool beside = distance(from, field.source()) < 1.5 * distance(field.source(), to);
-        way.direction = beside ? normalized(to - from) : nearDirection(field, from);
-    } else if (s.farStencil[place].count > 0) {
-        way.direction = s.farDirection(place, from, memory);
-    }
+    if (ground->straight(from, to)) return {normalized(to - from), straightCost(from, to)};
+    const Bent found = bent(from, place);
+    way.cost = static_cast<float>(found.cost);
+    if (found.by == Bent::Near) way.direction = near.direction(from, place);
+    if (found.by == Bent::Middle) way.direction = longDirection(middle.field(place), place, from, memory);
+    if (found.by == Bent::Far) way.direction = longDirection(farField(), place, from, memory);
     return way;
 }
 

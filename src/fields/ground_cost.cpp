@@ -139,10 +139,19 @@ private:
     double radius_;
 };
 
+// Points at the two sides of a wall thinner than a cell: the way between them leads into one and out of the other.
+bool throughWall(const Node& from, const Node& to, float dx, float dy) {
+    constexpr float kSteep = 0.5f;
+    const float most = -kSteep * std::sqrt(dx * dx + dy * dy);
+    const float facing = from.normalX * to.normalX + from.normalY * to.normalY;
+    return facing < -kSteep && dx * from.normalX + dy * from.normalY < most && -(dx * to.normalX + dy * to.normalY) < most;
+}
+
 float edgeCost(const Node& from, const Node& to, float x, float y, float unit) {
     if (!from.free || !to.free) return kInfinite;
     const float dx = x + to.x - from.x;
     const float dy = y + to.y - from.y;
+    if (throughWall(from, to, dx, dy)) return kInfinite;
     return unit * std::max(static_cast<float>(kLeastStep), std::sqrt(dx * dx + dy * dy));
 }
 

@@ -66,24 +66,53 @@ void StaticGround::update(const Environment& environment, double price, double r
         speed_[k] = patch[k] < kInfinite ? patch[k] : 1.0f;
         unit_[k] = static_cast<float>(price / speed_[k]);
     }
-    fine_.grid = grid_;
-    fine_.radius = radius;
-    fine_.cells.assign(speed_.size(), {kInfinite, kInfinite, kInfinite, kInfinite});
-    fine_.nodes.clear();
-    far_.assign(speed_.size(), kInfinite);
-    priceGround({grid_, clearance, speed_}, radius, price, 0, grid_.count(), {fine_.cells, far_, fine_.nodes});
-    fine_.lowest = *std::min_element(far_.begin(), far_.end());
-    if (!(fine_.lowest < kInfinite)) fine_.lowest = static_cast<float>(price);
+    makeLevel(fine_, {grid_, clearance, speed_});
     makeRoom(environment);
+    makeMiddle(clearance);
     makeCoarse();
 }
 
-void StaticGround::makeRoom(const Environment& environment) {
-    const std::span<const float> clearance = environment.stillClearance();
+void StaticGround::makeLevel(GroundLevel& level, const GroundRasters& rasters) {
+    UnitCost& cost = level.cost;
+    const auto count = static_cast<std::size_t>(rasters.grid.count());
+    cost.grid = rasters.grid;
+    cost.radius = radius_;
+    cost.cells.assign(count, {kInfinite, kInfinite, kInfinite, kInfinite});
+    cost.nodes.clear();
+    far_.assign(count, kInfinite);
+    priceGround(rasters, radius_, price_, 0, rasters.grid.count(), {cost.cells, far_, cost.nodes});
+    cost.lowest = *std::min_element(far_.begin(), far_.end());
+    if (!(cost.lowest < kInfinite)) cost.lowest = static_cast<float>(price_);
+    level.wallRoom.resize(count);
     const auto radius = static_cast<float>(radius_);
-    wallRoom_.resize(clearance.size());
-    for (std::size_t k = 0; k < clearance.size(); ++k) wallRoom_[k] = clearance[k] - radius;
-    room_ = wallRoom_;
+    for (std::size_t k = 0; k < count; ++k) level.wallRoom[k] = rasters.clearance[k] - radius;
+}
+
+// The centre of a cell twice as wide is the corner where four ground cells meet: their means hold there.
+void StaticGround::makeMiddle(std::span<const float> clearance) {
+    const Grid grid{grid_.origin, 2.0 * grid_.cell, (grid_.width + 1) / 2, (grid_.height + 1) / 2};
+    middleClearance_.resize(static_cast<std::size_t>(grid.count()));
+    middleSpeed_.resize(middleClearance_.size());
+    for (std::int32_t k = 0; k < grid.count(); ++k) {
+        const Cell c = grid.at(k);
+        float room = 0.0f;
+        float unit = 0.0f;
+        for (const std::int32_t y : {2 * c.y, std::min(2 * c.y + 1, grid_.height - 1)})
+            for (const std::int32_t x : {2 * c.x, std::min(2 * c.x + 1, grid_.width - 1)}) {
+                room += 0.25f * clearance[grid_.index({x, y})];
+                unit += 0.25f / speed_[grid_.index({x, y})];
+            }
+        middleClearance_[k] = room;
+        middleSpeed_[k] = 1.0f / unit;
+    }
+    makeLevel(middle_, {grid, middleClearance_, middleSpeed_});
+    middle_.room.resize(middleClearance_.size());
+    for (std::int32_t k = 0; k < grid.count(); ++k)
+        middle_.room[k] = fine_.room[grid_.index({2 * grid.at(k).x, 2 * grid.at(k).y})];
+}
+
+void StaticGround::makeRoom(const Environment& environment) {
+    fine_.room = fine_.wallRoom;
     widenRoom();
     narrowByPatches();
     plain_ = environment.obstacleIds().empty() && environment.patchIds().empty();
@@ -97,13 +126,13 @@ void StaticGround::widenRoom() {
     const std::int32_t height = (grid_.height + kBlock - 1) / kBlock;
     far_.assign(static_cast<std::size_t>(width) * height, 1e6f);
     for (std::int32_t k = 0; k < grid_.count(); ++k)
-        if (room_[k] < capped) far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock] = 0.0f;
+        if (fine_.room[k] < capped) far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock] = 0.0f;
     spreadDistances(width, height, far_);
     const auto edge = static_cast<float>(kBlock * grid_.cell);
     for (std::int32_t k = 0; k < grid_.count(); ++k) {
-        if (room_[k] < capped) continue;
+        if (fine_.room[k] < capped) continue;
         const float blocks = far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock];
-        room_[k] += std::max(0.0f, kStepShare * blocks - 1.5f) * edge;
+        fine_.room[k] += std::max(0.0f, kStepShare * blocks - 1.5f) * edge;
     }
 }
 
@@ -123,8 +152,8 @@ void StaticGround::narrowByPatches() {
     if (even_) return;
     spreadDistances(grid_.width, grid_.height, far_);
     const auto edge = static_cast<float>(grid_.cell);
-    for (std::size_t k = 0; k < room_.size(); ++k)
-        room_[k] = std::min(room_[k], (kStepShare * far_[k] - 0.5f) * edge);
+    for (std::size_t k = 0; k < fine_.room.size(); ++k)
+        fine_.room[k] = std::min(fine_.room[k], (kStepShare * far_[k] - 0.5f) * edge);
 }
 
 // The cheapest of the lanes of cells that lead from the middle of one coarse cell to the middle of the next; infinite
@@ -140,7 +169,7 @@ float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
         for (std::int32_t k = 0; k < ratio && sum < kInfinite; ++k) {
             const std::int32_t along = ratio / 2 + k;
             const Cell c{from.x * ratio + (step.x != 0 ? along : lane), from.y * ratio + (step.y != 0 ? along : lane)};
-            if (!grid_.contains(c) || wallRoom_[grid_.index(c)] < 0.0f) {
+            if (!grid_.contains(c) || fine_.blocked(grid_.index(c))) {
                 sum = kInfinite;
                 break;
             }
@@ -160,7 +189,7 @@ void StaticGround::makeCoarse() {
     while (across(grid_.width, ratio) * across(grid_.height, ratio) > kCoarseCells) ratio *= 2;
     coarse_.grid = {grid_.origin, grid_.cell * ratio, across(grid_.width, ratio), across(grid_.height, ratio)};
     coarse_.radius = radius_;
-    coarse_.lowest = fine_.lowest;
+    coarse_.lowest = fine_.cost.lowest;
     const Grid& grid = coarse_.grid;
     coarse_.cells.assign(static_cast<std::size_t>(grid.count()), {kInfinite, kInfinite, kInfinite, kInfinite});
     // No nodes beside walls: straight ways would be seen to lead through cells that thin walls divide.
@@ -176,26 +205,10 @@ void StaticGround::makeCoarse() {
     }
 }
 
-std::int32_t StaticGround::freeCellNear(Vec2 p) const {
-    constexpr std::int32_t kReach = 2;
-    const Cell middle = grid_.nearestCell(p);
-    std::int32_t found = -1;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::int32_t y = middle.y - kReach; y <= middle.y + kReach; ++y)
-        for (std::int32_t x = middle.x - kReach; x <= middle.x + kReach; ++x) {
-            if (!grid_.contains({x, y}) || blocked(grid_.index({x, y}))) continue;
-            const double d = lengthSquared(grid_.centre({x, y}) - p);
-            if (d >= nearest) continue;
-            nearest = d;
-            found = grid_.index({x, y});
-        }
-    return found;
-}
-
 double StaticGround::roomBetween(Vec2 p) const {
     if (cellAt(p) < 0) return -1.0;
     const BetweenCentres at = betweenCentres(grid_, p);
-    const float* low = room_.data() + grid_.index(at.low);
+    const float* low = fine_.room.data() + grid_.index(at.low);
     const float* high = low + (grid_.height > 1 ? grid_.width : 0);
     const std::int32_t right = grid_.width > 1 ? 1 : 0;
     return (low[0] * (1.0 - at.fx) + low[right] * at.fx) * (1.0 - at.fy) +
@@ -203,7 +216,7 @@ double StaticGround::roomBetween(Vec2 p) const {
 }
 
 double StaticGround::lineCost(Vec2 a, Vec2 b) const {
-    if (even_) return fine_.lowest * distance(a, b);
+    if (even_) return fine_.cost.lowest * distance(a, b);
     constexpr int kSamples = 8;
     double sum = 0.0;
     for (int k = 0; k < kSamples; ++k) sum += unit(a + (b - a) * ((k + 0.5) / kSamples));
@@ -214,7 +227,7 @@ bool StaticGround::straight(Vec2 a, Vec2 b) const {
     if (plain_) return true;
     const double whole = distance(a, b);
     // On slow ground a way out of it and back may be faster, unless both ends lie deep in it.
-    if (!even_ && unit(b) > fine_.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
+    if (!even_ && unit(b) > fine_.cost.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
     // Nothing fits between two so close together, though they stand in a door too narrow for the cells to show it.
     if (whole <= radius_ || room(b) >= whole) return true;
     const Vec2 along = whole > 0.0 ? (b - a) / whole : Vec2{};

@@ -12,6 +12,7 @@ constexpr std::int32_t kChunk = 256;       // Places a task carries.
 constexpr std::size_t kLeapShare = 8;      // More than one of so many that leap: all seats are sought anew.
 constexpr std::int32_t kLeastSpots = 400;  // Looked at in a step for those without a good seat,
 constexpr std::size_t kPlacesPerSpot = 5;  // and one more for so many places.
+constexpr std::int32_t kSpared = 4;        // Of these one in so many is for those who have a seat, but not a good one.
 constexpr std::int32_t kSeekCost = 8;      // In spots, of asking where one could best be.
 constexpr std::int32_t kRings = 8;         // Round that spot, one diameter wide each.
 constexpr double kWorthwhile = 2.0;        // A new seat is this much nearer, in diameters, but on the target itself.
@@ -127,16 +128,20 @@ bool GoalCarrier::seat(std::size_t k, Vec2 target, std::int32_t& left) {
     return false;
 }
 
+// First those who have none, then those who might have better ones.
 void GoalCarrier::seatInTurns(std::span<const Vec2> targets) {
     m_.taken.clear();
     const std::size_t n = targets.size();
     std::int32_t left = kLeastSpots + static_cast<std::int32_t>(n / kPlacesPerSpot);
     const std::size_t first = s_.turn % n;
-    for (std::size_t k = 0; k < n && left > 0; ++k) {
-        const std::size_t place = (first + k) % n;
-        if (s_.fit[place] != 0 && s_.goal[place] == targets[place]) continue;
-        seat(place, targets[place], left);
-        s_.turn = static_cast<std::uint32_t>((place + 1) % n);
+    for (const bool seated : {false, true}) {
+        const std::int32_t spare = seated ? 0 : left / kSpared;
+        for (std::size_t k = 0; k < n && left > spare; ++k) {
+            const std::size_t place = (first + k) % n;
+            if ((s_.fit[place] != 0) != seated || (seated && s_.goal[place] == targets[place])) continue;
+            seat(place, targets[place], left);
+            s_.turn = static_cast<std::uint32_t>((place + 1) % n);
+        }
     }
 }
 

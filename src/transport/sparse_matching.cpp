@@ -10,6 +10,9 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kPairsAtOnce = 4096;
+constexpr std::int32_t kWholeTurns = 4;   // In every so many turns of a row all its arcs are asked for, else the tight ones.
+constexpr double kLoose = 0.2;           // Arcs are tight that a holder's coming nearer by so much would violate [m]...
+constexpr double kLeastLoose = 1.0;       // ... at this cost or its own [m].
 
 }  // namespace
 
@@ -28,6 +31,8 @@ void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input)
     pairs_.reserve(kPairsAtOnce);
     answers_.reserve(kPairsAtOnce);
     rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    tightRows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    margin_.assign(static_cast<std::size_t>(state_.seats.count()), 0.0);
 }
 
 MatchingContext SparseMatching::contextFor(const MatchingDef& def, const MatchingInput& input, PairCosts& costs,
@@ -185,7 +190,13 @@ void SparseMatching::refreshAll(const MatchingContext& context) {
         state_.changed[static_cast<std::size_t>(s)] = 0;
         rows_.push_back(s);
     }
-    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_);
+    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
+}
+
+// How much an arc may gain or lose until all arcs of its row are asked for again.
+double SparseMatching::marginOf(const MatchingContext& context, std::size_t seat) const {
+    const double cost = std::max(static_cast<double>(state_.own[seat]), kLeastLoose);
+    return context.power(cost + kLoose) - context.power(cost);
 }
 
 // Rows in turn, and at once those whose holder is new.
@@ -197,6 +208,7 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
     const std::int32_t period = std::max(1, far ? context.def.farRefreshPeriod : context.def.refreshPeriod);
     const std::int32_t targets = std::max(1, context.def.retargetPeriod);
     rows_.clear();
+    tightRows_.clear();
     for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
         const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (s + step_) % targets == 0;
         const bool stale = stale_[static_cast<std::size_t>(s)] != 0;
@@ -204,9 +216,15 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
         if (!anew && !stale && (s + step_) % period != 0) continue;
         if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
         state_.changed[static_cast<std::size_t>(s)] = 0;
-        rows_.push_back(s);
+        if (anew || stale || (s + step_) / period % kWholeTurns == 0) {
+            rows_.push_back(s);
+        } else {
+            tightRows_.push_back(s);
+            margin_[static_cast<std::size_t>(s)] = marginOf(context, static_cast<std::size_t>(s));
+        }
     }
-    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_);
+    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
+    state_.arcs.refresh(context, state_.seats, state_.ownPower, tightRows_, {state_.price, margin_});
 }
 
 // What others may read: places, costs, the objective and what may be left to gain.
@@ -243,6 +261,8 @@ void SparseMatching::afterReading() {
     const auto seats = static_cast<std::size_t>(state_.seats.count());
     searchLimit_ = 0;
     rows_.reserve(seats);
+    tightRows_.reserve(seats);
+    margin_.assign(seats, 0.0);
     flipped_.reserve(2 * seats);
     stale_.assign(seats, 0);
     pairs_.reserve(kPairsAtOnce);

@@ -61,6 +61,7 @@ private:
     void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
     void refreshSome(const MatchingContext& context);
+    double marginOf(const MatchingContext& context, std::size_t seat) const;
     void repriceFlipped();
     void publish(const MatchingContext& context);
     void afterReading();
@@ -80,6 +81,8 @@ private:
     std::vector<Pair> pairs_;
     std::vector<float> answers_;
     std::vector<std::int32_t> rows_;
+    std::vector<std::int32_t> tightRows_;  // Of these only the arcs are asked for that may soon be violated.
+    std::vector<double> margin_;           // Per seat: what makes them so.
     std::vector<std::int32_t> flipped_;  // Seats that became or ceased to be places, or lost their holder.
     std::vector<std::uint8_t> stale_;  // Per seat: its arcs' weights are to be asked for in this step.
 };

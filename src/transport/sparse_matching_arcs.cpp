@@ -132,32 +132,36 @@ void MatchingArcs::chooseTargets(const MatchingContext& context, const MatchingS
     for (; lane < kLanes; ++lane) target_[row + static_cast<std::size_t>(lane)] = seat;
 }
 
-void MatchingArcs::ask(const MatchingSeats& seats, std::span<const std::int32_t> rows) {
+bool MatchingArcs::asks(std::int32_t arc, const Tight& tight) const {
+    const std::int32_t from = arc / kLanes;
+    const std::int32_t to = target(arc);
+    if (to == from) return false;
+    if (tight.price.empty()) return true;
+    const double reduced = weight(arc) - tight.price[static_cast<std::size_t>(to)] + tight.price[static_cast<std::size_t>(from)];
+    return reduced < tight.margin[static_cast<std::size_t>(from)];
+}
+
+void MatchingArcs::ask(const MatchingSeats& seats, std::span<const std::int32_t> rows, const Tight& tight) {
     pairs_.clear();
     for (const std::int32_t s : rows) {
         const std::int32_t holder = seats.holder(s);
         if (holder < 0) continue;
-        for (std::int32_t lane = 0; lane < kLanes; ++lane) {
-            const std::int32_t to = target(s * kLanes + lane);
-            if (to != s && seats.live(to)) pairs_.push_back({holder, to});
-        }
+        for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc)
+            if (asks(arc, tight) && seats.live(target(arc))) pairs_.push_back({holder, target(arc)});
     }
     answers_.resize(pairs_.size());
 }
 
 void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                          std::span<const std::int32_t> rows) {
+                          std::span<const std::int32_t> rows, const Tight& tight) {
     std::size_t next = 0;
     for (const std::int32_t s : rows) {
         const bool somebody = seats.holder(s) >= 0;
         const Vec2 here = seats.at(s, context);
-        for (std::int32_t lane = 0; lane < kLanes; ++lane) {
-            const std::int32_t arc = s * kLanes + lane;
+        for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc) {
             const std::int32_t to = target(arc);
-            if (to == s) {
-                weight_[static_cast<std::size_t>(arc)] = kNever;
-                continue;
-            }
+            if (to == s) weight_[static_cast<std::size_t>(arc)] = kNever;
+            if (!asks(arc, tight)) continue;
             const double there = somebody && seats.live(to) ? context.power(answers_[next++]) : 0.0;
             const double frame = dot(context.slope, seats.at(to, context) - here);
             weight_[static_cast<std::size_t>(arc)] = static_cast<float>(there - ownPower[static_cast<std::size_t>(s)] - frame);
@@ -166,12 +170,12 @@ void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& s
 }
 
 void MatchingArcs::refresh(const MatchingContext& context, const MatchingSeats& seats,
-                           std::span<const double> ownPower, std::span<const std::int32_t> rows) {
+                           std::span<const double> ownPower, std::span<const std::int32_t> rows, const Tight& tight) {
     while (!rows.empty()) {
         const auto some = rows.first(std::min(rows.size(), kRowsAtOnce));
-        ask(seats, some);
+        ask(seats, some, tight);
         context.costs.fill(pairs_, answers_, context.pool);
-        answer(context, seats, ownPower, some);
+        answer(context, seats, ownPower, some, tight);
         rows = rows.subspan(some.size());
     }
 }

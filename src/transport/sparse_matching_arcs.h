@@ -25,9 +25,14 @@ public:
               std::span<const float> own);
     /// Chooses anew where the arcs of a seat lead.
     void chooseTargets(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat);
+    /// Arcs that are worth a look: those whose reduced cost is below a margin per seat. All where there are no prices.
+    struct Tight {
+        std::span<const double> price;
+        std::span<const double> margin;
+    };
     /// Asks for the weights of these seats' arcs; `ownPower` is the cost of each seat's holder to the power.
     void refresh(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                 std::span<const std::int32_t> rows);
+                 std::span<const std::int32_t> rows, const Tight& tight);
     /// Sorts the arcs by the seats they lead to.
     void sortByTarget();
     /// Makes room for what was read, and sorts it.
@@ -59,9 +64,10 @@ private:
     void makeRoom();
     void add(std::int32_t seat, std::int32_t& lane, std::int32_t end, std::int32_t to);
     void addHot(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat, std::int32_t& lane);
-    void ask(const MatchingSeats& seats, std::span<const std::int32_t> rows);
+    bool asks(std::int32_t arc, const Tight& tight) const;
+    void ask(const MatchingSeats& seats, std::span<const std::int32_t> rows, const Tight& tight);
     void answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                std::span<const std::int32_t> rows);
+                std::span<const std::int32_t> rows, const Tight& tight);
 
     std::vector<std::int32_t> target_;
     std::vector<float> weight_;

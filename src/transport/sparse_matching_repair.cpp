@@ -174,7 +174,7 @@ void MatchingRepair::rotate(const MatchingContext& context, MatchingState& state
         state.changed[static_cast<std::size_t>(to)] = 1;
         state.resting[static_cast<std::size_t>(to)] = 0;
     }
-    state.arcs.refresh(context, state.seats, state.ownPower, cycle);
+    state.arcs.refresh(context, state.seats, state.ownPower, cycle, {});
 }
 
 }  // namespace muster

@@ -61,6 +61,8 @@ private:
     void setHazard(std::int32_t cell, float value);
     void set(std::int32_t cell, const CellCost& value);
     void markBusy();
+    void sumBusy();
+    bool busyAlong(Vec2 a, Vec2 b) const;
     double crowdAlong(Vec2 p, Vec2 to) const;
     double hazardAt(Vec2 p) const;
 
@@ -69,6 +71,10 @@ private:
     std::vector<std::uint8_t> busy_;      // Cells from which some excess can be read.
     std::vector<std::int32_t> listed_;    // Cells with excess, in the order they got it.
     std::vector<std::int32_t> busyList_;
+    Cell busyLow_;                        // The box round all of them...
+    Cell busyHigh_;
+    std::int32_t busyStride_ = 0;
+    std::vector<std::int32_t> busySum_;   // ... and how many lie below and left of each cell of it.
     std::vector<std::uint8_t> looked_;    // Cells that were priced for the crowd.
     std::vector<std::int32_t> lookedList_;
     Bounds crowdBounds_;

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "muster/environment/environment.h"
-#include "muster/fields/unit_cost.h"
+#include "muster/fields/ground_level.h"
 
 namespace muster {
 
-/// What stands still, for characters of one radius: unit cost, room to all sides, and a coarse copy for long ways.
+struct GroundRasters;
+
+/// What stands still, for characters of one radius: unit cost, room to all sides, and coarser copies for longer ways.
 class StaticGround {
 public:
     /// Makes everything anew where what stands still, the radius [m] or `price`, the cost of a metre in the open, has
@@ -18,20 +21,22 @@ public:
 
     /// Grows by one with every change.
     std::uint32_t version() const { return version_; }
-    const UnitCost& fine() const { return fine_; }      ///< On the ground cells.
+    const UnitCost& fine() const { return fine_.cost; }      ///< On the ground cells.
+    const GroundLevel& fineLevel() const { return fine_; }   ///< The same with the room to walls.
+    const GroundLevel& middle() const { return middle_; }    ///< On cells twice as wide.
     const UnitCost& coarse() const { return coarse_; }  ///< On cells 2, 4, 8... times as wide, at most kCoarseCells.
     /// True where all ground costs the same and nothing stands in the way.
     bool plain() const { return plain_; }
     /// How far round `p` the ground is uniform and free for a character, a lower bound; below 0 in walls [m].
     double room(Vec2 p) const {
         const std::int32_t cell = cellAt(p);
-        return cell >= 0 ? static_cast<double>(room_[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
+        return cell >= 0 ? static_cast<double>(fine_.room[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
     }
     /// The same, interpolated between cells: closer, though no bound.
     double roomBetween(Vec2 p) const;
     /// Cost of a metre at `p`.
     float unit(Vec2 p) const {
-        if (even_) return fine_.lowest;
+        if (even_) return fine_.cost.lowest;
         const std::int32_t cell = cellAt(p);
         return unit_[static_cast<std::size_t>(cell >= 0 ? cell : grid_.index(grid_.nearestCell(p)))];
     }
@@ -40,12 +45,6 @@ public:
     bool straight(Vec2 a, Vec2 b) const;
     /// Cost of the straight line, walls or none, by a few samples of the ground.
     double lineCost(Vec2 a, Vec2 b) const;
-    /// True where nobody of the radius can stand at the centre of the cell.
-    bool blocked(std::int32_t cell) const { return wallRoom_[static_cast<std::size_t>(cell)] < 0.0f; }
-    /// The free cell nearest to `p` within two cells, -1 where there is none.
-    std::int32_t freeCellNear(Vec2 p) const;
-    /// Room to the walls at the centre of a cell [m].
-    float wallRoom(std::int32_t cell) const { return wallRoom_[static_cast<std::size_t>(cell)]; }
 
     static constexpr std::int32_t kCoarseCells = 20000;  ///< Most cells of the coarse copy.
 
@@ -60,6 +59,8 @@ private:
     void makeRoom(const Environment& environment);
     void widenRoom();
     void narrowByPatches();
+    void makeLevel(GroundLevel& level, const GroundRasters& rasters);
+    void makeMiddle(std::span<const float> clearance);
     void makeCoarse();
     float coarseEdge(Cell from, Cell step, std::int32_t ratio) const;
 
@@ -72,13 +73,14 @@ private:
     bool even_ = true;        // No patches.
     double perCell_ = 1.0;    // [1/m]
     double slack_ = 0.0;      // From the centre of a cell to its corner [m].
-    UnitCost fine_;
+    GroundLevel fine_;
+    GroundLevel middle_;
     UnitCost coarse_;
     std::vector<float> speed_;
     std::vector<float> unit_;
-    std::vector<float> wallRoom_;
-    std::vector<float> room_;
     std::vector<float> far_;  // Working memory.
+    std::vector<float> middleClearance_;
+    std::vector<float> middleSpeed_;
 };
 
 }  // namespace muster

@@ -1,6 +1,7 @@
-// Windows: cost fields of landmarks on the fine ground that reach a few metres.
+// Windows: cost fields of landmarks that reach some cells far.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,20 +11,34 @@
 
 namespace muster {
 
-/// Landmarks are centres of ground cells, spaced by four, two or one cell: the less, the less room there is, so that those
-/// round a place see each other.
-class NearWindows {
-public:
-    explicit NearWindows(std::int32_t capacity);  ///< Most windows kept.
+/// How many and how large.
+struct WindowsDef {
+    std::int32_t capacity = 6144;  ///< Most windows kept.
+    std::int32_t half = 16;        ///< Cells from a window's middle to its rim.
+};
 
-    /// Begins a step on this ground; forgets all where it has changed.
-    void beginStep(const StaticGround& ground);
+/// Slots of windows whose landmarks a place sees.
+struct SeenWindows {
+    std::array<std::int32_t, 4> slot = {};
+    std::int32_t count = 0;
+};
+
+/// Landmarks are centres of cells of one level of the ground, spaced by four, two or one cell: the less, the less room there is, so that those
+/// round a place see each other.
+class Windows {
+public:
+    explicit Windows(const WindowsDef& def);  ///< None yet.
+
+    /// Begins a step on this ground, which must live until the next; forgets all windows where its version is another.
+    void beginStep(const GroundLevel& ground, std::uint32_t version);
     /// Makes at most `most` of those asked for.
     void build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
-    /// The stencil of a place from the windows there are; asks for those that are missing.
-    LandmarkStencil stencil(Vec2 place);
+    /// The windows there are of landmarks in sight of a place, the nearest first; asks for that of the nearest landmark.
+    SeenWindows seen(const StaticGround& still, Vec2 place);
+    /// The stencil of a place, where a metre costs `unit`, from the windows there are; asks for those that are missing.
+    LandmarkStencil stencil(Vec2 place, float unit);
     /// The squared cost by a stencil; infinite where `from` lies outside one of the windows.
     double square(const LandmarkStencil& stencil, Vec2 from) const;
     /// The window in a slot.
@@ -36,16 +51,16 @@ public:
     std::int32_t slotOf(std::int32_t landmark) const { return lattice_.find(landmark); }
     /// The free landmark nearest to `p`, of those spaced widest; `other` where there is none.
     std::int32_t landmarkNear(Vec2 p, std::int32_t other) const;
-    /// Windows kept.
-    std::int32_t count() const { return lattice_.count(); }
+    /// The ground of this step.
+    const GroundLevel& ground() const { return *ground_; }
+    /// How far points may be from a place, along each axis, to lie in the windows of all its landmarks [m].
+    double reach() const { return (def_.half - kWidest - 0.5) * ground_->cost.grid.cell; }
 
     /// Lets an archive read or write which windows there are.
     template <class Archive>
     void visit(Archive& archive) {
         archive(lattice_);
     }
-
-    static constexpr std::int32_t kHalf = 24;  ///< Cells from a window's middle to its rim.
 
 private:
     /// Working memory of one thread.
@@ -58,12 +73,16 @@ private:
         std::int32_t count;
         bool square;
     };
-    Corners cornersOf(Vec2 place) const;
+    std::int32_t spacingAt(std::int32_t cell) const;
+    Corners cornersOf(Vec2 place, std::int32_t spacing) const;
     void solve(std::int32_t landmark, CostField& field, Worker& worker) const;
     void crop(std::int32_t landmark, UnitCost& cost) const;
 
+    static constexpr std::int32_t kWidest = 4;  // Cells between landmarks.
+
+    WindowsDef def_;
     FieldLattice lattice_;
-    const StaticGround* ground_ = nullptr;
+    const GroundLevel* ground_ = nullptr;
     std::uint32_t version_ = 0;
     std::vector<Worker> workers_;
 };

@@ -1,0 +1,162 @@
+#include "fields/window_costs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fields/between_centres.h"
+
+namespace muster {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its stencil.
+constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
+
+void note(const std::vector<std::uint8_t>& steps, std::int32_t place) {
+    auto* at = const_cast<std::uint8_t*>(&steps[static_cast<std::size_t>(place)]);
+    __atomic_store_n(at, kRemembered, __ATOMIC_RELAXED);
+}
+
+}  // namespace
+
+double readingShift(const Grid& grid, Vec2 from, double unit) {
+    const BetweenCentres at = betweenCentres(grid, from);
+    const double edge = unit * grid.cell;
+    return edge * edge * (at.fx * (1.0 - at.fx) + at.fy * (1.0 - at.fy));
+}
+
+void WindowCosts::beginStep(const StaticGround& ground, const GroundLevel& level, const CrowdExcess& excess,
+                            std::span<const Vec2> places) {
+    ground_ = &ground;
+    excess_ = &excess;
+    places_ = places;
+    asked_.resize(places.size(), 0);
+    mixed_.resize(places.size(), 0);
+    seen_.resize(places.size());
+    stencil_.resize(places.size());
+    windows_.beginStep(level, ground.version());
+}
+
+void WindowCosts::findStencils(bool ticks) {
+    for (std::size_t j = 0; j < places_.size(); ++j) {
+        seen_[j].count = 0;
+        stencil_[j].count = 0;
+        if (asked_[j] == 0) continue;
+        if (ticks) --asked_[j];
+        seen_[j] = windows_.seen(*ground_, places_[j]);
+        if (mixed_[j] == 0) continue;
+        if (ticks) --mixed_[j];
+        stencil_[j] = windows_.stencil(places_[j], ground_->unit(places_[j]));
+    }
+}
+
+bool WindowCosts::reaches(Vec2 from, std::int32_t place) const {
+    const Vec2 off = from - places_[static_cast<std::size_t>(place)];
+    const double reach = windows_.reach();
+    return std::fabs(off.x) < reach && std::fabs(off.y) < reach;
+}
+
+void WindowCosts::ask(std::int32_t place) const { note(asked_, place); }
+
+const CostField& WindowCosts::field(std::int32_t place) const {
+    return windows_.field(seen_[static_cast<std::size_t>(place)].slot[0]);
+}
+
+// The excess along the corners of a way through the field, and on to the place.
+double WindowCosts::excessAlong(const CostField& field, Vec2 from, Vec2 to) const {
+    if (excess_->none()) return 0.0;
+    Vec2 corners[kMostCorners];
+    const std::int32_t count = field.corners(from, corners);
+    double sum = 0.0;
+    Vec2 at = from;
+    for (std::int32_t k = 0; k < count; ++k) {
+        sum += excess_->along(at, corners[k]);
+        at = corners[k];
+    }
+    return sum + excess_->along(at, to);
+}
+
+double WindowCosts::cost(Vec2 from, std::int32_t place, double line) const {
+    if (!known(place)) return kInfinite;
+    double still = stillCost(from, place);
+    if (!(still < kInfinite)) return kInfinite;
+    still = std::max(still, windows_.ground().cost.lowest * line);
+    return still + ground_->unit(from) * excessAlong(field(place), from, places_[static_cast<std::size_t>(place)]);
+}
+
+// By the best of the landmarks in sight. Whoever stands in a door too narrow for the cells to show it goes by the free
+// cell beside it.
+double WindowCosts::stillCost(Vec2 from, std::int32_t place) const {
+    const SeenWindows& seen = seen_[static_cast<std::size_t>(place)];
+    const GroundLevel& level = windows_.ground();
+    const Grid& grid = level.cost.grid;
+    double more = 0.0;
+    if (!(field(place).squareBetween(from) < kInfinite)) {
+        const std::int32_t cell = level.blocked(grid.index(grid.nearestCell(from))) ? level.freeCellNear(from) : -1;
+        if (cell < 0) return kInfinite;
+        const Vec2 out = grid.centre(grid.at(cell));
+        more = ground_->unit(out) * distance(from, out);
+        from = out;
+    }
+    double best = kInfinite;
+    for (std::int32_t k = 0; k < seen.count; ++k)
+        best = std::min(best, through(windows_.field(seen.slot[k]), from, places_[static_cast<std::size_t>(place)]));
+    if (!(best < kInfinite)) best = interpolated(from, place);
+    return best + more;
+}
+
+// The farthest point on the way from `near` to `far` that can be seen, `near` at least.
+Vec2 WindowCosts::lastSeen(Vec2 from, Vec2 near, Vec2 far) const {
+    constexpr std::int32_t kHalvings = 4;
+    double seen = 0.0;
+    double step = 0.5;
+    for (std::int32_t k = 0; k < kHalvings; ++k, step *= 0.5)
+        if (ground_->straight(from, lerp(near, far, seen + step))) seen += step;
+    return lerp(near, far, seen);
+}
+
+// Length of the way between two points that both see the mark but not each other: it bends close to where that ends.
+double WindowCosts::aroundCorner(Vec2 from, Vec2 mark, Vec2 to) const {
+    const Vec2 shown = lastSeen(from, mark, to);
+    const Vec2 bend = lastSeen(to, shown, from);
+    return distance(from, bend) + distance(bend, to);
+}
+
+// The way to the landmark, but from its last corner on to the place. Infinite where the corners are not
+// known, and on slow ground.
+double WindowCosts::through(const CostField& field, Vec2 from, Vec2 to) const {
+    Vec2 corners[kMostCorners];
+    const std::int32_t count = field.corners(from, corners);
+    if (count < 0 || count == kMostCorners) return kInfinite;
+    const Vec2 mark = field.source();
+    const float unit = windows_.ground().cost.lowest;
+    if (ground_->unit(to) != unit || ground_->unit(mark) != unit || ground_->unit(from) != unit) return kInfinite;
+    if (count == 0) return unit * aroundCorner(from, mark, to);
+    const Vec2 last = corners[count - 1];
+    return field.cost(from) + unit * (distance(last, to) - distance(last, mark));
+}
+
+// Where ways bend at other ground there are no corners: squares between landmarks round the place.
+double WindowCosts::interpolated(Vec2 from, std::int32_t place) const {
+    note(mixed_, place);
+    const LandmarkStencil& stencil = stencil_[static_cast<std::size_t>(place)];
+    const Vec2 to = places_[static_cast<std::size_t>(place)];
+    if (stencil.count == 0) return field(place).cost(from) + ground_->unit(to) * distance(field(place).source(), to);
+    const double square = windows_.square(stencil, from) -
+                          readingShift(windows_.ground().cost.grid, from, ground_->unit(from));
+    return square < kInfinite ? std::sqrt(std::max(0.0, square)) : kInfinite;
+}
+
+Vec2 WindowCosts::direction(Vec2 from, std::int32_t place) const {
+    const CostField& down = field(place);
+    const Vec2 to = places_[static_cast<std::size_t>(place)];
+    // Beside the landmark the way to it says nothing of the way to the place.
+    if (distance(from, down.source()) < 1.5 * distance(down.source(), to)) return normalized(to - from);
+    const GroundLevel& level = windows_.ground();
+    const Grid& grid = level.cost.grid;
+    const std::int32_t cell = down.squareBetween(from) < kInfinite ? -1 : level.freeCellNear(from);
+    return cell >= 0 ? normalized(grid.centre(grid.at(cell)) - from) : down.direction(from);
+}
+
+}  // namespace muster
