@@ -12,6 +12,7 @@ constexpr double kLockEnds = 0.6;       // Nearer to its place than this nobody 
 constexpr double kTurnRate = 8.0;       // Share of the turn made up per second.
 constexpr double kTouchGap = 0.04;      // Nearer than this two touch [m].
 constexpr double kBlockedSpeed = 0.15;  // Who touches others and is slower is held up [m/s].
+constexpr double kAhead = 0.5;          // Two are side by side where neither is ahead by this share, twice a cosine.
 constexpr double kGiveWay = 0.3;        // At which one steps back from somebody held up [m/s].
 constexpr std::size_t kChunk = 256;     // Characters a task steers.
 constexpr double kWalkingSpeed = 0.15;  // Below it one stands and faces with the formation [m/s].
@@ -37,6 +38,14 @@ Vec2 turned(Vec2 heading, Vec2 towards, double share) {
     // Opposite headings have no middle: turn left.
     if (dot(heading, towards) < -0.999) towards = perpendicular(heading);
     return normalized(heading + (towards - heading) * share, heading);
+}
+
+// Whether one of two is ahead along the way of both; side by side the one with the shorter way to go is.
+bool isAhead(const Characters& now, std::size_t a, std::size_t b) {
+    const Vec2 apart = now.position[a] - now.position[b];
+    const double ahead = dot(apart, now.direction[a] + now.direction[b]);
+    if (std::fabs(ahead) > kAhead * length(apart)) return ahead > 0.0;
+    return now.cost[a] != now.cost[b] ? now.cost[a] < now.cost[b] : a < b;
 }
 
 }  // namespace
@@ -73,14 +82,14 @@ void Steering::addSidesteps(const SteeringDef& def, const Characters& now) {
     }
 }
 
-// Two who go the same way and touch: the one with the longer way to go does not press the other on. Else crowds wedge
+// Two who go the same way and touch: the one behind does not press the other on. Else crowds wedge
 // before a door for good, each in the arch held by the rest.
 void Steering::holdBack(const SteeringDef& def, const Characters& now) {
     const double touching = 2.0 * def.radius + kTouchGap;
     for (const NearPair pair : pairs_) {
         auto front = static_cast<std::size_t>(pair.a);
         auto back = static_cast<std::size_t>(pair.b);
-        if (now.cost[back] < now.cost[front]) std::swap(front, back);
+        if (isAhead(now, back, front)) std::swap(front, back);
         const Vec2 between = now.position[front] - now.position[back];
         if (lengthSquared(now.velocity[front]) > kBlockedSpeed * kBlockedSpeed) continue;
         if (lengthSquared(between) > touching * touching || dot(now.direction[front], now.direction[back]) <= 0.0) continue;

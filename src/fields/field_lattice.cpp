@@ -21,6 +21,7 @@ FieldLattice::FieldLattice(std::int32_t capacity) : capacity_(capacity) {
 }
 
 void FieldLattice::clear() {
+    ++generation_;
     count_ = 0;
     landmark_.clear();
     used_.clear();
@@ -67,6 +68,7 @@ void FieldLattice::rehash() {
 }
 
 void FieldLattice::makeRoom() {
+    ++generation_;
     std::int32_t kept = 0;
     for (std::int32_t slot = 0; slot < count_; ++slot) {
         if (clock_ - used_[slot] > kIdle) continue;

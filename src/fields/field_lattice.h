@@ -48,13 +48,15 @@ public:
     const CostField& field(std::int32_t slot) const { return fields_[slot]; }
     /// The landmark of a slot.
     std::int32_t landmark(std::int32_t slot) const { return landmark_[slot]; }
+    /// Grows whenever slots mean other fields than before.
+    std::uint32_t generation() const { return generation_; }
     /// Fields held.
     std::int32_t count() const { return count_; }
 
     /// Lets an archive read or write which fields there are, not the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(clock_, count_, landmark_, used_, wishes_);
+        archive(clock_, generation_, count_, landmark_, used_, wishes_);
         if constexpr (Archive::kReading) restore(archive);
     }
 
@@ -74,6 +76,7 @@ private:
 
     std::int32_t capacity_;
     std::uint32_t clock_ = 0;
+    std::uint32_t generation_ = 0;
     std::int32_t count_ = 0;
     std::vector<std::int32_t> landmark_;  // Of each slot.
     std::vector<std::uint32_t> used_;     // Step in which it was last used.

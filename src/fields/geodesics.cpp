@@ -15,10 +15,11 @@ constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, 
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
 constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its far stencil.
 constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
-constexpr std::int32_t kMiddleHalf = 24;    // ... and of one on cells twice as wide.
+constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
 constexpr std::int32_t kTraceSteps = 14;    // Along a far way, to a point in sight ahead...
 constexpr double kTraceStep = 1.0;          // ... each so long [m].
-constexpr std::int32_t kWindowSteps = 4;    // Of these, to the landmark of a window that leads round a corner near by.
+constexpr std::int32_t kWindowSteps = 3;    // Of these, to the landmark of a window that leads round a corner near by.
+constexpr std::int32_t kSurveyed = 16;      // Times as many windows are made before a first plan as in a step.
 constexpr std::int32_t kMostLost = 5;       // Points out of sight after which no more are looked at.
 constexpr double kWorthAiming = 1.5;        // Points nearer than this are no aim [m].
 constexpr double kTouching = 0.1;           // Room of one who walks along a wall [m].
@@ -76,7 +77,7 @@ struct Geodesics::Impl {
     bool looksFar(std::size_t place) const;
     void askFor(Vec2 from, std::int32_t place);
     double farCost(Vec2 from, std::int32_t place, double line) const;
-    Bent bent(Vec2 from, std::int32_t place) const;
+    Bent bent(Vec2 from, std::int32_t place, bool owner) const;
     float straightCost(Vec2 from, Vec2 to) const;
     float costFrom(Vec2 from, std::int32_t place) const;
     WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
@@ -147,8 +148,8 @@ void Geodesics::Impl::findFarStencils(bool anew) {
 void Geodesics::Impl::askFor(Vec2 from, std::int32_t place) {
     const bool farAway = distance(from, places[place]) >= kFarAway;
     if (!farAway && ground->straight(from, places[place])) return;
-    if (near.reaches(from, place)) near.ask(place);
-    else if (middle.reaches(from, place)) middle.ask(place);
+    if (near.reaches(from, place)) near.ask(place, false);
+    else if (middle.reaches(from, place)) middle.ask(place, false);
     else askFar(place);
 }
 
@@ -160,14 +161,14 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
         for (std::size_t k = 0; k < from.size() && s.askedFar[j] == 0; ++k) s.askFor(from[k], j);
     for (WindowCosts* windows : {&s.near, &s.middle}) {
         windows->findStencils(false);
-        windows->build(s.perStep(4 * s.def.nearPerStep), pool);
+        windows->build(s.perStep(kSurveyed * s.def.nearPerStep), pool);
         windows->findStencils(false);
     }
     // Where walls keep windows from telling, far fields have to.
     for (std::int32_t j = 0; j < count; ++j)
         if (s.near.asked(j) || s.middle.asked(j))
             for (const Vec2 p : from)
-                if (s.middle.reaches(p, j)) s.bent(p, j);
+                if (s.middle.reaches(p, j)) s.bent(p, j, false);
     s.findFarStencils(true);
     s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.findFarStencils(true);
@@ -183,23 +184,26 @@ double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) cons
 }
 
 // The finest windows that reach so far; coarser ones where those do not know the way.
-Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place) const {
+Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner) const {
     const double line = distance(from, places[place]);
+    bool missing = false;  // Windows that will tell.
     if (near.reaches(from, place)) {
-        near.ask(place);
+        near.ask(place, owner);
         const double cost = near.cost(from, place, line);
         if (cost < kInfinite) return {cost, Bent::Near};
+        missing = !near.known(place);
     }
     if (middle.reaches(from, place)) {
-        // While the finer ones are made these may know it already.
-        if (!near.reaches(from, place) || near.known(place)) middle.ask(place);
+        if (!missing) middle.ask(place, owner);
         const double cost = middle.cost(from, place, line);
         if (cost < kInfinite) return {cost, Bent::Middle};
+        missing = missing || !middle.known(place);
     }
-    askFar(place);
+    // On even ground the line tells enough until then.
+    if (!missing || !ground->even()) askFar(place);
     const double cost = farCost(from, place, line);
     if (cost < kInfinite) return {cost, Bent::Far};
-    return {kUnknown * ground->unit(from) * line, Bent::Unknown};
+    return {kUnknown * ground->lineCost(from, places[place]), Bent::Unknown};
 }
 
 // Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the same.
@@ -226,7 +230,7 @@ float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
     float known = 0.0f;
     if (farKnown(from, place, known)) return known;
     if (ground->straight(from, to)) return straightCost(from, to);
-    return static_cast<float>(bent(from, place).cost);
+    return static_cast<float>(bent(from, place, false).cost);
 }
 
 // Goes down the field; notes the last point of the way in sight, and the landmark of a window some metres on.
@@ -275,7 +279,7 @@ Vec2 Geodesics::Impl::alongWall(Vec2 from, Vec2 way) const {
                     ground->roomBetween(from + Vec2{0.0, edge}) - ground->roomBetween(from - Vec2{0.0, edge})};
     const Vec2 out = normalized(rise);
     const double into = dot(way, out);
-    return into < 0.0 ? normalized(way - out * into, way) : way;
+    return into < 0.0 ? normalized(way - out * into, perpendicular(out)) : way;
 }
 
 void Geodesics::remember(std::span<const WayPoint> walkers) {
@@ -321,11 +325,16 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
         return way;
     }
     if (ground->straight(from, to)) return {normalized(to - from), straightCost(from, to)};
-    const Bent found = bent(from, place);
+    const Bent found = bent(from, place, true);
     way.cost = static_cast<float>(found.cost);
     if (found.by == Bent::Near) way.direction = near.direction(from, place);
     if (found.by == Bent::Middle) way.direction = longDirection(middle.field(place), place, from, memory);
     if (found.by == Bent::Far) way.direction = longDirection(farField(), place, from, memory);
+    if (found.by == Bent::Unknown) {
+        // Somebody waits for this: what tells sooner will do.
+        askFar(place);
+        way.direction = alongWall(from, normalized(to - from));
+    }
     return way;
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its stencil.
+constexpr std::uint32_t kLookPeriod = 4;    // Steps between two looks for the landmarks of a place.
 constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
 
 void note(const std::vector<std::uint8_t>& steps, std::int32_t place) {
@@ -32,23 +33,52 @@ void WindowCosts::beginStep(const StaticGround& ground, const GroundLevel& level
     excess_ = &excess;
     places_ = places;
     asked_.resize(places.size(), 0);
+    owned_.resize(places.size(), 0);
     mixed_.resize(places.size(), 0);
     seen_.resize(places.size());
     stencil_.resize(places.size());
     windows_.beginStep(level, ground.version());
 }
 
+// Places move little from step to step: those that have windows look again in turn.
+bool WindowCosts::looks(std::size_t place) const {
+    return seen_[place].count == 0 || (mixed_[place] > 0 && stencil_[place].count < 4) || (step_ + place) % kLookPeriod == 0;
+}
+
+void WindowCosts::tick(std::size_t place) {
+    for (auto* steps : {&asked_, &owned_, &mixed_})
+        if ((*steps)[place] > 0) --(*steps)[place];
+}
+
+void WindowCosts::look(std::size_t place, bool anew) {
+    if (mixed_[place] == 0) stencil_[place].count = 0;
+    if (!anew && !looks(place)) return;
+    seen_[place] = windows_.seen(*ground_, places_[place]);
+    if (mixed_[place] > 0) stencil_[place] = windows_.stencil(places_[place], ground_->unit(places_[place]));
+}
+
 void WindowCosts::findStencils(bool ticks) {
+    if (ticks) ++step_;
+    const bool anew = generation_ != windows_.generation();
+    generation_ = windows_.generation();
+    for (const bool owned : {true, false})
+        for (std::size_t j = 0; j < places_.size(); ++j)
+            if (asked_[j] > 0 && (owned_[j] > 0) == owned) look(j, anew);
     for (std::size_t j = 0; j < places_.size(); ++j) {
-        seen_[j].count = 0;
-        stencil_[j].count = 0;
-        if (asked_[j] == 0) continue;
-        if (ticks) --asked_[j];
-        seen_[j] = windows_.seen(*ground_, places_[j]);
-        if (mixed_[j] == 0) continue;
-        if (ticks) --mixed_[j];
-        stencil_[j] = windows_.stencil(places_[j], ground_->unit(places_[j]));
+        if (asked_[j] == 0) seen_[j].count = stencil_[j].count = 0;
+        if (ticks) tick(j);
     }
+}
+
+// What an archive told of must be there.
+bool WindowCosts::slotsFit() const {
+    const auto fits = [&](std::int32_t count, const std::array<std::int32_t, 4>& slots) {
+        return count >= 0 && count <= 4 && std::all_of(slots.begin(), slots.begin() + count, [&](std::int32_t slot) {
+            return slot >= 0 && slot < windows_.count();
+        });
+    };
+    return std::all_of(seen_.begin(), seen_.end(), [&](const SeenWindows& s) { return fits(s.count, s.slot); }) &&
+           std::all_of(stencil_.begin(), stencil_.end(), [&](const LandmarkStencil& s) { return fits(s.count, s.slot); });
 }
 
 bool WindowCosts::reaches(Vec2 from, std::int32_t place) const {
@@ -57,7 +87,10 @@ bool WindowCosts::reaches(Vec2 from, std::int32_t place) const {
     return std::fabs(off.x) < reach && std::fabs(off.y) < reach;
 }
 
-void WindowCosts::ask(std::int32_t place) const { note(asked_, place); }
+void WindowCosts::ask(std::int32_t place, bool owner) const {
+    note(asked_, place);
+    if (owner) note(owned_, place);
+}
 
 const CostField& WindowCosts::field(std::int32_t place) const {
     return windows_.field(seen_[static_cast<std::size_t>(place)].slot[0]);

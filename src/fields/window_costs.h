@@ -28,8 +28,9 @@ public:
 
     /// True where the place's windows reach `from`, if there are any.
     bool reaches(Vec2 from, std::int32_t place) const;
-    /// Asks for the windows of a place for some time. May be called from several threads.
-    void ask(std::int32_t place) const;
+    /// Asks for the windows of a place for some time; they are made sooner where its `owner` needs them. May be called from
+    /// several threads.
+    void ask(std::int32_t place, bool owner) const;
     /// True where a place was asked for in the last steps.
     bool asked(std::int32_t place) const { return asked_[static_cast<std::size_t>(place)] > 0; }
     /// True where there are windows for the place.
@@ -47,12 +48,19 @@ public:
     /// Lets an archive read or write all that influences later steps.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(asked_, mixed_, windows_);
+        archive(step_, generation_, asked_, owned_, mixed_, seen_, stencil_, windows_);
+        if constexpr (Archive::kReading)
+            if (owned_.size() != asked_.size() || mixed_.size() != asked_.size() || seen_.size() != asked_.size() || stencil_.size() != asked_.size() || !slotsFit())
+                archive.fail();
     }
     /// Places that an archive told of.
     std::size_t places() const { return asked_.size(); }
 
 private:
+    bool looks(std::size_t place) const;
+    void tick(std::size_t place);
+    void look(std::size_t place, bool anew);
+    bool slotsFit() const;
     double stillCost(Vec2 from, std::int32_t place) const;
     double through(const CostField& field, Vec2 from, Vec2 to) const;
     Vec2 lastSeen(Vec2 from, Vec2 near, Vec2 far) const;
@@ -64,7 +72,10 @@ private:
     const StaticGround* ground_ = nullptr;
     const CrowdExcess* excess_ = nullptr;
     std::span<const Vec2> places_;
+    std::uint32_t step_ = 0;
+    std::uint32_t generation_ = 0;  // Of the windows that slots tell of.
     std::vector<std::uint8_t> asked_;  // Steps for which a place still wants windows...
+    std::vector<std::uint8_t> owned_;  // ... because somebody walks there...
     std::vector<std::uint8_t> mixed_;  // ... and stencils, as ways to it lead over ground of several kinds.
     std::vector<SeenWindows> seen_;
     std::vector<LandmarkStencil> stencil_;

@@ -59,7 +59,9 @@ Windows::Corners Windows::cornersOf(Vec2 place, std::int32_t spacing) const {
 
 SeenWindows Windows::seen(const StaticGround& still, Vec2 place) {
     const Grid& grid = ground_->cost.grid;
-    for (std::int32_t spacing = kWidest; spacing > 0; spacing /= 2) {
+    // On slow ground a landmark some way off says little.
+    const bool slow = still.unit(place) > ground_->cost.lowest;
+    for (std::int32_t spacing = slow ? 1 : kWidest; spacing > 0; spacing /= 2) {
         const Corners corners = cornersOf(place, spacing);
         std::array<std::pair<double, std::int32_t>, 4> order;
         std::int32_t count = 0;

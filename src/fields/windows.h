@@ -21,6 +21,12 @@ struct WindowsDef {
 struct SeenWindows {
     std::array<std::int32_t, 4> slot = {};
     std::int32_t count = 0;
+
+    /// Lets an archive read or write them.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(slot, count);
+    }
 };
 
 /// Landmarks are centres of cells of one level of the ground, spaced by four, two or one cell: the less, the less room there is, so that those
@@ -43,6 +49,8 @@ public:
     double square(const LandmarkStencil& stencil, Vec2 from) const;
     /// The window in a slot.
     const CostField& field(std::int32_t slot) const { return lattice_.field(slot); }
+    /// Windows there are.
+    std::int32_t count() const { return lattice_.count(); }
     /// Asks for the window of a landmark, or notes that it is used.
     void keep(std::int32_t landmark) {
         if (lattice_.use(landmark) < 0) lattice_.wish(landmark);
@@ -51,6 +59,8 @@ public:
     std::int32_t slotOf(std::int32_t landmark) const { return lattice_.find(landmark); }
     /// The free landmark nearest to `p`, of those spaced widest; `other` where there is none.
     std::int32_t landmarkNear(Vec2 p, std::int32_t other) const;
+    /// Grows whenever slots mean other windows than before.
+    std::uint32_t generation() const { return lattice_.generation(); }
     /// The ground of this step.
     const GroundLevel& ground() const { return *ground_; }
     /// How far points may be from a place, along each axis, to lie in the windows of all its landmarks [m].

@@ -83,10 +83,11 @@ void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, 
     seatWaiting(context);
     frame(context);
     askOwn(context);
-    refreshSome(context);
+    const bool far = refreshSome(context);
     state_.arcs.sortByTarget();
     repriceFlipped();
-    repair_.run(context, state_, static_cast<std::int64_t>(def.searchShare * state_.seats.count()));
+    const double share = far ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
+    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()));
     publish(context);
 }
 
@@ -199,8 +200,8 @@ double SparseMatching::marginOf(const MatchingContext& context, std::size_t seat
     return context.power(cost + kLoose) - context.power(cost);
 }
 
-// Rows in turn, and at once those whose holder is new.
-void SparseMatching::refreshSome(const MatchingContext& context) {
+// Rows in turn, and at once those whose holder is new. True where all is far away.
+bool SparseMatching::refreshSome(const MatchingContext& context) {
     state_.arcs.look(context, state_.seats, state_.price, state_.own);
     double sum = 0.0;
     for (const float c : state_.own) sum += c;
@@ -225,6 +226,7 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
     }
     state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
     state_.arcs.refresh(context, state_.seats, state_.ownPower, tightRows_, {state_.price, margin_});
+    return far;
 }
 
 // What others may read: places, costs, the objective and what may be left to gain.

@@ -60,7 +60,7 @@ private:
     void askOwn(const MatchingContext& context);
     void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
-    void refreshSome(const MatchingContext& context);
+    bool refreshSome(const MatchingContext& context);
     double marginOf(const MatchingContext& context, std::size_t seat) const;
     void repriceFlipped();
     void publish(const MatchingContext& context);

@@ -25,6 +25,8 @@ public:
     const GroundLevel& fineLevel() const { return fine_; }   ///< The same with the room to walls.
     const GroundLevel& middle() const { return middle_; }    ///< On cells twice as wide.
     const UnitCost& coarse() const { return coarse_; }  ///< On cells 2, 4, 8... times as wide, at most kCoarseCells.
+    /// True where all ground costs the same.
+    bool even() const { return even_; }
     /// True where all ground costs the same and nothing stands in the way.
     bool plain() const { return plain_; }
     /// How far round `p` the ground is uniform and free for a character, a lower bound; below 0 in walls [m].
