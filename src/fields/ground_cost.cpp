@@ -49,6 +49,8 @@ public:
                 static_cast<float>(away.x), static_cast<float>(away.y)};
     }
 
+    double radius() const { return radius_; }
+
 private:
     // Outside the grid as at its rim.
     double at(std::int32_t x, std::int32_t y) const {
@@ -155,10 +157,23 @@ float edgeCost(const Node& from, const Node& to, float x, float y, float unit) {
     return unit * std::max(static_cast<float>(kLeastStep), std::sqrt(dx * dx + dy * dy));
 }
 
+// True where the cell and the four beside it are free, and none is drawn to a wall.
+bool farFromWalls(const GroundRasters& ground, double radius, Cell cell, std::int32_t index) {
+    constexpr double kCells = 1.75;
+    return cell.x > 0 && cell.y > 0 && cell.x + 1 < ground.grid.width && cell.y + 1 < ground.grid.height &&
+           ground.clearance[index] > radius + kCells * ground.grid.cell;
+}
+
 void priceCell(const GroundRasters& ground, const NodeFinder& finder, double price, std::int32_t index,
                const GroundCosts& costs) {
     const Cell cell = ground.grid.at(index);
     CellCost& out = costs.cells[index];
+    if (farFromWalls(ground, finder.radius(), cell, index)) {
+        const auto unit = static_cast<float>(price / ground.travelSpeed[index]);
+        costs.unit[index] = unit;
+        out = {unit, unit, unit, unit};
+        return;
+    }
     out = {kInfinite, kInfinite, kInfinite, kInfinite};
     costs.unit[index] = kInfinite;
     const Node here = finder.find(cell);

@@ -91,6 +91,8 @@ void StaticGround::makeLevel(GroundLevel& level, const GroundRasters& rasters) {
 // The centre of a cell twice as wide is the corner where four ground cells meet: their means hold there.
 void StaticGround::makeMiddle(std::span<const float> clearance) {
     const Grid grid{grid_.origin, 2.0 * grid_.cell, (grid_.width + 1) / 2, (grid_.height + 1) / 2};
+    middle_.cost.grid = grid;
+    if (plain_) return;  // Nobody asks.
     middleClearance_.resize(static_cast<std::size_t>(grid.count()));
     middleSpeed_.resize(middleClearance_.size());
     for (std::int32_t k = 0; k < grid.count(); ++k) {
@@ -191,6 +193,7 @@ void StaticGround::makeCoarse() {
     coarse_.radius = radius_;
     coarse_.lowest = fine_.cost.lowest;
     const Grid& grid = coarse_.grid;
+    if (plain_) return;
     coarse_.cells.assign(static_cast<std::size_t>(grid.count()), {kInfinite, kInfinite, kInfinite, kInfinite});
     // No nodes beside walls: straight ways would be seen to lead through cells that thin walls divide.
     coarse_.nodes.clear();
