@@ -16,7 +16,7 @@ constexpr double kUnknown = 1.3;            // Ways of unknown length, as a mult
 constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its far stencil.
 constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
 constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
-constexpr std::int32_t kTraceSteps = 14;    // Along a far way, to a point in sight ahead...
+constexpr std::int32_t kTraceSteps = 10;    // Along a far way, to a point in sight ahead...
 constexpr double kTraceStep = 1.0;          // ... each so long [m].
 constexpr std::int32_t kWindowSteps = 3;    // Of these, to the landmark of a window that leads round a corner near by.
 constexpr std::int32_t kSurveyed = 16;      // Times as many windows are made before a first plan as in a step.
@@ -26,10 +26,13 @@ constexpr double kTouching = 0.1;           // Room of one who walks along a wal
 constexpr std::int32_t kServes = 8;         // Steps for which what was found serves, and up to as many more.
 constexpr double kReached = 0.6;            // [m]
 constexpr double kLookAhead = 2.0;          // Of headings tried where it is crowded [m].
-constexpr double kCrowded = 0.15;           // Excess of a metre ahead from which other headings are tried.
-constexpr double kKeep = 0.05;              // A turn must save more [m of open ground].
-// 25 and 50 degrees to either side.
-constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944}, {0.64278760968653933, 0.76604444311897804}};
+constexpr double kCrowded = 0.05;           // Excess of a metre ahead from which other headings are tried.
+constexpr double kKeep = 0.02;              // A turn must save more [m of open ground].
+// 25, 50 and 75 degrees to either side.
+constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944}, {0.64278760968653933, 0.76604444311897804}, {0.25881904510252074, 0.96592582628906831}};
+// 3, 6 and 12 degrees to either side.
+constexpr Rotation kAside[] = {{0.99862953475457383, 0.05233595624294383}, {0.99452189536827329, 0.10452846326765347},
+                               {0.97814760073380569, 0.20791169081775934}};
 constexpr std::uint32_t kFarPeriod = 8;     // Steps between two looks for the far landmarks of a place.
 
 }  // namespace
@@ -85,6 +88,7 @@ struct Geodesics::Impl {
     bool farKnown(Vec2 from, std::int32_t place, float& cost) const;
     Vec2 longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const;
     Vec2 alongWall(Vec2 from, Vec2 way) const;
+    Vec2 towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) const;
     bool findPointAhead(const CostField& field, Vec2 from, WayPoint& memory) const;
 };
 
@@ -255,12 +259,29 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, WayPoint
     return found;
 }
 
+// Ways down a landmark's field end at the landmark: of points as far off to both sides the one from which it is nearest to
+// the place itself.
+Vec2 Geodesics::Impl::towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) const {
+    const auto lengthBy = [&](Vec2 p) { return farCost(p, place, distance(p, places[place])); };
+    Vec2 best = aim;
+    double least = lengthBy(aim);
+    for (const Rotation& turn : kAside)
+        for (const Vec2 p : {from + turn.apply(aim - from), from + turn.applyInverse(aim - from)}) {
+            const double length = lengthBy(p);
+            if (!(length < least) || !ground->straight(from, p)) continue;
+            least = length;
+            best = p;
+        }
+    return best;
+}
+
 // To a point in sight on the way down a field of a landmark of the place. Where there is none, the way is bent near by:
 // down the window of a landmark some metres on.
 Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const {
     const bool aims = memory.inSight && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
     if (memory.steps <= 0 || (memory.inSight && !aims)) {
         memory.inSight = findPointAhead(field, from, memory);
+        if (memory.inSight && farStencil[place].count > 0) memory.point = towardsPlace(from, place, memory.point);
         // Not for all equally long, so that not all look again in one step.
         memory.steps = kServes + place % kServes;
     }
