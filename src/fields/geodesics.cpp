@@ -21,9 +21,10 @@ constexpr double kTraceStep = 1.0;          // ... each so long [m].
 constexpr std::int32_t kWindowSteps = 3;    // Of these, to the landmark of a window that leads round a corner near by.
 constexpr std::int32_t kSurveyed = 16;      // Times as many windows are made before a first plan as in a step.
 constexpr std::int32_t kMostLost = 5;       // Points out of sight after which no more are looked at.
-constexpr double kWorthAiming = 1.5;        // Points nearer than this are no aim [m].
+constexpr double kWorthAiming = 0.9;        // Points nearer than this are no aim [m].
 constexpr double kTouching = 0.1;           // Room of one who walks along a wall [m].
 constexpr std::int32_t kServes = 8;         // Steps for which what was found serves, and up to as many more.
+constexpr std::int32_t kLooks = 4;          // Of these one in so many looks whether the point is in sight still.
 constexpr double kReached = 0.6;            // [m]
 constexpr double kLookAhead = 2.0;          // Of headings tried where it is crowded [m].
 constexpr double kCrowded = 0.05;           // Excess of a metre ahead from which other headings are tried.
@@ -278,12 +279,16 @@ Vec2 Geodesics::Impl::towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) cons
 // To a point in sight on the way down a field of a landmark of the place. Where there is none, the way is bent near by:
 // down the window of a landmark some metres on.
 Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const {
-    const bool aims = memory.inSight && distance(from, memory.point) > kReached && ground->straight(from, memory.point);
+    // Who walks towards a point keeps it in sight, unless pushed aside.
+    const bool looks = memory.steps % kLooks == 0;
+    const bool aims = memory.inSight && distance(from, memory.point) > kReached &&
+                      (!looks || ground->straight(from, memory.point));
     if (memory.steps <= 0 || (memory.inSight && !aims)) {
         memory.inSight = findPointAhead(field, from, memory);
         if (memory.inSight && farStencil[place].count > 0) memory.point = towardsPlace(from, place, memory.point);
-        // Not for all equally long, so that not all look again in one step.
-        memory.steps = kServes + place % kServes;
+        // Not for all equally long, nor always, so that not all look again in one step.
+        const std::uint32_t mixed = (static_cast<std::uint32_t>(place) * 977u + step) * 2654435761u;
+        memory.steps = kServes + static_cast<std::int32_t>(mixed >> 16) % kServes;
     }
     --memory.steps;
     if (memory.inSight) return normalized(memory.point - from);

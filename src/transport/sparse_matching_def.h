@@ -22,7 +22,7 @@ struct MatchingDef {
     std::int32_t retargetPeriod = 32;    ///< Every so many steps a row looks for its neighbours anew.
     double farCost = 15.0;               ///< [m]
     double searchShare = 3.0;            ///< Nodes settled in all searches of a step, per seat.
-    double farSearchShare = 1.0;         ///< ... where the mean cost is above `farCost`: changes are slow then.
+    double farSearchShare = 0.4;         ///< ... where the mean cost is above `farCost`: changes are slow then.
     std::int32_t searchLimit = 600;      ///< Nodes settled in one search.
     double jump = 1.0;                   ///< A place whose cost changes by so much in a step asks at once for arcs to it [m].
     std::int32_t coldRounds = 3;         ///< Repairs after a cold start.
