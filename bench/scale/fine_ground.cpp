@@ -2,24 +2,6 @@
 
 namespace muster::scale {
 
-UnitCostDef unitCostDef(const Parameters& p) {
-    UnitCostDef def;
-    def.alpha = p.alpha;
-    def.beta = p.beta;
-    def.gamma = p.gamma;
-    def.density = p.density != 0.0;
-    def.discomfort = p.discomfort != 0.0;
-    def.freeSpeed = p.maxSpeed;
-    def.densityMin = p.densityMin;
-    def.densityMax = p.densityMax;
-    def.lookAhead = p.densityLookAhead;
-    def.minSpeed = p.minSpeed;
-    def.discomfortTime = p.discomfortTime;
-    def.discomfortRange = p.discomfortRange;
-    def.discomfortGain = p.discomfortGain;
-    return def;
-}
-
 Result<FineGround> FineGround::create(const World& world, double factor) {
     const Environment& coarse = world.environment();
     EnvironmentDef def = coarse.def();

@@ -8,9 +8,6 @@
 
 namespace muster::scale {
 
-/// How costs are worked out in a world with these parameters.
-UnitCostDef unitCostDef(const Parameters& parameters);
-
 /// Follows a world whose obstacles and patches are not edited while it runs.
 class FineGround {
 public:

@@ -169,11 +169,11 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
         windows->build(s.perStep(kSurveyed * s.def.nearPerStep), pool);
         windows->findStencils(false);
     }
-    // Where walls keep windows from telling, far fields have to.
+    // Where walls keep windows from telling, or there are none yet, far fields have to.
     for (std::int32_t j = 0; j < count; ++j)
         if (s.near.asked(j) || s.middle.asked(j))
             for (const Vec2 p : from)
-                if (s.middle.reaches(p, j)) s.bent(p, j, false);
+                if (s.middle.reaches(p, j) && s.bent(p, j, false).by == Impl::Bent::Unknown) s.askFar(j);
     s.findFarStencils(true);
     s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.findFarStencils(true);

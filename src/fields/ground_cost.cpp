@@ -39,6 +39,8 @@ public:
         Vec2 rise;
         const bool wallBeside = riseFromWall(cell, depth <= 0.0, rise);
         const double steepness = length(rise);
+        // In the very middle of a thin wall there is no side to be drawn to.
+        if (wallBeside && !(steepness > 1e-6 * edge)) return {.free = depth <= 0.0};
         const double band = wallBeside ? 0.5 * (std::fabs(rise.x) + std::fabs(rise.y)) / steepness : 0.0;
         // A hair to one side, so that of two cells that lie evenly about the wall only one is drawn to it.
         constexpr double kHair = 1e-4;

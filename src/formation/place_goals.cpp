@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kSpotsPerStep = 8000;  // Looked at for goals without room, so that a step stays cheap.
+constexpr std::int32_t kMostSpots = 60000;  // Looked at for goals without room when all are sought anew.
 constexpr std::int32_t kRings = 8;          // Round a goal, one diameter wide each.
 
 }  // namespace
@@ -79,7 +79,7 @@ void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals
                SpacingMemory& memory) {
     if (std::find(fit.begin(), fit.end(), std::uint8_t{0}) == fit.end()) return;
     NearSearch search(goals, apart, memory);
-    std::int32_t left = kSpotsPerStep;
+    std::int32_t left = kMostSpots;
     for (std::size_t k = 0; k < goals.size() && left > 0; ++k) {
         // Marked 1 only at the end: goals in hand are found by their old cells.
         if (fit[k] == 0 && seatOne(ground, apart, fit, search, goals, k, left)) fit[k] = 2;

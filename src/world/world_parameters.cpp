@@ -3,6 +3,24 @@
 
 namespace muster {
 
+UnitCostDef unitCostDef(const Parameters& parameters) {
+    UnitCostDef def;
+    def.alpha = parameters.alpha;
+    def.beta = parameters.beta;
+    def.gamma = parameters.gamma;
+    def.density = parameters.density != 0.0;
+    def.discomfort = parameters.discomfort != 0.0;
+    def.freeSpeed = parameters.maxSpeed;
+    def.densityMin = parameters.densityMin;
+    def.densityMax = parameters.densityMax;
+    def.lookAhead = parameters.densityLookAhead;
+    def.minSpeed = parameters.minSpeed;
+    def.discomfortTime = parameters.discomfortTime;
+    def.discomfortRange = parameters.discomfortRange;
+    def.discomfortGain = parameters.discomfortGain;
+    return def;
+}
+
 void World::Impl::makeDensity() {
     density = DensityField(environment.def().box, {parameters.densityCell, parameters.densityLambda});
 }
@@ -29,24 +47,6 @@ FormationMeshDef World::Impl::meshDef() const {
 
 PlaceDef World::Impl::placeDef() const {
     return {parameters.radius, parameters.placeClearance, parameters.placeSpeed};
-}
-
-UnitCostDef World::Impl::costDef() const {
-    UnitCostDef def;
-    def.alpha = parameters.alpha;
-    def.beta = parameters.beta;
-    def.gamma = parameters.gamma;
-    def.density = parameters.density != 0.0;
-    def.discomfort = parameters.discomfort != 0.0;
-    def.freeSpeed = parameters.maxSpeed;
-    def.densityMin = parameters.densityMin;
-    def.densityMax = parameters.densityMax;
-    def.lookAhead = parameters.densityLookAhead;
-    def.minSpeed = parameters.minSpeed;
-    def.discomfortTime = parameters.discomfortTime;
-    def.discomfortRange = parameters.discomfortRange;
-    def.discomfortGain = parameters.discomfortGain;
-    return def;
 }
 
 PlanMode World::Impl::planMode() const { return static_cast<PlanMode>(static_cast<int>(parameters.planMode)); }

@@ -157,7 +157,6 @@ struct World::Impl {
     ControlDef controlDef() const;
     FormationMeshDef meshDef() const;
     PlaceDef placeDef() const;
-    UnitCostDef costDef() const;
     PlanDef planDef() const;
     PlanMode planMode() const;
     SteeringDef steeringDef() const;

@@ -84,9 +84,9 @@ void World::Impl::buildDensityAndCost() {
     density.splat(characters.position, characters.velocity);
     const auto reads = [](const Group& group) { return group.plan->readsUnitCost(); };
     costBuilt = std::any_of(groups.begin(), groups.end(), reads);
-    if (costBuilt) costBuilder.update(costDef(), environment, density, parameters.radius);
+    if (costBuilt) costBuilder.update(unitCostDef(parameters), environment, density, parameters.radius);
     if (std::all_of(groups.begin(), groups.end(), reads)) return;
-    const UnitCostDef def = costDef();
+    const UnitCostDef def = unitCostDef(parameters);
     ground.update(environment, def.alpha + def.beta, parameters.radius);
     excess.update(def, environment, density, parameters.radius);
 }
@@ -94,7 +94,7 @@ void World::Impl::buildDensityAndCost() {
 // Only the exact plan needs it for the step, but pictures and reports may ask.
 const UnitCost* World::Impl::unitCostNow() {
     if (stepCount == 0) return nullptr;
-    if (!costBuilt) costBuilder.update(costDef(), environment, density, parameters.radius);
+    if (!costBuilt) costBuilder.update(unitCostDef(parameters), environment, density, parameters.radius);
     costBuilt = true;
     return &costBuilder.cost();
 }

@@ -100,3 +100,34 @@ TEST_CASE("ground before a moving obstacle is dear, under it blocked, and what i
     excess.update(def, environment, density, 0.25);
     CHECK(excess.along({1, -2}, {1, 2}) == 0.0);
 }
+
+TEST_CASE("no part of a crowd is overlooked, wherever it stands beside a line") {
+    const Environment environment = squareWorld(16.0);
+    Random random(12);
+    double off = 0.0, sum = 0.0;
+    for (int round = 0; round < 20; ++round) {
+        // A knot of people somewhere.
+        std::vector<Vec2> people;
+        const Vec2 middle{random.uniform(-14, 14), random.uniform(-14, 14)};
+        for (int k = 0; k < 12; ++k) people.push_back(middle + Vec2{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)});
+        DensityField density({{-16, -16}, {16, 16}}, {});
+        density.splat(people, std::vector<Vec2>(people.size()));
+        CrowdExcess excess;
+        excess.update({}, environment, density, 0.25);
+        for (int k = 0; k < 200; ++k) {
+            const Vec2 a{random.uniform(-15, 15), random.uniform(-15, 15)};
+            const Vec2 b{random.uniform(-15, 15), random.uniform(-15, 15)};
+            // Short pieces are read where they are, so that nothing near them is left out.
+            double pieces = 0.0;
+            for (int m = 0; m < 400; ++m) pieces += excess.along(lerp(a, b, m / 400.0), lerp(a, b, (m + 1) / 400.0));
+            const double whole = excess.along(a, b);
+            off += std::fabs(whole - pieces);
+            sum += pieces;
+            if (distance(a, b) < 8.0 && pieces > 2.0) REQUIRE(whole > 0.0);
+            if (whole > 0.0) REQUIRE(pieces > 0.0);
+        }
+    }
+    CAPTURE(off / sum);
+    CHECK(sum > 100.0);
+    CHECK(off < 0.25 * sum);  // Long lines are read at few points.
+}

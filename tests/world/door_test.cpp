@@ -30,7 +30,8 @@ WorldDef hall(double width, std::uint64_t seed) {
 
 TEST_CASE("a crowd passes a door that is wider than one and narrower than two") {
     for (const double width : {0.7, 0.8, 0.95}) {
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        // By luck some seeds pass without any rule.
+        for (std::uint64_t seed = 1; seed <= (width == 0.8 ? 9 : 3); ++seed) {
             CAPTURE(width);
             CAPTURE(seed);
             World world = World::create(hall(width, seed)).value();

@@ -9,6 +9,8 @@
 
 namespace muster {
 
+struct UnitCostDef;
+
 /// Parameters of a world. Switches are 0 or 1. The defaults are the preset `muster`.
 struct Parameters {
     double stepTime = 1.0 / 60.0;
@@ -98,6 +100,9 @@ enum class PlanObjective {
 
 /// Steps from plan to plan: `plan.period`, or where that is 0 what suits the solver.
 std::uint32_t planPeriodOf(const Parameters& parameters);
+
+/// Weights and thresholds of the unit cost as the parameters say.
+UnitCostDef unitCostDef(const Parameters& parameters);
 
 /// All parameters, in a fixed order.
 std::span<const ParameterInfo> parameterTable();
