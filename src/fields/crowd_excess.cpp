@@ -10,9 +10,7 @@ namespace muster {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr double kCrowdStep = 1.0;       // Between two readings of the crowd along a line, as shares of its cell...
-constexpr double kHazardStep = 1.0;      // ... and of moving things...
-constexpr std::int32_t kSamples = 16;    // ... but not more than this many.
+constexpr std::int32_t kSamples = 16;    // Along a line, at most: else one per cell.
 
 // Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).
 double crowdSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, Vec2 side, double travelSpeed) {
@@ -261,8 +259,8 @@ double CrowdExcess::along(Vec2 a, Vec2 b) const {
         return sum * share;
     };
     double excess = 0.0;
-    if (crowd) excess += mean(kCrowdStep * grid_.cell, [&](Vec2 p) { return crowdAlong(p, to); });
-    if (hazard) excess += mean(kHazardStep * kHazardCell, [&](Vec2 p) { return hazardAt(p); });
+    if (crowd) excess += mean(grid_.cell, [&](Vec2 p) { return crowdAlong(p, to); });
+    if (hazard) excess += mean(kHazardCell, [&](Vec2 p) { return hazardAt(p); });
     return excess * whole;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fields/front.h"
+#include "fields/thin_wall.h"
 
 namespace muster {
 namespace {
@@ -55,14 +56,6 @@ bool middleOfArc(const WallNode& a, const WallNode& b, const Root& from, float x
     const float angle = sine * (1.0f + s2 * (1.0f / 6.0f + s2 * (0.075f + s2 * 0.0446f)));
     middle.cost = from.cost + from.unit * (before - tangent + radius * angle);
     return inward > kFlat;
-}
-
-// True where a point at a wall lies at the other side of the wall that a root stands at, which is thinner than a cell.
-bool beyondWall(const Root& root, const WallNode& end, float x, float y) {
-    constexpr float kSteep = 0.5f;
-    if (root.normalX * end.normalX + root.normalY * end.normalY > -kSteep || root.rise(x, y) > -kSteep) return false;
-    const Root there{x, y, 0.0f, 1.0f, end.normalX, end.normalY};
-    return there.rise(root.x, root.y) < -kSteep;
 }
 
 }  // namespace
@@ -225,7 +218,8 @@ void Front::bend(FrontCell from, FrontCell to, float old) {
     float y = 0.0f;
     place(to, x, y);
     const std::int32_t end = sight_.wall(to.cell);
-    if (end != 0 && beyondWall(roots_[number], sight_.node(end), x, y)) return;
+    const Root& root = roots_[number];
+    if (end != 0 && throughThinWall(root, sight_.node(end), x - root.x, y - root.y)) return;
     Root middle;
     const bool arc = end != 0 && middleOfArc(sight_.node(sight_.wall(from.cell)), sight_.node(end), roots_[number], x, y, middle);
     const float value = arc ? middle.costAt(x, y) : roots_[number].costAt(x, y);

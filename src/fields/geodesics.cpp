@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/asked.h"
 #include "fields/far_fields.h"
 #include "fields/window_costs.h"
 
@@ -13,7 +14,6 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, whether the line is clear or not [m].
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
-constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its far stencil.
 constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
 constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
 constexpr std::int32_t kTraceSteps = 10;    // Along a far way, to a point in sight ahead...
@@ -30,7 +30,8 @@ constexpr double kLookAhead = 2.0;          // Of headings tried where it is cro
 constexpr double kCrowded = 0.05;           // Excess of a metre ahead from which other headings are tried.
 constexpr double kKeep = 0.02;              // A turn must save more [m of open ground].
 // 25, 50 and 75 degrees to either side.
-constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944}, {0.64278760968653933, 0.76604444311897804}, {0.25881904510252074, 0.96592582628906831}};
+constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944}, {0.64278760968653933, 0.76604444311897804},
+                                  {0.25881904510252074, 0.96592582628906831}};
 // 3, 6 and 12 degrees to either side.
 constexpr Rotation kAside[] = {{0.99862953475457383, 0.05233595624294383}, {0.99452189536827329, 0.10452846326765347},
                                {0.97814760073380569, 0.20791169081775934}};
@@ -72,10 +73,7 @@ struct Geodesics::Impl {
     std::int32_t perStep(std::int32_t most) const {
         return std::max(most, static_cast<std::int32_t>(static_cast<std::int64_t>(most) * static_cast<std::int64_t>(places.size()) / 1000));
     }
-    void askFar(std::int32_t place) const {
-        auto* steps = const_cast<std::uint8_t*>(&askedFar[static_cast<std::size_t>(place)]);
-        __atomic_store_n(steps, kRemembered, __ATOMIC_RELAXED);
-    }
+    void askFar(std::int32_t place) const { noteAsked(askedFar, place); }
     void tick(ThreadPool& pool);
     void findFarStencils(bool anew);
     bool looksFar(std::size_t place) const;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/thin_wall.h"
+
 namespace muster {
 namespace {
 
@@ -51,7 +53,13 @@ public:
                 static_cast<float>(away.x), static_cast<float>(away.y)};
     }
 
-    double radius() const { return radius_; }
+    // True where the cell and the four beside it are free, and none is drawn to a wall.
+    bool farFromWalls(Cell cell) const {
+        constexpr double kCells = 1.75;
+        const Grid& grid = ground_.grid;
+        return cell.x > 0 && cell.y > 0 && cell.x + 1 < grid.width && cell.y + 1 < grid.height &&
+               ground_.clearance[grid.index(cell)] > radius_ + kCells * grid.cell;
+    }
 
 private:
     // Outside the grid as at its rim.
@@ -143,34 +151,19 @@ private:
     double radius_;
 };
 
-// Points at the two sides of a wall thinner than a cell: the way between them leads into one and out of the other.
-bool throughWall(const Node& from, const Node& to, float dx, float dy) {
-    constexpr float kSteep = 0.5f;
-    const float most = -kSteep * std::sqrt(dx * dx + dy * dy);
-    const float facing = from.normalX * to.normalX + from.normalY * to.normalY;
-    return facing < -kSteep && dx * from.normalX + dy * from.normalY < most && -(dx * to.normalX + dy * to.normalY) < most;
-}
-
 float edgeCost(const Node& from, const Node& to, float x, float y, float unit) {
     if (!from.free || !to.free) return kInfinite;
     const float dx = x + to.x - from.x;
     const float dy = y + to.y - from.y;
-    if (throughWall(from, to, dx, dy)) return kInfinite;
+    if (throughThinWall(from, to, dx, dy)) return kInfinite;
     return unit * std::max(static_cast<float>(kLeastStep), std::sqrt(dx * dx + dy * dy));
-}
-
-// True where the cell and the four beside it are free, and none is drawn to a wall.
-bool farFromWalls(const GroundRasters& ground, double radius, Cell cell, std::int32_t index) {
-    constexpr double kCells = 1.75;
-    return cell.x > 0 && cell.y > 0 && cell.x + 1 < ground.grid.width && cell.y + 1 < ground.grid.height &&
-           ground.clearance[index] > radius + kCells * ground.grid.cell;
 }
 
 void priceCell(const GroundRasters& ground, const NodeFinder& finder, double price, std::int32_t index,
                const GroundCosts& costs) {
     const Cell cell = ground.grid.at(index);
     CellCost& out = costs.cells[index];
-    if (farFromWalls(ground, finder.radius(), cell, index)) {
+    if (finder.farFromWalls(cell)) {
         const auto unit = static_cast<float>(price / ground.travelSpeed[index]);
         costs.unit[index] = unit;
         out = {unit, unit, unit, unit};

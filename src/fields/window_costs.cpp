@@ -4,20 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/asked.h"
 #include "fields/between_centres.h"
 
 namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::uint8_t kRemembered = 60;    // Steps for which a place that was asked for keeps its stencil.
 constexpr std::uint32_t kLookPeriod = 4;    // Steps between two looks for the landmarks of a place.
 constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
-
-void note(const std::vector<std::uint8_t>& steps, std::int32_t place) {
-    auto* at = const_cast<std::uint8_t*>(&steps[static_cast<std::size_t>(place)]);
-    __atomic_store_n(at, kRemembered, __ATOMIC_RELAXED);
-}
 
 }  // namespace
 
@@ -88,8 +83,8 @@ bool WindowCosts::reaches(Vec2 from, std::int32_t place) const {
 }
 
 void WindowCosts::ask(std::int32_t place, bool owner) const {
-    note(asked_, place);
-    if (owner) note(owned_, place);
+    noteAsked(asked_, place);
+    if (owner) noteAsked(owned_, place);
 }
 
 const CostField& WindowCosts::field(std::int32_t place) const {
@@ -172,7 +167,7 @@ double WindowCosts::through(const CostField& field, Vec2 from, Vec2 to) const {
 
 // Where ways bend at other ground there are no corners: squares between landmarks round the place.
 double WindowCosts::interpolated(Vec2 from, std::int32_t place) const {
-    note(mixed_, place);
+    noteAsked(mixed_, place);
     const LandmarkStencil& stencil = stencil_[static_cast<std::size_t>(place)];
     const Vec2 to = places_[static_cast<std::size_t>(place)];
     if (stencil.count == 0) return field(place).cost(from) + ground_->unit(to) * distance(field(place).source(), to);
