@@ -34,6 +34,9 @@ bool spinUntil(std::int32_t spins, const Condition& condition) {
 
 constexpr std::uint64_t kLeftMask = 0xffffffffu;
 
+// What became of the work that was launched.
+enum class Aside : std::int32_t { None, Offered, Taken, Done };
+
 }  // namespace
 
 // A round lives in one word: its number above, items that nobody has taken below. Who takes an item by exchanging the word
@@ -50,12 +53,30 @@ struct ThreadPool::Impl {
     std::atomic<std::uint32_t> done{0};  // Items reported.
     std::atomic<std::int32_t> sleepers{0};
     std::atomic<bool> callerSleeps{false};
+    std::atomic<Aside> aside{Aside::None};
+    void (*asideWork)(void* context) = nullptr;  // Read only by who takes it.
+    void* asideContext = nullptr;
     std::atomic<bool> stopping{false};
     std::mutex mutex;  // Only for falling asleep and waking.
     std::condition_variable wake;
     std::condition_variable finished;
 
-    bool somethingToDo() const { return (round.load() & kLeftMask) != 0 || stopping.load(); }
+    bool somethingToDo() const {
+        return (round.load() & kLeftMask) != 0 || aside.load() == Aside::Offered || stopping.load();
+    }
+
+    // Takes the launched work where nobody has, and does it.
+    bool doAside() {
+        Aside offered = Aside::Offered;
+        if (!aside.compare_exchange_strong(offered, Aside::Taken)) return false;
+        asideWork(asideContext);
+        aside.store(Aside::Done);
+        if (callerSleeps.load()) {
+            const std::lock_guard lock(mutex);
+            finished.notify_one();
+        }
+        return true;
+    }
 
     // Takes items until none is left.
     void drain(std::int32_t worker) {
@@ -84,7 +105,25 @@ struct ThreadPool::Impl {
                 --sleepers;
             }
             drain(worker);
+            doAside();
         }
+    }
+
+    // Either a worker about to sleep sees what there is to do, or it is counted and waiting once the lock is had.
+    void wakeAll() {
+        if (sleepers.load() == 0) return;
+        const std::lock_guard lock(mutex);
+        wake.notify_all();
+    }
+
+    // In the caller, until `over`: looks for a while, then sleeps.
+    template <class Condition>
+    void await(const Condition& over) {
+        if (spinUntil(spins, over)) return;
+        std::unique_lock lock(mutex);
+        callerSleeps.store(true);
+        finished.wait(lock, over);
+        callerSleeps.store(false);
     }
 
     void runAll(std::uint32_t items, const TaskRef& task) {
@@ -92,18 +131,9 @@ struct ThreadPool::Impl {
         count = items;
         done.store(0, std::memory_order_relaxed);
         round.store(((round.load(std::memory_order_relaxed) & ~kLeftMask) + (kLeftMask + 1)) | items);
-        // Either a worker about to sleep sees the round, or it is counted here and is waiting once the lock is had.
-        if (sleepers.load() > 0) {
-            const std::lock_guard lock(mutex);
-            wake.notify_all();
-        }
+        wakeAll();
         drain(0);
-        const auto over = [&] { return done.load() == items; };
-        if (spinUntil(spins, over)) return;
-        std::unique_lock lock(mutex);
-        callerSleeps.store(true);
-        finished.wait(lock, over);
-        callerSleeps.store(false);
+        await([&] { return done.load() == items; });
     }
 };
 
@@ -129,6 +159,7 @@ ThreadPool::ThreadPool(const TaskRunner& runner) : impl_(std::make_unique<Impl>(
 }
 
 ThreadPool::~ThreadPool() {
+    wait();
     {
         const std::lock_guard lock(impl_->mutex);
         impl_->stopping.store(true);
@@ -150,6 +181,31 @@ void ThreadPool::run(std::int32_t count, TaskRef work) {
     } else {
         for (std::int32_t i = 0; i < count; ++i) work(i, 0);
     }
+}
+
+void ThreadPool::launch(void (*work)(void* context), void* context) {
+    wait();
+    Impl& s = *impl_;
+    const bool foreign = s.runner.run != nullptr;
+    if (foreign ? s.runner.launch == nullptr || s.runner.wait == nullptr : s.total == 1) {
+        work(context);
+    } else if (foreign) {
+        s.aside.store(Aside::Taken);
+        s.runner.launch(s.runner.context, work, context);
+    } else {
+        s.asideWork = work;
+        s.asideContext = context;
+        s.aside.store(Aside::Offered);
+        s.wakeAll();
+    }
+}
+
+void ThreadPool::wait() {
+    Impl& s = *impl_;
+    if (s.aside.load() == Aside::None) return;
+    if (s.runner.run != nullptr) s.runner.wait(s.runner.context);
+    else if (!s.doAside()) s.await([&] { return s.aside.load() == Aside::Done; });
+    s.aside.store(Aside::None);
 }
 
 }  // namespace muster

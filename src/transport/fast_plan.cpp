@@ -43,8 +43,34 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copy(input.present, present_);
     ground_ = input.ground;
     excess_ = input.excess;
-    pending_ = true;
+    progress_ = Progress::Started;
     return {};
+}
+
+// What walkers need of windows was noted while they walked; nobody reads the windows now.
+void FastPlan::update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places) {
+    geodesics_.remember(walkers_);
+    geodesics_.update(ground, excess, places, pool);
+}
+
+void FastPlan::advance(std::int32_t, std::int32_t, ThreadPool& pool) {
+    if (progress_ != Progress::Started) return;
+    update(pool, *ground_, *excess_, places_);
+    updated_ = true;
+    ownPlace_.assign(incumbent_.begin(), incumbent_.end());
+    measureOwn(pool);
+    progress_ = Progress::Measured;
+}
+
+void FastPlan::match(ThreadPool& pool) {
+    if (progress_ != Progress::Measured) return;
+    costs_.set(geodesics_, def_.geodesic, characters_, places_, ownPlace_, own_);
+    if (def_.reassign) assign(pool);
+    progress_ = Progress::Matched;
+}
+
+void FastPlan::workAside() {
+    match(alone_);
 }
 
 MatchingDef FastPlan::matchingDef() const {
@@ -100,14 +126,10 @@ void FastPlan::assign(ThreadPool& pool) {
 }
 
 Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
-    if (!pending_) return invalidArgument("no plan is under way");
-    geodesics_.update(*ground_, *excess_, places_, pool);
-    updated_ = true;
-    ownPlace_.assign(incumbent_.begin(), incumbent_.end());
-    measureOwn(pool);
-    costs_.set(geodesics_, def_.geodesic, characters_, places_, ownPlace_, own_);
-    if (def_.reassign) assign(pool);
-    pending_ = false;
+    if (!pending()) return invalidArgument("no plan is under way");
+    advance(0, 1, pool);
+    match(pool);
+    progress_ = Progress::None;
     planned_ = true;
     report(result);
     seekWaitingPlaces();
@@ -163,7 +185,7 @@ std::int32_t FastPlan::waitingPlace(std::int32_t character) const {
 void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) {
     MUSTER_ASSERT(input.place.size() == input.characters.size() && direction.size() == input.characters.size() &&
                   cost.size() == input.characters.size());
-    if (!updated_ && input.ground != nullptr) geodesics_.update(*input.ground, *input.excess, input.places, pool);
+    if (!updated_ && input.ground != nullptr) update(pool, *input.ground, *input.excess, input.places);
     const bool fresh = updated_ && ownPlace_.size() == input.characters.size();
     updated_ = false;
     walkers_.resize(input.characters.size());
@@ -180,7 +202,6 @@ void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> 
             cost[i] = way.direction == Vec2{} && way.cost > 0.0f ? kInfinite : static_cast<double>(way.cost);
         }
     });
-    geodesics_.remember(walkers_);
 }
 
 double FastPlan::costAt(std::int32_t place, Vec2 p) const {
@@ -208,16 +229,22 @@ bool FastPlan::load(Reader& archive, ThreadPool&) {
 
 bool FastPlan::consistent() const {
     const std::size_t n = characters_.size();
-    const bool sizes = incumbent_.size() == n && (present_.empty() || present_.size() == n) &&
+    // Nobody saves a plan between start() and the end of its work.
+    const bool whole = progress_ == Progress::None ||
+                       (progress_ == Progress::Matched && own_.size() == n && (!def_.reassign || matching_.placeOf().size() == n));
+    const bool sizes = whole && incumbent_.size() == n && (present_.empty() || present_.size() == n) &&
                        (usable_.empty() || usable_.size() == places_.size()) && (waiting_.empty() || waiting_.size() == n);
     const auto inRange = [&](std::int32_t j) { return j >= -1 && j < static_cast<std::int64_t>(places_.size()); };
+    const std::span<const std::int32_t> matched = matching_.placeOf();
     return sizes && std::all_of(incumbent_.begin(), incumbent_.end(), inRange) &&
+           std::all_of(matched.begin(), matched.end(), inRange) &&
+           std::none_of(own_.begin(), own_.end(), [](float c) { return std::isnan(c); }) &&
            std::all_of(waiting_.begin(), waiting_.end(), inRange) && std::all_of(characters_.begin(), characters_.end(), isFinite) &&
            std::all_of(places_.begin(), places_.end(), isFinite);
 }
 
 bool FastPlan::suits(std::size_t characters, std::size_t places, const Grid&) const {
-    return (!planned_ && !pending_) || (characters_.size() == characters && places_.size() == places);
+    return (!planned_ && !pending()) || (characters_.size() == characters && places_.size() == places);
 }
 
 void FastPlan::hash(Hasher& archive) const {

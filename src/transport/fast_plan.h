@@ -13,15 +13,18 @@
 
 namespace muster {
 
-/// A plan is made whole in finish(), from the positions given to start().
+/// From the positions given to start() advance() works out the costs and ways of all to their own places, which steer()
+/// uses, and workAside() the matching; finish() does what of these is left.
 class FastPlan final : public Plan {
 public:
     const char* name() const override { return "fast"; }
     bool readsUnitCost() const override { return false; }
     Status start(const PlanDef& def, const PlanInput& input) override;
-    bool pending() const override { return pending_; }
-    void advance(std::int32_t, std::int32_t, ThreadPool&) override {}
+    bool pending() const override { return progress_ != Progress::None; }
+    void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
+    bool worksAside() const override { return true; }
+    void workAside() override;
     void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) override;
     std::int32_t waitingPlace(std::int32_t character) const override;
     double costAt(std::int32_t place, Vec2 p) const override;
@@ -33,12 +36,13 @@ public:
 private:
     template <class Archive>
     void visit(Archive& archive) {
-        archive(def_, characters_, places_, usable_, incumbent_, present_, pending_, matching_, walkers_, waiting_, turn_,
-                planned_);
+        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, progress_, matching_, walkers_, waiting_,
+                turn_, planned_);
     }
     bool consistent() const;
-    void takePart(const Environment* environment);
+    void update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places);
     void measureOwn(ThreadPool& pool);
+    void match(ThreadPool& pool);
     void assign(ThreadPool& pool);
     void report(PlanResult& result) const;
     void seekWaitingPlaces();
@@ -51,7 +55,9 @@ private:
     std::vector<std::uint8_t> usable_;
     std::vector<std::int32_t> incumbent_;
     std::vector<std::uint8_t> present_;     // Per character: in the places' region.
-    bool pending_ = false;
+    std::vector<float> own_;                // Per character: cost to its place.
+    enum class Progress : std::uint8_t { None, Started, Measured, Matched };
+    Progress progress_ = Progress::None;    // Of the pending plan.
     bool planned_ = false;                  // A plan was finished.
     SparseMatching matching_;
     Geodesics geodesics_;
@@ -64,8 +70,8 @@ private:
     bool updated_ = false;                  // The geodesics know this step's places.
     std::vector<WayAhead> way_;             // Per character, to ownPlace_.
     std::vector<std::int32_t> ownPlace_;
-    std::vector<float> own_;
     FastCosts costs_;
+    ThreadPool alone_;                      // For work aside, which has one thread.
     // For pictures: the field of one place on the still ground.
     struct Picture {
         Vec2 place;

@@ -191,6 +191,7 @@ Status World::submit(const Command& command) {
 
 std::uint64_t World::hash() const {
     Hasher hasher;
+    impl_->settlePlans();
     impl_->visit(hasher);
     return hasher.value();
 }
@@ -199,6 +200,7 @@ std::vector<std::uint8_t> World::snapshot() const {
     Writer writer;
     std::uint32_t magic = kSnapshotMagic;
     writer(magic);
+    impl_->settlePlans();
     impl_->visit(writer);
     return writer.take();
 }

@@ -84,6 +84,7 @@ std::unique_ptr<Plan> World::Impl::makePlan() const {
 
 // Another solver takes over: every group is planned anew in this step, from the places that its characters have.
 void World::Impl::exchangePlans() {
+    settlePlans();
     for (Group& group : groups) {
         group.plan = makePlan();
         group.planNow = true;
@@ -137,6 +138,7 @@ void World::Impl::removeGroup(std::size_t index) {
         if (characters.group[i] == index) removeCharacter(i);
         else if (characters.group[i] > index) --characters.group[i];
     }
+    settlePlans();
     groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(index));
     const auto states = checkpointState.begin() + static_cast<std::ptrdiff_t>(index * checkpoints.size());
     checkpointState.erase(states, states + static_cast<std::ptrdiff_t>(checkpoints.size()));

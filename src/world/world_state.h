@@ -102,6 +102,12 @@ struct World::Impl {
     Contacts contactSolver;
     std::unique_ptr<ThreadPool> pool;
     StepMemory memory;
+    std::vector<Plan*> aside;  ///< Plans whose work was launched in the last step. It ends before anything they read changes.
+
+    Impl() = default;
+    ~Impl() { settlePlans(); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
     double time() const { return stepCount * parameters.stepTime; }
 
@@ -136,6 +142,13 @@ struct World::Impl {
 
     // Parts of stages.
     bool plansThisStep(const Group& group, std::size_t index) const;
+    void updateGround();
+    void planInSlices(Group& group);
+    void planAside(Group& group);
+    void launchPlans();
+    void settlePlans() const {
+        if (pool != nullptr) pool->wait();
+    }
     void startPlan(Group& group);
     void finishPlan(Group& group);
     void steerGroup(Group& group);

@@ -85,6 +85,11 @@ void World::Impl::buildDensityAndCost() {
     const auto reads = [](const Group& group) { return group.plan->readsUnitCost(); };
     costBuilt = std::any_of(groups.begin(), groups.end(), reads);
     if (costBuilt) costBuilder.update(unitCostDef(parameters), environment, density, parameters.radius);
+}
+
+// What plans read that are not made from the unit cost of all ground.
+void World::Impl::updateGround() {
+    const auto reads = [](const Group& group) { return group.plan->readsUnitCost(); };
     if (std::all_of(groups.begin(), groups.end(), reads)) return;
     const UnitCostDef def = unitCostDef(parameters);
     ground.update(environment, def.alpha + def.beta, parameters.radius);
@@ -170,14 +175,39 @@ void World::Impl::finishPlan(Group& group) {
     group.planNow = false;
 }
 
+void World::Impl::planInSlices(Group& group) {
+    group.plan->advance(group.slice, group.slices, *pool);
+    if (++group.slice >= group.slices) finishPlan(group);
+}
+
+// A first plan is made at once; others while the crowd walks, and hold from the next step on.
+void World::Impl::planAside(Group& group) {
+    group.plan->advance(0, 1, *pool);
+    if (group.planNow) finishPlan(group);
+    else aside.push_back(group.plan.get());
+}
+
+void World::Impl::launchPlans() {
+    if (aside.empty()) return;
+    pool->launch([](void* plans) {
+        for (Plan* plan : *static_cast<std::vector<Plan*>*>(plans)) plan->workAside();
+    }, &aside);
+}
+
 void World::Impl::plan() {
+    settlePlans();
+    aside.clear();
+    for (Group& group : groups)
+        if (group.plan->worksAside() && group.plan->pending() && !group.planNow) finishPlan(group);
+    updateGround();
     for (std::size_t g = 0; g < groups.size(); ++g) {
         Group& group = groups[g];
         if (plansThisStep(group, g)) startPlan(group);
         if (!group.plan->pending()) continue;
-        group.plan->advance(group.slice, group.slices, *pool);
-        if (++group.slice >= group.slices) finishPlan(group);
+        if (group.plan->worksAside()) planAside(group);
+        else planInSlices(group);
     }
+    launchPlans();
 }
 
 void World::Impl::steerGroup(Group& group) {

@@ -38,6 +38,11 @@ struct TaskRunner {
     /// [0, threads), and no two calls at the same time have the same. Not null.
     void (*run)(void* context, std::int32_t count,
                 void (*task)(void* taskContext, std::int32_t item, std::int32_t worker), void* taskContext) = nullptr;
+    /// Calls `task(taskContext)` on another thread, now or later, and returns at once. Null where the program has none to
+    /// spare: such work is done in the caller then.
+    void (*launch)(void* context, void (*task)(void* taskContext), void* taskContext) = nullptr;
+    /// Returns when what was launched has returned, and what it wrote can be seen. Not null where `launch` is not.
+    void (*wait)(void* context) = nullptr;
 };
 
 /// A pool of worker threads. With one thread (or under WebAssembly) all runs in the caller.
@@ -58,6 +63,11 @@ public:
     /// results: which worker takes which item is not fixed. Allocates nothing. Neither items nor other threads may
     /// call it meanwhile.
     void run(std::int32_t count, TaskRef work);
+    /// Has `work(context)` done beside whatever the caller does until wait(), run() included: by a worker that has time,
+    /// else by the caller. Waits for what was launched before. The work may not call this pool.
+    void launch(void (*work)(void* context), void* context);
+    /// Returns when what was launched is done, at once where nothing was.
+    void wait();
 
 private:
     struct Impl;

@@ -67,7 +67,8 @@ struct PlanResult {
 };
 
 /// A plan of one group. Work can be spread over several steps: start(), then advance() with shares that
-/// add up to the whole, then finish(). The last finished plan serves steer() meanwhile.
+/// add up to the whole, then finish(). The last finished plan serves steer() meanwhile. Some plans leave most of their work
+/// to workAside(), which another thread may do between the last advance() and finish().
 class Plan {
 public:
     virtual ~Plan() = default;
@@ -86,6 +87,11 @@ public:
     /// Completes the plan (all shares not yet done are done now) and writes the result. Fails with InvalidArgument
     /// where no plan is under way.
     virtual Status finish(ThreadPool& pool, PlanResult& result) = 0;
+    /// True where workAside() has something to do.
+    virtual bool worksAside() const { return false; }
+    /// Does what is left of the pending plan. Meanwhile other threads may call steer(), waitingPlace() and costAt(), and
+    /// nothing else; the ground and the excess of PlanInput stay as they are.
+    virtual void workAside() {}
 
     /// Writes for each character the unit direction to walk now, and the cost left, by the last finished plan; zero and
     /// infinite for the unmatched and where no way is known. Where the line to the place is clear within
