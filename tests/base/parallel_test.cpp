@@ -198,3 +198,88 @@ TEST_CASE("a runner without a function or threads leaves all to the caller") {
         CHECK(calls == 3);
     }
 }
+
+namespace {
+
+// Work that is launched: fills its numbers in turn, slowly where asked for.
+struct Launched {
+    std::vector<std::int64_t> numbers = std::vector<std::int64_t>(200, 0);
+    std::int64_t round = 0;
+    bool slow = false;
+    std::thread::id where;
+
+    static void work(void* context) {
+        auto& self = *static_cast<Launched*>(context);
+        self.where = std::this_thread::get_id();
+        if (self.slow) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        for (std::int64_t& n : self.numbers) n = ++self.round;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("launched work is done when wait returns, with rounds beside it") {
+    for (const int threads : {1, 2, 3, 8}) {
+        ThreadPool pool(threads);
+        pool.wait();  // For nothing.
+        Launched launched;
+        std::atomic<std::int64_t> sum{0};
+        for (int k = 1; k <= 300; ++k) {
+            launched.slow = k % 100 == 0;
+            if (k % 50 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // Workers fall asleep.
+            pool.launch(&Launched::work, &launched);
+            for (int r = 0; r < k % 3; ++r) pool.run(5, [&](std::int32_t item, std::int32_t) { sum += item; });
+            pool.wait();
+            REQUIRE(launched.round == 200 * k);
+            REQUIRE(launched.numbers.back() == launched.round);
+        }
+        CHECK(sum == 300 * 10);
+        if (threads == 1) CHECK(launched.where == std::this_thread::get_id());
+    }
+}
+
+TEST_CASE("what is launched next waits for what was launched before, and a pool that closes for both") {
+    Launched launched;
+    launched.slow = true;
+    {
+        ThreadPool pool(2);
+        for (int k = 0; k < 5; ++k) pool.launch(&Launched::work, &launched);
+    }
+    CHECK(launched.round == 5 * 200);
+}
+
+TEST_CASE("a foreign runner is handed launched work where it takes any, else the caller does it") {
+    struct Log {
+        int launches = 0;
+        int waits = 0;
+        std::thread thread;
+    } log;
+    TaskRunner runner{2, &log, [](void*, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
+                          for (std::int32_t i = 0; i < count; ++i) task(of, i, 0);
+                      }};
+    Launched launched;
+    {
+        ThreadPool pool(runner);
+        pool.launch(&Launched::work, &launched);
+        CHECK(launched.where == std::this_thread::get_id());
+        pool.wait();
+    }
+    runner.launch = [](void* context, void (*task)(void*), void* of) {
+        auto& l = *static_cast<Log*>(context);
+        ++l.launches;
+        l.thread = std::thread(task, of);
+    };
+    runner.wait = [](void* context) {
+        auto& l = *static_cast<Log*>(context);
+        ++l.waits;
+        l.thread.join();
+    };
+    {
+        ThreadPool pool(runner);
+        for (int k = 0; k < 3; ++k) pool.launch(&Launched::work, &launched);
+    }
+    CHECK(log.launches == 3);
+    CHECK(log.waits == 3);
+    CHECK(launched.round == 4 * 200);
+    CHECK(launched.where != std::this_thread::get_id());
+}
