@@ -9,6 +9,7 @@ namespace {
 constexpr double kSettled = 1e-4;       // Corrections below this share of a diameter end the rounds.
 constexpr double kPairMargin = 0.2;     // Pairs this much farther apart than a diameter may still meet.
 constexpr double kReported = 0.1;       // Overlap that counts, as a share of the diameter.
+constexpr std::size_t kChunk = 1024;    // Characters a task looks round.
 
 }  // namespace
 
@@ -77,13 +78,17 @@ void Contacts::look(double diameter, std::span<const Vec2> positions) {
 }
 
 // Notes who is near an obstacle or the edge of the world: so near that nobody else comes to one while pairs hold.
-void Contacts::watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions) {
-    nearObstacle_.clear();
+void Contacts::watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions,
+                              ThreadPool* pool) {
     const double watch = 3.0 * radius;
     const Box room = environment.def().box.grown(-watch);
+    watched_.resize(positions.size());
+    forChunks(pool, positions.size(), kChunk, [&](std::size_t i) {
+        watched_[i] = !room.contains(positions[i]) || environment.distanceToObstacle(positions[i], watch) < watch ? 1 : 0;
+    });
+    nearObstacle_.clear();
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (!room.contains(positions[i]) || environment.distanceToObstacle(positions[i], watch) < watch)
-            nearObstacle_.push_back(static_cast<std::int32_t>(i));
+        if (watched_[i] != 0) nearObstacle_.push_back(static_cast<std::int32_t>(i));
 }
 
 // True where somebody moved so far that others than those noted may be near.
@@ -96,11 +101,11 @@ bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const 
 }
 
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
-                                const KnownPairs& known) {
+                                const KnownPairs& known, ThreadPool* pool) {
     const double diameter = 2.0 * def.radius;
     pairs_ = known;
     if (outdated(diameter, positions)) look(diameter, positions);
-    watchObstacles(def.radius, environment, positions);
+    watchObstacles(def.radius, environment, positions, pool);
     for (std::int32_t round = 0; round < def.iterations; ++round) {
         const double pairs = separatePairs(diameter, positions);
         const double walls = leaveObstacles(def.radius, environment, positions);
@@ -108,7 +113,7 @@ ContactReport Contacts::resolve(const ContactDef& def, const Environment& enviro
         if (!anew && std::max(pairs, walls) < kSettled * diameter) break;
         if (!anew) continue;
         look(diameter, positions);
-        watchObstacles(def.radius, environment, positions);
+        watchObstacles(def.radius, environment, positions, pool);
     }
     leaveForGood(def.radius, environment, positions);
     const ContactReport left = report(diameter, positions);

@@ -17,18 +17,6 @@ constexpr double kGiveWay = 0.3;        // At which one steps back from somebody
 constexpr std::size_t kChunk = 256;     // Characters a task steers.
 constexpr double kWalkingSpeed = 0.15;  // Below it one stands and faces with the formation [m/s].
 
-// Calls each(i) for all characters, by chunks; they must not touch each other's results.
-template <class Each>
-void forChunks(ThreadPool* pool, std::size_t count, const Each& each) {
-    const auto task = [&](std::int32_t chunk, std::int32_t) {
-        const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
-        for (std::size_t i = first; i < std::min(count, first + kChunk); ++i) each(i);
-    };
-    const auto chunks = static_cast<std::int32_t>((count + kChunk - 1) / kChunk);
-    if (pool != nullptr && chunks > 1) pool->run(chunks, task);
-    else for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
-}
-
 Vec2 withinLock(Vec2 direction, Vec2 heading) {
     if (dot(direction, heading) >= kLockTurn.c) return direction;
     return cross(heading, direction) >= 0.0 ? kLockTurn.apply(heading) : kLockTurn.applyInverse(heading);
@@ -118,7 +106,7 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
     const std::size_t count = now.size();
     preferred_.resize(count);
     topSpeed_.resize(count);
-    forChunks(pool, count, [&](std::size_t i) {
+    forChunks(pool, count, kChunk, [&](std::size_t i) {
         topSpeed_[i] = def.maxSpeed * environment.ground(now.position[i]).travelSpeed;
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     });
@@ -126,7 +114,7 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
     neighbours_.findPairs(now.position, reach_, pairs_);
     addSidesteps(def, now);
     holdBack(def, now);
-    forChunks(pool, count, [&](std::size_t i) { move(def, now, input, i, dt, velocity, heading); });
+    forChunks(pool, count, kChunk, [&](std::size_t i) { move(def, now, input, i, dt, velocity, heading); });
 }
 
 }  // namespace muster

@@ -174,13 +174,23 @@ std::int32_t Environment::region(Vec2 p, double radius) const {
     Impl& s = *impl_;
     const Cell c = s.grid.cellOf(p);
     if (!s.grid.contains(c)) return -1;
-    return s.regions.labels(s.grid, s.clearance.still(), radius)[s.grid.index(c)];
+    const std::int32_t i = s.grid.index(c);
+    const Regions& regions = s.regions.regions(s.grid, s.clearance.still(), radius);
+    // The clearance has mostly been looked at just before.
+    if (regions.count == 1) return s.clearance.still()[i] >= radius ? 0 : -1;
+    return regions.label[i];
+}
+
+std::int32_t Environment::regionCount(double radius) const {
+    impl_->ensure();
+    Impl& s = *impl_;
+    return s.regions.regions(s.grid, s.clearance.still(), radius).count;
 }
 
 Vec2 Environment::nearestInRegion(Vec2 p, double radius, std::int32_t label) const {
     impl_->ensure();
     Impl& s = *impl_;
-    const std::span<const std::int32_t> labels = s.regions.labels(s.grid, s.clearance.still(), radius);
+    const std::span<const std::int32_t> labels = s.regions.regions(s.grid, s.clearance.still(), radius).label;
     const auto fits = [&](std::int32_t i) { return label < 0 ? labels[i] >= 0 : labels[i] == label; };
     const Cell c = s.grid.cellOf(p);
     if (s.grid.contains(c) && fits(s.grid.index(c))) return p;

@@ -10,14 +10,14 @@ void RegionLabels::clear() {
     for (Entry& entry : entries_) entry.valid = false;
 }
 
-std::span<const std::int32_t> RegionLabels::labels(const Grid& grid, std::span<const float> clearance, double radius) {
+const Regions& RegionLabels::regions(const Grid& grid, std::span<const float> clearance, double radius) {
     // Mostly the same radius again, by many threads at once.
-    if (const Entry* last = last_.load(std::memory_order_acquire); last != nullptr && last->radius == radius) return last->label;
+    if (const Entry* last = last_.load(std::memory_order_acquire); last != nullptr && last->radius == radius) return *last;
     const std::lock_guard lock(mutex_);
     for (const Entry& entry : entries_) {
         if (!entry.valid || entry.radius != radius) continue;
         last_.store(&entry, std::memory_order_release);
-        return entry.label;
+        return entry;
     }
     last_.store(nullptr, std::memory_order_release);
     Entry& entry = entries_[next_];
@@ -25,7 +25,7 @@ std::span<const std::int32_t> RegionLabels::labels(const Grid& grid, std::span<c
     entry.radius = radius;
     entry.valid = true;
     flood(grid, clearance, entry);
-    return entry.label;
+    return entry;
 }
 
 void RegionLabels::flood(const Grid& grid, std::span<const float> clearance, Entry& entry) {
@@ -33,7 +33,7 @@ void RegionLabels::flood(const Grid& grid, std::span<const float> clearance, Ent
     const std::int32_t count = grid.count();
     entry.label.resize(static_cast<std::size_t>(count));
     for (std::int32_t i = 0; i < count; ++i) entry.label[i] = clearance[i] >= entry.radius ? kUnseenRegion : kBlocked;
-    labelRegions(grid, entry.label, queue_);
+    entry.count = labelRegions(grid, entry.label, queue_);
 }
 
 }  // namespace muster

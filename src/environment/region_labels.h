@@ -12,23 +12,27 @@
 
 namespace muster {
 
+/// The regions for one radius.
+struct Regions {
+    double radius = -1.0;             ///< [m]
+    std::vector<std::int32_t> label;  ///< Per cell: -1 where clearance is under the radius, else numbered from 0 in row-major order of first cells.
+    std::int32_t count = 0;           ///< How many there are.
+};
+
 /// Floods the cells with enough clearance and keeps the labels of the radii asked for last.
 /// Steps of the flood go to the four neighbours, so regions joined only at a corner stay apart.
 class RegionLabels {
 public:
     /// Forgets all labels.
     void clear();
-    /// One label per cell: -1 where clearance is under `radius` [m], else numbered from 0 in
-    /// row-major order of first cells. Valid until clear() or kKept other radii were asked for.
-    std::span<const std::int32_t> labels(const Grid& grid, std::span<const float> clearance, double radius);
+    /// Valid until clear() or kKept other radii were asked for.
+    const Regions& regions(const Grid& grid, std::span<const float> clearance, double radius);
     /// How many radii are remembered.
     static constexpr std::size_t kKept = 16;
 
 private:
-    struct Entry {
-        double radius = -1.0;
+    struct Entry : Regions {
         bool valid = false;
-        std::vector<std::int32_t> label;
     };
     void flood(const Grid& grid, std::span<const float> clearance, Entry& entry);
 

@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kChunk = 256;       // Places a task carries.
+constexpr std::size_t kChunk = 256;        // Places a task carries.
 constexpr std::size_t kLeapShare = 8;      // More than one of so many that leap: all seats are sought anew.
 constexpr std::int32_t kLeastSpots = 400;  // Looked at in a step for those without a good seat,
 constexpr std::size_t kPlacesPerSpot = 5;  // and one more for so many places.
@@ -150,13 +150,7 @@ bool GoalCarrier::run(std::span<const Vec2> targets, ThreadPool* pool) {
     if (n == 0 || s_.goal.size() != n || s_.target.size() != n || s_.fit.size() != n) return false;
     for (auto* points : {&m_.next, &m_.carried}) points->resize(n);
     for (auto* marks : {&m_.level, &m_.exact, &m_.losing}) marks->resize(n);
-    const auto chunks = static_cast<std::int32_t>((n + kChunk - 1) / kChunk);
-    const auto task = [&](std::int32_t chunk, std::int32_t) {
-        const auto from = static_cast<std::size_t>(chunk) * kChunk;
-        for (std::size_t k = from; k < std::min(n, from + kChunk); ++k) carry(k, targets[k]);
-    };
-    if (pool != nullptr && chunks > 1) pool->run(chunks, task);
-    else for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
+    forChunks(pool, n, kChunk, [&](std::size_t k) { carry(k, targets[k]); });
     const auto leapt = static_cast<std::size_t>(std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Leapt}));
     if (leapt * kLeapShare > n) return false;
     for (std::size_t k = 0; k < n; ++k) {

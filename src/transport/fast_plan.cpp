@@ -16,6 +16,8 @@ constexpr std::int32_t kWaitingPerPlan = 32;      // Unmatched characters for wh
 constexpr std::size_t kSurveyed = 24;             // Characters from which a first plan looks at the ground.
 constexpr double kLongestWalkExponent = 8.0;      // Stands for the longest walk alone.
 constexpr double kLongestWalkShare = 0.2;         // Changes must gain that share then.
+constexpr std::size_t kPerTurn = 15000;           // Characters from which the matching is spread over two steps, twice as many three...
+constexpr std::int32_t kMostTurns = 6;            // ... and so on up to these: ten times a second.
 constexpr double kMostSettled = 40000.0;          // Nodes of all searches in a step, whatever the crowd.
 constexpr std::size_t kSmallCrowd = 3000;
 constexpr std::int32_t kSmallRounds = 24;         // Of repairs after a cold start.
@@ -82,6 +84,7 @@ MatchingDef FastPlan::matchingDef() const {
     if (characters_.size() <= kSmallCrowd) def.coldRounds = kSmallRounds;
     const auto count = static_cast<double>(std::max<std::size_t>(1, characters_.size()));
     def.searchShare = std::min(def.searchShare, kMostSettled / count);
+    def.turns = static_cast<std::int32_t>(std::min<std::size_t>(kMostTurns, 1 + characters_.size() / kPerTurn));
     return def;
 }
 

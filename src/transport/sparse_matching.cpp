@@ -20,7 +20,8 @@ void SparseMatching::clear() { *this = {}; }
 
 // Sizes the memory for the input.
 void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input) {
-    step_ = 0;
+    step_ = turn_ = 0;
+    far_ = false;
     flipped_.reserve(2 * std::max(input.characters.size(), input.places.size()));
     stale_.assign(std::max(input.characters.size(), input.places.size()), 0);
     state_.reset(static_cast<std::int32_t>(input.characters.size()), static_cast<std::int32_t>(input.places.size()));
@@ -49,7 +50,7 @@ void SparseMatching::coldStart(const MatchingDef& def, const MatchingInput& inpu
         MatchingContext context = first;
         frame(context);
         state_.arcs.sortByTarget();
-        repair_.run(context, state_, static_cast<std::int64_t>(def.searchShare * state_.seats.count()));
+        repair(context);
         publish(context);
     }
 }
@@ -66,6 +67,7 @@ void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, s
     state_.arcs.sortByTarget();
     PriceFit().run(context, state_);
     publish(context);
+    measureSlack(context);
 }
 
 void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool) {
@@ -78,17 +80,30 @@ void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, 
         searchLimit_ = def.searchLimit;
         repair_.reset(state_.seats.count(), def.searchLimit);
     }
-    ++step_;
+    beginTurn(def);
     MatchingContext context = contextFor(def, input, costs, pool);
     seatWaiting(context);
     frame(context);
     askOwn(context);
-    const bool far = refreshSome(context);
-    state_.arcs.sortByTarget();
+    const std::int32_t refreshes = def.refreshTurns();
+    if (turn_ < refreshes) far_ = refreshSome(context);
+    if (turn_ + 1 == refreshes) state_.arcs.sortByTarget();
     repriceFlipped();
-    const double share = far ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
-    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()));
+    if (turn_ + 1 >= def.turns - def.repairTurns() + 1) repair(context);
     publish(context);
+    ++turn_;
+}
+
+void SparseMatching::beginTurn(const MatchingDef& def) {
+    if (turn_ >= def.turns) turn_ = 0;
+    if (turn_ == 0) ++step_;
+}
+
+void SparseMatching::repair(const MatchingContext& context) {
+    const MatchingDef& def = context.def;
+    const double share = far_ ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
+    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()));
+    measureSlack(context);
 }
 
 // A seat that is another thing than before has a new price: between what its holder can pay elsewhere and what others
@@ -206,15 +221,19 @@ bool SparseMatching::refreshSome(const MatchingContext& context) {
     double sum = 0.0;
     for (const float c : state_.own) sum += c;
     const bool far = sum > context.def.farCost * static_cast<double>(state_.own.size());
-    const std::int32_t period = std::max(1, far ? context.def.farRefreshPeriod : context.def.refreshPeriod);
-    const std::int32_t targets = std::max(1, context.def.retargetPeriod);
+    const std::int32_t period = context.def.rounds(far ? context.def.farRefreshPeriod : context.def.refreshPeriod);
+    const std::int32_t targets = context.def.rounds(context.def.retargetPeriod);
+    const std::int64_t count = state_.seats.count();
+    const std::int64_t first = count * turn_ / context.def.refreshTurns();
+    const std::int64_t end = count * (turn_ + 1) / context.def.refreshTurns();
     rows_.clear();
     tightRows_.clear();
-    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
-        const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (s + step_) % targets == 0;
+    for (std::int32_t s = 0; s < count; ++s) {
+        const bool turn = s >= first && s < end;
+        const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (turn && (s + step_) % targets == 0);
         const bool stale = stale_[static_cast<std::size_t>(s)] != 0;
         stale_[static_cast<std::size_t>(s)] = 0;
-        if (!anew && !stale && (s + step_) % period != 0) continue;
+        if (!anew && !stale && !(turn && (s + step_) % period == 0)) continue;
         if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
         state_.changed[static_cast<std::size_t>(s)] = 0;
         if (anew || stale || (s + step_) / period % kWholeTurns == 0) {
@@ -234,14 +253,7 @@ void SparseMatching::publish(const MatchingContext& context) {
     const MatchingSeats& seats = state_.seats;
     const double units = context.power.units();
     double sum = 0.0;
-    double left = 0.0;
-    for (std::int32_t s = 0; s < seats.count(); ++s) {
-        sum += state_.ownPower[static_cast<std::size_t>(s)];
-        double least = 0.0;
-        for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc)
-            least = std::min(least, state_.reduced(arc));
-        left -= least;
-    }
+    for (const double own : state_.ownPower) sum += own;
     for (std::size_t i = 0; i < placeOf_.size(); ++i) {
         const std::int32_t seat = seats.seatOf(static_cast<std::int32_t>(i));
         const bool placed = seat >= 0 && seats.live(seat);
@@ -251,7 +263,17 @@ void SparseMatching::publish(const MatchingContext& context) {
     slope_ = context.slope;
     units_ = units;
     objective_ = sum * units;
-    slack_ = left * units;
+}
+
+void SparseMatching::measureSlack(const MatchingContext& context) {
+    double left = 0.0;
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
+        double least = 0.0;
+        for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc)
+            least = std::min(least, state_.reduced(arc));
+        left -= least;
+    }
+    slack_ = left * context.power.units();
 }
 
 void SparseMatching::prices(const MatchingInput& input, std::span<double> price) const {

@@ -42,7 +42,7 @@ public:
     /// Lets an archive read or write all that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(step_, state_, placeOf_, cost_, objective_, slack_, slope_, units_);
+        archive(step_, turn_, far_, state_, placeOf_, cost_, objective_, slack_, slope_, units_);
         if constexpr (Archive::kReading) {
             if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) || cost_.size() != placeOf_.size())
                 archive.fail();
@@ -60,13 +60,18 @@ private:
     void askOwn(const MatchingContext& context);
     void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
+    void beginTurn(const MatchingDef& def);
     bool refreshSome(const MatchingContext& context);
+    void repair(const MatchingContext& context);
     double marginOf(const MatchingContext& context, std::size_t seat) const;
     void repriceFlipped();
     void publish(const MatchingContext& context);
+    void measureSlack(const MatchingContext& context);
     void afterReading();
 
-    std::int32_t step_ = 0;
+    std::int32_t step_ = 0;  // Rounds, each of MatchingDef::turns calls.
+    std::int32_t turn_ = 0;  // Calls of this round so far.
+    bool far_ = false;       // All was far away when costs were asked for last.
     MatchingState state_;
     std::vector<std::int32_t> placeOf_;
     std::vector<float> cost_;

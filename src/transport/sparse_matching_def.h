@@ -26,6 +26,16 @@ struct MatchingDef {
     std::int32_t searchLimit = 600;      ///< Nodes settled in one search.
     double jump = 1.0;                   ///< A place whose cost changes by so much in a step asks at once for arcs to it [m].
     std::int32_t coldRounds = 3;         ///< Repairs after a cold start.
+    std::int32_t turns = 1;              ///< Calls over which one round of asking and repairing is spread, >= 1. Periods are about twice as long then.
+
+    /// Of these calls the last ones repair...
+    std::int32_t repairTurns() const { return std::max(1, (turns + 1) / 3); }
+    /// ... and those before ask for costs; a single call does both.
+    std::int32_t refreshTurns() const { return std::max(1, turns - repairTurns()); }
+    /// A period of so many steps, in rounds.
+    std::int32_t rounds(std::int32_t steps) const {
+        return std::max(1, turns <= 1 ? steps : (2 * steps + turns - 1) / turns);
+    }
 };
 
 /// What a matching reads. Spans stay valid during the call only.

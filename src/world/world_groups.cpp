@@ -65,9 +65,11 @@ std::int32_t World::Impl::regionOf(const Group& group) {
     std::vector<std::int32_t>& counts = memory.regionCounts;
     counts.clear();
     std::int32_t best = -1;
+    const bool only = environment.regionCount(parameters.radius) <= 1;
     for (const std::int32_t i : group.members) {
         const std::int32_t label = environment.region(characters.position[static_cast<std::size_t>(i)], parameters.radius);
         if (label < 0) continue;
+        if (only) return label;
         const auto at = static_cast<std::size_t>(label);
         if (at >= counts.size()) counts.resize(at + 1, 0);
         ++counts[at];

@@ -270,7 +270,7 @@ void World::Impl::steer() {
 void World::Impl::resolveContacts() {
     const ContactDef def{parameters.radius, static_cast<std::int32_t>(parameters.contactIterations)};
     const KnownPairs known{steering.pairs(), characters.position, steering.reach()};
-    contacts = contactSolver.resolve(def, environment, memory.nextPosition, known);
+    contacts = contactSolver.resolve(def, environment, memory.nextPosition, known, pool.get());
     // What contacts took away is not speed any more; what they pushed adds none.
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 moved = (memory.nextPosition[i] - characters.position[i]) / parameters.stepTime;

@@ -1,6 +1,8 @@
 // Independent pieces of work on several threads; results never depend on their number.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
@@ -73,5 +75,18 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// Calls `each(i)` for all i in [0, count), `chunk` of them in one piece of work; in the caller where `pool` is null or one
+/// chunk holds them all. Calls must not touch each other's results.
+template <class Each>
+void forChunks(ThreadPool* pool, std::size_t count, std::size_t chunk, const Each& each) {
+    const auto task = [&](std::int32_t item, std::int32_t) {
+        const std::size_t first = static_cast<std::size_t>(item) * chunk;
+        for (std::size_t i = first; i < std::min(count, first + chunk); ++i) each(i);
+    };
+    const auto chunks = static_cast<std::int32_t>((count + chunk - 1) / chunk);
+    if (pool != nullptr && chunks > 1) pool->run(chunks, task);
+    else for (std::int32_t item = 0; item < chunks; ++item) task(item, 0);
+}
 
 }  // namespace muster

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "muster/base/parallel.h"
 #include "muster/crowd/neighbours.h"
 #include "muster/environment/environment.h"
 
@@ -28,7 +29,7 @@ public:
     /// Moves `positions` apart and out of obstacles and reports what is left. `known` pairs save a search as long as
     /// nobody is farther from where they were found than they leave room for.
     ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
-                          const KnownPairs& known = {});
+                          const KnownPairs& known = {}, ThreadPool* pool = nullptr);
 
 private:
     double separatePairs(double diameter, std::span<Vec2> positions) const;
@@ -36,7 +37,7 @@ private:
     void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const;
     ContactReport report(double diameter, std::span<const Vec2> positions);
     void look(double diameter, std::span<const Vec2> positions);
-    void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions);
+    void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions, ThreadPool* pool);
     bool outdated(double diameter, std::span<const Vec2> positions) const;
 
     NeighbourGrid neighbours_;
@@ -44,6 +45,7 @@ private:
     std::vector<Vec2> foundAt_;
     KnownPairs pairs_;  // Found here, or known before.
     std::vector<std::int32_t> nearObstacle_;
+    std::vector<std::uint8_t> watched_;  // Per character: near one.
 };
 
 }  // namespace muster

@@ -141,6 +141,8 @@ public:
     /// Label of the connected free region of a cell for discs of `radius` [m]; -1 for blocked cells.
     /// Obstacles that move do not count. Labels are numbered in row-major order of first cells.
     std::int32_t region(Vec2 p, double radius) const;
+    /// How many such regions there are.
+    std::int32_t regionCount(double radius) const;
     /// The centre of the free cell nearest to `p` with that region label (any region where -1), or `p`
     /// itself where it already lies in one or there is none.
     Vec2 nearestInRegion(Vec2 p, double radius, std::int32_t label) const;
