@@ -23,7 +23,7 @@ constexpr std::int32_t kSurveyed = 16;      // Times as many windows are made be
 constexpr std::int32_t kMostLost = 5;       // Points out of sight after which no more are looked at.
 constexpr double kWorthAiming = 0.9;        // Points nearer than this are no aim [m].
 constexpr double kTouching = 0.1;           // Room of one who walks along a wall [m].
-constexpr std::int32_t kServes = 8;         // Steps for which what was found serves, and up to as many more.
+constexpr std::uint32_t kServes = 8;        // Steps for which what was found serves, and up to as many more.
 constexpr std::int32_t kLooks = 4;          // Of these one in so many looks whether the point is in sight still.
 constexpr double kReached = 0.6;            // [m]
 constexpr double kLookAhead = 2.0;          // Of headings tried where it is crowded [m].
@@ -74,6 +74,10 @@ struct Geodesics::Impl {
         return std::max(most, static_cast<std::int32_t>(static_cast<std::int64_t>(most) * static_cast<std::int64_t>(places.size()) / 1000));
     }
     void askFar(std::int32_t place) const { noteAsked(askedFar, place); }
+    // A number that differs from place to place and from step to step.
+    std::uint32_t mixed(std::int32_t place) const {
+        return ((static_cast<std::uint32_t>(place) * 977u + step) * 2654435761u) >> 16;
+    }
     void tick(ThreadPool& pool);
     void findFarStencils(bool anew);
     bool looksFar(std::size_t place) const;
@@ -285,8 +289,7 @@ Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, 
         memory.inSight = findPointAhead(field, from, memory);
         if (memory.inSight && farStencil[place].count > 0) memory.point = towardsPlace(from, place, memory.point);
         // Not for all equally long, nor always, so that not all look again in one step.
-        const std::uint32_t mixed = (static_cast<std::uint32_t>(place) * 977u + step) * 2654435761u;
-        memory.steps = kServes + static_cast<std::int32_t>(mixed >> 16) % kServes;
+        memory.steps = kServes + static_cast<std::int32_t>(mixed(place) % kServes);
     }
     --memory.steps;
     if (memory.inSight) return normalized(memory.point - from);
@@ -341,7 +344,8 @@ Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhea
 
 WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const {
     const Vec2 to = places[place];
-    if (memory.place != place) memory = {from, place, 0, -1, false};
+    // Where many get other places at once not all look for a point in one step: the field itself leads them until then.
+    if (memory.place != place) memory = {from, place, static_cast<std::int32_t>(mixed(place) % kServes), -1, false};
     const auto farField = [&]() -> const CostField& { return far.field(farStencil[place].nearest); };
     WayAhead way;
     if (farKnown(from, place, way.cost)) {

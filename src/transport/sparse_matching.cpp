@@ -200,6 +200,7 @@ void SparseMatching::jumped(std::int32_t seat) {
 
 void SparseMatching::refreshAll(const MatchingContext& context) {
     state_.arcs.look(context, state_.seats, state_.price, state_.own);
+    far_ = isFar(context);
     rows_.clear();
     for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
         state_.arcs.chooseTargets(context, state_.seats, s);
@@ -215,12 +216,16 @@ double SparseMatching::marginOf(const MatchingContext& context, std::size_t seat
     return context.power(cost + kLoose) - context.power(cost);
 }
 
+bool SparseMatching::isFar(const MatchingContext& context) const {
+    double sum = 0.0;
+    for (const float c : state_.own) sum += c;
+    return sum > context.def.farCost * static_cast<double>(state_.own.size());
+}
+
 // Rows in turn, and at once those whose holder is new. True where all is far away.
 bool SparseMatching::refreshSome(const MatchingContext& context) {
     state_.arcs.look(context, state_.seats, state_.price, state_.own);
-    double sum = 0.0;
-    for (const float c : state_.own) sum += c;
-    const bool far = sum > context.def.farCost * static_cast<double>(state_.own.size());
+    const bool far = isFar(context);
     const std::int32_t period = context.def.rounds(far ? context.def.farRefreshPeriod : context.def.refreshPeriod);
     const std::int32_t targets = context.def.rounds(context.def.retargetPeriod);
     const std::int64_t count = state_.seats.count();

@@ -61,6 +61,7 @@ private:
     void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
     void beginTurn(const MatchingDef& def);
+    bool isFar(const MatchingContext& context) const;
     bool refreshSome(const MatchingContext& context);
     void repair(const MatchingContext& context);
     double marginOf(const MatchingContext& context, std::size_t seat) const;

@@ -175,6 +175,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
         const Status added = impl->addGroup(def.groups[i]);
         if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");
     }
+    impl->prepareGround();
     return World(std::move(impl));
 }
 
@@ -227,6 +228,7 @@ Result<World> World::restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const
     if (const Status fits = impl->checkState(); !fits.ok())
         return Status(StatusCode::ParseError, "snapshot: " + fits.message() + ", expected a world as it was saved");
     impl->makeDensity();
+    impl->prepareGround();
     return World(std::move(impl));
 }
 

@@ -142,6 +142,8 @@ struct World::Impl {
 
     // Parts of stages.
     bool plansThisStep(const Group& group, std::size_t index) const;
+    bool plansReadGround() const;
+    void prepareGround();
     void updateGround();
     void planInSlices(Group& group);
     void planAside(Group& group);

@@ -87,13 +87,21 @@ void World::Impl::buildDensityAndCost() {
     if (costBuilt) costBuilder.update(unitCostDef(parameters), environment, density, parameters.radius);
 }
 
+bool World::Impl::plansReadGround() const {
+    return std::any_of(groups.begin(), groups.end(), [](const Group& group) { return !group.plan->readsUnitCost(); });
+}
+
+// The still ground as plans read it; a new world has it made before its first step.
+void World::Impl::prepareGround() {
+    const UnitCostDef def = unitCostDef(parameters);
+    if (plansReadGround()) ground.update(environment, def.alpha + def.beta, parameters.radius);
+}
+
 // What plans read that are not made from the unit cost of all ground.
 void World::Impl::updateGround() {
-    const auto reads = [](const Group& group) { return group.plan->readsUnitCost(); };
-    if (std::all_of(groups.begin(), groups.end(), reads)) return;
-    const UnitCostDef def = unitCostDef(parameters);
-    ground.update(environment, def.alpha + def.beta, parameters.radius);
-    excess.update(def, environment, density, parameters.radius);
+    if (!plansReadGround()) return;
+    prepareGround();
+    excess.update(unitCostDef(parameters), environment, density, parameters.radius);
 }
 
 // Only the exact plan needs it for the step, but pictures and reports may ask.
