@@ -23,6 +23,16 @@ float CostField::value(Cell cell) const {
     return values_[static_cast<std::size_t>(y) * width_ + x];
 }
 
+void CostField::lower(Cell cell, float value) {
+    const std::int32_t x = cell.x - low_.x;
+    const std::int32_t y = cell.y - low_.y;
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
+    const auto at = static_cast<std::size_t>(y) * width_ + x;
+    if (!(value < values_[at])) return;
+    values_[at] = value;
+    if (at < root_.size()) root_[at] = 0;
+}
+
 double CostField::cost(Vec2 p) const {
     if (!isFinite(p) || values_.empty()) return kInfiniteCost;
     if (lengthSquared(p - source_) <= nearRadius_ * nearRadius_) {

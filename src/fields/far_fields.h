@@ -10,7 +10,8 @@
 
 namespace muster {
 
-/// Landmarks lie on a square lattice, 4, 8, 16 or 32 m apart, or on the free cells next to it.
+/// Landmarks lie on a square lattice, 4, 8, 16 or 32 m apart and for places on slow ground half as far, or on the free
+/// cells next to it.
 class FarFields {
 public:
     FarFields();  ///< None.
@@ -42,16 +43,28 @@ private:
         std::int32_t count;
         bool square;
     };
-    Corners cornersOf(Vec2 place);
-    std::int32_t freeNear(Cell point);
+    /// Points so many coarse cells apart.
+    struct Lattice {
+        std::int32_t spacing = 0;
+        std::int32_t width = 0;
+        std::vector<std::int32_t> moved;  // Landmark of each point: a coarse cell, -1 for none, -2 not looked for.
+
+        void reset(const Grid& grid, std::int32_t cells);
+    };
+    bool slow(Vec2 place) const { return ground_->unit(place) > ground_->fine().lowest; }
+    Corners cornersOf(Vec2 place, Lattice& lattice) const;
+    std::int32_t freeNear(Cell point, Lattice& lattice) const;
+    void solve(std::int32_t landmark, CostField& field, EikonalSolver& solver) const;
+    double costBetween(std::int32_t slot, Vec2 p) const;
+    double squareWithin(const LandmarkStencil& stencil, Vec2 from) const;
     bool sees(const CostField& field, Vec2 place) const;
 
     FieldLattice lattice_;
     const StaticGround* ground_ = nullptr;
     std::uint32_t version_ = 0;
-    std::int32_t spacing_ = 0;              // [coarse cells]
-    std::vector<std::int32_t> moved_;       // Landmark of each lattice point: a coarse cell, -1 for none, -2 not looked for.
-    std::int32_t movedWidth_ = 0;
+    std::int32_t spacing_ = 0;  // [coarse cells]
+    Lattice wide_;
+    Lattice narrow_;            // For places on slow ground.
     std::vector<EikonalSolver> solvers_;
 };
 

@@ -14,6 +14,8 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, whether the line is clear or not [m].
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
+constexpr double kDetour = 1.6;             // Times the straight line's cost: a detour that may be cheaper outside a window.
+constexpr double kMuchLess = 0.6;           // Far fields are off by up to a tenth there.
 constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
 constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
 constexpr std::int32_t kTraceSteps = 10;    // Along a far way, to a point in sight ahead...
@@ -84,6 +86,7 @@ struct Geodesics::Impl {
     void askFor(Vec2 from, std::int32_t place);
     double farCost(Vec2 from, std::int32_t place, double line) const;
     Bent bent(Vec2 from, std::int32_t place, bool owner) const;
+    Bent roundOutside(Bent inside, Vec2 from, std::int32_t place) const;
     float straightCost(Vec2 from, Vec2 to) const;
     float costFrom(Vec2 from, std::int32_t place) const;
     WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
@@ -190,6 +193,15 @@ double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) cons
     return std::sqrt(std::max(square, least * least));
 }
 
+// Windows know no way that leaves them. Through slow ground there may be one that is much longer than the best: where far
+// fields know a cheaper one, that.
+Geodesics::Impl::Bent Geodesics::Impl::roundOutside(Bent inside, Vec2 from, std::int32_t place) const {
+    if (ground->even() || inside.cost <= kDetour * ground->lineCost(from, places[place])) return inside;
+    askFar(place);
+    const double cost = farCost(from, place, distance(from, places[place]));
+    return cost < kMuchLess * inside.cost ? Bent{cost, Bent::Far} : inside;
+}
+
 // The finest windows that reach so far; coarser ones where those do not know the way.
 Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner) const {
     const double line = distance(from, places[place]);
@@ -197,13 +209,13 @@ Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool 
     if (near.reaches(from, place)) {
         near.ask(place, owner);
         const double cost = near.cost(from, place, line);
-        if (cost < kInfinite) return {cost, Bent::Near};
+        if (cost < kInfinite) return roundOutside({cost, Bent::Near}, from, place);
         missing = !near.known(place);
     }
     if (middle.reaches(from, place)) {
         if (!missing) middle.ask(place, owner);
         const double cost = middle.cost(from, place, line);
-        if (cost < kInfinite) return {cost, Bent::Middle};
+        if (cost < kInfinite) return roundOutside({cost, Bent::Middle}, from, place);
         missing = missing || !middle.known(place);
     }
     // On even ground the line tells enough until then.

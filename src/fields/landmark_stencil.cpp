@@ -49,6 +49,7 @@ LandmarkStencil weighLandmarks(std::span<const Landmark> landmarks, bool square,
         if (weight[k] > weight[most]) most = k;
         stencil.slot[k] = landmarks[k].slot;
         stencil.weight[k] = static_cast<float>(weight[k]);
+        stencil.own[k] = static_cast<float>(landmarks[k].cost);
     }
     stencil.nearest = landmarks[most].slot;
     stencil.shift = static_cast<float>(-spread * static_cast<double>(unit) * static_cast<double>(unit));

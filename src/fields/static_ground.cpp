@@ -185,7 +185,54 @@ float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
     return best;
 }
 
+// The cheapest lane from the middle of the neighbour at `step` over the border into a coarse cell; infinite where none
+// is free so far.
+float StaticGround::nearSide(Cell cell, Cell step, std::int32_t ratio) const {
+    float best = kInfinite;
+    if (!coarse_.grid.contains({cell.x + step.x, cell.y + step.y})) return best;
+    // Fine cells from the one inside to the neighbour's middle.
+    const std::int32_t inside = step.x + step.y > 0 ? ratio - 1 : 0;
+    for (std::int32_t lane = 0; lane < ratio; ++lane) {
+        float sum = 0.0f;
+        const std::int32_t length = 1 + ratio / 2;
+        for (std::int32_t k = 0; k < length && sum < kInfinite; ++k) {
+            const Cell c{cell.x * ratio + (step.x != 0 ? inside + k * step.x : lane),
+                         cell.y * ratio + (step.y != 0 ? inside + k * step.y : lane)};
+            const bool free = grid_.contains(c) && !fine_.blocked(grid_.index(c));
+            sum = free ? sum + unit_[grid_.index(c)] : kInfinite;
+        }
+        if (sum < kInfinite) best = std::min(best, sum / static_cast<float>(length));
+    }
+    return best;
+}
+
+// Cells with a wall in the middle. Those that can be entered from opposite sides are left out: they may divide two rooms.
+void StaticGround::findBeside(std::int32_t ratio) {
+    beside_.clear();
+    const Grid& grid = coarse_.grid;
+    for (std::int32_t k = 0; k < grid.count(); ++k) {
+        const Cell cell = grid.at(k);
+        const Cell middle{cell.x * ratio + ratio / 2, cell.y * ratio + ratio / 2};
+        if (grid_.contains(middle) && !fine_.blocked(grid_.index(middle))) continue;
+        const CellCost& cost = coarse_.cells[static_cast<std::size_t>(k)];
+        for (const bool across : {false, true}) {
+            const Cell up = across ? Cell{1, 0} : Cell{0, 1};
+            const Cell down{-up.x, -up.y};
+            const float high = across ? cost.east : cost.north;
+            const float low = across ? cost.west : cost.south;
+            if (high < kInfinite || low < kInfinite) continue;
+            const float above = nearSide(cell, up, ratio);
+            const float below = nearSide(cell, down, ratio);
+            if ((above < kInfinite) == (below < kInfinite)) continue;
+            const Cell step = above < kInfinite ? up : down;
+            beside_.push_back({cell, {cell.x + step.x, cell.y + step.y},
+                               std::min(above, below) * static_cast<float>(grid.cell)});
+        }
+    }
+}
+
 void StaticGround::makeCoarse() {
+    beside_.clear();
     std::int32_t ratio = 2;
     const auto across = [](std::int32_t cells, std::int32_t by) { return (cells + by - 1) / by; };
     while (across(grid_.width, ratio) * across(grid_.height, ratio) > kCoarseCells) ratio *= 2;
@@ -206,6 +253,7 @@ void StaticGround::makeCoarse() {
         if (c.x + 1 < grid.width) coarse_.cells[k + 1].west = east;
         if (c.y + 1 < grid.height) coarse_.cells[k + grid.width].south = north;
     }
+    findBeside(ratio);
 }
 
 double StaticGround::roomBetween(Vec2 p) const {

@@ -33,6 +33,8 @@ public:
     /// Square of the cost at `p`, interpolated between the four centres around it, of which only those reached count;
     /// infinite where none is. On uniform ground squares are what interpolates well: they have no kink at the source.
     double squareBetween(Vec2 p) const;
+    /// Lowers the value of a cell from outside; where its way comes from is not known any more. Nothing where it is not lower.
+    void lower(Cell cell, float value);
     /// Corners of the way from `p` to the source as far as it is known to be made of straight lines, from the first after
     /// `p` on, the source left out. Returns their number, at most `most`; -1 where the way is not known.
     std::int32_t corners(Vec2 p, std::span<Vec2> corners) const;

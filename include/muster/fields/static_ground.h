@@ -25,6 +25,14 @@ public:
     const GroundLevel& fineLevel() const { return fine_; }   ///< The same with the room to walls.
     const GroundLevel& middle() const { return middle_; }    ///< On cells twice as wide.
     const UnitCost& coarse() const { return coarse_; }  ///< On cells 2, 4, 8... times as wide, at most kCoarseCells.
+    /// A cell of coarse() whose middle nobody can stand on, and the neighbour from which its near side is reached.
+    struct Beside {
+        Cell cell;
+        Cell neighbour;
+        float cost;  ///< Of going across.
+    };
+    /// All such cells: fields on coarse() do not know them, or only by a way round, though people stand there.
+    std::span<const Beside> beside() const { return beside_; }
     /// True where all ground costs the same.
     bool even() const { return even_; }
     /// True where all ground costs the same and nothing stands in the way.
@@ -65,6 +73,8 @@ private:
     void makeMiddle(std::span<const float> clearance);
     void makeCoarse();
     float coarseEdge(Cell from, Cell step, std::int32_t ratio) const;
+    float nearSide(Cell cell, Cell step, std::int32_t ratio) const;
+    void findBeside(std::int32_t ratio);
 
     Grid grid_;
     double radius_ = -1.0;
@@ -78,6 +88,7 @@ private:
     GroundLevel fine_;
     GroundLevel middle_;
     UnitCost coarse_;
+    std::vector<Beside> beside_;
     std::vector<float> speed_;
     std::vector<float> unit_;
     std::vector<float> far_;  // Working memory.
