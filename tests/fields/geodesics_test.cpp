@@ -151,6 +151,22 @@ TEST_CASE("far ways round a block and through a corridor are near the exact ones
     CHECK(worst < 0.06);
 }
 
+TEST_CASE("ways to slow ground between walls are near those of the fine field, however far") {
+    Environment environment = squareWorld(32.0);
+    REQUIRE(environment.addObstacle(rectangle(-8, 2.6, 8, 3.4)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-8, 8.6, 8, 32)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-8, -3.4, 8, -2.6)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-8, -32, 8, -8.6)).ok());
+    REQUIRE(environment.addPatch(slowBox(-4.5, 3.4, 4.5, 8.6, 0.4)).ok());
+    REQUIRE(environment.addPatch(slowBox(-4.5, -8.6, 4.5, -3.4, 0.2)).ok());
+    Scene scene(std::move(environment));
+    Errors errors = errorsOf(scene, 220, 12.0, 16.0, 4);
+    MESSAGE("slow ground: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p99 " << errors.at(0.99)
+                            << ", worst " << errors.at(1.0));
+    CHECK(errors.at(0.5) < 0.04);
+    CHECK(errors.at(0.99) < 0.12);
+}
+
 TEST_CASE("who follows the direction step by step comes to the place by nearly the shortest way") {
     Environment environment = squareWorld(32.0);
     REQUIRE(environment.addObstacle(rectangle(-3, -12, 3, 10)).ok());

@@ -108,6 +108,36 @@ TEST_CASE("the coarse copy keeps walls closed and doors open") {
     CHECK_FALSE(std::isfinite(field.cost({-19.2, 0.0})));
 }
 
+TEST_CASE("coarse cells with a wall in the middle are known from the side on which people stand") {
+    Environment environment = squareWorld(60.0);
+    // A wall whose lower face lies a little above the border of a row of coarse cells.
+    const double edge = groundOf(environment).coarse().grid.cell;
+    const double face = -60.0 + edge * 60.0 + 0.35 * edge + 0.25;
+    REQUIRE(environment.addObstacle(rectangle(-60, face, 20, face + 3.0 * edge)).ok());
+    const StaticGround ground = groundOf(environment);
+    const Grid& grid = ground.coarse().grid;
+    REQUIRE(grid.cell == edge);
+    REQUIRE_FALSE(ground.beside().empty());
+    for (const StaticGround::Beside& beside : ground.beside()) {
+        const Vec2 middle = grid.centre(beside.cell);
+        CHECK(environment.distanceToObstacle(middle) < 0.25 + environment.grid().cell);
+        CHECK(environment.distanceToObstacle(grid.centre(beside.neighbour)) >= 0.25);
+        CHECK(std::abs(beside.cell.x - beside.neighbour.x) + std::abs(beside.cell.y - beside.neighbour.y) == 1);
+        CHECK(beside.cost == doctest::Approx(edge));
+    }
+    // Values there can be told, and only sink.
+    EikonalSolver solver;
+    CostField field;
+    solver.solve(ground.coarse(), {5.0, face - 8.0}, {}, field);
+    const Cell beside = ground.beside()[20].cell;
+    CHECK(field.value(beside) > 60.0f);  // Round the wall's end, or not at all.
+    field.lower(beside, 40.0f);
+    CHECK(field.value(beside) == 40.0f);
+    field.lower(beside, 50.0f);
+    CHECK(field.value(beside) == 40.0f);
+    field.lower({-1, 4000}, 1.0f);  // Nothing there.
+}
+
 TEST_CASE("ground changes with what stands still and with nothing else") {
     Environment environment = squareWorld(12.0);
     ObstacleDef cart;
