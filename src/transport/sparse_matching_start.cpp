@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kFewPairs = 4096;    // So many are all compared.
 constexpr std::size_t kTruePairs = 256;    // So many by their costs, more by straight distance.
 constexpr std::size_t kFewOnOneSide = 16;
-constexpr std::int32_t kPerPart = 100;
+constexpr std::int32_t kPerPart = 48;
 constexpr std::int32_t kMostParts = 256;
 constexpr std::size_t kExact = 16;  // Parts this small are matched exactly.
 
