@@ -73,7 +73,7 @@ struct Geodesics::Impl {
         }
     }
     std::int32_t perStep(std::int32_t most) const {
-        return std::max(most, static_cast<std::int32_t>(static_cast<std::int64_t>(most) * static_cast<std::int64_t>(places.size()) / 1000));
+        return std::max(most, static_cast<std::int32_t>(static_cast<std::int64_t>(most) * static_cast<std::int64_t>(places.size()) / 2500));
     }
     void askFar(std::int32_t place) const { noteAsked(askedFar, place); }
     // A number that differs from place to place and from step to step.
