@@ -45,7 +45,8 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copy(input.present, present_);
     ground_ = input.ground;
     excess_ = input.excess;
-    progress_ = Progress::Started;
+    pending_ = true;
+    measured_ = matched_ = false;
     return {};
 }
 
@@ -56,19 +57,19 @@ void FastPlan::update(ThreadPool& pool, const StaticGround& ground, const CrowdE
 }
 
 void FastPlan::advance(std::int32_t, std::int32_t, ThreadPool& pool) {
-    if (progress_ != Progress::Started) return;
+    if (!pending_ || measured_ || matched_) return;
     update(pool, *ground_, *excess_, places_);
     updated_ = true;
     ownPlace_.assign(incumbent_.begin(), incumbent_.end());
     measureOwn(pool);
-    progress_ = Progress::Measured;
+    measured_ = true;
 }
 
 void FastPlan::match(ThreadPool& pool) {
-    if (progress_ != Progress::Measured) return;
+    if (!measured_ || matched_) return;
     costs_.set(geodesics_, def_.geodesic, characters_, places_, ownPlace_, own_);
     if (def_.reassign) assign(pool);
-    progress_ = Progress::Matched;
+    matched_ = true;
 }
 
 void FastPlan::workAside() {
@@ -132,7 +133,7 @@ Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
     if (!pending()) return invalidArgument("no plan is under way");
     advance(0, 1, pool);
     match(pool);
-    progress_ = Progress::None;
+    pending_ = measured_ = matched_ = false;
     planned_ = true;
     report(result);
     seekWaitingPlaces();
@@ -233,8 +234,8 @@ bool FastPlan::load(Reader& archive, ThreadPool&) {
 bool FastPlan::consistent() const {
     const std::size_t n = characters_.size();
     // Nobody saves a plan between start() and the end of its work.
-    const bool whole = progress_ == Progress::None ||
-                       (progress_ == Progress::Matched && own_.size() == n && (!def_.reassign || matching_.placeOf().size() == n));
+    const bool whole = pending_ == matched_ &&
+                       (!pending_ || (own_.size() == n && (!def_.reassign || matching_.placeOf().size() == n)));
     const bool sizes = whole && incumbent_.size() == n && (present_.empty() || present_.size() == n) &&
                        (usable_.empty() || usable_.size() == places_.size()) && (waiting_.empty() || waiting_.size() == n);
     const auto inRange = [&](std::int32_t j) { return j >= -1 && j < static_cast<std::int64_t>(places_.size()); };

@@ -20,7 +20,7 @@ public:
     const char* name() const override { return "fast"; }
     bool readsUnitCost() const override { return false; }
     Status start(const PlanDef& def, const PlanInput& input) override;
-    bool pending() const override { return progress_ != Progress::None; }
+    bool pending() const override { return pending_; }
     void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
     bool worksAside() const override { return true; }
@@ -36,7 +36,7 @@ public:
 private:
     template <class Archive>
     void visit(Archive& archive) {
-        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, progress_, matching_, walkers_, waiting_,
+        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, pending_, matched_, matching_, walkers_, waiting_,
                 turn_, planned_);
     }
     bool consistent() const;
@@ -56,8 +56,9 @@ private:
     std::vector<std::int32_t> incumbent_;
     std::vector<std::uint8_t> present_;     // Per character: in the places' region.
     std::vector<float> own_;                // Per character: cost to its place.
-    enum class Progress : std::uint8_t { None, Started, Measured, Matched };
-    Progress progress_ = Progress::None;    // Of the pending plan.
+    bool pending_ = false;
+    bool measured_ = false;                 // The pending plan knows the costs and ways of all to their own places.
+    bool matched_ = false;                  // Its matching is done. Work aside writes this, others read it when that is over.
     bool planned_ = false;                  // A plan was finished.
     SparseMatching matching_;
     Geodesics geodesics_;

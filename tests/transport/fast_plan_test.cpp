@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <thread>
 
 #include "fields/ground_scene.h"
 #include "muster/transport/plan.h"
@@ -153,6 +154,39 @@ TEST_CASE("the number of threads changes nothing") {
         held.back().push_back(static_cast<std::int32_t>(value >> 32));
         CHECK(held.back() == held.front());
     }
+}
+
+TEST_CASE("work aside, with steering beside it, comes to what finish alone does") {
+    Walk scene(80, {-12, 0}, {10, 3}, 12);
+    const auto aside = makeFastPlan();
+    const auto whole = makeFastPlan();
+    ThreadPool pool(2);
+    std::vector<Vec2> direction(80);
+    std::vector<double> left(80);
+    for (int step = 0; step < 60; ++step) {
+        const PlanResult expected = scene.plan(*whole, pool);
+        REQUIRE(aside->start(scene.def, scene.input()).ok());
+        CHECK(aside->worksAside());
+        aside->advance(0, 1, pool);
+        std::thread worker([&] { aside->workAside(); });
+        const SteerInput input{scene.characters, scene.incumbent, scene.places, &scene.environment, 1.5, &scene.ground, &scene.excess};
+        aside->steer(input, pool, direction, left);
+        CHECK(aside->pending());
+        CHECK(aside->waitingPlace(0) >= -1);
+        worker.join();
+        PlanResult result;
+        REQUIRE(aside->finish(pool, result).ok());
+        CHECK_FALSE(aside->pending());
+        CHECK(result.objective == expected.objective);
+        CHECK(result.cost == expected.cost);
+        REQUIRE(result.flows.size() == expected.flows.size());
+        for (std::size_t k = 0; k < result.flows.size(); ++k) REQUIRE(result.flows[k].place == expected.flows[k].place);
+        whole->steer(input, pool, direction, left);
+        scene.take(expected);
+        scene.walk(*whole, pool, 0.05);
+    }
+    aside->workAside();  // Nothing to do.
+    CHECK_FALSE(aside->pending());
 }
 
 TEST_CASE("a saved fast plan goes on bit for bit, a broken one is refused") {
