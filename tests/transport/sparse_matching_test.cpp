@@ -72,6 +72,26 @@ TEST_CASE("a crowd of 1,000 keeps to within half a percent of the optimum, and s
     CHECK(follow(far, def, 300, forward, 0.0).worst < 0.003);
 }
 
+TEST_CASE("spread over several steps a round still keeps to near the optimum") {
+    for (const std::int32_t turns : {2, 3, 6}) {
+        CAPTURE(turns);
+        muster::MatchingDef def;
+        def.turns = turns;
+        CHECK(def.refreshTurns() + def.repairTurns() == turns);
+        MatchingScene scene(1000, 1000, 14);
+        const Run run = follow(scene, def, 420, forward, 0.02);
+        CHECK(run.worst < 0.01);
+        CHECK(run.mean < 0.004);
+        MatchingScene back(160, 160, 15);
+        CHECK(follow(back, def, 420, reversing, 0.0).worst < 0.01);
+    }
+    muster::MatchingDef one;
+    CHECK(one.rounds(4) == 4);
+    one.turns = 6;
+    CHECK(one.rounds(4) == 2);
+    CHECK(one.rounds(1) == 1);
+}
+
 TEST_CASE("the exponent may be 1 or 8") {
     for (const double p : {1.0, 8.0}) {
         muster::MatchingDef def;
