@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::int32_t kChunk = 128;              // Characters in one piece of parallel work.
+constexpr float kFarOwn = 25.0f;                  // From so far a direction serves for two steps [m].
 constexpr std::int32_t kWaitingPerPlan = 32;      // Unmatched characters for whom a place to wait at is sought.
 constexpr std::size_t kSurveyed = 24;             // Characters from which a first plan looks at the ground.
 constexpr double kLongestWalkExponent = 8.0;      // Stands for the longest walk alone.
@@ -60,7 +61,6 @@ void FastPlan::advance(std::int32_t, std::int32_t, ThreadPool& pool) {
     if (!pending_ || measured_ || matched_) return;
     update(pool, *ground_, *excess_, places_);
     updated_ = true;
-    ownPlace_.assign(incumbent_.begin(), incumbent_.end());
     measureOwn(pool);
     measured_ = true;
 }
@@ -92,14 +92,22 @@ MatchingDef FastPlan::matchingDef() const {
 // Costs and ways of all to their own places, which the matching and the steering both need.
 void FastPlan::measureOwn(ThreadPool& pool) {
     const auto count = static_cast<std::int32_t>(characters_.size());
+    ownPlace_.resize(characters_.size(), -1);
     way_.resize(characters_.size());
     own_.resize(characters_.size());
     walkers_.resize(characters_.size());
+    ++round_;
     pool.run((count + kChunk - 1) / kChunk, [&](std::int32_t chunk, std::int32_t) {
         for (std::int32_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
-            if (ownPlace_[i] < 0) continue;
-            way_[i] = geodesics_.ahead(characters_[i], ownPlace_[i], walkers_[i]);
-            own_[i] = def_.geodesic ? way_[i].cost : static_cast<float>(distance(characters_[i], places_[ownPlace_[i]]));
+            const std::int32_t place = incumbent_[i];
+            // Far from the place a direction serves for two steps.
+            const bool goesOn = place >= 0 && place == ownPlace_[i] && way_[i].cost > kFarOwn &&
+                                (static_cast<std::uint32_t>(i) + round_) % 2 == 0;
+            ownPlace_[i] = place;
+            if (place < 0) continue;
+            if (goesOn) way_[i].cost = geodesics_.cost(characters_[i], place);
+            else way_[i] = geodesics_.ahead(characters_[i], place, walkers_[i]);
+            own_[i] = def_.geodesic ? way_[i].cost : static_cast<float>(distance(characters_[i], places_[place]));
         }
     });
 }
@@ -242,9 +250,16 @@ bool FastPlan::consistent() const {
     const std::span<const std::int32_t> matched = matching_.placeOf();
     return sizes && std::all_of(incumbent_.begin(), incumbent_.end(), inRange) &&
            std::all_of(matched.begin(), matched.end(), inRange) &&
-           std::none_of(own_.begin(), own_.end(), [](float c) { return std::isnan(c); }) &&
+           std::none_of(own_.begin(), own_.end(), [](float c) { return std::isnan(c); }) && consistentWays() &&
            std::all_of(waiting_.begin(), waiting_.end(), inRange) && std::all_of(characters_.begin(), characters_.end(), isFinite) &&
            std::all_of(places_.begin(), places_.end(), isFinite);
+}
+
+bool FastPlan::consistentWays() const {
+    const auto sane = [](const WayAhead& way) {
+        return isFinite(way.direction) && lengthSquared(way.direction) < 1.1 && !std::isnan(way.cost);
+    };
+    return way_.size() == ownPlace_.size() && std::all_of(way_.begin(), way_.end(), sane);
 }
 
 bool FastPlan::suits(std::size_t characters, std::size_t places, const Grid&) const {

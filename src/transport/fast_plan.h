@@ -36,10 +36,11 @@ public:
 private:
     template <class Archive>
     void visit(Archive& archive) {
-        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, pending_, matched_, matching_, walkers_, waiting_,
-                turn_, planned_);
+        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, way_, ownPlace_, round_, pending_, matched_, matching_,
+                walkers_, waiting_, turn_, planned_);
     }
     bool consistent() const;
+    bool consistentWays() const;
     void update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places);
     void measureOwn(ThreadPool& pool);
     void match(ThreadPool& pool);
@@ -56,6 +57,9 @@ private:
     std::vector<std::int32_t> incumbent_;
     std::vector<std::uint8_t> present_;     // Per character: in the places' region.
     std::vector<float> own_;                // Per character: cost to its place.
+    std::vector<WayAhead> way_;             // Per character, to ownPlace_.
+    std::vector<std::int32_t> ownPlace_;    // Its place when that was worked out.
+    std::uint32_t round_ = 0;               // Of working it out.
     bool pending_ = false;
     bool measured_ = false;                 // The pending plan knows the costs and ways of all to their own places.
     bool matched_ = false;                  // Its matching is done. Work aside writes this, others read it when that is over.
@@ -69,8 +73,6 @@ private:
     const StaticGround* ground_ = nullptr;
     const CrowdExcess* excess_ = nullptr;
     bool updated_ = false;                  // The geodesics know this step's places.
-    std::vector<WayAhead> way_;             // Per character, to ownPlace_.
-    std::vector<std::int32_t> ownPlace_;
     FastCosts costs_;
     ThreadPool alone_;                      // For work aside, which has one thread.
     // For pictures: the field of one place on the still ground.

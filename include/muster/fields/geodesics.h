@@ -26,6 +26,12 @@ struct GeodesicsDef {
 struct WayAhead {
     Vec2 direction;     ///< Unit vector; zero where no way is known.
     float cost = 0.0f;  ///< To the place.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(direction, cost);
+    }
 };
 
 /// What a walker remembers from step to step of a long way: a point in sight that lies on it, or the landmark of a window
