@@ -10,8 +10,9 @@
 
 namespace muster {
 
-/// The nearest of some sorted points, nearest first; of equal distance the lower number first. Looks at so many points
-/// only, so where points are crowded beyond measure some nearest may be missed.
+/// The nearest of some sorted points, nearest first; of equal distance the lower number first, though of several equally
+/// far ones that do not all fit those are kept that were met first. Looks at so many points only, so where points are
+/// crowded beyond measure some nearest may be missed.
 class NearestPoints {
 public:
     static constexpr std::int32_t kMost = 16;  ///< Can be asked for.
