@@ -283,3 +283,17 @@ TEST_CASE("a foreign runner is handed launched work where it takes any, else the
     CHECK(launched.round == 4 * 200);
     CHECK(launched.where != std::this_thread::get_id());
 }
+
+TEST_CASE("chunks cover every item once, with a pool and without") {
+    ThreadPool pool(3);
+    for (ThreadPool* with : {static_cast<ThreadPool*>(nullptr), &pool})
+        for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{1000}}) {
+            std::vector<std::atomic<int>> hits(count);
+            forChunks(with, count, 8, [&](std::size_t i) { ++hits[i]; });
+            for (const std::atomic<int>& hit : hits) REQUIRE(hit == 1);
+        }
+    // One chunk runs in the caller.
+    std::thread::id where;
+    forChunks(&pool, 8, 8, [&](std::size_t) { where = std::this_thread::get_id(); });
+    CHECK(where == std::this_thread::get_id());
+}

@@ -90,3 +90,29 @@ TEST_CASE("who is pushed into one that stood apart is parted from him, and what 
     CHECK(seen.overlapPairs == 1);
     CHECK(seen.worstPenetration == doctest::Approx(share));
 }
+
+TEST_CASE("contacts are the same for any number of threads, or none") {
+    Environment environment = room(40);
+    Random random(9);
+    for (int k = 0; k < 30; ++k) {
+        ObstacleDef tree;
+        tree.centre = {random.uniform(-35, 35), random.uniform(-35, 35)};
+        tree.radius = random.uniform(0.3, 1.5);
+        REQUIRE(environment.addObstacle(tree).ok());
+    }
+    environment.setTime(0.0);
+    std::vector<Vec2> start(5000);
+    for (Vec2& p : start) p = {random.uniform(-40, 40), random.uniform(-40, 40)};
+    std::vector<Vec2> expected = start;
+    Contacts alone;
+    const ContactReport report = alone.resolve({0.25, 8}, environment, expected);
+    for (const int threads : {1, 2, 3, 8}) {
+        ThreadPool pool(threads);
+        Contacts contacts;
+        std::vector<Vec2> positions = start;
+        const ContactReport same = contacts.resolve({0.25, 8}, environment, positions, {}, &pool);
+        CHECK(positions == expected);
+        CHECK(same.overlapPairs == report.overlapPairs);
+        CHECK(same.worstPenetration == report.worstPenetration);
+    }
+}

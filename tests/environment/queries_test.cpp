@@ -320,3 +320,25 @@ TEST_CASE("an obstacle without a slot has no gap within, however many parts it h
     REQUIRE(environment.addObstacle(star).ok());
     CHECK(environment.narrowGaps(0.2).empty());
 }
+
+TEST_CASE("regions are counted, and a single one has the label 0 wherever one can stand") {
+    Environment open = emptyWorld(16.0, 0.25);
+    REQUIRE(open.addObstacle(rectangle({-2, -2}, {2, 2})).ok());
+    open.setTime(0.0);
+    CHECK(open.regionCount(0.25) == 1);
+    CHECK(open.region({0, 0}, 0.25) == -1);
+    CHECK(open.region({-6, 5}, 0.25) == 0);
+    CHECK(open.region({30, 0}, 0.25) == -1);
+    // A wall with a door for the slim: two rooms for the stout.
+    REQUIRE(open.addObstacle(rectangle({-0.2, 2}, {0.2, 5})).ok());
+    REQUIRE(open.addObstacle(rectangle({-0.2, 6.2}, {0.2, 8})).ok());
+    REQUIRE(open.addObstacle(rectangle({-0.2, -8}, {0.2, -2})).ok());
+    open.setTime(0.0);
+    CHECK(open.regionCount(0.25) == 1);
+    CHECK(open.regionCount(0.9) == 2);
+    CHECK(open.region({-6, 0}, 0.9) != open.region({6, 0}, 0.9));
+    CHECK(open.region({-6, 0}, 0.25) == open.region({6, 0}, 0.25));
+    // Nowhere to stand at all.
+    CHECK(open.regionCount(20.0) == 0);
+    CHECK(open.region({-6, 0}, 20.0) == -1);
+}
