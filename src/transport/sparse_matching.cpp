@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "transport/sparse_matching_prices.h"
-
 namespace muster {
 namespace {
 
 constexpr std::size_t kPairsAtOnce = 4096;
+constexpr std::int32_t kManyViolated = 8; // One in so many seats.
+constexpr std::int32_t kFitRests = 8;     // Repairs between two fits of prices.
 constexpr std::int32_t kWholeTurns = 4;   // In every so many turns of a row all its arcs are asked for, else the tight ones.
 constexpr double kLoose = 0.2;           // Arcs are tight that a holder's coming nearer by so much would violate [m]...
 constexpr double kLeastLoose = 1.0;       // ... at this cost or its own [m].
@@ -20,7 +20,7 @@ void SparseMatching::clear() { *this = {}; }
 
 // Sizes the memory for the input.
 void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input) {
-    step_ = turn_ = 0;
+    step_ = turn_ = restOfFit_ = violated_ = 0;
     far_ = false;
     flipped_.reserve(2 * std::max(input.characters.size(), input.places.size()));
     stale_.assign(std::max(input.characters.size(), input.places.size()), 0);
@@ -65,7 +65,7 @@ void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, s
     askOwn(context);
     refreshAll(context);
     state_.arcs.sortByTarget();
-    PriceFit().run(context, state_);
+    fit_.run(context, state_);
     publish(context);
     measureSlack(context);
 }
@@ -101,8 +101,15 @@ void SparseMatching::beginTurn(const MatchingDef& def) {
 
 void SparseMatching::repair(const MatchingContext& context) {
     const MatchingDef& def = context.def;
+    // Where much is violated searches find no way: prices are fitted anew then.
+    if (restOfFit_ > 0) --restOfFit_;
+    if (restOfFit_ == 0 && violated_ > state_.seats.count() / kManyViolated) {
+        fit_.run(context, state_);
+        restOfFit_ = kFitRests;
+    }
     const double share = far_ ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
     repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()));
+    violated_ = repair_.violated();
     measureSlack(context);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "transport/sparse_matching_prices.h"
 #include "transport/sparse_matching_repair.h"
 #include "transport/sparse_matching_start.h"
 #include "transport/sparse_matching_state.h"
@@ -33,7 +34,7 @@ public:
     /// What the optimum on the arcs known may be below the objective at most [m^p], by the prices.
     double slack() const { return slack_; }
     std::int32_t exchanges() const { return repair_.exchanges(); }  ///< Cycles committed by the last call.
-    std::int32_t violated() const { return repair_.violated(); }    ///< Seats with a violated arc at the last call.
+    std::int32_t violated() const { return violated_; }             ///< Seats with a violated arc when repairs began last.
     std::int64_t settled() const { return repair_.settled(); }      ///< Nodes settled by the last call.
     /// Writes a price for each place [m^p]: with prices v the sum over characters of min_j (c_ij^p - v_j), and of all v, is
     /// a lower bound of the optimum where there are as many characters as places.
@@ -42,7 +43,7 @@ public:
     /// Lets an archive read or write all that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(step_, turn_, far_, state_, placeOf_, cost_, objective_, slack_, slope_, units_);
+        archive(step_, turn_, restOfFit_, violated_, far_, state_, placeOf_, cost_, objective_, slack_, slope_, units_);
         if constexpr (Archive::kReading) {
             if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) || cost_.size() != placeOf_.size())
                 archive.fail();
@@ -72,6 +73,8 @@ private:
 
     std::int32_t step_ = 0;  // Rounds, each of MatchingDef::turns calls.
     std::int32_t turn_ = 0;  // Calls of this round so far.
+    std::int32_t violated_ = 0;
+    std::int32_t restOfFit_ = 0;  // Repairs until prices may be fitted again.
     bool far_ = false;       // All was far away when costs were asked for last.
     MatchingState state_;
     std::vector<std::int32_t> placeOf_;
@@ -84,6 +87,7 @@ private:
     std::int32_t searchLimit_ = 0;
     MatchingRepair repair_;
     MatchingStart start_;
+    PriceFit fit_;
     std::vector<Pair> pairs_;
     std::vector<float> answers_;
     std::vector<std::int32_t> rows_;

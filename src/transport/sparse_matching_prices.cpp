@@ -53,13 +53,16 @@ void PriceFit::pairArcs(const MatchingState& state) {
 
 void PriceFit::divide(const MatchingContext& context, const MatchingState& state) {
     const std::int32_t seats = state.seats.count();
-    std::vector<Vec2> at(static_cast<std::size_t>(seats));
-    std::vector<std::int32_t> order(at.size());
+    std::vector<Vec2>& at = at_;
+    std::vector<std::int32_t>& order = order_;
+    at.resize(static_cast<std::size_t>(seats));
+    order.resize(at.size());
     for (std::int32_t s = 0; s < seats; ++s) {
         at[static_cast<std::size_t>(s)] = state.seats.at(s, context);
         order[static_cast<std::size_t>(s)] = s;
     }
-    std::vector<std::int32_t> ends;
+    std::vector<std::int32_t>& ends = ends_;
+    ends.clear();
     divideIntoLeaves(at, order, std::clamp(seats / kPerPart, 1, kMostParts), 0, ends);
     partOf_.assign(at.size(), 0);
     planes_.assign(ends.size(), {});
@@ -75,7 +78,8 @@ void PriceFit::divide(const MatchingContext& context, const MatchingState& state
 }
 
 void PriceFit::fitSlopes(const MatchingContext& context, const MatchingState& state) {
-    std::vector<Normal> normals(planes_.size());
+    std::vector<Normal>& normals = normals_;
+    normals.assign(planes_.size(), {});
     for (std::int32_t arc = 0; arc < static_cast<std::int32_t>(weight_.size()); ++arc) {
         const double weight = mid(weight_, arc);
         if (weight == 0.0) continue;

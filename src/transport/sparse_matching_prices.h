@@ -42,6 +42,10 @@ private:
     std::vector<Plane> planes_;
     std::vector<double> coupling_;  // Parts x parts.
     std::vector<double> wanted_;    // Per part.
+    std::vector<Normal> normals_;   // Per part.
+    std::vector<Vec2> at_;          // Per seat.
+    std::vector<std::int32_t> order_;
+    std::vector<std::int32_t> ends_;
 };
 
 }  // namespace muster
