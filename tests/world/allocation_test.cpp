@@ -78,7 +78,7 @@ TEST_CASE("a crowd that walks where it walked before allocates nothing, in the o
     def.box = {{-15, -12}, {15, 12}};
     CHECK(leadToAndFro(def, 6) == 0);
     def.obstacles = {block(-1.2, -1.5, 1.2, 1.5)};
-    CHECK(leadToAndFro(def, 10) == 0);
+    CHECK(leadToAndFro(def, 12) == 0);
 }
 
 TEST_CASE("60 steps of two groups on patches, with items and checkpoints, allocate nothing") {
