@@ -98,7 +98,8 @@ Growth growthOf(std::span<const Row> rows, Regime regime) {
     Growth growth;
     double xx = 0.0;
     double xy = 0.0;
-    for (const auto& [name, members] : series) {
+    for (const auto& entry : series) {
+        const std::vector<const Row*>& members = entry.second;
         const auto mean = [&](auto value) {
             double sum = 0.0;
             for (const Row* row : members) sum += value(*row);
