@@ -16,19 +16,22 @@ constexpr double kRidge = 0.05;
 
 }  // namespace
 
-float CostField::value(Cell cell) const {
+// Where the value of a cell is kept; -1 outside the window.
+std::int32_t CostField::indexOf(Cell cell) const {
     const std::int32_t x = cell.x - low_.x;
     const std::int32_t y = cell.y - low_.y;
-    if (x < 0 || y < 0 || x >= width_ || y >= height_) return kInfiniteCost;
-    return values_[static_cast<std::size_t>(y) * width_ + x];
+    return x < 0 || y < 0 || x >= width_ || y >= height_ ? -1 : y * width_ + x;
+}
+
+float CostField::value(Cell cell) const {
+    const std::int32_t at = indexOf(cell);
+    return at >= 0 ? values_[static_cast<std::size_t>(at)] : kInfiniteCost;
 }
 
 void CostField::lower(Cell cell, float value) {
-    const std::int32_t x = cell.x - low_.x;
-    const std::int32_t y = cell.y - low_.y;
-    if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
-    const auto at = static_cast<std::size_t>(y) * width_ + x;
-    if (!(value < values_[at])) return;
+    const std::int32_t index = indexOf(cell);
+    const auto at = static_cast<std::size_t>(index);
+    if (index < 0 || !(value < values_[at])) return;
     values_[at] = value;
     if (at < root_.size()) root_[at] = 0;
 }

@@ -77,8 +77,7 @@ FarFields::Corners FarFields::cornersOf(Vec2 place, Lattice& lattice) const {
     return corners;
 }
 
-bool FarFields::sees(const CostField& field, Vec2 place) const {
-    const double square = field.squareBetween(place);
+bool FarFields::sees(const CostField& field, Vec2 place, double square) const {
     const double slack = kCellsOff * field.grid().cell * ground_->unit(place);
     const double line = kInLine * ground_->lineCost(place, field.source()) + slack;
     return square <= line * line;
@@ -91,31 +90,29 @@ LandmarkStencil FarFields::stencil(Vec2 place) {
     Landmark unseen[4];
     std::size_t count = 0;
     std::size_t others = 0;
-    std::int32_t best = -1;
     for (std::int32_t k = 0; k < corners.count; ++k) {
         const std::int32_t slot = lattice_.use(corners.cell[k]);
         if (slot < 0) {
             lattice_.wish(corners.cell[k]);
             continue;
         }
-        if (best < 0 || lattice_.field(slot).squareBetween(place) < lattice_.field(best).squareBetween(place)) best = slot;
-        const Landmark landmark{slot, grid.centre(grid.at(corners.cell[k])), costBetween(slot, place)};
-        if (sees(lattice_.field(slot), place)) known[count++] = landmark;
+        const double square = lattice_.field(slot).squareBetween(place);
+        const Landmark landmark{slot, grid.centre(grid.at(corners.cell[k])), std::sqrt(std::max(0.0, square))};
+        if (sees(lattice_.field(slot), place, square)) known[count++] = landmark;
         else unseen[others++] = landmark;
     }
     // Where none sees the place, the one from which the way is shortest must do.
-    if (count == 0 && best >= 0 && std::isfinite(lattice_.field(best).squareBetween(place)))
-        known[count++] = {best, lattice_.field(best).source(), costBetween(best, place)};
+    const auto nearer = [](const Landmark& a, const Landmark& b) { return a.cost < b.cost; };
+    if (count == 0 && others > 0) {
+        const Landmark& best = *std::min_element(unseen, unseen + others, nearer);
+        if (std::isfinite(best.cost)) known[count++] = best;
+    }
     LandmarkStencil stencil = weighLandmarks({known, count}, corners.square, place, ground_->unit(place));
-    // On slow ground the others tell how long a way is at least and at most.
     stencil.unit = slow(place) ? ground_->unit(place) : 0.0f;
+    // On uneven ground the others tell how long a way is at least and at most.
     if (!ground_->even() && stencil.count > 0)
         for (std::size_t k = 0; k < others && stencil.count < 4; ++k) stencil.addBound(unseen[k]);
     return stencil;
-}
-
-double FarFields::costBetween(std::int32_t slot, Vec2 p) const {
-    return std::sqrt(std::max(0.0, lattice_.field(slot).squareBetween(p)));
 }
 
 double FarFields::square(const LandmarkStencil& stencil, Vec2 from) const {

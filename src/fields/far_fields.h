@@ -55,9 +55,8 @@ private:
     Corners cornersOf(Vec2 place, Lattice& lattice) const;
     std::int32_t freeNear(Cell point, Lattice& lattice) const;
     void solve(std::int32_t landmark, CostField& field, EikonalSolver& solver) const;
-    double costBetween(std::int32_t slot, Vec2 p) const;
     double squareWithin(const LandmarkStencil& stencil, Vec2 from) const;
-    bool sees(const CostField& field, Vec2 place) const;
+    bool sees(const CostField& field, Vec2 place, double square) const;
 
     FieldLattice lattice_;
     const StaticGround* ground_ = nullptr;

@@ -16,6 +16,7 @@ constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, 
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
 constexpr double kDetour = 1.6;             // Times the straight line's cost: a detour that may be cheaper outside a window.
 constexpr double kMuchLess = 0.6;           // Far fields are off by up to a tenth there.
+constexpr std::int64_t kManyPlaces = 2500;  // Above, more windows are made in a step.
 constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
 constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
 constexpr std::int32_t kTraceSteps = 10;    // Along a far way, to a point in sight ahead...
@@ -73,7 +74,7 @@ struct Geodesics::Impl {
         }
     }
     std::int32_t perStep(std::int32_t most) const {
-        return std::max(most, static_cast<std::int32_t>(static_cast<std::int64_t>(most) * static_cast<std::int64_t>(places.size()) / 2500));
+        return std::max(most, static_cast<std::int32_t>(most * static_cast<std::int64_t>(places.size()) / kManyPlaces));
     }
     void askFar(std::int32_t place) const { noteAsked(askedFar, place); }
     // A number that differs from place to place and from step to step.

@@ -25,12 +25,8 @@ public:
     }
     float cost(std::int32_t character, std::int32_t place) override { return price(character, place); }
     void fill(std::span<const Pair> pairs, std::span<float> cost, ThreadPool& pool) override {
-        constexpr std::int32_t kChunk = 256;
-        const auto count = static_cast<std::int32_t>(pairs.size());
-        pool.run((count + kChunk - 1) / kChunk, [&](std::int32_t chunk, std::int32_t) {
-            const std::int32_t end = std::min(count, (chunk + 1) * kChunk);
-            for (std::int32_t k = chunk * kChunk; k < end; ++k) cost[k] = price(pairs[k].character, pairs[k].place);
-        });
+        constexpr std::size_t kChunk = 256;
+        forChunks(&pool, pairs.size(), kChunk, [&](std::size_t k) { cost[k] = price(pairs[k].character, pairs[k].place); });
     }
 
 private:

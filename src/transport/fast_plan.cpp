@@ -11,7 +11,7 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::int32_t kChunk = 128;              // Characters in one piece of parallel work.
+constexpr std::size_t kChunk = 128;               // Characters in one piece of parallel work.
 constexpr float kFarOwn = 25.0f;                  // From so far a direction serves for two steps [m].
 constexpr std::int32_t kWaitingPerPlan = 32;      // Unmatched characters for whom a place to wait at is sought.
 constexpr std::size_t kSurveyed = 24;             // Characters from which a first plan looks at the ground.
@@ -91,24 +91,21 @@ MatchingDef FastPlan::matchingDef() const {
 
 // Costs and ways of all to their own places, which the matching and the steering both need.
 void FastPlan::measureOwn(ThreadPool& pool) {
-    const auto count = static_cast<std::int32_t>(characters_.size());
     ownPlace_.resize(characters_.size(), -1);
     way_.resize(characters_.size());
     own_.resize(characters_.size());
     walkers_.resize(characters_.size());
     ++round_;
-    pool.run((count + kChunk - 1) / kChunk, [&](std::int32_t chunk, std::int32_t) {
-        for (std::int32_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
-            const std::int32_t place = incumbent_[i];
-            // Far from the place a direction serves for two steps.
-            const bool goesOn = place >= 0 && place == ownPlace_[i] && way_[i].cost > kFarOwn &&
-                                (static_cast<std::uint32_t>(i) + round_) % 2 == 0;
-            ownPlace_[i] = place;
-            if (place < 0) continue;
-            if (goesOn) way_[i].cost = geodesics_.cost(characters_[i], place);
-            else way_[i] = geodesics_.ahead(characters_[i], place, walkers_[i]);
-            own_[i] = def_.geodesic ? way_[i].cost : static_cast<float>(distance(characters_[i], places_[place]));
-        }
+    forChunks(&pool, characters_.size(), kChunk, [&](std::size_t i) {
+        const std::int32_t place = incumbent_[i];
+        const bool kept = ownPlace_[i] == place;
+        ownPlace_[i] = place;
+        if (place < 0) return;
+        // Far from the place a direction serves for two steps.
+        const bool goesOn = kept && way_[i].cost > kFarOwn && (i + round_) % 2 == 0;
+        if (goesOn) way_[i].cost = geodesics_.cost(characters_[i], place);
+        else way_[i] = geodesics_.ahead(characters_[i], place, walkers_[i]);
+        own_[i] = def_.geodesic ? way_[i].cost : static_cast<float>(distance(characters_[i], places_[place]));
     });
 }
 
@@ -201,18 +198,15 @@ void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> 
     const bool fresh = updated_ && ownPlace_.size() == input.characters.size();
     updated_ = false;
     walkers_.resize(input.characters.size());
-    const auto count = static_cast<std::int32_t>(input.characters.size());
-    pool.run((count + kChunk - 1) / kChunk, [&](std::int32_t chunk, std::int32_t) {
-        for (std::int32_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
-            const std::int32_t place = input.place[i];
-            direction[i] = {};
-            cost[i] = kInfinite;
-            if (place < 0 || static_cast<std::size_t>(place) >= input.places.size()) continue;
-            const WayAhead way = fresh && ownPlace_[i] == place ? way_[i]
-                                                                : geodesics_.ahead(input.characters[i], place, walkers_[i]);
-            direction[i] = way.direction;
-            cost[i] = way.direction == Vec2{} && way.cost > 0.0f ? kInfinite : static_cast<double>(way.cost);
-        }
+    forChunks(&pool, input.characters.size(), kChunk, [&](std::size_t i) {
+        const std::int32_t place = input.place[i];
+        direction[i] = {};
+        cost[i] = kInfinite;
+        if (place < 0 || static_cast<std::size_t>(place) >= input.places.size()) return;
+        const WayAhead way = fresh && ownPlace_[i] == place ? way_[i]
+                                                            : geodesics_.ahead(input.characters[i], place, walkers_[i]);
+        direction[i] = way.direction;
+        cost[i] = way.direction == Vec2{} && way.cost > 0.0f ? kInfinite : static_cast<double>(way.cost);
     });
 }
 

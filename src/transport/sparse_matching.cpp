@@ -8,8 +8,8 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kPairsAtOnce = 4096;
-constexpr std::int32_t kManyViolated = 8; // One in so many seats.
-constexpr std::int32_t kFitRests = 8;     // Repairs between two fits of prices.
+constexpr std::int32_t kManyViolated = 8;  // One in so many seats.
+constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices.
 constexpr std::int32_t kWholeTurns = 4;   // In every so many turns of a row all its arcs are asked for, else the tight ones.
 constexpr double kLoose = 0.2;           // Arcs are tight that a holder's coming nearer by so much would violate [m]...
 constexpr double kLeastLoose = 1.0;       // ... at this cost or its own [m].
@@ -80,23 +80,18 @@ void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, 
         searchLimit_ = def.searchLimit;
         repair_.reset(state_.seats.count(), def.searchLimit);
     }
-    beginTurn(def);
+    if (turn_ >= def.turns) turn_ = 0;
+    if (turn_ == 0) ++step_;
     MatchingContext context = contextFor(def, input, costs, pool);
     seatWaiting(context);
     frame(context);
     askOwn(context);
-    const std::int32_t refreshes = def.refreshTurns();
-    if (turn_ < refreshes) far_ = refreshSome(context);
-    if (turn_ + 1 == refreshes) state_.arcs.sortByTarget();
+    if (turn_ < def.refreshTurns()) refreshSome(context);
+    if (turn_ + 1 == def.refreshTurns()) state_.arcs.sortByTarget();
     repriceFlipped();
-    if (turn_ + 1 >= def.turns - def.repairTurns() + 1) repair(context);
+    if (turn_ >= def.turns - def.repairTurns()) repair(context);
     publish(context);
     ++turn_;
-}
-
-void SparseMatching::beginTurn(const MatchingDef& def) {
-    if (turn_ >= def.turns) turn_ = 0;
-    if (turn_ == 0) ++step_;
 }
 
 void SparseMatching::repair(const MatchingContext& context) {
@@ -207,7 +202,7 @@ void SparseMatching::jumped(std::int32_t seat) {
 
 void SparseMatching::refreshAll(const MatchingContext& context) {
     state_.arcs.look(context, state_.seats, state_.price, state_.own);
-    far_ = isFar(context);
+    noteFar(context);
     rows_.clear();
     for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
         state_.arcs.chooseTargets(context, state_.seats, s);
@@ -223,17 +218,17 @@ double SparseMatching::marginOf(const MatchingContext& context, std::size_t seat
     return context.power(cost + kLoose) - context.power(cost);
 }
 
-bool SparseMatching::isFar(const MatchingContext& context) const {
+void SparseMatching::noteFar(const MatchingContext& context) {
     double sum = 0.0;
     for (const float c : state_.own) sum += c;
-    return sum > context.def.farCost * static_cast<double>(state_.own.size());
+    far_ = sum > context.def.farCost * static_cast<double>(state_.own.size());
 }
 
-// Rows in turn, and at once those whose holder is new. True where all is far away.
-bool SparseMatching::refreshSome(const MatchingContext& context) {
+// Rows in turn, and at once those whose holder is new.
+void SparseMatching::refreshSome(const MatchingContext& context) {
     state_.arcs.look(context, state_.seats, state_.price, state_.own);
-    const bool far = isFar(context);
-    const std::int32_t period = context.def.rounds(far ? context.def.farRefreshPeriod : context.def.refreshPeriod);
+    noteFar(context);
+    const std::int32_t period = context.def.rounds(far_ ? context.def.farRefreshPeriod : context.def.refreshPeriod);
     const std::int32_t targets = context.def.rounds(context.def.retargetPeriod);
     const std::int64_t count = state_.seats.count();
     const std::int64_t first = count * turn_ / context.def.refreshTurns();
@@ -257,7 +252,6 @@ bool SparseMatching::refreshSome(const MatchingContext& context) {
     }
     state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
     state_.arcs.refresh(context, state_.seats, state_.ownPower, tightRows_, {state_.price, margin_});
-    return far;
 }
 
 // What others may read: places, costs, the objective and what may be left to gain.

@@ -61,9 +61,8 @@ private:
     void askOwn(const MatchingContext& context);
     void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
-    void beginTurn(const MatchingDef& def);
-    bool isFar(const MatchingContext& context) const;
-    bool refreshSome(const MatchingContext& context);
+    void noteFar(const MatchingContext& context);
+    void refreshSome(const MatchingContext& context);
     void repair(const MatchingContext& context);
     double marginOf(const MatchingContext& context, std::size_t seat) const;
     void repriceFlipped();
@@ -71,11 +70,11 @@ private:
     void measureSlack(const MatchingContext& context);
     void afterReading();
 
-    std::int32_t step_ = 0;  // Rounds, each of MatchingDef::turns calls.
-    std::int32_t turn_ = 0;  // Calls of this round so far.
-    std::int32_t violated_ = 0;
+    std::int32_t step_ = 0;       // Rounds, each of MatchingDef::turns calls.
+    std::int32_t turn_ = 0;       // Calls of this round so far.
+    std::int32_t violated_ = 0;   // Seats, when repairs began last.
     std::int32_t restOfFit_ = 0;  // Repairs until prices may be fitted again.
-    bool far_ = false;       // All was far away when costs were asked for last.
+    bool far_ = false;            // All was far away when costs were asked for last.
     MatchingState state_;
     std::vector<std::int32_t> placeOf_;
     std::vector<float> cost_;

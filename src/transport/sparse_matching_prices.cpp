@@ -53,40 +53,36 @@ void PriceFit::pairArcs(const MatchingState& state) {
 
 void PriceFit::divide(const MatchingContext& context, const MatchingState& state) {
     const std::int32_t seats = state.seats.count();
-    std::vector<Vec2>& at = at_;
-    std::vector<std::int32_t>& order = order_;
-    at.resize(static_cast<std::size_t>(seats));
-    order.resize(at.size());
+    at_.resize(static_cast<std::size_t>(seats));
+    order_.resize(at_.size());
     for (std::int32_t s = 0; s < seats; ++s) {
-        at[static_cast<std::size_t>(s)] = state.seats.at(s, context);
-        order[static_cast<std::size_t>(s)] = s;
+        at_[static_cast<std::size_t>(s)] = state.seats.at(s, context);
+        order_[static_cast<std::size_t>(s)] = s;
     }
-    std::vector<std::int32_t>& ends = ends_;
-    ends.clear();
-    divideIntoLeaves(at, order, std::clamp(seats / kPerPart, 1, kMostParts), 0, ends);
-    partOf_.assign(at.size(), 0);
-    planes_.assign(ends.size(), {});
+    ends_.clear();
+    divideIntoLeaves(at_, order_, std::clamp(seats / kPerPart, 1, kMostParts), 0, ends_);
+    partOf_.assign(at_.size(), 0);
+    planes_.assign(ends_.size(), {});
     std::int32_t begin = 0;
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-        for (std::int32_t m = begin; m < ends[k]; ++m) {
-            partOf_[static_cast<std::size_t>(order[static_cast<std::size_t>(m)])] = static_cast<std::int32_t>(k);
-            planes_[k].middle += at[static_cast<std::size_t>(order[static_cast<std::size_t>(m)])];
+    for (std::size_t k = 0; k < ends_.size(); ++k) {
+        for (std::int32_t m = begin; m < ends_[k]; ++m) {
+            partOf_[static_cast<std::size_t>(order_[static_cast<std::size_t>(m)])] = static_cast<std::int32_t>(k);
+            planes_[k].middle += at_[static_cast<std::size_t>(order_[static_cast<std::size_t>(m)])];
         }
-        planes_[k].middle = planes_[k].middle / std::max(1.0, static_cast<double>(ends[k] - begin));
-        begin = ends[k];
+        planes_[k].middle = planes_[k].middle / std::max(1.0, static_cast<double>(ends_[k] - begin));
+        begin = ends_[k];
     }
 }
 
 void PriceFit::fitSlopes(const MatchingContext& context, const MatchingState& state) {
-    std::vector<Normal>& normals = normals_;
-    normals.assign(planes_.size(), {});
+    normals_.assign(planes_.size(), {});
     for (std::int32_t arc = 0; arc < static_cast<std::int32_t>(weight_.size()); ++arc) {
         const double weight = mid(weight_, arc);
         if (weight == 0.0) continue;
         const std::int32_t to = state.arcs.target(arc);
         const Vec2 way = state.seats.at(to, context) - state.seats.at(arc / kLanes, context);
         for (const std::int32_t s : {arc / kLanes, to}) {
-            Normal& normal = normals[static_cast<std::size_t>(partOf_[static_cast<std::size_t>(s)])];
+            Normal& normal = normals_[static_cast<std::size_t>(partOf_[static_cast<std::size_t>(s)])];
             normal.xx += weight * way.x * way.x;
             normal.xy += weight * way.x * way.y;
             normal.yy += weight * way.y * way.y;
@@ -94,7 +90,7 @@ void PriceFit::fitSlopes(const MatchingContext& context, const MatchingState& st
         }
     }
     for (std::size_t k = 0; k < planes_.size(); ++k) {
-        const Normal& n = normals[k];
+        const Normal& n = normals_[k];
         const double trace = n.xx + n.yy;
         if (!(trace > 0.0)) continue;
         const double xx = n.xx + 1e-6 * trace;

@@ -100,14 +100,9 @@ struct World::Impl {
     CrowdExcess excess;
     Steering steering;
     Contacts contactSolver;
-    std::unique_ptr<ThreadPool> pool;
-    StepMemory memory;
     std::vector<Plan*> aside;  ///< Plans whose work was launched in the last step. It ends before anything they read changes.
-
-    Impl() = default;
-    ~Impl() { settlePlans(); }
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
+    std::unique_ptr<ThreadPool> pool;  ///< After all that launched work reads: it goes first, and waits for the work.
+    StepMemory memory;
 
     double time() const { return stepCount * parameters.stepTime; }
 
@@ -148,9 +143,7 @@ struct World::Impl {
     void planInSlices(Group& group);
     void planAside(Group& group);
     void launchPlans();
-    void settlePlans() const {
-        if (pool != nullptr) pool->wait();
-    }
+    void settlePlans() const { pool->wait(); }
     void startPlan(Group& group);
     void finishPlan(Group& group);
     void steerGroup(Group& group);

@@ -205,11 +205,10 @@ void World::Impl::launchPlans() {
 void World::Impl::plan() {
     settlePlans();
     aside.clear();
-    for (Group& group : groups)
-        if (group.plan->worksAside() && group.plan->pending() && !group.planNow) finishPlan(group);
     updateGround();
     for (std::size_t g = 0; g < groups.size(); ++g) {
         Group& group = groups[g];
+        if (group.plan->worksAside() && group.plan->pending() && !group.planNow) finishPlan(group);
         if (plansThisStep(group, g)) startPlan(group);
         if (!group.plan->pending()) continue;
         if (group.plan->worksAside()) planAside(group);
