@@ -15,6 +15,7 @@ constexpr double kBlockedSpeed = 0.15;  // Who touches others and is slower is h
 constexpr double kAhead = 0.5;          // Two are side by side where neither is ahead by this share, twice a cosine.
 constexpr double kGiveWay = 0.3;        // At which one steps back from somebody held up [m/s].
 constexpr std::size_t kChunk = 256;     // Characters a task steers.
+constexpr double kStandsBelow = 0.05;   // Below it one does not walk on in a crowd [m/s].
 constexpr double kWalkingSpeed = 0.15;  // Below it one stands and faces with the formation [m/s].
 
 Vec2 withinLock(Vec2 direction, Vec2 heading) {
@@ -26,6 +27,12 @@ Vec2 turned(Vec2 heading, Vec2 towards, double share) {
     // Opposite headings have no middle: turn left.
     if (dot(heading, towards) < -0.999) towards = perpendicular(heading);
     return normalized(heading + (towards - heading) * share, heading);
+}
+
+// Whether both walk, and the same way.
+bool goTogether(Vec2 a, Vec2 b) {
+    constexpr double kLeast = kStandsBelow * kStandsBelow;
+    return dot(a, b) > 0.0 && lengthSquared(a) > kLeast && lengthSquared(b) > kLeast;
 }
 
 // Whether one of two is ahead along the way of both; side by side the one with the shorter way to go is.
@@ -58,7 +65,7 @@ void Steering::addSidesteps(const SteeringDef& def, const Characters& now) {
         const auto a = static_cast<std::size_t>(pair.a);
         const auto b = static_cast<std::size_t>(pair.b);
         const Vec2 between = now.position[b] - now.position[a];
-        if (lengthSquared(between) >= reach * reach) continue;
+        if (lengthSquared(between) >= reach * reach || goTogether(now.velocity[a], now.velocity[b])) continue;
         const Vec2 away = normalized(between, {1.0, 0.0});
         const double closeness = (reach - length(between)) / def.separationReach;
         const Vec2 push = away * (def.separationGain * def.separationReach * std::min(1.0, closeness));
