@@ -10,6 +10,8 @@ namespace muster {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr double kPeak = 0.02;           // Precision of the time at which a moving thing is worst.
+constexpr double kHazardStep = 0.5;   // Between two points at which moving things are read [m].
 constexpr std::int32_t kSamples = 16;    // Along a line, at most: else one per cell.
 
 // Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).
@@ -22,6 +24,20 @@ double crowdSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, V
     return std::max(def.minSpeed, 1.0 + share * (std::min(1.0, flow) - 1.0));
 }
 
+std::int32_t samplesAlong(Vec2 a, Vec2 b, double step) {
+    return std::min(kSamples, static_cast<std::int32_t>(distance(a, b) / step) + 1);
+}
+
+// The mean of what is read at points, each with its share of the line.
+template <class Read>
+double meanAlong(Vec2 a, Vec2 b, double step, const Read& read) {
+    const std::int32_t samples = samplesAlong(a, b, step);
+    const double share = 1.0 / samples;
+    double sum = 0.0;
+    for (std::int32_t k = 0; k < samples; ++k) sum += read(a + (b - a) * ((k + 0.5) * share), (k + 0.5) * share);
+    return sum * share;
+}
+
 bool isNone(const CellCost& c) { return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f; }
 
 }  // namespace
@@ -32,6 +48,8 @@ void CrowdExcess::clear() {
     for (const std::int32_t cell : lookedList_) looked_[cell] = 0;
     for (const std::int32_t cell : moved_) hazard_[cell] = 0.0f;
     for (const std::int32_t cell : seenList_) seen_[cell] = 0;
+    for (const std::int32_t cell : takenList_) taken_[cell] = 0;
+    takenList_.clear();
     moved_.clear();
     seenList_.clear();
     listed_.clear();
@@ -68,6 +86,10 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
     }
     clear();
     if (grid_.count() == 0) return;
+    if (!(environment.grid() == ground_)) {
+        ground_ = environment.grid();
+        taken_.assign(static_cast<std::size_t>(ground_.count()), 0);
+    }
     if (def.density) addCrowd(def, density, environment);
     if (def.discomfort && def.gamma > 0.0)
         for (const ObstaclePiece& piece : environment.pieces()) addDiscomfortOf(def, piece);
@@ -120,7 +142,7 @@ void CrowdExcess::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& p
     for (std::int32_t y = low.y; y <= high.y; ++y)
         for (std::int32_t x = low.x; x <= high.x; ++x) {
             const std::int32_t cell = hazardGrid_.index({x, y});
-            const auto g = static_cast<float>(discomfortAt(def, piece, hazardGrid_.centre({x, y})));
+            const auto g = static_cast<float>(discomfortAt(def, piece, hazardGrid_.centre({x, y}), kPeak));
             setHazard(cell, std::max(hazard_[cell], scale * g));
         }
 }
@@ -130,27 +152,37 @@ void CrowdExcess::addMovedGround(const Environment& environment, double radius) 
     environment.movingAreas(areas_);
     const std::span<const float> live = environment.clearance();
     const std::span<const float> still = environment.stillClearance();
-    const std::span<const float> travel = environment.travelSpeed();
-    const std::span<const float> patch = environment.stillPatchSpeed();
-    const Grid& ground = environment.grid();
+    // Not the rim, where those stand who touch the obstacle.
     const auto least = static_cast<float>(radius);
-    const auto price = [&](std::int32_t cell) {
-        if (seen_[cell] != 0) return;
-        seen_[cell] = 1;
-        seenList_.push_back(cell);
-        const std::int32_t at = ground.index(ground.nearestCell(hazardGrid_.centre(hazardGrid_.at(cell))));
-        const float stillSpeed = patch[at] < kInfinite ? patch[at] : 1.0f;
-        const bool taken = live[at] < least && still[at] >= least;
-        if (taken || travel[at] != stillSpeed)
-            setHazard(cell, taken ? kBlocked : (1.0f + hazard_[cell]) * (stillSpeed / travel[at]) - 1.0f);
-    };
+    const auto most = static_cast<float>(radius - 0.5 * ground_.cell);
     for (const CellRect& area : areas_) {
         if (area.empty()) continue;
-        const Cell low = hazardGrid_.nearestCell(ground.centre(area.low));
-        const Cell high = hazardGrid_.nearestCell(ground.centre(area.high));
-        for (std::int32_t y = low.y; y <= high.y; ++y)
-            for (std::int32_t x = low.x; x <= high.x; ++x) price(hazardGrid_.index({x, y}));
+        addMovedPatches(environment, area);
+        for (std::int32_t y = area.low.y; y <= area.high.y; ++y)
+            for (std::int32_t x = area.low.x; x <= area.high.x; ++x) {
+                const std::int32_t cell = ground_.index({x, y});
+                if (taken_[cell] != 0 || live[cell] >= most || still[cell] < least) continue;
+                taken_[cell] = 1;
+                takenList_.push_back(cell);
+            }
     }
+}
+
+void CrowdExcess::addMovedPatches(const Environment& environment, const CellRect& area) {
+    const std::span<const float> travel = environment.travelSpeed();
+    const std::span<const float> patch = environment.stillPatchSpeed();
+    const Cell low = hazardGrid_.nearestCell(ground_.centre(area.low));
+    const Cell high = hazardGrid_.nearestCell(ground_.centre(area.high));
+    for (std::int32_t y = low.y; y <= high.y; ++y)
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+            const std::int32_t cell = hazardGrid_.index({x, y});
+            if (seen_[cell] != 0) continue;
+            seen_[cell] = 1;
+            seenList_.push_back(cell);
+            const std::int32_t at = ground_.index(ground_.nearestCell(hazardGrid_.centre({x, y})));
+            const float stillSpeed = patch[at] < kInfinite ? patch[at] : 1.0f;
+            if (travel[at] != stillSpeed) setHazard(cell, (1.0f + hazard_[cell]) * (stillSpeed / travel[at]) - 1.0f);
+        }
 }
 
 void CrowdExcess::markBusy() {
@@ -169,6 +201,7 @@ void CrowdExcess::markBusy() {
     hazardBounds_ = {};
     for (const std::int32_t cell : moved_)
         hazardBounds_.take(hazardGrid_.centre(hazardGrid_.at(cell)), kHazardCell);
+    for (const std::int32_t cell : takenList_) hazardBounds_.take(ground_.centre(ground_.at(cell)), ground_.cell);
 }
 
 // Over the box round all busy cells; one more row and column, of zeros, below and left of it.
@@ -220,6 +253,7 @@ double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
 }
 
 double CrowdExcess::hazardAt(Vec2 p) const {
+    if (taken_[static_cast<std::size_t>(ground_.index(ground_.nearestCell(p)))] != 0) return kBlocked;
     const Between at = between(hazardGrid_, 1.0 / kHazardCell, p);
     const float* low = hazard_.data() + at.low;
     const float* high = low + at.up;
@@ -246,22 +280,26 @@ bool CrowdExcess::busyAlong(Vec2 a, Vec2 b) const {
 
 double CrowdExcess::along(Vec2 a, Vec2 b) const {
     const bool crowd = busyAlong(a, b);
-    const bool hazard = !moved_.empty() && hazardBounds_.meets(a, b);
+    const bool hazard = hazardMeets(a, b);
     if (!crowd && !hazard) return 0.0;
     const double whole = distance(a, b);
     if (!(whole > 0.0)) return 0.0;
     const Vec2 to = (b - a) / whole;
-    const auto mean = [&](double step, const auto& read) {
-        const std::int32_t samples = std::min(kSamples, static_cast<std::int32_t>(whole / step) + 1);
-        const double share = 1.0 / samples;
-        double sum = 0.0;
-        for (std::int32_t k = 0; k < samples; ++k) sum += read(a + (b - a) * ((k + 0.5) * share));
-        return sum * share;
-    };
     double excess = 0.0;
-    if (crowd) excess += mean(grid_.cell, [&](Vec2 p) { return crowdAlong(p, to); });
-    if (hazard) excess += mean(kHazardCell, [&](Vec2 p) { return hazardAt(p); });
+    if (crowd) excess += meanAlong(a, b, grid_.cell, [&](Vec2 p, double) { return crowdAlong(p, to); });
+    if (hazard) excess += meanAlong(a, b, kHazardStep, [&](Vec2 p, double) { return hazardAt(p); });
     return excess * whole;
+}
+
+double CrowdExcess::hazardCentre(Vec2 a, Vec2 b) const {
+    if (!hazardMeets(a, b)) return -1.0;
+    double moment = 0.0;
+    const double sum = meanAlong(a, b, kHazardStep, [&](Vec2 p, double share) {
+        const double here = std::max(0.0, hazardAt(p));
+        moment += here * share;
+        return here;
+    });
+    return sum > 0.0 ? moment / (sum * samplesAlong(a, b, kHazardStep)) : -1.0;
 }
 
 }  // namespace muster

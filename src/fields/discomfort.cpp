@@ -8,8 +8,6 @@ namespace {
 
 // Pieces slower than this are not predicted [m/s].
 constexpr double kStill = 1e-3;
-// The peak's time is found this well, relative to the time predicted.
-constexpr double kPrecision = 1e-9;
 constexpr int kMostRounds = 48;
 
 // What of a piece is nearest to a point outside it: the side with this outward normal, or else the corner.
@@ -64,7 +62,8 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
 // Both factors are concave where positive, so that there is one.
 class PeakSearch {
 public:
-    PeakSearch(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p) : def_(def), piece_(piece), p_(p) {}
+    PeakSearch(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision)
+        : def_(def), piece_(piece), p_(p), precision_(precision) {}
 
     double between(double low, double high) {
         low_ = low;
@@ -78,7 +77,7 @@ public:
             const double away = std::max(0.0, here.distance);
             best = std::max(best, (1.0 - away / def_.discomfortRange) * (1.0 - time / def_.discomfortTime));
             const bool found = foreseen && here.isSide == from.isSide && here.number == from.number;
-            if (found || high_ - low_ <= kPrecision * def_.discomfortTime) break;
+            if (found || high_ - low_ <= precision_ * def_.discomfortTime) break;
             from = here;
             const double peak = here.inside ? time : here.isSide ? sidePeak(here, time) : cornerPeak(here.corner);
             if (here.inside || peak <= time) high_ = std::min(high_, time);
@@ -125,10 +124,10 @@ private:
         at(after);
         if (slope >= 0.0) return after;
         double t = after;
-        for (int k = 0; k < kMostRounds && after - before > kPrecision * def_.discomfortTime; ++k) {
+        for (int k = 0; k < kMostRounds && after - before > precision_ * def_.discomfortTime; ++k) {
             const double step = bend < 0.0 ? t - slope / bend : before;
             const double next = step > before && step < after ? step : 0.5 * (before + after);
-            const bool still = std::fabs(next - t) <= kPrecision * def_.discomfortTime;
+            const bool still = std::fabs(next - t) <= precision_ * def_.discomfortTime;
             t = next;
             if (still) break;
             at(t);
@@ -140,13 +139,14 @@ private:
     const UnitCostDef& def_;
     const ObstaclePiece& piece_;
     Vec2 p_;
+    double precision_;
     double low_ = 0.0;
     double high_ = 0.0;
 };
 
 }  // namespace
 
-double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p) {
+double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision) {
     const double speed = length(piece.velocity);
     if (speed < kStill || !(def.discomfortTime > 0.0)) return 0.0;
     // Only while the circle round the piece is near enough to the point can there be any.
@@ -159,7 +159,7 @@ double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p) 
     const double low = std::max(0.0, (along - half) / speed);
     const double high = std::min(def.discomfortTime, (along + half) / speed);
     if (low >= high) return 0.0;
-    return def.discomfortGain * PeakSearch(def, piece, p).between(low, high);
+    return def.discomfortGain * PeakSearch(def, piece, p, precision).between(low, high);
 }
 
 void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Grid& grid,

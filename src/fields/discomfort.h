@@ -14,7 +14,8 @@ void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Gri
                    std::vector<float>& discomfort, std::vector<std::int32_t>& touched);
 
 /// Discomfort of one piece at one point: gain (1 - t / time) (1 - d / range), largest over the predicted times t,
-/// with d the distance to the piece as moved by t; 0 where d exceeds the range throughout.
-double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p);
+/// with d the distance to the piece as moved by t; 0 where d exceeds the range throughout. `precision` is that of the
+/// time of the peak, relative to the time predicted.
+double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision = 1e-9);
 
 }  // namespace muster

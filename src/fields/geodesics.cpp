@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fields/asked.h"
+#include "fields/crowd_detour.h"
 #include "fields/far_fields.h"
 #include "fields/window_costs.h"
 
@@ -242,7 +243,7 @@ bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->gr
 float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }
 
 float Geodesics::Impl::straightCost(Vec2 from, Vec2 to) const {
-    return static_cast<float>(ground->unit(to) * (distance(from, to) + excess->along(from, to)));
+    return static_cast<float>(ground->unit(to) * (distance(from, to) + excessBetween(*ground, *excess, from, to)));
 }
 
 float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {

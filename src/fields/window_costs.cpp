@@ -6,6 +6,7 @@
 
 #include "fields/asked.h"
 #include "fields/between_centres.h"
+#include "fields/crowd_detour.h"
 
 namespace muster {
 namespace {
@@ -99,10 +100,10 @@ double WindowCosts::excessAlong(const CostField& field, Vec2 from, Vec2 to) cons
     double sum = 0.0;
     Vec2 at = from;
     for (std::int32_t k = 0; k < count; ++k) {
-        sum += excess_->along(at, corners[k]);
+        sum += excessBetween(*ground_, *excess_, at, corners[k]);
         at = corners[k];
     }
-    return sum + excess_->along(at, to);
+    return sum + excessBetween(*ground_, *excess_, at, to);
 }
 
 double WindowCosts::cost(Vec2 from, std::int32_t place, double line) const {

@@ -11,6 +11,7 @@ constexpr std::size_t kPairsAtOnce = 4096;
 constexpr std::int32_t kManyViolated = 8;  // One in so many seats.
 constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices.
 constexpr std::int32_t kWholeTurns = 4;   // In every so many turns of a row all its arcs are asked for, else the tight ones.
+constexpr float kDrift = 0.4f;            // ... and where the cost of its own changed by so much since [m].
 constexpr double kLoose = 0.2;           // Arcs are tight that a holder's coming nearer by so much would violate [m]...
 constexpr double kLeastLoose = 1.0;       // ... at this cost or its own [m].
 
@@ -33,6 +34,7 @@ void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input)
     answers_.reserve(kPairsAtOnce);
     rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
     tightRows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    staleArcs_.reserve(static_cast<std::size_t>(state_.seats.count()) * MatchingArcs::kLanes);
     margin_.assign(static_cast<std::size_t>(state_.seats.count()), 0.0);
 }
 
@@ -87,7 +89,8 @@ void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, 
     frame(context);
     askOwn(context);
     if (turn_ < def.refreshTurns()) refreshSome(context);
-    if (turn_ + 1 == def.refreshTurns()) state_.arcs.sortByTarget();
+    // Seats that flipped are priced by the arcs to them: as these are now.
+    if (turn_ + 1 == def.refreshTurns() || (turn_ < def.refreshTurns() && !flipped_.empty())) state_.arcs.sortByTarget();
     repriceFlipped();
     if (turn_ >= def.turns - def.repairTurns()) repair(context);
     publish(context);
@@ -188,7 +191,7 @@ void SparseMatching::askOwn(const MatchingContext& context) {
         next = 0;
         for (std::int32_t t = first; t < s; ++t) {
             const float cost = seats.matched(t) ? answers_[static_cast<std::size_t>(next++)] : 0.0f;
-            if (std::abs(cost - state_.own[static_cast<std::size_t>(t)]) > context.def.jump) jumped(t);
+            if (std::abs(cost - state_.asked[static_cast<std::size_t>(t)]) > context.def.jump) jumped(t);
             state_.setOwn(t, cost, context.power);
         }
     }
@@ -197,7 +200,7 @@ void SparseMatching::askOwn(const MatchingContext& context) {
 // A place that came to the other side of a wall: all arcs to it and from it are wrong.
 void SparseMatching::jumped(std::int32_t seat) {
     state_.changed[static_cast<std::size_t>(seat)] = 1;
-    for (const std::int32_t arc : state_.arcs.into(seat)) stale_[static_cast<std::size_t>(arc / MatchingArcs::kLanes)] = 1;
+    stale_[static_cast<std::size_t>(seat)] = 1;
 }
 
 void SparseMatching::refreshAll(const MatchingContext& context) {
@@ -209,7 +212,12 @@ void SparseMatching::refreshAll(const MatchingContext& context) {
         state_.changed[static_cast<std::size_t>(s)] = 0;
         rows_.push_back(s);
     }
+    askRows(context);
+}
+
+void SparseMatching::askRows(const MatchingContext& context) {
     state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
+    for (const std::int32_t s : rows_) state_.asked[static_cast<std::size_t>(s)] = state_.own[static_cast<std::size_t>(s)];
 }
 
 // How much an arc may gain or lose until all arcs of its row are asked for again.
@@ -235,23 +243,36 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
     const std::int64_t end = count * (turn_ + 1) / context.def.refreshTurns();
     rows_.clear();
     tightRows_.clear();
+    collectStale();
     for (std::int32_t s = 0; s < count; ++s) {
         const bool turn = s >= first && s < end;
         const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (turn && (s + step_) % targets == 0);
-        const bool stale = stale_[static_cast<std::size_t>(s)] != 0;
-        stale_[static_cast<std::size_t>(s)] = 0;
-        if (!anew && !stale && !(turn && (s + step_) % period == 0)) continue;
+        if (!anew && !(turn && (s + step_) % period == 0)) continue;
         if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
         state_.changed[static_cast<std::size_t>(s)] = 0;
-        if (anew || stale || (s + step_) / period % kWholeTurns == 0) {
+        const bool drifted = std::abs(state_.own[static_cast<std::size_t>(s)] - state_.asked[static_cast<std::size_t>(s)]) > kDrift;
+        if (anew || drifted || (s + step_) / period % kWholeTurns == 0) {
             rows_.push_back(s);
         } else {
             tightRows_.push_back(s);
             margin_[static_cast<std::size_t>(s)] = marginOf(context, static_cast<std::size_t>(s));
         }
     }
-    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
+    askRows(context);
     state_.arcs.refresh(context, state_.seats, state_.ownPower, tightRows_, {state_.price, margin_});
+    state_.arcs.refreshArcs(context, state_.seats, state_.ownPower, staleArcs_);
+}
+
+// Arcs to seats that jumped. As they were sorted, so before any leads elsewhere.
+void SparseMatching::collectStale() {
+    staleArcs_.clear();
+    if (turn_ != 0) return;
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
+        if (stale_[static_cast<std::size_t>(s)] == 0) continue;
+        stale_[static_cast<std::size_t>(s)] = 0;
+        const auto into = state_.arcs.into(s);
+        staleArcs_.insert(staleArcs_.end(), into.begin(), into.end());
+    }
 }
 
 // What others may read: places, costs, the objective and what may be left to gain.
@@ -294,7 +315,7 @@ void SparseMatching::afterReading() {
     tightRows_.reserve(seats);
     margin_.assign(seats, 0.0);
     flipped_.reserve(2 * seats);
-    stale_.assign(seats, 0);
+    staleArcs_.reserve(seats * MatchingArcs::kLanes);
     pairs_.reserve(kPairsAtOnce);
     answers_.reserve(kPairsAtOnce);
     state_.arcs.afterReading();

@@ -43,9 +43,10 @@ public:
     /// Lets an archive read or write all that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(step_, turn_, restOfFit_, violated_, far_, state_, placeOf_, cost_, objective_, slack_, slope_, units_);
+        archive(step_, turn_, restOfFit_, violated_, far_, state_, stale_, placeOf_, cost_, objective_, slack_, slope_, units_);
         if constexpr (Archive::kReading) {
-            if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) || cost_.size() != placeOf_.size())
+            if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) || cost_.size() != placeOf_.size() ||
+                stale_.size() != static_cast<std::size_t>(state_.seats.count()))
                 archive.fail();
             if (!archive.ok()) clear();
             afterReading();
@@ -61,8 +62,10 @@ private:
     void askOwn(const MatchingContext& context);
     void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
+    void askRows(const MatchingContext& context);
     void noteFar(const MatchingContext& context);
     void refreshSome(const MatchingContext& context);
+    void collectStale();
     void repair(const MatchingContext& context);
     double marginOf(const MatchingContext& context, std::size_t seat) const;
     void repriceFlipped();
@@ -93,7 +96,8 @@ private:
     std::vector<std::int32_t> tightRows_;  // Of these only the arcs are asked for that may soon be violated.
     std::vector<double> margin_;           // Per seat: what makes them so.
     std::vector<std::int32_t> flipped_;  // Seats that became or ceased to be places, or lost their holder.
-    std::vector<std::uint8_t> stale_;  // Per seat: its arcs' weights are to be asked for in this step.
+    std::vector<std::uint8_t> stale_;  // Per seat: the weights of arcs to it are to be asked for in the next round.
+    std::vector<std::int32_t> staleArcs_;
 };
 
 }  // namespace muster

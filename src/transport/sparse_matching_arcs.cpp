@@ -157,15 +157,40 @@ void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& s
     std::size_t next = 0;
     for (const std::int32_t s : rows) {
         const bool somebody = seats.holder(s) >= 0;
-        const Vec2 here = seats.at(s, context);
         for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc) {
             const std::int32_t to = target(arc);
             if (to == s) weight_[static_cast<std::size_t>(arc)] = kNever;
             if (!asks(arc, tight)) continue;
             const double there = somebody && seats.live(to) ? context.power(answers_[next++]) : 0.0;
-            const double frame = dot(context.slope, seats.at(to, context) - here);
-            weight_[static_cast<std::size_t>(arc)] = static_cast<float>(there - ownPower[static_cast<std::size_t>(s)] - frame);
+            weight_[static_cast<std::size_t>(arc)] = weightBy(context, seats, ownPower, arc, there);
         }
+    }
+}
+
+float MatchingArcs::weightBy(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
+                             std::int32_t arc, double there) const {
+    const std::int32_t from = arc / kLanes;
+    const double frame = dot(context.slope, seats.at(target(arc), context) - seats.at(from, context));
+    return static_cast<float>(there - ownPower[static_cast<std::size_t>(from)] - frame);
+}
+
+void MatchingArcs::refreshArcs(const MatchingContext& context, const MatchingSeats& seats,
+                               std::span<const double> ownPower, std::span<const std::int32_t> arcs) {
+    const auto costs = [&](std::int32_t arc) { return seats.holder(arc / kLanes) >= 0 && seats.live(target(arc)); };
+    while (!arcs.empty()) {
+        const auto some = arcs.first(std::min(arcs.size(), kRowsAtOnce * kLanes));
+        pairs_.clear();
+        for (const std::int32_t arc : some)
+            if (costs(arc)) pairs_.push_back({seats.holder(arc / kLanes), target(arc)});
+        answers_.resize(pairs_.size());
+        context.costs.fill(pairs_, answers_, context.pool);
+        std::size_t next = 0;
+        for (const std::int32_t arc : some) {
+            const double there = costs(arc) ? context.power(answers_[next++]) : 0.0;
+            if (target(arc) != arc / kLanes)
+                weight_[static_cast<std::size_t>(arc)] = weightBy(context, seats, ownPower, arc, there);
+        }
+        arcs = arcs.subspan(some.size());
     }
 }
 

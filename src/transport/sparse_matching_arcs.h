@@ -33,6 +33,9 @@ public:
     /// Asks for the weights of these seats' arcs; `ownPower` is the cost of each seat's holder to the power.
     void refresh(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
                  std::span<const std::int32_t> rows, const Tight& tight);
+    /// Asks for the weights of these arcs.
+    void refreshArcs(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
+                     std::span<const std::int32_t> arcs);
     /// Sorts the arcs by the seats they lead to.
     void sortByTarget();
     /// Makes room for what was read, and sorts it.
@@ -65,6 +68,8 @@ private:
     void add(std::int32_t seat, std::int32_t& lane, std::int32_t end, std::int32_t to);
     void addHot(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat, std::int32_t& lane);
     bool asks(std::int32_t arc, const Tight& tight) const;
+    float weightBy(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
+                   std::int32_t arc, double there) const;
     void ask(const MatchingSeats& seats, std::span<const std::int32_t> rows, const Tight& tight);
     void answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
                 std::span<const std::int32_t> rows, const Tight& tight);

@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr std::uint8_t kRest = 16;             // Steps, after a change that gained too little.
+constexpr std::uint8_t kRest = 5;             // Steps, after a change that gained too little.
 constexpr std::uint8_t kRestCapped = 3;        // Steps, after a search that was cut short, so that others get a turn.
 constexpr std::int32_t kTries = 3;             // Arcs of one seat in one step.
 constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.

@@ -17,6 +17,7 @@ struct MatchingState {
     std::vector<std::uint8_t> changed;  ///< Per seat: has another holder, or another standing, since its targets were chosen.
     std::vector<std::uint8_t> resting;  ///< Per seat: steps for which a change that did not gain enough is not tried again.
     std::vector<float> own;             ///< Per seat: cost of its holder to its place [m]; 0 where one is missing.
+    std::vector<float> asked;           ///< Per seat: that cost when all arcs of its row were asked for last [m].
     std::vector<double> ownPower;       ///< The same to the power; worked out in each step.
 
     /// Room for so many, nobody seated.
@@ -28,6 +29,7 @@ struct MatchingState {
         changed.assign(n, 1);
         resting.assign(n, 0);
         own.assign(n, 0.0f);
+        asked.assign(n, 0.0f);
         ownPower.assign(n, 0.0);
     }
     /// Reduced cost of an arc: what it would gain if the prices were right; negative where it is violated.
@@ -44,11 +46,11 @@ struct MatchingState {
     /// Lets an archive read or write all that influences later steps.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(seats, arcs, price, changed, resting, own);
+        archive(seats, arcs, price, changed, resting, own, asked);
         if constexpr (Archive::kReading) {
             const auto n = static_cast<std::size_t>(seats.count());
             if (arcs.targets().size() != n * MatchingArcs::kLanes || price.size() != n || changed.size() != n ||
-                resting.size() != n || own.size() != n)
+                resting.size() != n || own.size() != n || asked.size() != n)
                 archive.fail();
             ownPower.assign(n, 0.0);
         }

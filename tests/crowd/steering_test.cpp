@@ -100,6 +100,22 @@ TEST_CASE("two who meet head on pass each other, each to its right") {
     CHECK(nearest > 0.0);
 }
 
+TEST_CASE("who walk the same way do not keep each other back, who meet do") {
+    const Environment environment = ground(1.0);
+    const auto speedAfter = [&](Vec2 ahead, Vec2 direction) {
+        Characters c;
+        add(c, {0, 0}, {1, 0});
+        add(c, ahead, direction);
+        c.velocity = {{2, 0}, direction * 2.0};
+        walk(c, {{20, 0}, ahead + direction * 20.0}, environment, 1);
+        return c.velocity[0].x;
+    };
+    // One a finger's breadth ahead, one beside, one who comes towards.
+    CHECK(speedAfter({0.55, 0.0}, {1, 0}) == doctest::Approx(2.0));
+    CHECK(speedAfter({0.0, 0.55}, {1, 0}) == doctest::Approx(2.0));
+    CHECK(speedAfter({0.55, 0.0}, {-1, 0}) < 1.99);
+}
+
 TEST_CASE("the unmatched stand still") {
     const Environment environment = ground(0.5);
     Characters c;

@@ -234,3 +234,25 @@ TEST_CASE("prices prove a lower bound") {
     CHECK(bound > 0.98 * best);
     CHECK(matching.objective() <= best + matching.slack() + 0.02 * best);
 }
+
+TEST_CASE("costs that drift are followed, though in no step they change much") {
+    // Everybody's cost doubles within a second where they stand in a zone that crosses the crowd.
+    MatchingScene scene(160, 160, 6);
+    scene.costs.weightOf.assign(160, 1.0);
+    muster::MatchingDef def;
+    SparseMatching matching;
+    muster::ThreadPool pool(1);
+    matching.coldStart(def, scene.input(), scene.costs, pool);
+    double worst = 0.0;
+    for (int k = 1; k <= 300; ++k) {
+        scene.step(reversing(scene.time), 0.0, matching.placeOf());
+        for (std::size_t i = 0; i < 160; ++i) {
+            const double zone = std::fabs(scene.costs.characters[i].y + 6.0 - 0.04 * k);
+            scene.costs.weightOf[i] = 1.0 + 3.0 * std::max(0.0, 1.0 - zone / 2.0);
+        }
+        matching.update(def, scene.input(), scene.costs, pool);
+        if (k % 10 == 0 && k > 30) worst = std::max(worst, scene.gap(matching.placeOf(), def.exponent));
+    }
+    CAPTURE(worst);
+    CHECK(worst < 0.03);
+}

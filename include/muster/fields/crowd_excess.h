@@ -19,15 +19,19 @@ public:
     void update(const UnitCostDef& def, const Environment& environment, const DensityField& density, double radius);
     /// The integral along the straight line from `a` to `b` [m]: to be multiplied by the cost of a metre of empty ground.
     double along(Vec2 a, Vec2 b) const;
+    /// The share of the line from `a` to `b` at which moving things make it dearest, in the mean; negative where none does.
+    double hazardCentre(Vec2 a, Vec2 b) const;
+    /// The excess of moving things at a point.
+    double hazardAt(Vec2 p) const;
     /// The cells.
     const Grid& grid() const { return grid_; }
     /// Relative excess of leaving a cell to the four sides, for the crowd alone.
     const std::vector<CellCost>& cells() const { return excess_; }
     /// True where there is none anywhere.
-    bool none() const { return listed_.empty() && moved_.empty(); }
+    bool none() const { return listed_.empty() && moved_.empty() && takenList_.empty(); }
 
     static constexpr float kBlocked = 20.0f;     ///< Excess inside moving obstacles, and the most of them elsewhere.
-    static constexpr double kHazardCell = 0.5;   ///< Edge of the finer cells [m].
+    static constexpr double kHazardCell = 0.25;  ///< Edge of the finer cells [m].
 
 private:
     /// Where a point lies between four cells: the index of the lower left one, shares, and steps to the others.
@@ -58,13 +62,14 @@ private:
     void addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment);
     void addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece);
     void addMovedGround(const Environment& environment, double radius);
+    void addMovedPatches(const Environment& environment, const CellRect& area);
     void setHazard(std::int32_t cell, float value);
     void set(std::int32_t cell, const CellCost& value);
     void markBusy();
     void sumBusy();
     bool busyAlong(Vec2 a, Vec2 b) const;
     double crowdAlong(Vec2 p, Vec2 to) const;
-    double hazardAt(Vec2 p) const;
+    bool hazardMeets(Vec2 a, Vec2 b) const { return !(moved_.empty() && takenList_.empty()) && hazardBounds_.meets(a, b); }
 
     Grid grid_;
     std::vector<CellCost> excess_;
@@ -84,6 +89,9 @@ private:
     std::vector<std::int32_t> moved_;     // Cells of it that moving things make dearer or cheaper.
     std::vector<std::uint8_t> seen_;      // Of those under moving things.
     std::vector<std::int32_t> seenList_;
+    Grid ground_;
+    std::vector<std::uint8_t> taken_;     // Ground cells where a moving obstacle leaves nobody room.
+    std::vector<std::int32_t> takenList_;
     std::vector<CellRect> areas_;
 };
 

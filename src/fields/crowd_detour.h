@@ -1,0 +1,13 @@
+// The excess of the cheapest of a few ways between two points in sight of each other (SPEC A4, A5).
+#pragma once
+
+#include "muster/fields/crowd_excess.h"
+#include "muster/fields/static_ground.h"
+
+namespace muster {
+
+/// What crowd and moving things add between two points [m]: along the straight line, or along a way bent once round moving
+/// things, with what it is longer than the line, where that is less. Never less than the cheapest way has.
+double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b);
+
+}  // namespace muster
