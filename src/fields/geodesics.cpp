@@ -7,6 +7,7 @@
 #include "fields/asked.h"
 #include "fields/crowd_detour.h"
 #include "fields/far_fields.h"
+#include "fields/slow_way.h"
 #include "fields/window_costs.h"
 
 namespace muster {
@@ -16,7 +17,9 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, whether the line is clear or not [m].
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
 constexpr double kDetour = 1.6;             // Times the straight line's cost: a detour that may be cheaper outside a window.
+constexpr double kOverSlow = 8.0;           // Ways over slow ground that are looked at directly [m].
 constexpr double kMuchLess = 0.6;           // Far fields are off by up to a tenth there.
+constexpr std::size_t kFewPlaces = 500;     // Below, one field is made in a step.
 constexpr std::int64_t kManyPlaces = 2500;  // Above, more windows are made in a step.
 constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
 constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
@@ -47,7 +50,8 @@ struct Geodesics::Impl {
     /// A cost, and by what it is known.
     struct Bent {
         double cost;
-        enum { Near, Middle, Far, Unknown } by;
+        enum { Near, Middle, Far, Line, Unknown } by;
+        Vec2 aim{};  ///< Where by Line.
     };
 
     GeodesicsDef def;
@@ -83,12 +87,15 @@ struct Geodesics::Impl {
         return ((static_cast<std::uint32_t>(place) * 977u + step) * 2654435761u) >> 16;
     }
     void tick(ThreadPool& pool);
+    bool makeFields(ThreadPool& pool);
     void findFarStencils(bool anew);
     bool looksFar(std::size_t place) const;
     void askFor(Vec2 from, std::int32_t place);
     double farCost(Vec2 from, std::int32_t place, double line) const;
     Bent bent(Vec2 from, std::int32_t place, bool owner) const;
     Bent roundOutside(Bent inside, Vec2 from, std::int32_t place) const;
+    Bent overSlow(Vec2 from, std::int32_t place, double line) const;
+    Bent byWindows(Vec2 from, std::int32_t place, bool owner, double line) const;
     float straightCost(Vec2 from, Vec2 to) const;
     float costFrom(Vec2 from, std::int32_t place) const;
     WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
@@ -127,14 +134,27 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
     s.tick(pool);
 }
 
+// True where a far one was made. In a step of few a single field takes a good part: then one is made at a time, in every
+// other step from the farthest.
+bool Geodesics::Impl::makeFields(ThreadPool& pool) {
+    if (places.size() >= kFewPlaces) {
+        near.build(perStep(def.nearPerStep), pool);
+        middle.build(perStep(def.middlePerStep), pool);
+        return far.build(def.farPerStep, pool);
+    }
+    if (step % 2 == 0) return !near.build(1, pool) && !middle.build(1, pool) && far.build(1, pool);
+    if (far.build(1, pool)) return true;
+    if (!middle.build(1, pool)) near.build(1, pool);
+    return false;
+}
+
 // Wishes of the last step are met as far as the budget goes; stencils follow from what there is.
 void Geodesics::Impl::tick(ThreadPool& pool) {
     ++step;
-    near.build(perStep(def.nearPerStep), pool);
-    middle.build(perStep(def.middlePerStep), pool);
+    const bool farther = makeFields(pool);
     near.findStencils(true);
     middle.findStencils(true);
-    findFarStencils(far.build(def.farPerStep, pool));
+    findFarStencils(farther);
 }
 
 // Places move little from step to step, so that far landmarks are looked for in turn.
@@ -204,9 +224,26 @@ Geodesics::Impl::Bent Geodesics::Impl::roundOutside(Bent inside, Vec2 from, std:
     return cost < kMuchLess * inside.cost ? Bent{cost, Bent::Far} : inside;
 }
 
-// The finest windows that reach so far; coarser ones where those do not know the way.
+// Straight over slow ground and out of it, or bent where it changes, where no wall is in the way; else unknown.
+Geodesics::Impl::Bent Geodesics::Impl::overSlow(Vec2 from, std::int32_t place, double line) const {
+    const Vec2 to = places[place];
+    if (ground->even() || line > kOverSlow || !ground->clear(from, to)) return {kInfinite, Bent::Unknown};
+    const SlowWay way = slowWay(*ground, from, to);
+    return {way.cost + ground->unit(from) * excessBetween(*ground, *excess, from, to), Bent::Line, way.aim};
+}
+
 Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner) const {
     const double line = distance(from, places[place]);
+    const Bent direct = overSlow(from, place, line);
+    // Into slow ground or out of it that is the way; within it another way may lead out and in again.
+    if (direct.by == Bent::Line && ground->unit(from) != ground->unit(places[place])) return roundOutside(direct, from, place);
+    const Bent found = byWindows(from, place, owner, line);
+    const bool better = direct.cost < found.cost || found.by == Bent::Far || found.by == Bent::Unknown;
+    return direct.by == Bent::Line && better ? roundOutside(direct, from, place) : found;
+}
+
+// The finest windows that reach so far; coarser ones where those do not know the way.
+Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, bool owner, double line) const {
     bool missing = false;  // Windows that will tell.
     if (near.reaches(from, place)) {
         near.ask(place, owner);
@@ -369,6 +406,7 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
     if (ground->straight(from, to)) return {normalized(to - from), straightCost(from, to)};
     const Bent found = bent(from, place, true);
     way.cost = static_cast<float>(found.cost);
+    if (found.by == Bent::Line) way.direction = normalized(found.aim - from);
     if (found.by == Bent::Near) way.direction = near.direction(from, place);
     if (found.by == Bent::Middle) way.direction = longDirection(middle.field(place), place, from, memory);
     if (found.by == Bent::Far) way.direction = longDirection(farField(), place, from, memory);

@@ -256,10 +256,12 @@ void StaticGround::makeCoarse() {
     findBeside(ratio);
 }
 
-double StaticGround::roomBetween(Vec2 p) const {
+double StaticGround::roomBetween(Vec2 p) const { return between(fine_.room, p); }
+
+double StaticGround::between(const std::vector<float>& room, Vec2 p) const {
     if (cellAt(p) < 0) return -1.0;
     const BetweenCentres at = betweenCentres(grid_, p);
-    const float* low = fine_.room.data() + grid_.index(at.low);
+    const float* low = room.data() + grid_.index(at.low);
     const float* high = low + (grid_.height > 1 ? grid_.width : 0);
     const std::int32_t right = grid_.width > 1 ? 1 : 0;
     return (low[0] * (1.0 - at.fx) + low[right] * at.fx) * (1.0 - at.fy) +
@@ -279,15 +281,25 @@ bool StaticGround::straight(Vec2 a, Vec2 b) const {
     const double whole = distance(a, b);
     // On slow ground a way out of it and back may be faster, unless both ends lie deep in it.
     if (!even_ && unit(b) > fine_.cost.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
+    return reaches(fine_.room, a, b);
+}
+
+// From disc to disc of the room there is.
+bool StaticGround::reaches(const std::vector<float>& rooms, Vec2 a, Vec2 b) const {
+    const double whole = distance(a, b);
+    const auto roomAt = [&](Vec2 p) {
+        const std::int32_t cell = cellAt(p);
+        return cell >= 0 ? static_cast<double>(rooms[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
+    };
     // Nothing fits between two so close together, though they stand in a door too narrow for the cells to show it.
-    if (whole <= radius_ || room(b) >= whole) return true;
+    if (whole <= radius_ || roomAt(b) >= whole) return true;
     const Vec2 along = whole > 0.0 ? (b - a) / whole : Vec2{};
     double at = 0.0;
     for (;;) {
         const Vec2 p = a + along * at;
-        double free = room(p);
+        double free = roomAt(p);
         if (free >= whole - at) return true;
-        if (free < kInterpolated) free = roomBetween(p);
+        if (free < kInterpolated) free = between(rooms, p);
         if (free >= whole - at) return true;
         if (free < kLeastRoom) return false;
         at += std::max(free, kLeastStride);

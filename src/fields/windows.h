@@ -37,8 +37,8 @@ public:
 
     /// Begins a step on this ground, which must live until the next; forgets all windows where its version is another.
     void beginStep(const GroundLevel& ground, std::uint32_t version);
-    /// Makes at most `most` of those asked for.
-    void build(std::int32_t most, ThreadPool& pool);
+    /// Makes at most `most` of those asked for. True where there was one.
+    bool build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
     /// The windows there are of landmarks in sight of a place, the nearest first; asks for that of the nearest landmark.

@@ -11,7 +11,7 @@ constexpr std::size_t kPairsAtOnce = 4096;
 constexpr std::int32_t kManyViolated = 8;  // One in so many seats.
 constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices.
 constexpr std::int32_t kWholeTurns = 4;   // In every so many turns of a row all its arcs are asked for, else the tight ones.
-constexpr float kDrift = 0.4f;            // ... and where the cost of its own changed by so much since [m].
+constexpr double kShortWay = 4.0;         // Over longer ways a jump is longer in proportion [m].
 constexpr double kLoose = 0.2;           // Arcs are tight that a holder's coming nearer by so much would violate [m]...
 constexpr double kLeastLoose = 1.0;       // ... at this cost or its own [m].
 
@@ -106,7 +106,7 @@ void SparseMatching::repair(const MatchingContext& context) {
         restOfFit_ = kFitRests;
     }
     const double share = far_ ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
-    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()));
+    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()), far_ ? def.farRest : def.rest);
     violated_ = repair_.violated();
     measureSlack(context);
 }
@@ -191,7 +191,8 @@ void SparseMatching::askOwn(const MatchingContext& context) {
         next = 0;
         for (std::int32_t t = first; t < s; ++t) {
             const float cost = seats.matched(t) ? answers_[static_cast<std::size_t>(next++)] : 0.0f;
-            if (std::abs(cost - state_.asked[static_cast<std::size_t>(t)]) > context.def.jump) jumped(t);
+            const double jump = context.def.jump * std::max(1.0, static_cast<double>(cost) / kShortWay);
+            if (std::abs(cost - state_.asked[static_cast<std::size_t>(t)]) > jump) jumped(t);
             state_.setOwn(t, cost, context.power);
         }
     }
@@ -250,8 +251,7 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
         if (!anew && !(turn && (s + step_) % period == 0)) continue;
         if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
         state_.changed[static_cast<std::size_t>(s)] = 0;
-        const bool drifted = std::abs(state_.own[static_cast<std::size_t>(s)] - state_.asked[static_cast<std::size_t>(s)]) > kDrift;
-        if (anew || drifted || (s + step_) / period % kWholeTurns == 0) {
+        if (anew || (s + step_) / period % kWholeTurns == 0) {
             rows_.push_back(s);
         } else {
             tightRows_.push_back(s);

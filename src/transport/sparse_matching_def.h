@@ -23,8 +23,10 @@ struct MatchingDef {
     double farCost = 15.0;               ///< [m]
     double searchShare = 3.0;            ///< Nodes settled in all searches of a step, per seat.
     double farSearchShare = 0.4;         ///< ... where the mean cost is above `farCost`: changes are slow then.
+    std::int32_t rest = 5;               ///< Steps, at most 255, for which a change that gained too little is not tried again...
+    std::int32_t farRest = 16;           ///< ... where the mean cost is above `farCost`.
     std::int32_t searchLimit = 600;      ///< Nodes settled in one search.
-    double jump = 0.3;                   ///< A place whose cost changes by so much in a step asks at once for arcs to it [m].
+    double jump = 0.3;                   ///< A place whose cost has changed by so much since asks at once for arcs to it [m].
     std::int32_t coldRounds = 3;         ///< Repairs after a cold start.
     std::int32_t turns = 1;              ///< Calls over which one round of asking and repairing is spread, >= 1. Periods are about twice as long then.
 

@@ -6,7 +6,6 @@
 namespace muster {
 namespace {
 
-constexpr std::uint8_t kRest = 5;             // Steps, after a change that gained too little.
 constexpr std::uint8_t kRestCapped = 3;        // Steps, after a search that was cut short, so that others get a turn.
 constexpr std::int32_t kTries = 3;             // Arcs of one seat in one step.
 constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.
@@ -61,7 +60,8 @@ void MatchingRepair::collect(const MatchingState& state, double tolerance, std::
     std::sort(violations_.begin(), violations_.end(), worse);
 }
 
-void MatchingRepair::run(const MatchingContext& context, MatchingState& state, std::int64_t budget) {
+void MatchingRepair::run(const MatchingContext& context, MatchingState& state, std::int64_t budget, std::int32_t rest) {
+    rest_ = static_cast<std::uint8_t>(rest);
     exchanges_ = 0;
     settled_ = 0;
     for (std::uint8_t& steps : state.resting)
@@ -112,7 +112,7 @@ void MatchingRepair::repairSeat(const MatchingContext& context, MatchingState& s
         // Where much is left the weights were out of date, and another search may help; else it is the threshold.
         const double left = -state.reduced(arc);
         if (left > tolerance && left < kStale * asked_) {
-            state.resting[static_cast<std::size_t>(seat)] = kRest;
+            state.resting[static_cast<std::size_t>(seat)] = rest_;
             return;
         }
     }

@@ -16,8 +16,8 @@ class MatchingRepair {
 public:
     /// Makes room.
     void reset(std::int32_t seats, std::int32_t searchLimit);
-    /// Settles at most `budget` nodes.
-    void run(const MatchingContext& context, MatchingState& state, std::int64_t budget);
+    /// Settles at most `budget` nodes. A change that gained too little is not tried again for `rest` steps.
+    void run(const MatchingContext& context, MatchingState& state, std::int64_t budget, std::int32_t rest);
 
     std::int32_t exchanges() const { return exchanges_; }  ///< Cycles committed by the last run.
     std::int32_t violated() const { return violated_; }    ///< Seats with a violated arc at its beginning.
@@ -44,6 +44,7 @@ private:
     std::vector<float> costs_;           // Of the cycle: each holder to the next seat, 0 where one is missing.
     std::vector<std::int32_t> holders_;  // Of the cycle: holders before it.
     double asked_ = 0.0;  // What the last cycle looked at had to gain.
+    std::uint8_t rest_ = 0;
     std::int32_t exchanges_ = 0;
     std::int32_t violated_ = 0;
     std::int64_t settled_ = 0;

@@ -32,7 +32,7 @@ struct Scene {
     }
     void step() { geodesics.update(ground, excess, places, pool); }
     void warm(const std::vector<std::vector<Vec2>>& from) {
-        for (int round = 0; round < 150; ++round) {
+        for (int round = 0; round < 1500; ++round) {
             step();
             for (std::size_t j = 0; j < places.size(); ++j)
                 for (const Vec2 p : from[j]) (void)geodesics.cost(p, static_cast<std::int32_t>(j));

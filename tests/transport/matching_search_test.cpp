@@ -209,7 +209,7 @@ TEST_CASE("repairs only ever lower the objective, within their budget, and end w
         double before = objective();
         const double first = before;
         for (int round = 0; round < 300; ++round) {
-            repair.run(bench.context, bench.state, 600);
+            repair.run(bench.context, bench.state, 600, 16);
             CHECK(repair.settled() <= 600 + 3);
             const double now = objective();
             CHECK(now <= before + 1e-9);

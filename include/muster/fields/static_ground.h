@@ -53,6 +53,8 @@ public:
     /// True where a character can go straight from `a` to `b` and does best to. On slow ground it may say
     /// no though that is so.
     bool straight(Vec2 a, Vec2 b) const;
+    /// True where no wall is between `a` and `b`, whatever the ground costs.
+    bool clear(Vec2 a, Vec2 b) const { return plain_ || reaches(fine_.wallRoom, a, b); }
     /// Cost of the straight line, walls or none, by a few samples of the ground.
     double lineCost(Vec2 a, Vec2 b) const;
 
@@ -66,6 +68,8 @@ private:
         if (!(x >= 0.0 && y >= 0.0 && x < grid_.width && y < grid_.height)) return -1;
         return static_cast<std::int32_t>(y) * grid_.width + static_cast<std::int32_t>(x);
     }
+    bool reaches(const std::vector<float>& room, Vec2 a, Vec2 b) const;
+    double between(const std::vector<float>& room, Vec2 p) const;
     void makeRoom(const Environment& environment);
     void widenRoom();
     void narrowByPatches();
