@@ -67,6 +67,11 @@ void FieldLattice::rehash() {
     for (std::int32_t slot = 0; slot < count_; ++slot) insert(landmark_[slot], slot);
 }
 
+void FieldLattice::refilter() {
+    std::fill(filter_.begin(), filter_.end(), -1);
+    for (const std::int32_t landmark : wishes_) filter_[home(landmark) % kFilter] = landmark;
+}
+
 void FieldLattice::makeRoom() {
     ++generation_;
     std::int32_t kept = 0;

@@ -67,10 +67,12 @@ private:
         if (count_ < 0 || count_ > capacity_ || landmark_.size() != size || used_.size() != size) return archive.fail();
         fields_.resize(std::max(fields_.size(), size));
         rehash();
+        refilter();
     }
     void admit(std::int32_t most);
     void makeRoom();
     void rehash();
+    void refilter();
     void insert(std::int32_t landmark, std::int32_t slot);
     std::uint32_t home(std::int32_t landmark) const;
 
