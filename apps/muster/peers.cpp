@@ -27,6 +27,7 @@ struct PeersOptions {
     std::string trajectory;
     Overrides overrides;
     int threads = 1;
+    bool inertia = false;
     bool json = false;
 };
 
@@ -97,6 +98,11 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     scene.def.parameters.radius = 0.25;
     scene.def.parameters.maxSpeed = 2.0;
     scene.def.parameters.environmentField = 0.0;
+    if (!options.inertia) {
+        // From one velocity to any other in a step.
+        scene.def.parameters.velocityGain = 60.0;
+        scene.def.parameters.acceleration = 1000.0;
+    }
     if (Status s = validateWorld(scene.def); !s.ok()) return s.within(sceneName(options.file, name));
     if (Status s = options.overrides.apply(scene.def); !s.ok()) return s;
     return scene;
@@ -203,6 +209,8 @@ void addPeersCommand(CLI::App& app, int& exitCode) {
     command->add_option("--trajectory", options->trajectory,
                         "Writes t,id,x,y,place_x,place_y for every step into this CSV file; where several scenes run, "
                         "each into a file of its own, whose name ends with that of the scene.");
+    command->add_flag("--inertia", options->inertia,
+                      "With Muster's own inertia; else velocities change at once, as those of other engines' agents do.");
     command->add_flag("--json", options->json, "One JSON array on standard output, an object per scene.");
     command->footer(
         "Radius 0.25 m, top speed 2 m/s, 60 steps a second; the potential field is off, since slots are fixed.\n"

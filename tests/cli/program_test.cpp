@@ -259,6 +259,12 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(one.code == 0);
     CHECK(one.out.find("| B ") != std::string::npos);
     CHECK(runProgram("peers '" + scenes + "' --scene C").code == 1);
+    // Who has to speed up first comes later: by the time the velocity takes, 1 / 12 s, and what the bound adds.
+    const Outcome slow = runProgram("peers '" + scenes + "' --scene B --inertia --json");
+    REQUIRE(slow.code == 0);
+    const double later = json(slow)[0]["arrived100_s"].get<double>() - list[1]["arrived100_s"].get<double>();
+    CHECK(later > 0.05);
+    CHECK(later < 0.3);
 }
 
 TEST_CASE("peers: what a scene may not hold is named by file and scene") {
