@@ -55,7 +55,7 @@ struct Parameters {
     double planPeriod = 0.0;
     double exponent = 2.0;
     double threshold = 0.1;
-    double thresholdShare = 0.005;
+    double thresholdShare = 0.003;
     double geodesic = 1.0;
     // Characters (SPEC A6).
     double radius = 0.25;
