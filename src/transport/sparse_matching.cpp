@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t kPairsAtOnce = 4096;
 constexpr std::int32_t kManyViolated = 8;  // One in so many seats.
-constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices.
+constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices...
+constexpr std::int32_t kFarFitRests = 40;  // ... where all is far away and little changes.
 constexpr std::int32_t kWholeTurns = 4;   // In every so many turns of a row all its arcs are asked for, else the tight ones.
 constexpr double kShortWay = 4.0;         // Over longer ways a jump is longer in proportion [m].
 constexpr double kLoose = 0.2;           // Arcs are tight that a holder's coming nearer by so much would violate [m]...
@@ -103,7 +104,7 @@ void SparseMatching::repair(const MatchingContext& context) {
     if (restOfFit_ > 0) --restOfFit_;
     if (restOfFit_ == 0 && violated_ > state_.seats.count() / kManyViolated) {
         fit_.run(context, state_);
-        restOfFit_ = kFitRests;
+        restOfFit_ = far_ ? kFarFitRests : kFitRests;
     }
     const double share = far_ ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
     repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()), far_ ? def.farRest : def.rest);
