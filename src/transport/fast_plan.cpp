@@ -19,6 +19,8 @@ constexpr double kLongestWalkExponent = 8.0;      // Stands for the longest walk
 constexpr double kLongestWalkShare = 0.2;         // Changes must gain that share then.
 constexpr std::size_t kPerTurn = 10000;           // Characters from which the matching is spread over two steps, twice as many three...
 constexpr std::int32_t kMostTurns = 6;            // ... and so on up to these: ten times a second.
+constexpr std::int32_t kSeatsPerSearch = 3;       // Nodes that one search may settle, as a share of all seats...
+constexpr std::int32_t kLongestSearch = 4000;     // ... at most.
 constexpr double kMostSettled = 40000.0;          // Nodes of all searches in a step, whatever the crowd.
 constexpr std::size_t kSmallCrowd = 3000;
 constexpr std::int32_t kSmallRounds = 24;         // Of repairs after a cold start.
@@ -85,6 +87,8 @@ MatchingDef FastPlan::matchingDef() const {
     if (characters_.size() <= kSmallCrowd) def.coldRounds = kSmallRounds;
     const auto count = static_cast<double>(std::max<std::size_t>(1, characters_.size()));
     def.searchShare = std::min(def.searchShare, kMostSettled / count);
+    // Where a large formation turns, what one seat gains is paid for by many others.
+    def.searchLimit = std::clamp(static_cast<std::int32_t>(count) / kSeatsPerSearch, def.searchLimit, kLongestSearch);
     def.turns = static_cast<std::int32_t>(std::min<std::size_t>(kMostTurns, 1 + characters_.size() / kPerTurn));
     return def;
 }
