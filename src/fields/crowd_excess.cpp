@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kPeak = 0.02;           // Precision of the time at which a moving thing is worst.
-constexpr double kHazardStep = 0.5;   // Between two points at which moving things are read [m].
+constexpr double kHazardStep = 0.5;      // Between two points at which moving things are read [m].
 constexpr std::int32_t kSamples = 16;    // Along a line, at most: else one per cell.
 
 // Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).

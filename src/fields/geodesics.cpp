@@ -17,7 +17,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, whether the line is clear or not [m].
 constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
 constexpr double kDetour = 1.6;             // Times the straight line's cost: a detour that may be cheaper outside a window.
-constexpr double kOverSlow = 8.0;           // Ways over slow ground that are looked at directly [m].
+constexpr double kOverSlow = 8.0;           // Ways over slow ground that are looked at directly [m]...
+constexpr double kShortLine = 5.0;          // ... and from which there may be one round it outside all windows.
 constexpr double kMuchLess = 0.6;           // Far fields are off by up to a tenth there.
 constexpr std::size_t kFewPlaces = 500;     // Below, one field is made in a step.
 constexpr std::int64_t kManyPlaces = 2500;  // Above, more windows are made in a step.
@@ -218,9 +219,14 @@ double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) cons
 // Windows know no way that leaves them. Through slow ground there may be one that is much longer than the best: where far
 // fields know a cheaper one, that.
 Geodesics::Impl::Bent Geodesics::Impl::roundOutside(Bent inside, Vec2 from, std::int32_t place) const {
-    if (ground->even() || inside.cost <= kDetour * ground->lineCost(from, places[place])) return inside;
+    const Vec2 to = places[place];
+    const double line = distance(from, to);
+    // Far fields say little of short ways, for which windows are made.
+    if (ground->even() || (inside.by == Bent::Line && line < kShortLine)) return inside;
+    const double straight = inside.by == Bent::Line ? ground->fine().lowest * line : ground->lineCost(from, to);
+    if (inside.cost <= kDetour * straight) return inside;
     askFar(place);
-    const double cost = farCost(from, place, distance(from, places[place]));
+    const double cost = farCost(from, place, line);
     return cost < kMuchLess * inside.cost ? Bent{cost, Bent::Far} : inside;
 }
 

@@ -167,6 +167,25 @@ TEST_CASE("ways to slow ground between walls are near those of the fine field, h
     CHECK(errors.at(0.99) < 0.12);
 }
 
+TEST_CASE("a way round mud is found, whether windows reach so far or not") {
+    Environment environment = squareWorld(32.0);
+    REQUIRE(environment.addPatch(slowBox(-3, -2.5, 3, 2.5, 0.1)).ok());
+    Scene scene(std::move(environment));
+    scene.places = {{3.7, 0.4}, {2.2, -0.3}};
+    // The second place is in the mud itself, near its far side.
+    const std::vector<Vec2> from = {{-3.6, 0.2}, {-3.9, -1.0}, {-4.1, 1.2}, {-3.4, -1.9}, {3.9, 1.0}};
+    scene.warm({from, from});
+    EikonalSolver solver;
+    CostField field;
+    for (std::int32_t j = 0; j < 2; ++j) {
+        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
+        for (const Vec2 p : from) {
+            CAPTURE(p);
+            CHECK(scene.geodesics.cost(p, j) == doctest::Approx(field.cost(p)).epsilon(0.15));
+        }
+    }
+}
+
 TEST_CASE("who follows the direction step by step comes to the place by nearly the shortest way") {
     Environment environment = squareWorld(32.0);
     REQUIRE(environment.addObstacle(rectangle(-3, -12, 3, 10)).ok());
