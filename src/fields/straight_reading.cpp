@@ -20,9 +20,8 @@ bool inShadow(const Root& far, const Root& near, Vec2 at) {
 }  // namespace
 
 std::int32_t CostField::rootOf(Cell cell) const {
-    const std::int32_t x = cell.x - low_.x;
-    const std::int32_t y = cell.y - low_.y;
-    return x < 0 || y < 0 || x >= width_ || y >= height_ ? 0 : root_[static_cast<std::size_t>(y) * width_ + x];
+    const std::int32_t at = indexOf(cell);
+    return at >= 0 ? root_[static_cast<std::size_t>(at)] : 0;
 }
 
 // The roots that the reached ones among the four cells around a point come from; empty where one comes from none.

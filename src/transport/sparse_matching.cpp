@@ -11,10 +11,10 @@ constexpr std::size_t kPairsAtOnce = 4096;
 constexpr std::int32_t kManyViolated = 8;  // One in so many seats.
 constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices...
 constexpr std::int32_t kFarFitRests = 40;  // ... where all is far away and little changes.
-constexpr std::int32_t kWholeTurns = 4;   // In every so many turns of a row all its arcs are asked for, else the tight ones.
-constexpr double kShortWay = 4.0;         // Over longer ways a jump is longer in proportion [m].
-constexpr double kLoose = 0.2;           // Arcs are tight that a holder's coming nearer by so much would violate [m]...
-constexpr double kLeastLoose = 1.0;       // ... at this cost or its own [m].
+constexpr std::int32_t kWholeTurns = 4;    // In every so many turns of a row all its arcs are asked for, else the tight ones.
+constexpr double kShortWay = 4.0;          // Over longer ways a jump is longer in proportion [m].
+constexpr double kLoose = 0.2;             // Arcs are tight that a holder's coming nearer by so much would violate [m]...
+constexpr double kLeastLoose = 1.0;        // ... at this cost or its own [m].
 
 }  // namespace
 
@@ -199,7 +199,7 @@ void SparseMatching::askOwn(const MatchingContext& context) {
     }
 }
 
-// A place that came to the other side of a wall: all arcs to it and from it are wrong.
+// A place that came to the other side of a wall, or whose cost drifted off: all arcs to it and from it are wrong.
 void SparseMatching::jumped(std::int32_t seat) {
     state_.changed[static_cast<std::size_t>(seat)] = 1;
     stale_[static_cast<std::size_t>(seat)] = 1;

@@ -44,6 +44,9 @@ public:
     std::int32_t target(std::int32_t arc) const { return target_[static_cast<std::size_t>(arc)]; }  ///< Seat.
     float weight(std::int32_t arc) const { return weight_[static_cast<std::size_t>(arc)]; }         ///< See above.
     void setWeight(std::int32_t arc, float weight) { weight_[static_cast<std::size_t>(arc)] = weight; }  ///< By hand.
+    /// The weight an arc has where its holder pays `there` at its end [in the units of the power].
+    float weightBy(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
+                   std::int32_t arc, double there) const;
     /// The arc from one seat to another, -1 for none.
     std::int32_t find(std::int32_t from, std::int32_t to) const;
     /// Arcs that led to the seat at the last sortByTarget(), ascending.
@@ -68,8 +71,6 @@ private:
     void add(std::int32_t seat, std::int32_t& lane, std::int32_t end, std::int32_t to);
     void addHot(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat, std::int32_t& lane);
     bool asks(std::int32_t arc, const Tight& tight) const;
-    float weightBy(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                   std::int32_t arc, double there) const;
     void ask(const MatchingSeats& seats, std::span<const std::int32_t> rows, const Tight& tight);
     void answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
                 std::span<const std::int32_t> rows, const Tight& tight);

@@ -157,9 +157,8 @@ void MatchingRepair::noteWeights(const MatchingContext& context, MatchingState& 
         const std::int32_t arc = state.arcs.find(cycle[k], to);
         if (arc < 0) continue;
         const bool paid = state.seats.live(to) && state.seats.holder(cycle[k]) >= 0;
-        const double frame = dot(context.slope, state.seats.at(to, context) - state.seats.at(cycle[k], context));
-        state.arcs.setWeight(arc, static_cast<float>((paid ? context.power(costs_[k]) : 0.0) -
-                                                     state.ownPower[static_cast<std::size_t>(cycle[k])] - frame));
+        const double there = paid ? context.power(costs_[k]) : 0.0;
+        state.arcs.setWeight(arc, state.arcs.weightBy(context, state.seats, state.ownPower, arc, there));
     }
 }
 

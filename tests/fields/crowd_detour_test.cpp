@@ -35,7 +35,7 @@ Environment carted(double cell) {
 
 struct Scene {
     explicit Scene(const Environment& environment) {
-        ground.update(environment, 1.0, 0.25);
+        ground = groundOf(environment);
         const DensityField density({{-16, -16}, {16, 16}}, {});
         excess.update({}, environment, density, 0.25);
     }
@@ -98,14 +98,14 @@ TEST_CASE("no way is bent through a wall") {
     environment.setTime(2.0);
     const Scene scene(environment);
     const Scene open(carted(0.25));
-    const Vec2 a{-3.0, -2.6};
-    const Vec2 b{3.0, -2.6};
-    CHECK(open.between(a, b) <= scene.between(a, b) + 1e-9);
     Random random(3);
+    int kept = 0;
     for (int k = 0; k < 300; ++k) {
         const Vec2 from = freeSpot(environment, random, 5.0);
         const Vec2 to = freeSpot(environment, random, 5.0);
         REQUIRE(scene.between(from, to) <= scene.excess.along(from, to));
         REQUIRE(scene.between(from, to) >= open.between(from, to) - 1e-9);
+        kept += scene.between(from, to) > open.between(from, to) + 1e-9 ? 1 : 0;
     }
+    CHECK(kept > 0);  // By walls, on a way that is bent where there are none.
 }

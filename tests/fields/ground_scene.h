@@ -7,6 +7,7 @@
 
 #include "muster/base/random.h"
 #include "muster/environment/environment.h"
+#include "muster/fields/static_ground.h"
 
 namespace muster::test {
 
@@ -33,6 +34,13 @@ inline Environment squareWorld(double half) {
     Result<Environment> environment = Environment::create(def);
     REQUIRE(environment.ok());
     return std::move(environment).value();
+}
+
+/// Its still ground, for characters of 0.25 m.
+inline StaticGround groundOf(const Environment& environment) {
+    StaticGround ground;
+    ground.update(environment, 1.0, 0.25);
+    return ground;
 }
 
 /// A free spot within `half` of the middle.

@@ -13,12 +13,6 @@ using namespace muster::test;
 
 namespace {
 
-StaticGround groundOf(const Environment& environment) {
-    StaticGround ground;
-    ground.update(environment, 1.0, 0.25);
-    return ground;
-}
-
 // The cheapest way from (x < 0, unit 1) to (x > 0, `unit` a metre) over the line x = 0: the best of fine steps along it.
 double refracted(Vec2 a, Vec2 b, double unit) {
     double best = 1e300;

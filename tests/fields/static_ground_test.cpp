@@ -11,16 +11,6 @@
 using namespace muster;
 using namespace muster::test;
 
-namespace {
-
-StaticGround groundOf(const Environment& environment) {
-    StaticGround ground;
-    ground.update(environment, 1.0, 0.25);
-    return ground;
-}
-
-}  // namespace
-
 TEST_CASE("room is a lower bound of the free and uniform surroundings") {
     Environment environment = squareWorld(24.0);
     REQUIRE(environment.addObstacle(rectangle(-4, -3, 3, 2)).ok());

@@ -11,7 +11,7 @@
 namespace muster {
 
 /// The share by which a metre is dearer than on the empty ground: for the crowd by direction, on the cells of the density;
-/// for moving obstacles and patches in all directions alike, on finer cells. To first
+/// for what moves in all directions alike, its discomfort and its patches on finer cells, its bodies on those of the ground. To first
 /// order a small excess changes the cost of the cheapest way by its integral along the way that is cheapest without it.
 class CrowdExcess {
 public:
