@@ -283,6 +283,8 @@ bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, float& cost) const
 
 bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->ground->straight(from, impl_->places[place]); }
 
+double Geodesics::perMetre() const { return impl_->ground->fine().lowest; }
+
 float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }
 
 float Geodesics::Impl::straightCost(Vec2 from, Vec2 to) const {

@@ -29,6 +29,7 @@ void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input)
     state_.reset(static_cast<std::int32_t>(input.characters.size()), static_cast<std::int32_t>(input.places.size()));
     searchLimit_ = def.searchLimit;
     repair_.reset(state_.seats.count(), def.searchLimit);
+    pricing_.reset(state_.seats.count());
     placeOf_.assign(input.characters.size(), -1);
     cost_.assign(input.characters.size(), 0.0f);
     pairs_.reserve(kPairsAtOnce);
@@ -262,6 +263,7 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
     askRows(context);
     state_.arcs.refresh(context, state_.seats, state_.ownPower, tightRows_, {state_.price, margin_});
     state_.arcs.refreshArcs(context, state_.seats, state_.ownPower, staleArcs_);
+    pricing_.run(context, state_, MatchingRepair::tolerance(context, state_));
 }
 
 // Arcs to seats that jumped. As they were sorted, so before any leads elsewhere.
@@ -312,6 +314,7 @@ void SparseMatching::prices(const MatchingInput& input, std::span<double> price)
 void SparseMatching::afterReading() {
     const auto seats = static_cast<std::size_t>(state_.seats.count());
     searchLimit_ = 0;
+    pricing_.afterReading(state_.seats.count());
     rows_.reserve(seats);
     tightRows_.reserve(seats);
     margin_.assign(seats, 0.0);

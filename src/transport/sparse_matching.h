@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "transport/sparse_matching_prices.h"
+#include "transport/sparse_matching_pricing.h"
 #include "transport/sparse_matching_repair.h"
 #include "transport/sparse_matching_start.h"
 #include "transport/sparse_matching_state.h"
@@ -43,7 +44,7 @@ public:
     /// Lets an archive read or write all that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(step_, turn_, restOfFit_, violated_, far_, state_, stale_, placeOf_, cost_, objective_, slack_, slope_, units_);
+        archive(step_, turn_, restOfFit_, violated_, far_, state_, stale_, placeOf_, cost_, objective_, slack_, slope_, units_, pricing_);
         if constexpr (Archive::kReading) {
             if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) || cost_.size() != placeOf_.size() ||
                 stale_.size() != static_cast<std::size_t>(state_.seats.count()))
@@ -90,6 +91,7 @@ private:
     MatchingRepair repair_;
     MatchingStart start_;
     PriceFit fit_;
+    MatchingPricing pricing_;
     std::vector<Pair> pairs_;
     std::vector<float> answers_;
     std::vector<std::int32_t> rows_;

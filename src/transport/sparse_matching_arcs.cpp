@@ -7,7 +7,7 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kNearPlaces = 8;
-constexpr std::int32_t kNearCharacters = 7;
+constexpr std::int32_t kNearCharacters = 6;
 constexpr std::int32_t kHotNearPlaces = 6;  // Seats that are hot spare some lanes for arcs to each other.
 constexpr std::int32_t kHotNearCharacters = 4;
 constexpr std::int32_t kLastLane = MatchingArcs::kLanes - 1;  // Kept for waiting characters and free places.
@@ -84,10 +84,15 @@ void MatchingArcs::add(std::int32_t seat, std::int32_t& lane, std::int32_t end, 
     row[lane++] = to;
 }
 
+// Lanes without an arc.
+void MatchingArcs::leadHome(std::int32_t seat, std::int32_t& lane, std::int32_t end) {
+    for (; lane < end; ++lane) target_[static_cast<std::size_t>(seat) * kLanes + static_cast<std::size_t>(lane)] = seat;
+}
+
 // The nearest seats among those that are hot; of very many some are looked at.
 void MatchingArcs::addHot(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat,
                           std::int32_t& lane) {
-    constexpr std::int32_t kMost = 5;
+    constexpr std::int32_t kMost = 4;
     std::array<std::int32_t, kMost> best{};
     std::array<double, kMost> distance{};
     std::int32_t found = 0;
@@ -106,11 +111,12 @@ void MatchingArcs::addHot(const MatchingContext& context, const MatchingSeats& s
         best[at] = hot_[k];
         distance[at] = d;
     }
-    for (std::int32_t k = 0; k < found; ++k) add(seat, lane, kLastLane, best[k]);
+    for (std::int32_t k = 0; k < found; ++k) add(seat, lane, kPricedLane, best[k]);
 }
 
 void MatchingArcs::chooseTargets(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat) {
     std::int32_t lane = 0;
+    const std::int32_t pricedTo = target(priced(seat));
     const std::int32_t holder = seats.holder(seat);
     if (holder >= 0 || seats.live(seat)) {
         const bool hot = seats.matched(seat) && own_[static_cast<std::size_t>(seat)] > hotCost_;
@@ -121,15 +127,17 @@ void MatchingArcs::chooseTargets(const MatchingContext& context, const MatchingS
         NearestPoints near;
         near.find(nearPlaces_, context.input.places, seats.live(seat) ? seats.at(seat, context) : person, places,
                   [&](std::int32_t p) { return p != seat && seats.live(p); });
-        for (std::int32_t k = 0; k < near.size(); ++k) add(seat, lane, kLastLane, near[k]);
+        for (std::int32_t k = 0; k < near.size(); ++k) add(seat, lane, kPricedLane, near[k]);
         near.find(nearCharacters_, characters, person, people,
                   [&](std::int32_t i) { return i != holder && seats.seatOf(i) >= 0; });
-        for (std::int32_t k = 0; k < near.size(); ++k) add(seat, lane, kLastLane, seats.seatOf(near[k]));
+        for (std::int32_t k = 0; k < near.size(); ++k) add(seat, lane, kPricedLane, seats.seatOf(near[k]));
         if (hot) addHot(context, seats, seat, lane);
+        leadHome(seat, lane, kPricedLane);
+        if (seats.live(pricedTo)) add(seat, lane, kLastLane, pricedTo);
+        leadHome(seat, lane, kLastLane);
         add(seat, lane, kLanes, holder < 0 ? highest_ : highestWaiting_);
     }
-    const auto row = static_cast<std::size_t>(seat) * kLanes;
-    for (; lane < kLanes; ++lane) target_[row + static_cast<std::size_t>(lane)] = seat;
+    leadHome(seat, lane, kLanes);
 }
 
 bool MatchingArcs::asks(std::int32_t arc, const Tight& tight) const {
@@ -169,8 +177,12 @@ void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& s
 
 float MatchingArcs::weightBy(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
                              std::int32_t arc, double there) const {
-    const std::int32_t from = arc / kLanes;
-    const double frame = dot(context.slope, seats.at(target(arc), context) - seats.at(from, context));
+    return weightFor(context, seats, ownPower, arc / kLanes, target(arc), there);
+}
+
+float MatchingArcs::weightFor(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
+                              std::int32_t from, std::int32_t to, double there) const {
+    const double frame = dot(context.slope, seats.at(to, context) - seats.at(from, context));
     return static_cast<float>(there - ownPower[static_cast<std::size_t>(from)] - frame);
 }
 

@@ -16,6 +16,7 @@ namespace muster {
 class MatchingArcs {
 public:
     static constexpr std::int32_t kLanes = 16;  ///< Arcs from each seat.
+    static constexpr std::int32_t kPricedLane = 14;  ///< Of these one is kept for what pricing finds.
     static constexpr float kNever = 1e35f;      ///< Weight of an arc that is not there; such an arc leads to its own seat.
 
     /// Removes all arcs.
@@ -44,6 +45,18 @@ public:
     std::int32_t target(std::int32_t arc) const { return target_[static_cast<std::size_t>(arc)]; }  ///< Seat.
     float weight(std::int32_t arc) const { return weight_[static_cast<std::size_t>(arc)]; }         ///< See above.
     void setWeight(std::int32_t arc, float weight) { weight_[static_cast<std::size_t>(arc)] = weight; }  ///< By hand.
+    /// The arc in a seat's priced lane; it leads to the seat itself where there is none.
+    std::int32_t priced(std::int32_t seat) const { return seat * kLanes + kPricedLane; }
+    /// Lets that arc lead to a seat.
+    void putPriced(std::int32_t seat, std::int32_t to, float weight) {
+        target_[static_cast<std::size_t>(priced(seat))] = to;
+        weight_[static_cast<std::size_t>(priced(seat))] = weight;
+    }
+    /// Seats far dearer than the mean at the last look(), ascending.
+    const std::vector<std::int32_t>& hot() const { return hot_; }
+    /// The weight an arc between two seats has where the holder of the first pays `there` at its end.
+    float weightFor(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
+                    std::int32_t from, std::int32_t to, double there) const;
     /// The weight an arc has where its holder pays `there` at its end [in the units of the power].
     float weightBy(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
                    std::int32_t arc, double there) const;
@@ -69,6 +82,7 @@ private:
     bool consistent() const;
     void makeRoom();
     void add(std::int32_t seat, std::int32_t& lane, std::int32_t end, std::int32_t to);
+    void leadHome(std::int32_t seat, std::int32_t& lane, std::int32_t end);
     void addHot(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat, std::int32_t& lane);
     bool asks(std::int32_t arc, const Tight& tight) const;
     void ask(const MatchingSeats& seats, std::span<const std::int32_t> rows, const Tight& tight);

@@ -12,15 +12,15 @@ constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.
 constexpr double kStale = 2.0;                 // Times what was asked: seemed to gain so much by stale weights only.
 constexpr std::int32_t kLanes = MatchingArcs::kLanes;
 
+}  // namespace
+
 // A violation as small as this share of the mean is let be, too.
-double toleranceFor(const MatchingContext& context, const MatchingState& state) {
+double MatchingRepair::tolerance(const MatchingContext& context, const MatchingState& state) {
     double sum = 0.0;
     for (const double c : state.ownPower) sum += c;
     const double mean = sum / std::max(1.0, static_cast<double>(state.ownPower.size()));
     return kToleranceOfThreshold * std::max({context.threshold, kToleranceOfThreshold * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
 }
-
-}  // namespace
 
 void MatchingRepair::reset(std::int32_t seats, std::int32_t searchLimit) {
     search_.reset(seats, searchLimit);
@@ -66,12 +66,12 @@ void MatchingRepair::run(const MatchingContext& context, MatchingState& state, s
     settled_ = 0;
     for (std::uint8_t& steps : state.resting)
         if (steps > 0) --steps;
-    const double tolerance = toleranceFor(context, state);
+    const double least = tolerance(context, state);
     // One that takes a single node is the least there can be.
-    collect(state, tolerance, static_cast<std::int32_t>(std::min<std::int64_t>(budget, state.seats.count())));
+    collect(state, least, static_cast<std::int32_t>(std::min<std::int64_t>(budget, state.seats.count())));
     for (const Violation& violation : violations_) {
         if (settled_ >= budget) break;
-        repairSeat(context, state, violation.arc / kLanes, tolerance, budget);
+        repairSeat(context, state, violation.arc / kLanes, least, budget);
     }
 }
 

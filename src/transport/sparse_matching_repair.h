@@ -19,6 +19,9 @@ public:
     /// Settles at most `budget` nodes. A change that gained too little is not tried again for `rest` steps.
     void run(const MatchingContext& context, MatchingState& state, std::int64_t budget, std::int32_t rest);
 
+    /// Violations up to this are let be [in the units of the power].
+    static double tolerance(const MatchingContext& context, const MatchingState& state);
+
     std::int32_t exchanges() const { return exchanges_; }  ///< Cycles committed by the last run.
     std::int32_t violated() const { return violated_; }    ///< Seats with a violated arc at its beginning.
     std::int64_t settled() const { return settled_; }      ///< Nodes settled by it.

@@ -42,6 +42,9 @@ public:
     float cost(std::int32_t i, std::int32_t j) override {
         return static_cast<float>(exact(static_cast<std::size_t>(i), static_cast<std::size_t>(j)));
     }
+    double perMetre() const override {
+        return weightOf.empty() ? 1.0 : *std::min_element(weightOf.begin(), weightOf.end());
+    }
     void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool& pool) override {
         fillPairs_ = pairs;
         fillCost_ = cost;

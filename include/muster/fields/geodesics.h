@@ -67,6 +67,8 @@ public:
     void survey(std::span<const Vec2> from, ThreadPool& pool);
     /// Cost from `from` to a place [m of open ground] >= 0, finite. May be called from several threads.
     float cost(Vec2 from, std::int32_t place) const;
+    /// No cost is less than so many times the straight line.
+    double perMetre() const;
     /// The same with the direction to go; `memory` is the walker's own.
     WayAhead ahead(Vec2 from, std::int32_t place, WayPoint& memory) const;
     /// Keeps the windows that walkers need, and asks for those that are missing. Call after all have asked ahead().

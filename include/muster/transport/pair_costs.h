@@ -23,6 +23,8 @@ public:
     virtual ~PairCosts() = default;
     /// The cost of one pair [m] >= 0, finite.
     virtual float cost(std::int32_t character, std::int32_t place) = 0;
+    /// No cost is less than so many times the straight line, >= 0.
+    virtual double perMetre() const { return 0.0; }
     /// The costs of many pairs, worked out side by side; `cost` is as long as `pairs`.
     virtual void fill(std::span<const Pair> pairs, std::span<float> cost, ThreadPool& pool) = 0;
 };

@@ -1,0 +1,86 @@
+#include "transport/sparse_matching_pricing.h"
+
+#include <algorithm>
+
+namespace muster {
+namespace {
+
+constexpr std::int32_t kSeatsPerTurn = 250;   // One in so many is priced in a step...
+constexpr std::int32_t kMostTurns = 8;        // ... but no more than these,
+constexpr std::int32_t kMostBounds = 200000;  // and no more pairs than these are looked at.
+constexpr std::size_t kMostAsked = 64;        // Costs asked for one seat.
+
+}  // namespace
+
+void MatchingPricing::reset(std::int32_t seats) {
+    turn_ = hotTurn_ = 0;
+    round_ = 0;
+    makeRoom(seats);
+}
+
+void MatchingPricing::makeRoom(std::int32_t seats) {
+    candidates_.reserve(static_cast<std::size_t>(seats));
+    pairs_.reserve(kMostAsked);
+    answers_.reserve(kMostAsked);
+}
+
+void MatchingPricing::run(const MatchingContext& context, MatchingState& state, double tolerance) {
+    found_ = 0;
+    const std::int32_t count = state.seats.count();
+    if (count == 0) return;
+    ++round_;
+    const std::int32_t most = std::min(kMostTurns, std::max(1, kMostBounds / count));
+    const std::int32_t turns = std::clamp(count / kSeatsPerTurn, 1, most);
+    for (std::int32_t k = 0; k < turns; ++k, ++turn_) {
+        if (turn_ >= count) turn_ = 0;
+        price(context, state, turn_, tolerance);
+    }
+    const auto& hot = state.arcs.hot();
+    for (std::int32_t k = 0; k < std::min(turns, static_cast<std::int32_t>(hot.size())); ++k) {
+        const auto next = std::lower_bound(hot.begin(), hot.end(), hotTurn_);
+        const std::int32_t seat = next != hot.end() ? *next : hot.front();
+        hotTurn_ = seat + 1;
+        price(context, state, seat, tolerance);
+    }
+}
+
+// Places to which the way might pay, were it straight.
+void MatchingPricing::collect(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
+                              double tolerance) {
+    candidates_.clear();
+    const MatchingSeats& seats = state.seats;
+    const Vec2 person = context.input.characters[static_cast<std::size_t>(seats.holder(seat))];
+    const auto own = static_cast<std::size_t>(seat);
+    const double base = state.price[own] - state.ownPower[own] + dot(context.slope, seats.at(seat, context)) + tolerance;
+    const double perMetre = context.costs.perMetre();
+    for (std::int32_t to = 0; to < seats.places(); ++to) {
+        const Vec2 place = context.input.places[static_cast<std::size_t>(to)];
+        const double rest = base - state.price[static_cast<std::size_t>(to)] - dot(context.slope, place);
+        if (!(rest < 0.0) || !seats.live(to) || to == seat) continue;
+        if (context.power(perMetre * distance(person, place)) + rest < 0.0) candidates_.push_back(to);
+    }
+}
+
+void MatchingPricing::price(const MatchingContext& context, MatchingState& state, std::int32_t seat, double tolerance) {
+    if (!state.seats.matched(seat)) return;
+    collect(context, state, seat, tolerance);
+    // Of very many some are looked at, others when it is the seat's turn again.
+    const std::size_t stride = candidates_.size() / kMostAsked + 1;
+    pairs_.clear();
+    for (std::size_t k = round_ % stride; k < candidates_.size(); k += stride)
+        pairs_.push_back({state.seats.holder(seat), candidates_[k]});
+    answers_.resize(pairs_.size());
+    context.costs.fill(pairs_, answers_, context.pool);
+    double least = std::min(-tolerance, state.reduced(state.arcs.priced(seat)));
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+        const std::int32_t to = pairs_[k].place;
+        const float weight = state.arcs.weightFor(context, state.seats, state.ownPower, seat, to, context.power(answers_[k]));
+        const double reduced = weight - state.price[static_cast<std::size_t>(to)] + state.price[static_cast<std::size_t>(seat)];
+        if (!(reduced < least) || state.arcs.find(seat, to) >= 0) continue;
+        least = reduced;
+        state.arcs.putPriced(seat, to, weight);
+        ++found_;
+    }
+}
+
+}  // namespace muster
