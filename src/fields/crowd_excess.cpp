@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kPeak = 0.02;           // Precision of the time at which a moving thing is worst.
+constexpr double kPerHazardCell = 1.0 / CrowdExcess::kHazardCell;
 constexpr double kHazardStep = 0.5;      // Between two points at which moving things are read [m].
 constexpr std::int32_t kSamples = 16;    // Along a line, at most: else one per cell.
 
@@ -42,6 +43,15 @@ bool isNone(const CellCost& c) { return c.east == 0.0f && c.north == 0.0f && c.w
 
 }  // namespace
 
+inline CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCell, Vec2 p) {
+    const double u = std::clamp((p.x - grid.origin.x) * perCell - 0.5, 0.0, grid.width - 1.0);
+    const double v = std::clamp((p.y - grid.origin.y) * perCell - 0.5, 0.0, grid.height - 1.0);
+    const std::int32_t x = std::min(static_cast<std::int32_t>(u), std::max(0, grid.width - 2));
+    const std::int32_t y = std::min(static_cast<std::int32_t>(v), std::max(0, grid.height - 2));
+    return {y * grid.width + x, static_cast<float>(u - x), static_cast<float>(v - y), grid.width > 1 ? 1 : 0,
+            grid.height > 1 ? grid.width : 0};
+}
+
 void CrowdExcess::clear() {
     for (const std::int32_t cell : listed_) excess_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
     for (const std::int32_t cell : busyList_) busy_[cell] = 0;
@@ -67,6 +77,7 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
                          double radius) {
     if (!(density.grid() == grid_)) {
         grid_ = density.grid();
+        perCell_ = 1.0 / grid_.cell;
         const auto count = static_cast<std::size_t>(grid_.count());
         excess_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
         busy_.assign(count, 0);
@@ -227,18 +238,9 @@ void CrowdExcess::sumBusy() {
     }
 }
 
-CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCell, Vec2 p) {
-    const double u = std::clamp((p.x - grid.origin.x) * perCell - 0.5, 0.0, grid.width - 1.0);
-    const double v = std::clamp((p.y - grid.origin.y) * perCell - 0.5, 0.0, grid.height - 1.0);
-    const std::int32_t x = std::min(static_cast<std::int32_t>(u), std::max(0, grid.width - 2));
-    const std::int32_t y = std::min(static_cast<std::int32_t>(v), std::max(0, grid.height - 2));
-    return {y * grid.width + x, static_cast<float>(u - x), static_cast<float>(v - y), grid.width > 1 ? 1 : 0,
-            grid.height > 1 ? grid.width : 0};
-}
-
 // Excess of the crowd at `p` for somebody who goes towards `to`, a unit vector.
-double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
-    const Between at = between(grid_, 1.0 / grid_.cell, p);
+inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
+    const Between at = between(grid_, perCell_, p);
     if ((busy_[at.low] | busy_[at.low + at.right + at.up]) == 0) return 0.0;
     const CellCost* low = excess_.data() + at.low;
     const CellCost* high = low + at.up;
@@ -254,7 +256,7 @@ double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
 
 double CrowdExcess::hazardAt(Vec2 p) const {
     if (taken_[static_cast<std::size_t>(ground_.index(ground_.nearestCell(p)))] != 0) return kBlocked;
-    const Between at = between(hazardGrid_, 1.0 / kHazardCell, p);
+    const Between at = between(hazardGrid_, kPerHazardCell, p);
     const float* low = hazard_.data() + at.low;
     const float* high = low + at.up;
     const float below = low[0] + (low[at.right] - low[0]) * at.fx;

@@ -259,13 +259,16 @@ void StaticGround::makeCoarse() {
 double StaticGround::roomBetween(Vec2 p) const { return between(fine_.room, p); }
 
 double StaticGround::between(const std::vector<float>& room, Vec2 p) const {
-    if (cellAt(p) < 0) return -1.0;
-    const BetweenCentres at = betweenCentres(grid_, p);
+    const double x = (p.x - grid_.origin.x) * perCell_;
+    const double y = (p.y - grid_.origin.y) * perCell_;
+    if (!(x >= 0.0 && y >= 0.0 && x < grid_.width && y < grid_.height)) return -1.0;
+    const BetweenCentres at = betweenCentresAt(grid_, x, y);
     const float* low = room.data() + grid_.index(at.low);
     const float* high = low + (grid_.height > 1 ? grid_.width : 0);
     const std::int32_t right = grid_.width > 1 ? 1 : 0;
-    return (low[0] * (1.0 - at.fx) + low[right] * at.fx) * (1.0 - at.fy) +
-           (high[0] * (1.0 - at.fx) + high[right] * at.fx) * at.fy;
+    const double below = low[0] + (low[right] - low[0]) * at.fx;
+    const double above = high[0] + (high[right] - high[0]) * at.fx;
+    return below + (above - below) * at.fy;
 }
 
 double StaticGround::lineCost(Vec2 a, Vec2 b) const {
@@ -292,19 +295,18 @@ bool StaticGround::reaches(const std::vector<float>& rooms, Vec2 a, Vec2 b) cons
         return cell >= 0 ? static_cast<double>(rooms[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
     };
     // Nothing fits between two so close together, though they stand in a door too narrow for the cells to show it.
-    if (whole <= radius_ || roomAt(b) >= whole) return true;
-    const Vec2 along = whole > 0.0 ? (b - a) / whole : Vec2{};
-    double at = 0.0;
-    for (;;) {
+    if (whole <= radius_) return true;
+    // As far as the disc round the end.
+    const double far = whole - std::max(roomAt(b), 0.0);
+    const Vec2 along = (b - a) / whole;
+    for (double at = 0.0; at < far;) {
         const Vec2 p = a + along * at;
         double free = roomAt(p);
-        if (free >= whole - at) return true;
         if (free < kInterpolated) free = between(rooms, p);
-        if (free >= whole - at) return true;
         if (free < kLeastRoom) return false;
         at += std::max(free, kLeastStride);
-        if (at >= whole) return true;
     }
+    return true;
 }
 
 }  // namespace muster

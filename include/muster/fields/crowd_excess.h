@@ -72,6 +72,7 @@ private:
     bool hazardMeets(Vec2 a, Vec2 b) const { return !(moved_.empty() && takenList_.empty()) && hazardBounds_.meets(a, b); }
 
     Grid grid_;
+    double perCell_ = 1.0;  // [1/m]
     std::vector<CellCost> excess_;
     std::vector<std::uint8_t> busy_;      // Cells from which some excess can be read.
     std::vector<std::int32_t> listed_;    // Cells with excess, in the order they got it.
