@@ -8,18 +8,18 @@ namespace {
 
 constexpr std::uint8_t kRestCapped = 3;        // Steps, after a search that was cut short, so that others get a turn.
 constexpr std::int32_t kTries = 3;             // Arcs of one seat in one step.
-constexpr double kToleranceOfThreshold = 0.5;  // Smaller violations are let be.
+constexpr double kTolerance = 0.5;             // Smaller violations, in thresholds, are let be: of two that gain enough one is larger...
+constexpr double kToleranceOfShare = 0.25;     // ... or than this in shares of the mean.
 constexpr double kStale = 2.0;                 // Times what was asked: seemed to gain so much by stale weights only.
 constexpr std::int32_t kLanes = MatchingArcs::kLanes;
 
 }  // namespace
 
-// A violation as small as this share of the mean is let be, too.
 double MatchingRepair::tolerance(const MatchingContext& context, const MatchingState& state) {
     double sum = 0.0;
     for (const double c : state.ownPower) sum += c;
     const double mean = sum / std::max(1.0, static_cast<double>(state.ownPower.size()));
-    return kToleranceOfThreshold * std::max({context.threshold, kToleranceOfThreshold * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
+    return std::max({kTolerance * context.threshold, kToleranceOfShare * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
 }
 
 void MatchingRepair::reset(std::int32_t seats, std::int32_t searchLimit) {

@@ -19,7 +19,7 @@ namespace muster {
 /// The objective and how it is committed.
 struct PlanDef {
     double exponent = 2.0;   ///< p of the objective sum c^p f, 1 to 16.
-    double threshold = 0.1;  ///< A change of places (one cycle or path of exchanges) is committed only where it lowers the objective by more [cost^p] >= 0.
+    double threshold = 0.02;  ///< A change of places (one cycle or path of exchanges) is committed only where it lowers the objective by more [cost^p] >= 0.
     double thresholdShare = 0.003;  ///< ... and by more than this share of the objective of those it concerns >= 0.
     bool longestWalk = false;  ///< First the least cost of the dearest pair, then the objective above among such matchings.
     bool geodesic = true;    ///< Costs by the cost field; else straight-line distances (ways still follow the field).

@@ -54,7 +54,7 @@ struct Parameters {
     double objective = 0.0;
     double planPeriod = 0.0;
     double exponent = 2.0;
-    double threshold = 0.1;
+    double threshold = 0.02;
     double thresholdShare = 0.003;
     double geodesic = 1.0;
     // Characters (SPEC A6).
