@@ -13,8 +13,7 @@ constexpr std::size_t kMostAsked = 64;        // Costs asked for one seat.
 }  // namespace
 
 void MatchingPricing::reset(std::int32_t seats) {
-    turn_ = hotTurn_ = 0;
-    round_ = 0;
+    all_ = hot_ = {};
     makeRoom(seats);
 }
 
@@ -28,19 +27,21 @@ void MatchingPricing::run(const MatchingContext& context, MatchingState& state, 
     found_ = 0;
     const std::int32_t count = state.seats.count();
     if (count == 0) return;
-    ++round_;
     const std::int32_t most = std::min(kMostTurns, std::max(1, kMostBounds / count));
     const std::int32_t turns = std::clamp(count / kSeatsPerTurn, 1, most);
-    for (std::int32_t k = 0; k < turns; ++k, ++turn_) {
-        if (turn_ >= count) turn_ = 0;
-        price(context, state, turn_, tolerance);
+    for (std::int32_t k = 0; k < turns; ++k, ++all_.next) {
+        if (all_.next >= count) all_ = {0, all_.round + 1};
+        price(context, state, all_.next, all_.round, tolerance);
     }
     const auto& hot = state.arcs.hot();
     for (std::int32_t k = 0; k < std::min(turns, static_cast<std::int32_t>(hot.size())); ++k) {
-        const auto next = std::lower_bound(hot.begin(), hot.end(), hotTurn_);
-        const std::int32_t seat = next != hot.end() ? *next : hot.front();
-        hotTurn_ = seat + 1;
-        price(context, state, seat, tolerance);
+        auto next = std::lower_bound(hot.begin(), hot.end(), hot_.next);
+        if (next == hot.end()) {
+            next = hot.begin();
+            ++hot_.round;
+        }
+        hot_.next = *next + 1;
+        price(context, state, *next, hot_.round, tolerance);
     }
 }
 
@@ -61,13 +62,14 @@ void MatchingPricing::collect(const MatchingContext& context, const MatchingStat
     }
 }
 
-void MatchingPricing::price(const MatchingContext& context, MatchingState& state, std::int32_t seat, double tolerance) {
+void MatchingPricing::price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
+                            double tolerance) {
     if (!state.seats.matched(seat)) return;
     collect(context, state, seat, tolerance);
-    // Of very many some are looked at, others when it is the seat's turn again.
+    // Of very many some are asked for, others when it is the seat's turn again.
     const std::size_t stride = candidates_.size() / kMostAsked + 1;
     pairs_.clear();
-    for (std::size_t k = round_ % stride; k < candidates_.size(); k += stride)
+    for (std::size_t k = round % stride; k < candidates_.size(); k += stride)
         pairs_.push_back({state.seats.holder(seat), candidates_[k]});
     answers_.resize(pairs_.size());
     context.costs.fill(pairs_, answers_, context.pool);

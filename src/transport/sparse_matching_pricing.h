@@ -24,19 +24,29 @@ public:
     /// Lets an archive read or write whose turn it is.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(turn_, hotTurn_, round_);
+        archive(all_, hot_);
         if constexpr (Archive::kReading)
-            if (turn_ < 0 || hotTurn_ < 0) archive.fail();
+            if (all_.next < 0 || hot_.next < 0) archive.fail();
     }
 
 private:
+    /// Seats take turns; each time round other pairs of theirs are looked at.
+    struct Turns {
+        std::int32_t next = 0;
+        std::uint32_t round = 0;
+
+        template <class Archive>
+        void visit(Archive& archive) {
+            archive(next, round);
+        }
+    };
     void makeRoom(std::int32_t seats);
     void collect(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
-    void price(const MatchingContext& context, MatchingState& state, std::int32_t seat, double tolerance);
+    void price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
+               double tolerance);
 
-    std::int32_t turn_ = 0;     // The seat that is next...
-    std::int32_t hotTurn_ = 0;  // ... of those far dearer than the mean.
-    std::uint32_t round_ = 0;
+    Turns all_;
+    Turns hot_;  // Of seats far dearer than the mean.
     std::int32_t found_ = 0;
     std::vector<std::int32_t> candidates_;
     std::vector<Pair> pairs_;

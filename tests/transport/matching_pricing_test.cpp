@@ -1,0 +1,127 @@
+// Exchanges that the sparse graph has no arc for: far away in metres, near by the cost.
+#include <doctest.h>
+
+#include "transport/matching_scene.h"
+
+namespace {
+
+using muster::SparseMatching;
+using muster::Vec2;
+using muster_test::MatchingScene;
+
+// Straight distances, but for pairs joined by a tunnel.
+class TunnelCosts final : public muster_test::ClosedCosts {
+public:
+    std::vector<muster::Pair> tunnels;
+    double length = 0.2;
+
+    double through(std::int32_t i, std::int32_t j) const {
+        for (const muster::Pair& t : tunnels)
+            if (t.character == i && t.place == j) return length;
+        return exact(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    }
+    float cost(std::int32_t i, std::int32_t j) override { return static_cast<float>(through(i, j)); }
+    void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool&) override {
+        for (std::size_t k = 0; k < pairs.size(); ++k) cost[k] = this->cost(pairs[k].character, pairs[k].place);
+    }
+    double perMetre() const override { return 0.0; }
+};
+
+// A block of 400 who stand a metre beside their places; a dozen know tunnels to places at the other end.
+struct TunnelScene {
+    TunnelCosts costs;
+    std::vector<std::int32_t> own;
+
+    TunnelScene() {
+        for (std::int32_t k = 0; k < 400; ++k) {
+            costs.places.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
+            costs.characters.push_back(costs.places.back() + Vec2{1.0, 0.01 * (k % 7)});
+            own.push_back(k);
+        }
+        // Both ways, so that an exchange of two gains: 2 - 0.08 square metres each.
+        for (std::int32_t k = 0; k < 12; ++k) {
+            costs.tunnels.push_back({k, 399 - k});
+            costs.tunnels.push_back({399 - k, k});
+        }
+    }
+    muster::MatchingInput input() const { return {costs.characters, costs.places, {}, {}}; }
+    double optimum() const {
+        std::vector<double> matrix;
+        for (std::int32_t i = 0; i < 400; ++i)
+            for (std::int32_t j = 0; j < 400; ++j) matrix.push_back(costs.through(i, j) * costs.through(i, j));
+        muster::UnitMatching dense;
+        dense.solve(400, 400, matrix.data());
+        double sum = 0.0;
+        for (std::int32_t i = 0; i < 400; ++i)
+            sum += matrix[static_cast<std::size_t>(i) * 400 + static_cast<std::size_t>(dense.columnOf()[static_cast<std::size_t>(i)])];
+        return sum;
+    }
+};
+
+muster::MatchingDef sharpDef() {
+    muster::MatchingDef def;
+    def.threshold = 0.001;
+    def.thresholdShare = 0.0;
+    return def;
+}
+
+}  // namespace
+
+TEST_CASE("exchanges between places that are no neighbours are found by pricing") {
+    muster::ThreadPool pool(1);
+    TunnelScene scene;
+    SparseMatching matching;
+    matching.adopt(sharpDef(), scene.input(), scene.own, scene.costs, pool);
+    const double before = matching.objective();
+    const double optimum = scene.optimum();
+    REQUIRE(optimum < before - 20.0);
+    // 400 seats, of each a seventh of all pairs at a time: 2,800 steps until all had their turn.
+    for (int k = 0; k < 4000; ++k) matching.update(sharpDef(), scene.input(), scene.costs, pool);
+    CHECK(matching.objective() < optimum + 0.05);
+    CHECK(matching.objective() > optimum - 1e-3);
+    std::int32_t used = 0;
+    for (const muster::Pair& t : scene.costs.tunnels) used += matching.placeOf()[static_cast<std::size_t>(t.character)] == t.place ? 1 : 0;
+    // No arc to a neighbour leads there.
+    CHECK(used > 0);
+}
+
+TEST_CASE("pricing asks for no cost where the straight line says that it cannot pay") {
+    // Everybody stands on its place: no pair is worth a question, whatever the number of turns.
+    class Counting final : public muster::PairCosts {
+    public:
+        explicit Counting(std::span<const Vec2> p) : points(p) {}
+        float cost(std::int32_t i, std::int32_t j) override {
+            ++asked;
+            return static_cast<float>(distance(points[static_cast<std::size_t>(i)], points[static_cast<std::size_t>(j)]));
+        }
+        void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool&) override {
+            for (std::size_t k = 0; k < pairs.size(); ++k) cost[k] = this->cost(pairs[k].character, pairs[k].place);
+        }
+        double perMetre() const override { return 1.0; }
+        std::span<const Vec2> points;
+        long asked = 0;
+    };
+    muster::ThreadPool pool(1);
+    std::vector<Vec2> points;
+    for (int k = 0; k < 300; ++k) points.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
+    std::vector<std::int32_t> own(300);
+    for (std::int32_t k = 0; k < 300; ++k) own[static_cast<std::size_t>(k)] = k;
+    Counting costs(points);
+    const muster::MatchingInput input{points, points, {}, {}};
+    SparseMatching matching;
+    matching.adopt(sharpDef(), input, own, costs, pool);
+    muster::MatchingState state;
+    state.reset(300, 300);
+    state.seats.adopt(own);
+    std::vector<std::int32_t> flipped;
+    state.seats.follow(input, flipped);
+    const muster::MatchingDef def = sharpDef();
+    const muster::MatchingContext context{def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold};
+    state.arcs.look(context, state.seats, state.price, state.own);
+    muster::MatchingPricing pricing;
+    pricing.reset(300);
+    costs.asked = 0;
+    for (int k = 0; k < 400; ++k) pricing.run(context, state, 1e-6);
+    CHECK(costs.asked == 0);
+    CHECK(pricing.found() == 0);
+}
