@@ -30,6 +30,13 @@ void FieldLattice::clear() {
     std::fill(table_.begin(), table_.end(), -1);
 }
 
+void FieldLattice::reserve(std::size_t fields, std::size_t cells, std::size_t roots) {
+    fields = std::min(fields, static_cast<std::size_t>(capacity_));
+    std::size_t next = fields_.size();
+    if (next >= fields) return;
+    for (fields_.resize(fields); next < fields; ++next) fields_[next].reserve(cells, roots);
+}
+
 std::uint32_t FieldLattice::home(std::int32_t landmark) const {
     const std::uint32_t mixed = static_cast<std::uint32_t>(landmark) * 2654435761u;
     return (mixed ^ (mixed >> 15)) & static_cast<std::uint32_t>(table_.size() - 1);

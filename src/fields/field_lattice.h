@@ -19,6 +19,8 @@ public:
     explicit FieldLattice(std::int32_t capacity);
     /// Forgets all fields.
     void clear();
+    /// Makes room for so many fields, at most the capacity, of so many cells and roots each.
+    void reserve(std::size_t fields, std::size_t cells, std::size_t roots);
     /// Begins a step.
     void beginStep() { ++clock_; }
     /// The slot of a landmark's field, -1 where there is none; it counts as used now.

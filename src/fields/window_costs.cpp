@@ -34,6 +34,7 @@ void WindowCosts::beginStep(const StaticGround& ground, const GroundLevel& level
     seen_.resize(places.size());
     stencil_.resize(places.size());
     windows_.beginStep(level, ground.version());
+    if (!ground.plain()) windows_.reserve(places.size());
 }
 
 // Places move little from step to step: those that have windows look again in turn.

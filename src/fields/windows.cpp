@@ -10,6 +10,11 @@ namespace {
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr float kRoomPerSpacing = 1.45f;  // What landmarks that are so many cells apart need to the walls.
 
+constexpr std::size_t kLeastReserved = 96;  // Windows for which there is room from the start...
+constexpr std::size_t kPlacesPerWindow = 2;  // ... with one more for so many places...
+constexpr std::size_t kMostReserved = 3072;  // ... up to so many.
+constexpr std::size_t kRoots = 256;         // Points that straight ways come from, in most windows at most.
+
 bool before(const WallNode& node, std::int32_t cell) { return node.cell < cell; }
 
 }  // namespace
@@ -22,6 +27,11 @@ void Windows::beginStep(const GroundLevel& ground, std::uint32_t version) {
     version_ = version;
     if (changed) lattice_.clear();
     lattice_.beginStep();
+}
+
+void Windows::reserve(std::size_t places) {
+    const auto size = static_cast<std::size_t>(2 * def_.half + 1);
+    lattice_.reserve(std::min(kMostReserved, kLeastReserved + places / kPlacesPerWindow), size * size, kRoots);
 }
 
 // The less room there is to walls and to other ground, the closer they lie.

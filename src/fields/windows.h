@@ -37,6 +37,8 @@ public:
 
     /// Begins a step on this ground, which must live until the next; forgets all windows where its version is another.
     void beginStep(const GroundLevel& ground, std::uint32_t version);
+    /// Makes room for the windows that so many places may need while they are led about.
+    void reserve(std::size_t places);
     /// Makes at most `most` of those asked for. True where there was one.
     bool build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.

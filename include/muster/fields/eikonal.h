@@ -44,6 +44,12 @@ public:
     const Grid& grid() const { return grid_; }
     /// Cells marched.
     std::int32_t marched() const { return marched_; }
+    /// Makes room for so many cells and for as many points that straight ways come from, so that solves need none.
+    void reserve(std::size_t cells, std::size_t roots) {
+        values_.reserve(cells);
+        root_.reserve(cells);
+        roots_.reserve(roots);
+    }
 
 private:
     friend class EikonalSolver;
