@@ -263,7 +263,8 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
     askRows(context);
     state_.arcs.refresh(context, state_.seats, state_.ownPower, tightRows_, {state_.price, margin_});
     state_.arcs.refreshArcs(context, state_.seats, state_.ownPower, staleArcs_);
-    pricing_.run(context, state_, MatchingRepair::tolerance(context, state_));
+    // Of long ways the straight line says too little, and from afar neighbours are enough.
+    if (!far_) pricing_.run(context, state_, MatchingRepair::tolerance(context, state_));
 }
 
 // Arcs to seats that jumped. As they were sorted, so before any leads elsewhere.
