@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/between_centres.h"
 #include "fields/discomfort.h"
 
 namespace muster {
@@ -44,11 +45,8 @@ bool isNone(const CellCost& c) { return c.east == 0.0f && c.north == 0.0f && c.w
 }  // namespace
 
 inline CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCell, Vec2 p) {
-    const double u = std::clamp((p.x - grid.origin.x) * perCell - 0.5, 0.0, grid.width - 1.0);
-    const double v = std::clamp((p.y - grid.origin.y) * perCell - 0.5, 0.0, grid.height - 1.0);
-    const std::int32_t x = std::min(static_cast<std::int32_t>(u), std::max(0, grid.width - 2));
-    const std::int32_t y = std::min(static_cast<std::int32_t>(v), std::max(0, grid.height - 2));
-    return {y * grid.width + x, static_cast<float>(u - x), static_cast<float>(v - y), grid.width > 1 ? 1 : 0,
+    const BetweenCentres at = betweenCentresAt(grid, (p.x - grid.origin.x) * perCell, (p.y - grid.origin.y) * perCell);
+    return {grid.index(at.low), static_cast<float>(at.fx), static_cast<float>(at.fy), grid.width > 1 ? 1 : 0,
             grid.height > 1 ? grid.width : 0};
 }
 

@@ -31,10 +31,9 @@ void FieldLattice::clear() {
 }
 
 void FieldLattice::reserve(std::size_t fields, std::size_t cells, std::size_t roots) {
-    fields = std::min(fields, static_cast<std::size_t>(capacity_));
-    std::size_t next = fields_.size();
-    if (next >= fields) return;
-    for (fields_.resize(fields); next < fields; ++next) fields_[next].reserve(cells, roots);
+    const std::size_t first = fields_.size();
+    fields_.resize(std::max(first, std::min(fields, static_cast<std::size_t>(capacity_))));
+    for (std::size_t k = first; k < fields_.size(); ++k) fields_[k].reserve(cells, roots);
 }
 
 std::uint32_t FieldLattice::home(std::int32_t landmark) const {

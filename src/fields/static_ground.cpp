@@ -259,10 +259,9 @@ void StaticGround::makeCoarse() {
 double StaticGround::roomBetween(Vec2 p) const { return between(fine_.room, p); }
 
 double StaticGround::between(const std::vector<float>& room, Vec2 p) const {
-    const double x = (p.x - grid_.origin.x) * perCell_;
-    const double y = (p.y - grid_.origin.y) * perCell_;
-    if (!(x >= 0.0 && y >= 0.0 && x < grid_.width && y < grid_.height)) return -1.0;
-    const BetweenCentres at = betweenCentresAt(grid_, x, y);
+    const Vec2 cells = inCells(p);
+    if (!holds(cells)) return -1.0;
+    const BetweenCentres at = betweenCentresAt(grid_, cells.x, cells.y);
     const float* low = room.data() + grid_.index(at.low);
     const float* high = low + (grid_.height > 1 ? grid_.width : 0);
     const std::int32_t right = grid_.width > 1 ? 1 : 0;

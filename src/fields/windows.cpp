@@ -9,11 +9,10 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr float kRoomPerSpacing = 1.45f;  // What landmarks that are so many cells apart need to the walls.
-
-constexpr std::size_t kLeastReserved = 96;  // Windows for which there is room from the start...
+constexpr std::size_t kLeastReserved = 96;    // Windows for which there is room from the start...
 constexpr std::size_t kPlacesPerWindow = 2;  // ... with one more for so many places...
 constexpr std::size_t kMostReserved = 1024;  // ... up to so many.
-constexpr std::size_t kRoots = 256;         // Points that straight ways come from, in most windows at most.
+constexpr std::size_t kRoots = 256;          // Points that straight ways come from, in most windows at most.
 
 bool before(const WallNode& node, std::int32_t cell) { return node.cell < cell; }
 

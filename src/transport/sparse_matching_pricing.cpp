@@ -77,7 +77,7 @@ void MatchingPricing::price(const MatchingContext& context, MatchingState& state
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
         const std::int32_t to = pairs_[k].place;
         const float weight = state.arcs.weightFor(context, state.seats, state.ownPower, seat, to, context.power(answers_[k]));
-        const double reduced = weight - state.price[static_cast<std::size_t>(to)] + state.price[static_cast<std::size_t>(seat)];
+        const double reduced = state.reduced(seat, to, weight);
         if (!(reduced < least) || state.arcs.find(seat, to) >= 0) continue;
         least = reduced;
         state.arcs.putPriced(seat, to, weight);

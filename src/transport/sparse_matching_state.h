@@ -33,9 +33,10 @@ struct MatchingState {
         ownPower.assign(n, 0.0);
     }
     /// Reduced cost of an arc: what it would gain if the prices were right; negative where it is violated.
-    double reduced(std::int32_t arc) const {
-        const auto from = static_cast<std::size_t>(arc / MatchingArcs::kLanes);
-        return arcs.weight(arc) - price[static_cast<std::size_t>(arcs.target(arc))] + price[from];
+    double reduced(std::int32_t arc) const { return reduced(arc / MatchingArcs::kLanes, arcs.target(arc), arcs.weight(arc)); }
+    /// The same for an arc of this weight between two seats.
+    double reduced(std::int32_t from, std::int32_t to, float weight) const {
+        return weight - price[static_cast<std::size_t>(to)] + price[static_cast<std::size_t>(from)];
     }
     /// Sets the cost of a seat's holder.
     void setOwn(std::int32_t seat, float cost, const CostPower& power) {

@@ -2,31 +2,13 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
-#include <new>
 #include <sstream>
 
+#include "counting_new.h"
 #include "environment/scene.h"
 #include "muster/base/stopwatch.h"
 #include "muster/environment/map_import.h"
-
-namespace {
-long allocations = 0;
-}  // namespace
-
-// The whole test program counts its allocations here.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-    std::abort();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    ++allocations;
-    return std::malloc(size == 0 ? 1 : size);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 using namespace muster;
 using namespace muster::test;

@@ -1,23 +1,9 @@
 // After warm-up a step of the formation layer allocates nothing.
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
+#include "counting_new.h"
 #include "formation/mesh_fixture.h"
 #include "muster/formation/place_tracker.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* p = std::malloc(size > 0 ? size : 1)) return p;
-    throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 using namespace muster;
 using namespace muster::test;

@@ -7,7 +7,6 @@ namespace {
 
 using muster::SparseMatching;
 using muster::Vec2;
-using muster_test::MatchingScene;
 
 // Straight distances, but for pairs joined by a tunnel.
 class TunnelCosts final : public muster_test::ClosedCosts {
@@ -15,14 +14,10 @@ public:
     std::vector<muster::Pair> tunnels;
     double length = 0.2;
 
-    double through(std::int32_t i, std::int32_t j) const {
+    double exact(std::size_t i, std::size_t j) const override {
         for (const muster::Pair& t : tunnels)
-            if (t.character == i && t.place == j) return length;
-        return exact(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-    }
-    float cost(std::int32_t i, std::int32_t j) override { return static_cast<float>(through(i, j)); }
-    void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool&) override {
-        for (std::size_t k = 0; k < pairs.size(); ++k) cost[k] = this->cost(pairs[k].character, pairs[k].place);
+            if (t.character == static_cast<std::int32_t>(i) && t.place == static_cast<std::int32_t>(j)) return length;
+        return ClosedCosts::exact(i, j);
     }
     double perMetre() const override { return 0.0; }
 };
@@ -47,14 +42,9 @@ struct TunnelScene {
     muster::MatchingInput input() const { return {costs.characters, costs.places, {}, {}}; }
     double optimum() const {
         std::vector<double> matrix;
-        for (std::int32_t i = 0; i < 400; ++i)
-            for (std::int32_t j = 0; j < 400; ++j) matrix.push_back(costs.through(i, j) * costs.through(i, j));
-        muster::UnitMatching dense;
-        dense.solve(400, 400, matrix.data());
-        double sum = 0.0;
-        for (std::int32_t i = 0; i < 400; ++i)
-            sum += matrix[static_cast<std::size_t>(i) * 400 + static_cast<std::size_t>(dense.columnOf()[static_cast<std::size_t>(i)])];
-        return sum;
+        for (std::size_t i = 0; i < 400; ++i)
+            for (std::size_t j = 0; j < 400; ++j) matrix.push_back(costs.exact(i, j) * costs.exact(i, j));
+        return muster_test::leastSum(400, 400, matrix);
     }
 };
 
@@ -87,29 +77,22 @@ TEST_CASE("exchanges between places that are no neighbours are found by pricing"
 
 TEST_CASE("pricing asks for no cost where the straight line says that it cannot pay") {
     // Everybody stands on its place: no pair is worth a question, whatever the number of turns.
-    class Counting final : public muster::PairCosts {
+    class Counting final : public muster_test::ClosedCosts {
     public:
-        explicit Counting(std::span<const Vec2> p) : points(p) {}
-        float cost(std::int32_t i, std::int32_t j) override {
+        mutable long asked = 0;
+        double exact(std::size_t i, std::size_t j) const override {
             ++asked;
-            return static_cast<float>(distance(points[static_cast<std::size_t>(i)], points[static_cast<std::size_t>(j)]));
+            return ClosedCosts::exact(i, j);
         }
-        void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool&) override {
-            for (std::size_t k = 0; k < pairs.size(); ++k) cost[k] = this->cost(pairs[k].character, pairs[k].place);
-        }
-        double perMetre() const override { return 1.0; }
-        std::span<const Vec2> points;
-        long asked = 0;
     };
     muster::ThreadPool pool(1);
     std::vector<Vec2> points;
     for (int k = 0; k < 300; ++k) points.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
     std::vector<std::int32_t> own(300);
     for (std::int32_t k = 0; k < 300; ++k) own[static_cast<std::size_t>(k)] = k;
-    Counting costs(points);
+    Counting costs;
+    costs.characters = costs.places = points;
     const muster::MatchingInput input{points, points, {}, {}};
-    SparseMatching matching;
-    matching.adopt(sharpDef(), input, own, costs, pool);
     muster::MatchingState state;
     state.reset(300, 300);
     state.seats.adopt(own);
@@ -120,7 +103,6 @@ TEST_CASE("pricing asks for no cost where the straight line says that it cannot 
     state.arcs.look(context, state.seats, state.price, state.own);
     muster::MatchingPricing pricing;
     pricing.reset(300);
-    costs.asked = 0;
     for (int k = 0; k < 400; ++k) pricing.run(context, state, 1e-6);
     CHECK(costs.asked == 0);
     CHECK(pricing.found() == 0);

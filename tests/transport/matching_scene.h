@@ -36,7 +36,7 @@ public:
         const Vec2 end = byLow ? low : high;
         return end + normalized(end - (low + high) * 0.5) * 0.2;
     }
-    double exact(std::size_t i, std::size_t j) const {
+    virtual double exact(std::size_t i, std::size_t j) const {
         return (weightOf.empty() ? 1.0 : weightOf[i]) * way(characters[i], places[j]);
     }
     float cost(std::int32_t i, std::int32_t j) override {
@@ -65,6 +65,16 @@ private:
     std::span<const muster::Pair> fillPairs_;
     std::span<float> fillCost_;
 };
+
+/// The least sum of a matrix of costs, row by row, over assignments of all rows, by a dense solver; no more rows than columns.
+inline double leastSum(std::int32_t rows, std::int32_t columns, const std::vector<double>& matrix) {
+    muster::UnitMatching dense;
+    dense.solve(rows, columns, matrix.data());
+    double sum = 0.0;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(rows); ++a)
+        sum += matrix[a * static_cast<std::size_t>(columns) + static_cast<std::size_t>(dense.columnOf()[a])];
+    return sum;
+}
 
 /// A block of places that moves and turns, and the crowd that walks after it.
 struct MatchingScene {
@@ -123,15 +133,8 @@ struct MatchingScene {
         for (const std::size_t a : turned ? columns : rows)
             for (const std::size_t b : turned ? rows : columns)
                 matrix.push_back(muster::power(turned ? costs.exact(b, a) : costs.exact(a, b), p));
-        muster::UnitMatching dense;
-        const auto least = static_cast<std::int32_t>(std::min(rows.size(), columns.size()));
-        const auto most = static_cast<std::int32_t>(std::max(rows.size(), columns.size()));
-        dense.solve(least, most, matrix.data());
-        double sum = 0.0;
-        for (std::int32_t a = 0; a < least; ++a)
-            sum += matrix[static_cast<std::size_t>(a) * static_cast<std::size_t>(most) +
-                          static_cast<std::size_t>(dense.columnOf()[static_cast<std::size_t>(a)])];
-        return sum;
+        return leastSum(static_cast<std::int32_t>(std::min(rows.size(), columns.size())),
+                        static_cast<std::int32_t>(std::max(rows.size(), columns.size())), matrix);
     }
     /// The objective of an assignment, by the exact costs.
     double objective(std::span<const std::int32_t> placeOf, double p) const {

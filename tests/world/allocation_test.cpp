@@ -1,25 +1,11 @@
 // A warm step allocates nothing: memory grows to the most that was needed, and is kept.
 #include <doctest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
+#include "counting_new.h"
 #include "muster/crowd/neighbours.h"
 #include "scenes.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* p = std::malloc(size > 0 ? size : 1)) return p;
-    throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 using namespace muster;
 using namespace muster::testing;

@@ -61,12 +61,15 @@ public:
     static constexpr std::int32_t kCoarseCells = 20000;  ///< Most cells of the coarse copy.
 
 private:
+    // In cells from the corner of the ground.
+    Vec2 inCells(Vec2 p) const { return (p - grid_.origin) * perCell_; }
+    bool holds(Vec2 inCells) const {
+        return inCells.x >= 0.0 && inCells.y >= 0.0 && inCells.x < grid_.width && inCells.y < grid_.height;
+    }
     // Index of the cell that holds `p`, -1 outside.
     std::int32_t cellAt(Vec2 p) const {
-        const double x = (p.x - grid_.origin.x) * perCell_;
-        const double y = (p.y - grid_.origin.y) * perCell_;
-        if (!(x >= 0.0 && y >= 0.0 && x < grid_.width && y < grid_.height)) return -1;
-        return static_cast<std::int32_t>(y) * grid_.width + static_cast<std::int32_t>(x);
+        const Vec2 at = inCells(p);
+        return holds(at) ? static_cast<std::int32_t>(at.y) * grid_.width + static_cast<std::int32_t>(at.x) : -1;
     }
     bool reaches(const std::vector<float>& room, Vec2 a, Vec2 b) const;
     double between(const std::vector<float>& room, Vec2 p) const;
