@@ -11,15 +11,17 @@ constexpr double kBends[] = {0.4, 0.8, 1.2, 1.7, 2.3, 3.0};  // From the line, t
 }  // namespace
 
 double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b) {
-    const double straight = excess.along(a, b);
-    if (straight < kWorthBending) return straight;
+    const double cost = excess.costAlong(ground, a, b);
+    const double unit = ground.unit(a);
+    const double straight = cost / unit;
+    if (straight < kWorthBending) return cost;
     const double share = excess.hazardCentre(a, b);
-    if (share < 0.0) return straight;
+    if (share < 0.0) return cost;
     const double line = distance(a, b);
     const Vec2 middle = lerp(a, b, share);
     const Vec2 aside = perpendicular((b - a) / line);
     const double worst = excess.hazardAt(middle);
-    if (!(worst > 0.0)) return straight;
+    if (!(worst > 0.0)) return cost;
     // The most promising of the bends: as if the excess fell everywhere as it does there.
     double least = straight;
     double longer = 0.0;
@@ -35,8 +37,8 @@ double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2
             by = p;
         }
     }
-    if (by == middle || !ground.straight(a, by) || !ground.straight(by, b)) return straight;
-    return std::min(straight, longer + excess.along(a, by) + excess.along(by, b));
+    if (by == middle || !ground.straight(a, by) || !ground.straight(by, b)) return cost;
+    return std::min(cost, unit * (longer + excess.along(a, by) + excess.along(by, b)));
 }
 
 }  // namespace muster

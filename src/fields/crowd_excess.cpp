@@ -14,6 +14,8 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kPeak = 0.02;           // Precision of the time at which a moving thing is worst.
 constexpr double kPerHazardCell = 1.0 / CrowdExcess::kHazardCell;
 constexpr double kHazardStep = 0.5;      // Between two points at which moving things are read [m].
+constexpr float kSameUnit = 0.01f;       // Grounds whose costs differ by less, relatively, are the same.
+constexpr float kLeastShare = 0.02f;     // Of cells on the same ground that their reading takes.
 constexpr std::int32_t kSamples = 16;    // Along a line, at most: else one per cell.
 
 // Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).
@@ -51,7 +53,7 @@ inline CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCel
 }
 
 void CrowdExcess::clear() {
-    for (const std::int32_t cell : listed_) excess_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
+    for (const std::int32_t cell : listed_) slowness_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
     for (const std::int32_t cell : busyList_) busy_[cell] = 0;
     for (const std::int32_t cell : lookedList_) looked_[cell] = 0;
     for (const std::int32_t cell : moved_) hazard_[cell] = 0.0f;
@@ -67,8 +69,8 @@ void CrowdExcess::clear() {
 
 void CrowdExcess::set(std::int32_t cell, const CellCost& value) {
     if (isNone(value)) return;
-    if (isNone(excess_[cell])) listed_.push_back(cell);
-    excess_[cell] = value;
+    if (isNone(slowness_[cell])) listed_.push_back(cell);
+    slowness_[cell] = value;
 }
 
 void CrowdExcess::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
@@ -77,7 +79,8 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
         grid_ = density.grid();
         perCell_ = 1.0 / grid_.cell;
         const auto count = static_cast<std::size_t>(grid_.count());
-        excess_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
+        slowness_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
+        unit_.assign(count, 0.0f);
         busy_.assign(count, 0);
         looked_.assign(count, 0);
         listed_.reserve(count);
@@ -110,16 +113,16 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
 void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment) {
     const auto reach = static_cast<std::int32_t>(std::ceil(def.lookAhead / grid_.cell));
     const double price = def.alpha + def.beta;
+    perMetre_ = static_cast<float>(def.alpha / price);
+    perSecond_ = static_cast<float>(def.beta / price);
     const std::span<const float> travel = environment.travelSpeed();
     const Grid& ground = environment.grid();
     const auto priceCell = [&](std::int32_t cell) {
         const Vec2 p = grid_.centre(grid_.at(cell));
         const double speed = travel[ground.index(ground.nearestCell(p))];
-        const auto excess = [&](Vec2 side) {
-            const double f = crowdSpeed(def, density, p, side, speed);
-            return f < 1.0 ? static_cast<float>((def.alpha * f + def.beta) / (f * price) - 1.0) : 0.0f;
-        };
-        set(cell, {excess({1.0, 0.0}), excess({0.0, 1.0}), excess({-1.0, 0.0}), excess({0.0, -1.0})});
+        unit_[cell] = static_cast<float>(price / speed);
+        const auto slowness = [&](Vec2 side) { return static_cast<float>(std::sqrt(1.0 / crowdSpeed(def, density, p, side, speed)) - 1.0); };
+        set(cell, {slowness({1.0, 0.0}), slowness({0.0, 1.0}), slowness({-1.0, 0.0}), slowness({0.0, -1.0})});
     };
     for (const std::int32_t dense : density.occupied()) {
         if (!(density.density()[dense] > def.densityMin)) continue;
@@ -240,12 +243,37 @@ void CrowdExcess::sumBusy() {
 inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
     const Between at = between(grid_, perCell_, p);
     if ((busy_[at.low] | busy_[at.low + at.right + at.up]) == 0) return 0.0;
-    const CellCost* low = excess_.data() + at.low;
+    const CellCost* low = slowness_.data() + at.low;
     const CellCost* high = low + at.up;
     const auto read = [&](float CellCost::*side) {
         const float below = low->*side + (low[at.right].*side - low->*side) * at.fx;
         const float above = high->*side + (high[at.right].*side - high->*side) * at.fx;
-        return 1.0f + below + (above - below) * at.fy;
+        return costAt(below + (above - below) * at.fy);
+    };
+    const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
+    const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
+    return static_cast<double>(std::sqrt(x * x + y * y)) - 1.0;
+}
+
+// The same on ground that costs so much, by those of the four cells around whose ground costs as much: beside a patch the
+// flow is much for one of its speeds and little for the other. There single cells are slow by who has just come in or
+// gone out; speeds themselves are interpolated, which gives these least.
+inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to, float unit) const {
+    const Between at = between(grid_, perCell_, p);
+    if ((busy_[at.low] | busy_[at.low + at.right + at.up]) == 0) return 0.0;
+    const std::int32_t cell[] = {at.low, at.low + at.right, at.low + at.up, at.low + at.right + at.up};
+    float share[] = {(1.0f - at.fx) * (1.0f - at.fy), at.fx * (1.0f - at.fy), (1.0f - at.fx) * at.fy, at.fx * at.fy};
+    float sum = 0.0f;
+    for (int k = 0; k < 4; ++k) {
+        const bool other = looked_[cell[k]] != 0 && std::fabs(unit_[cell[k]] - unit) > kSameUnit * unit;
+        if (other) share[k] = 0.0f;
+        sum += share[k];
+    }
+    if (!(sum > kLeastShare)) return crowdAlong(p, to);
+    const auto read = [&](float CellCost::*side) {
+        float speed = 0.0f;
+        for (int k = 0; k < 4; ++k) speed += share[k] * speedAt(slowness_[cell[k]].*side);
+        return perMetre_ + perSecond_ * sum / speed;
     };
     const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
     const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
@@ -289,6 +317,24 @@ double CrowdExcess::along(Vec2 a, Vec2 b) const {
     if (crowd) excess += meanAlong(a, b, grid_.cell, [&](Vec2 p, double) { return crowdAlong(p, to); });
     if (hazard) excess += meanAlong(a, b, kHazardStep, [&](Vec2 p, double) { return hazardAt(p); });
     return excess * whole;
+}
+
+double CrowdExcess::costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const {
+    if (ground.even()) return ground.unit(a) * along(a, b);
+    const bool crowd = busyAlong(a, b);
+    const bool hazard = hazardMeets(a, b);
+    return crowd || hazard ? costOverChanges(ground, a, b, crowd, hazard) : 0.0;
+}
+
+double CrowdExcess::costOverChanges(const StaticGround& ground, Vec2 a, Vec2 b, bool crowd, bool hazard) const {
+    const double whole = distance(a, b);
+    if (!(whole > 0.0)) return 0.0;
+    const Vec2 to = (b - a) / whole;
+    const double cost = meanAlong(a, b, hazard ? kHazardStep : grid_.cell, [&](Vec2 p, double) {
+        const float unit = ground.unit(p);
+        return unit * ((crowd ? crowdAlong(p, to, unit) : 0.0) + (hazard ? hazardAt(p) : 0.0));
+    });
+    return cost * whole;
 }
 
 double CrowdExcess::hazardCentre(Vec2 a, Vec2 b) const {

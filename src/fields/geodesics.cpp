@@ -19,6 +19,7 @@ constexpr double kUnknown = 1.3;            // Ways of unknown length, as a mult
 constexpr double kDetour = 1.6;             // Times the straight line's cost: a detour that may be cheaper outside a window.
 constexpr double kOverSlow = 8.0;           // Ways over slow ground that are looked at directly [m]...
 constexpr double kShortLine = 5.0;          // ... and from which there may be one round it outside all windows.
+constexpr double kNearEnds = 3.0;           // Of a long way, from its ends [m].
 constexpr double kMuchLess = 0.6;           // Far fields are off by up to a tenth there.
 constexpr std::size_t kFewPlaces = 500;     // Below, one field is made in a step.
 constexpr std::int64_t kManyPlaces = 2500;  // Above, more windows are made in a step.
@@ -94,6 +95,7 @@ struct Geodesics::Impl {
     void askFor(Vec2 from, std::int32_t place);
     double farCost(Vec2 from, std::int32_t place, double line) const;
     Bent bent(Vec2 from, std::int32_t place, bool owner) const;
+    double excessAtEnds(Vec2 from, Vec2 to, double line) const;
     Bent roundOutside(Bent inside, Vec2 from, std::int32_t place) const;
     Bent overSlow(Vec2 from, std::int32_t place, double line) const;
     Bent byWindows(Vec2 from, std::int32_t place, bool owner, double line) const;
@@ -235,7 +237,9 @@ Geodesics::Impl::Bent Geodesics::Impl::overSlow(Vec2 from, std::int32_t place, d
     const Vec2 to = places[place];
     if (ground->even() || line > kOverSlow || !ground->clear(from, to)) return {kInfinite, Bent::Unknown};
     const SlowWay way = slowWay(*ground, from, to);
-    return {way.cost + ground->unit(from) * excessBetween(*ground, *excess, from, to), Bent::Line, way.aim};
+    double more = excessBetween(*ground, *excess, from, way.aim);
+    if (!(way.aim == to)) more += excessBetween(*ground, *excess, way.aim, to);
+    return {way.cost + more, Bent::Line, way.aim};
 }
 
 Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner) const {
@@ -246,6 +250,16 @@ Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool 
     const Bent found = byWindows(from, place, owner, line);
     const bool better = direct.cost < found.cost || found.by == Bent::Far || found.by == Bent::Unknown;
     return direct.by == Bent::Line && better ? roundOutside(direct, from, place) : found;
+}
+
+// Of a long way whose course is not known: what moving things add where it begins and where it ends, as if it led straight there.
+double Geodesics::Impl::excessAtEnds(Vec2 from, Vec2 to, double line) const {
+    const double part = std::min(1.0, kNearEnds / line);
+    const auto standsIn = [&](Vec2 end, Vec2 onward) { return excess->hazardCentre(end, lerp(end, onward, part)) >= 0.0; };
+    double sum = 0.0;
+    if (standsIn(from, to)) sum += excessBetween(*ground, *excess, from, lerp(from, to, part));
+    if (part < 1.0 && standsIn(to, from)) sum += excessBetween(*ground, *excess, lerp(to, from, part), to);
+    return sum;
 }
 
 // The finest windows that reach so far; coarser ones where those do not know the way.
@@ -266,8 +280,9 @@ Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, 
     // On even ground the line tells enough until then.
     if (!missing || !ground->even()) askFar(place);
     const double cost = farCost(from, place, line);
-    if (cost < kInfinite) return {cost, Bent::Far};
-    return {kUnknown * ground->lineCost(from, places[place]), Bent::Unknown};
+    const double more = excessAtEnds(from, places[place], line);
+    if (cost < kInfinite) return {cost + more, Bent::Far};
+    return {kUnknown * ground->lineCost(from, places[place]) + more, Bent::Unknown};
 }
 
 // Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the same.
@@ -285,10 +300,12 @@ bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->gr
 
 double Geodesics::perMetre() const { return impl_->ground->fine().lowest; }
 
+bool Geodesics::unsteady(Vec2 p) const { return impl_->excess->moves(p); }
+
 float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }
 
 float Geodesics::Impl::straightCost(Vec2 from, Vec2 to) const {
-    return static_cast<float>(ground->unit(to) * (distance(from, to) + excessBetween(*ground, *excess, from, to)));
+    return static_cast<float>(ground->unit(to) * distance(from, to) + excessBetween(*ground, *excess, from, to));
 }
 
 float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {

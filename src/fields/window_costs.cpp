@@ -112,7 +112,7 @@ double WindowCosts::cost(Vec2 from, std::int32_t place, double line) const {
     double still = stillCost(from, place);
     if (!(still < kInfinite)) return kInfinite;
     still = std::max(still, windows_.ground().cost.lowest * line);
-    return still + ground_->unit(from) * excessAlong(field(place), from, places_[static_cast<std::size_t>(place)]);
+    return still + excessAlong(field(place), from, places_[static_cast<std::size_t>(place)]);
 }
 
 // By the best of the landmarks in sight. Whoever stands in a door too narrow for the cells to show it goes by the free

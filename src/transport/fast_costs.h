@@ -25,6 +25,9 @@ public:
     }
     float cost(std::int32_t character, std::int32_t place) override { return price(character, place); }
     double perMetre() const override { return geodesic_ ? geodesics_->perMetre() : 1.0; }
+    bool unsteady(std::int32_t character, std::int32_t place) const override {
+        return geodesic_ && (geodesics_->unsteady(characters_[character]) || geodesics_->unsteady(places_[place]));
+    }
     void fill(std::span<const Pair> pairs, std::span<float> cost, ThreadPool& pool) override {
         constexpr std::size_t kChunk = 256;
         forChunks(&pool, pairs.size(), kChunk, [&](std::size_t k) { cost[k] = price(pairs[k].character, pairs[k].place); });

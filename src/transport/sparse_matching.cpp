@@ -23,7 +23,7 @@ void SparseMatching::clear() { *this = {}; }
 // Sizes the memory for the input.
 void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input) {
     step_ = turn_ = restOfFit_ = violated_ = 0;
-    far_ = false;
+    far_ = near_ = false;
     flipped_.reserve(2 * std::max(input.characters.size(), input.places.size()));
     stale_.assign(std::max(input.characters.size(), input.places.size()), 0);
     state_.reset(static_cast<std::int32_t>(input.characters.size()), static_cast<std::int32_t>(input.places.size()));
@@ -208,7 +208,7 @@ void SparseMatching::jumped(std::int32_t seat) {
 
 void SparseMatching::refreshAll(const MatchingContext& context) {
     state_.arcs.look(context, state_.seats, state_.price, state_.own);
-    noteFar(context);
+    noteHowFar(context);
     rows_.clear();
     for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
         state_.arcs.chooseTargets(context, state_.seats, s);
@@ -229,17 +229,28 @@ double SparseMatching::marginOf(const MatchingContext& context, std::size_t seat
     return context.power(cost + kLoose) - context.power(cost);
 }
 
-void SparseMatching::noteFar(const MatchingContext& context) {
+void SparseMatching::noteHowFar(const MatchingContext& context) {
     double sum = 0.0;
     for (const float c : state_.own) sum += c;
     far_ = sum > context.def.farCost * static_cast<double>(state_.own.size());
+    near_ = sum < context.def.nearCost * static_cast<double>(state_.own.size());
+}
+
+// Rounds in which all rows have had their turn.
+std::int32_t SparseMatching::refreshPeriod(const MatchingDef& def) const {
+    return def.rounds(far_ ? def.farRefreshPeriod : near_ ? def.nearRefreshPeriod : def.refreshPeriod);
+}
+
+// Beside moving things costs change by more than people move.
+bool SparseMatching::unsteady(const MatchingContext& context, std::int32_t seat) const {
+    return state_.seats.matched(seat) && context.costs.unsteady(state_.seats.holder(seat), seat);
 }
 
 // Rows in turn, and at once those whose holder is new.
 void SparseMatching::refreshSome(const MatchingContext& context) {
     state_.arcs.look(context, state_.seats, state_.price, state_.own);
-    noteFar(context);
-    const std::int32_t period = context.def.rounds(far_ ? context.def.farRefreshPeriod : context.def.refreshPeriod);
+    noteHowFar(context);
+    const std::int32_t period = refreshPeriod(context.def);
     const std::int32_t targets = context.def.rounds(context.def.retargetPeriod);
     const std::int64_t count = state_.seats.count();
     const std::int64_t first = count * turn_ / context.def.refreshTurns();
@@ -253,7 +264,7 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
         if (!anew && !(turn && (s + step_) % period == 0)) continue;
         if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
         state_.changed[static_cast<std::size_t>(s)] = 0;
-        if (anew || (s + step_) / period % kWholeTurns == 0) {
+        if (anew || (s + step_) / period % kWholeTurns == 0 || unsteady(context, s)) {
             rows_.push_back(s);
         } else {
             tightRows_.push_back(s);

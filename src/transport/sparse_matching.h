@@ -64,7 +64,9 @@ private:
     void jumped(std::int32_t seat);
     void refreshAll(const MatchingContext& context);
     void askRows(const MatchingContext& context);
-    void noteFar(const MatchingContext& context);
+    void noteHowFar(const MatchingContext& context);
+    bool unsteady(const MatchingContext& context, std::int32_t seat) const;
+    std::int32_t refreshPeriod(const MatchingDef& def) const;
     void refreshSome(const MatchingContext& context);
     void collectStale();
     void repair(const MatchingContext& context);
@@ -79,6 +81,7 @@ private:
     std::int32_t violated_ = 0;   // Seats, when repairs began last.
     std::int32_t restOfFit_ = 0;  // Repairs until prices may be fitted again.
     bool far_ = false;            // All was far away when costs were asked for last.
+    bool near_ = false;           // All had nearly arrived in this call.
     MatchingState state_;
     std::vector<std::int32_t> placeOf_;
     std::vector<float> cost_;

@@ -19,8 +19,10 @@ struct MatchingDef {
     double thresholdShare = 0.001; ///< ... and more than this share of the objective of those it concerns >= 0.
     std::int32_t refreshPeriod = 4;      ///< Every so many steps a row of arcs asks for its costs again, >= 1.
     std::int32_t farRefreshPeriod = 16;  ///< ... where the mean cost is above `farCost`.
+    std::int32_t nearRefreshPeriod = 2;  ///< ... where it is below `nearCost`: of what little is left small changes are much.
     std::int32_t retargetPeriod = 32;    ///< Every so many steps a row looks for its neighbours anew.
     double farCost = 15.0;               ///< [m]
+    double nearCost = 1.0;               ///< [m]
     double searchShare = 3.0;            ///< Nodes settled in all searches of a step, per seat.
     double farSearchShare = 0.4;         ///< ... where the mean cost is above `farCost`: changes are slow then.
     std::int32_t rest = 5;               ///< Steps, at most 255, for which a change that gained too little is not tried again...

@@ -6,9 +6,10 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kSeatsPerTurn = 250;   // One in so many is priced in a step...
-constexpr std::int32_t kMostTurns = 8;        // ... but no more than these,
+constexpr std::int32_t kLeastTurns = 2;       // ... but no fewer...
+constexpr std::int32_t kMostTurns = 8;        // ... and no more than these,
 constexpr std::int32_t kMostBounds = 200000;  // and no more pairs than these are looked at.
-constexpr std::size_t kMostAsked = 64;        // Costs asked for one seat.
+constexpr std::size_t kMostAsked = 64;        // Costs asked for one seat, from it and to it.
 
 }  // namespace
 
@@ -28,7 +29,7 @@ void MatchingPricing::run(const MatchingContext& context, MatchingState& state, 
     const std::int32_t count = state.seats.count();
     if (count == 0) return;
     const std::int32_t most = std::min(kMostTurns, std::max(1, kMostBounds / count));
-    const std::int32_t turns = std::clamp(count / kSeatsPerTurn, 1, most);
+    const std::int32_t turns = std::clamp(count / kSeatsPerTurn, std::min(kLeastTurns, most), most);
     for (std::int32_t k = 0; k < turns; ++k, ++all_.next) {
         if (all_.next >= count) all_ = {0, all_.round + 1};
         price(context, state, all_.next, all_.round, tolerance);
@@ -45,42 +46,66 @@ void MatchingPricing::run(const MatchingContext& context, MatchingState& state, 
     }
 }
 
-// Places to which the way might pay, were it straight.
-void MatchingPricing::collect(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
-                              double tolerance) {
+void MatchingPricing::price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
+                            double tolerance) {
+    if (!state.seats.matched(seat)) return;
+    collectFrom(context, state, seat, tolerance);
+    ask(context, state, round, tolerance);
+    collectInto(context, state, seat, tolerance);
+    ask(context, state, round, tolerance);
+}
+
+// Places to which the way of a seat's holder might pay, were it straight.
+void MatchingPricing::collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
+                                  double tolerance) {
     candidates_.clear();
     const MatchingSeats& seats = state.seats;
-    const Vec2 person = context.input.characters[static_cast<std::size_t>(seats.holder(seat))];
-    const auto own = static_cast<std::size_t>(seat);
-    const double base = state.price[own] - state.ownPower[own] + dot(context.slope, seats.at(seat, context)) + tolerance;
+    const std::int32_t holder = seats.holder(seat);
+    const Vec2 person = context.input.characters[static_cast<std::size_t>(holder)];
+    const double base = state.leaving(context, seat) + tolerance;
     const double perMetre = context.costs.perMetre();
     for (std::int32_t to = 0; to < seats.places(); ++to) {
         const Vec2 place = context.input.places[static_cast<std::size_t>(to)];
         const double rest = base - state.price[static_cast<std::size_t>(to)] - dot(context.slope, place);
         if (!(rest < 0.0) || !seats.live(to) || to == seat) continue;
-        if (context.power(perMetre * distance(person, place)) + rest < 0.0) candidates_.push_back(to);
+        if (context.power(perMetre * distance(person, place)) + rest < 0.0 && state.arcs.find(seat, to) < 0)
+            candidates_.push_back({holder, to});
     }
 }
 
-void MatchingPricing::price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
-                            double tolerance) {
-    if (!state.seats.matched(seat)) return;
-    collect(context, state, seat, tolerance);
+// Characters whose way to a place might pay, were it straight.
+void MatchingPricing::collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
+                                  double tolerance) {
+    candidates_.clear();
+    const MatchingSeats& seats = state.seats;
+    const Vec2 place = context.input.places[static_cast<std::size_t>(seat)];
+    const double base = tolerance - state.price[static_cast<std::size_t>(seat)] - dot(context.slope, place);
+    const double perMetre = context.costs.perMetre();
+    for (std::int32_t from = 0; from < seats.count(); ++from) {
+        const double rest = base + state.leaving(context, from);
+        const std::int32_t holder = seats.holder(from);
+        if (!(rest < 0.0) || holder < 0 || from == seat) continue;
+        const Vec2 person = context.input.characters[static_cast<std::size_t>(holder)];
+        if (context.power(perMetre * distance(person, place)) + rest < 0.0 && state.arcs.find(from, seat) < 0)
+            candidates_.push_back({holder, seat});
+    }
+}
+
+// Takes in the most violated of each row.
+void MatchingPricing::ask(const MatchingContext& context, MatchingState& state, std::uint32_t round, double tolerance) {
     // Of very many some are asked for, others when it is the seat's turn again.
     const std::size_t stride = candidates_.size() / kMostAsked + 1;
     pairs_.clear();
-    for (std::size_t k = round % stride; k < candidates_.size(); k += stride)
-        pairs_.push_back({state.seats.holder(seat), candidates_[k]});
+    for (std::size_t k = round % stride; k < candidates_.size(); k += stride) pairs_.push_back(candidates_[k]);
     answers_.resize(pairs_.size());
     context.costs.fill(pairs_, answers_, context.pool);
-    double least = std::min(-tolerance, state.reduced(state.arcs.priced(seat)));
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
+        const std::int32_t from = state.seats.seatOf(pairs_[k].character);
         const std::int32_t to = pairs_[k].place;
-        const float weight = state.arcs.weightFor(context, state.seats, state.ownPower, seat, to, context.power(answers_[k]));
-        const double reduced = state.reduced(seat, to, weight);
-        if (!(reduced < least) || state.arcs.find(seat, to) >= 0) continue;
-        least = reduced;
-        state.arcs.putPriced(seat, to, weight);
+        const float weight = state.arcs.weightFor(context, state.seats, state.ownPower, from, to, context.power(answers_[k]));
+        const double reduced = state.reduced(from, to, weight);
+        if (!(reduced < std::min(-tolerance, state.reduced(state.arcs.priced(from))))) continue;
+        state.arcs.putPriced(from, to, weight);
         ++found_;
     }
 }

@@ -8,8 +8,9 @@
 
 namespace muster {
 
-/// Column generation: each step a few seats, in turn, are held against all places. The straight line bounds a cost from
-/// below; where even that could be violated the cost is asked for, and the most violated arc takes the row's priced lane.
+/// Column generation: each step a few seats, in turn, are held against all others: their holders against all places, their
+/// places against all characters. The straight line bounds a cost from below; where even that could be violated the cost is
+/// asked for, and the most violated arc takes the row's priced lane.
 /// So prices hold for the complete graph in the end, not only for its sixteen arcs. Owns its working memory.
 class MatchingPricing {
 public:
@@ -41,14 +42,16 @@ private:
         }
     };
     void makeRoom(std::int32_t seats);
-    void collect(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
     void price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
                double tolerance);
+    void collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
+    void collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
+    void ask(const MatchingContext& context, MatchingState& state, std::uint32_t round, double tolerance);
 
     Turns all_;
     Turns hot_;  // Of seats far dearer than the mean.
     std::int32_t found_ = 0;
-    std::vector<std::int32_t> candidates_;
+    std::vector<Pair> candidates_;
     std::vector<Pair> pairs_;
     std::vector<float> answers_;
 };

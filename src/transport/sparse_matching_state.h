@@ -38,6 +38,11 @@ struct MatchingState {
     double reduced(std::int32_t from, std::int32_t to, float weight) const {
         return weight - price[static_cast<std::size_t>(to)] + price[static_cast<std::size_t>(from)];
     }
+    /// The part of the reduced costs from a seat that is the same for all arcs.
+    double leaving(const MatchingContext& context, std::int32_t seat) const {
+        const auto s = static_cast<std::size_t>(seat);
+        return price[s] - ownPower[s] + dot(context.slope, seats.at(seat, context));
+    }
     /// Sets the cost of a seat's holder.
     void setOwn(std::int32_t seat, float cost, const CostPower& power) {
         own[static_cast<std::size_t>(seat)] = cost;

@@ -186,6 +186,39 @@ TEST_CASE("a way round mud is found, whether windows reach so far or not") {
     }
 }
 
+TEST_CASE("a far way that begins beside a cart costs what it takes to get away from it") {
+    Environment environment = squareWorld(16.0);
+    REQUIRE(environment.addObstacle(rectangle(-1, -9, 1, 9)).ok());
+    ObstacleDef cart;
+    cart.radius = 0.8;
+    cart.centre = {-4, -3};
+    cart.path.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {0, 15}, 0.0}};
+    REQUIRE(environment.addObstacle(cart).ok());
+    Scene scene(std::move(environment));
+    scene.environment.setTime(1.0);
+    scene.excess.update({}, scene.environment, scene.density, 0.25);
+    scene.places = {{3, 0}, {3, 2}, {5, -2}};
+    // Before the cart, and where it drives nobody in the way.
+    const Vec2 before{-4.2, 0.2};
+    const Vec2 aside{-9, 0.2};
+    scene.warm({{before, aside}, {before, aside}, {before, aside}});
+    UnitCostBuilder builder;
+    UnitCost cost;
+    builder.build({}, scene.environment, scene.density, 0.25, cost);
+    EikonalSolver solver;
+    CostField field;
+    CHECK(scene.geodesics.unsteady(before));
+    CHECK_FALSE(scene.geodesics.unsteady(aside));
+    for (std::int32_t j = 0; j < 3; ++j) {
+        solver.solve(cost, scene.places[static_cast<std::size_t>(j)], {}, field);
+        const double exact = field.cost(before);
+        CHECK(scene.geodesics.cost(aside, j) == doctest::Approx(field.cost(aside)).epsilon(0.04));
+        CHECK(scene.geodesics.cost(before, j) == doctest::Approx(exact).epsilon(0.12));
+        solver.solve(scene.ground.fine(), scene.places[static_cast<std::size_t>(j)], {}, field);
+        CHECK(exact > 1.15 * field.cost(before));
+    }
+}
+
 TEST_CASE("who follows the direction step by step comes to the place by nearly the shortest way") {
     Environment environment = squareWorld(32.0);
     REQUIRE(environment.addObstacle(rectangle(-3, -12, 3, 10)).ok());

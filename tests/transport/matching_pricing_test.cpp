@@ -75,6 +75,36 @@ TEST_CASE("exchanges between places that are no neighbours are found by pricing"
     CHECK(used > 0);
 }
 
+TEST_CASE("who had best take a dear place is found from the place, whose turn comes before that of all others") {
+    muster::ThreadPool pool(1);
+    std::vector<Vec2> points;
+    for (int k = 0; k < 300; ++k) points.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
+    std::vector<std::int32_t> own(300);
+    for (std::int32_t k = 0; k < 300; ++k) own[static_cast<std::size_t>(k)] = k;
+    TunnelCosts costs;
+    costs.characters = costs.places = points;
+    costs.places[0] = {-25.0, 0.0};
+    costs.tunnels = {{150, 0}};
+    const muster::MatchingInput input{costs.characters, costs.places, {}, {}};
+    muster::MatchingState state;
+    state.reset(300, 300);
+    state.seats.adopt(own);
+    std::vector<std::int32_t> flipped;
+    state.seats.follow(input, flipped);
+    const muster::MatchingDef def = sharpDef();
+    const muster::MatchingContext context{def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold};
+    state.setOwn(0, 25.0f, context.power);
+    state.price[0] = 600.0;  // Nobody else had best go there.
+    state.arcs.look(context, state.seats, state.price, state.own);
+    REQUIRE(state.arcs.hot() == std::vector<std::int32_t>{0});
+    muster::MatchingPricing pricing;
+    pricing.reset(300);
+    // A fifth of all characters at a time; the row of the one that knows a tunnel would wait for seventy steps.
+    for (int k = 0; k < 6; ++k) pricing.run(context, state, 1e-6);
+    CHECK(state.arcs.target(state.arcs.priced(150)) == 0);
+    CHECK(state.arcs.weight(state.arcs.priced(150)) == doctest::Approx(0.04));
+}
+
 TEST_CASE("pricing asks for no cost where the straight line says that it cannot pay") {
     // Everybody stands on its place: no pair is worth a question, whatever the number of turns.
     class Counting final : public muster_test::ClosedCosts {

@@ -1,6 +1,8 @@
 // The sparse matching beside the dense exact one, over many steps.
 #include <doctest.h>
 
+#include <numeric>
+
 #include "transport/matching_scene.h"
 
 namespace {
@@ -255,4 +257,45 @@ TEST_CASE("costs that drift are followed, though in no step they change much") {
     }
     CAPTURE(worst);
     CHECK(worst < 0.03);
+}
+
+TEST_CASE("rows beside moving things, and those of a crowd that has nearly arrived, are asked for more often") {
+    // Everybody stands half a metre from the place it keeps; whoever is named is beside something that moves.
+    class Watched final : public muster_test::ClosedCosts {
+    public:
+        std::int32_t beside = -1;
+        std::vector<long> asked = std::vector<long>(160, 0);
+        bool unsteady(std::int32_t character, std::int32_t) const override { return character == beside; }
+        void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool& pool) override {
+            for (const muster::Pair& p : pairs) ++asked[static_cast<std::size_t>(p.character)];
+            ClosedCosts::fill(pairs, cost, pool);
+        }
+    };
+    const auto asksIn64Steps = [](std::int32_t beside, double nearCost) {
+        Watched costs;
+        std::vector<std::int32_t> own;
+        for (std::int32_t k = 0; k < 160; ++k) {
+            costs.places.push_back(muster::Vec2{static_cast<double>(k % 16), static_cast<double>(k / 16)});
+            costs.characters.push_back(costs.places.back() + muster::Vec2{0.5, 0.0});
+            own.push_back(k);
+        }
+        costs.beside = beside;
+        muster::MatchingDef def;
+        def.nearCost = nearCost;
+        SparseMatching matching;
+        muster::ThreadPool pool(1);
+        const muster::MatchingInput input{costs.characters, costs.places, {}, {}};
+        matching.adopt(def, input, own, costs, pool);
+        costs.asked.assign(160, 0);
+        for (int k = 0; k < 64; ++k) matching.update(def, input, costs, pool);
+        return costs.asked;
+    };
+    const std::vector<long> usual = asksIn64Steps(-1, 0.0);
+    const std::vector<long> watched = asksIn64Steps(70, 0.0);
+    const std::vector<long> arrived = asksIn64Steps(-1, 1.0);
+    CHECK(watched[70] > usual[70] + 60);
+    CHECK(watched[90] == usual[90]);
+    const auto sum = [](const std::vector<long>& all) { return std::accumulate(all.begin(), all.end(), 0L); };
+    // Own costs are asked for in each step.
+    CHECK(sum(arrived) - 64 * 160 > 1.5 * (sum(usual) - 64 * 160));
 }

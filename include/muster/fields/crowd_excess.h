@@ -6,6 +6,7 @@
 
 #include "muster/environment/environment.h"
 #include "muster/fields/density.h"
+#include "muster/fields/static_ground.h"
 #include "muster/fields/unit_cost.h"
 
 namespace muster {
@@ -19,14 +20,16 @@ public:
     void update(const UnitCostDef& def, const Environment& environment, const DensityField& density, double radius);
     /// The integral along the straight line from `a` to `b` [m]: to be multiplied by the cost of a metre of empty ground.
     double along(Vec2 a, Vec2 b) const;
+    /// The integral times the cost of a metre of the still ground under it, which may change on the way.
+    double costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const;
     /// The share of the line from `a` to `b` at which moving things make it dearest, in the mean; negative where none does.
     double hazardCentre(Vec2 a, Vec2 b) const;
     /// The excess of moving things at a point.
     double hazardAt(Vec2 p) const;
+    /// True where moving things make the ground dearer or cheaper.
+    bool moves(Vec2 p) const { return hazardMeets(p, p) && hazardAt(p) != 0.0; }
     /// The cells.
     const Grid& grid() const { return grid_; }
-    /// Relative excess of leaving a cell to the four sides, for the crowd alone.
-    const std::vector<CellCost>& cells() const { return excess_; }
     /// True where there is none anywhere.
     bool none() const { return listed_.empty() && moved_.empty() && takenList_.empty(); }
 
@@ -68,12 +71,22 @@ private:
     void markBusy();
     void sumBusy();
     bool busyAlong(Vec2 a, Vec2 b) const;
+    // Cost of a metre, relative to empty ground.
+    float costAt(float slowness) const { return perMetre_ + perSecond_ * (1.0f + slowness) * (1.0f + slowness); }
+    static float speedAt(float slowness) { return 1.0f / ((1.0f + slowness) * (1.0f + slowness)); }
     double crowdAlong(Vec2 p, Vec2 to) const;
+    double crowdAlong(Vec2 p, Vec2 to, float unit) const;
     bool hazardMeets(Vec2 a, Vec2 b) const { return !(moved_.empty() && takenList_.empty()) && hazardBounds_.meets(a, b); }
+    double costOverChanges(const StaticGround& ground, Vec2 a, Vec2 b, bool crowd, bool hazard) const;
 
     Grid grid_;
     double perCell_ = 1.0;  // [1/m]
-    std::vector<CellCost> excess_;
+    // 1 / sqrt(speed) - 1 of leaving a cell to the four sides, speed relative to the free one of the ground. Between cells
+    // this is nearest to the unit cost of the ground cells: speeds underrate a jam, costs overrate it.
+    std::vector<CellCost> slowness_;
+    float perMetre_ = 0.0f;   // Parts of the cost of a metre of empty ground: of the way...
+    float perSecond_ = 1.0f;  // ... and of the time.
+    std::vector<float> unit_;             // Cost of a metre of ground in the middle of cells that were priced for the crowd.
     std::vector<std::uint8_t> busy_;      // Cells from which some excess can be read.
     std::vector<std::int32_t> listed_;    // Cells with excess, in the order they got it.
     std::vector<std::int32_t> busyList_;

@@ -69,6 +69,8 @@ public:
     float cost(Vec2 from, std::int32_t place) const;
     /// No cost is less than so many times the straight line.
     double perMetre() const;
+    /// True where moving things make the ground dearer or cheaper: there costs change from step to step.
+    bool unsteady(Vec2 p) const;
     /// The same with the direction to go; `memory` is the walker's own.
     WayAhead ahead(Vec2 from, std::int32_t place, WayPoint& memory) const;
     /// Keeps the windows that walkers need, and asks for those that are missing. Call after all have asked ahead().
