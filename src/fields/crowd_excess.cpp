@@ -53,7 +53,7 @@ inline CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCel
 }
 
 void CrowdExcess::clear() {
-    for (const std::int32_t cell : listed_) slowness_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
+    for (const std::int32_t cell : listed_) excess_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
     for (const std::int32_t cell : busyList_) busy_[cell] = 0;
     for (const std::int32_t cell : lookedList_) looked_[cell] = 0;
     for (const std::int32_t cell : moved_) hazard_[cell] = 0.0f;
@@ -69,8 +69,8 @@ void CrowdExcess::clear() {
 
 void CrowdExcess::set(std::int32_t cell, const CellCost& value) {
     if (isNone(value)) return;
-    if (isNone(slowness_[cell])) listed_.push_back(cell);
-    slowness_[cell] = value;
+    if (isNone(excess_[cell])) listed_.push_back(cell);
+    excess_[cell] = value;
 }
 
 void CrowdExcess::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
@@ -79,7 +79,7 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
         grid_ = density.grid();
         perCell_ = 1.0 / grid_.cell;
         const auto count = static_cast<std::size_t>(grid_.count());
-        slowness_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
+        excess_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
         unit_.assign(count, 0.0f);
         busy_.assign(count, 0);
         looked_.assign(count, 0);
@@ -121,8 +121,11 @@ void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density, 
         const Vec2 p = grid_.centre(grid_.at(cell));
         const double speed = travel[ground.index(ground.nearestCell(p))];
         unit_[cell] = static_cast<float>(price / speed);
-        const auto slowness = [&](Vec2 side) { return static_cast<float>(std::sqrt(1.0 / crowdSpeed(def, density, p, side, speed)) - 1.0); };
-        set(cell, {slowness({1.0, 0.0}), slowness({0.0, 1.0}), slowness({-1.0, 0.0}), slowness({0.0, -1.0})});
+        const auto excess = [&](Vec2 side) {
+            const double f = crowdSpeed(def, density, p, side, speed);
+            return f < 1.0 ? static_cast<float>((def.alpha * f + def.beta) / (f * price) - 1.0) : 0.0f;
+        };
+        set(cell, {excess({1.0, 0.0}), excess({0.0, 1.0}), excess({-1.0, 0.0}), excess({0.0, -1.0})});
     };
     for (const std::int32_t dense : density.occupied()) {
         if (!(density.density()[dense] > def.densityMin)) continue;
@@ -243,12 +246,12 @@ void CrowdExcess::sumBusy() {
 inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
     const Between at = between(grid_, perCell_, p);
     if ((busy_[at.low] | busy_[at.low + at.right + at.up]) == 0) return 0.0;
-    const CellCost* low = slowness_.data() + at.low;
+    const CellCost* low = excess_.data() + at.low;
     const CellCost* high = low + at.up;
     const auto read = [&](float CellCost::*side) {
         const float below = low->*side + (low[at.right].*side - low->*side) * at.fx;
         const float above = high->*side + (high[at.right].*side - high->*side) * at.fx;
-        return costAt(below + (above - below) * at.fy);
+        return 1.0f + below + (above - below) * at.fy;
     };
     const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
     const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
@@ -272,7 +275,7 @@ inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to, float unit) const {
     if (!(sum > kLeastShare)) return crowdAlong(p, to);
     const auto read = [&](float CellCost::*side) {
         float speed = 0.0f;
-        for (int k = 0; k < 4; ++k) speed += share[k] * speedAt(slowness_[cell[k]].*side);
+        for (int k = 0; k < 4; ++k) speed += share[k] * speedAt(excess_[cell[k]].*side);
         return perMetre_ + perSecond_ * sum / speed;
     };
     const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);

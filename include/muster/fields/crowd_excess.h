@@ -71,9 +71,8 @@ private:
     void markBusy();
     void sumBusy();
     bool busyAlong(Vec2 a, Vec2 b) const;
-    // Cost of a metre, relative to empty ground.
-    float costAt(float slowness) const { return perMetre_ + perSecond_ * (1.0f + slowness) * (1.0f + slowness); }
-    static float speedAt(float slowness) { return 1.0f / ((1.0f + slowness) * (1.0f + slowness)); }
+    // The speed, relative to the free one of the ground, at which a metre has this excess.
+    float speedAt(float excess) const { return perSecond_ / (1.0f + excess - perMetre_); }
     double crowdAlong(Vec2 p, Vec2 to) const;
     double crowdAlong(Vec2 p, Vec2 to, float unit) const;
     bool hazardMeets(Vec2 a, Vec2 b) const { return !(moved_.empty() && takenList_.empty()) && hazardBounds_.meets(a, b); }
@@ -81,9 +80,7 @@ private:
 
     Grid grid_;
     double perCell_ = 1.0;  // [1/m]
-    // 1 / sqrt(speed) - 1 of leaving a cell to the four sides, speed relative to the free one of the ground. Between cells
-    // this is nearest to the unit cost of the ground cells: speeds underrate a jam, costs overrate it.
-    std::vector<CellCost> slowness_;
+    std::vector<CellCost> excess_;  // Relative, of leaving a cell to the four sides.
     float perMetre_ = 0.0f;   // Parts of the cost of a metre of empty ground: of the way...
     float perSecond_ = 1.0f;  // ... and of the time.
     std::vector<float> unit_;             // Cost of a metre of ground in the middle of cells that were priced for the crowd.
