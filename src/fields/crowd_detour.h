@@ -6,8 +6,8 @@
 
 namespace muster {
 
-/// What crowd and moving things add between two points [m]: along the straight line, or along a way bent once round moving
-/// things, with what it is longer than the line, where that is less. Never less than the cheapest way has.
+/// What crowd and moving things add between two points [m of open ground]: along the straight line, or along a way bent once
+/// round moving things, with what it is longer than the line, where that is less. Never less than the cheapest way has.
 double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b);
 
 }  // namespace muster
