@@ -12,6 +12,7 @@ constexpr double kBends[] = {0.4, 0.8, 1.2, 1.7, 2.3, 3.0};  // From the line, t
 
 double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b) {
     const double cost = excess.costAlong(ground, a, b);
+    if (!(cost > 0.0)) return cost;
     const double unit = ground.unit(a);
     const double straight = cost / unit;
     if (straight < kWorthBending) return cost;

@@ -42,6 +42,14 @@ double meanAlong(Vec2 a, Vec2 b, double step, const Read& read) {
     return sum * share;
 }
 
+// Of the costs of a metre to the four sides, relative to empty ground, the excess of going towards `to`, a unit vector.
+template <class Read>
+double excessTowards(Vec2 to, const Read& read) {
+    const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
+    const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
+    return static_cast<double>(std::sqrt(x * x + y * y)) - 1.0;
+}
+
 bool isNone(const CellCost& c) { return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f; }
 
 }  // namespace
@@ -253,9 +261,7 @@ inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
         const float above = high->*side + (high[at.right].*side - high->*side) * at.fx;
         return 1.0f + below + (above - below) * at.fy;
     };
-    const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
-    const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
-    return static_cast<double>(std::sqrt(x * x + y * y)) - 1.0;
+    return excessTowards(to, read);
 }
 
 // The same on ground that costs so much, by those of the four cells around whose ground costs as much: beside a patch the
@@ -278,9 +284,7 @@ inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to, float unit) const {
         for (int k = 0; k < 4; ++k) speed += share[k] * speedAt(excess_[cell[k]].*side);
         return perMetre_ + perSecond_ * sum / speed;
     };
-    const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
-    const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
-    return static_cast<double>(std::sqrt(x * x + y * y)) - 1.0;
+    return excessTowards(to, read);
 }
 
 double CrowdExcess::hazardAt(Vec2 p) const {
@@ -326,10 +330,7 @@ double CrowdExcess::costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const 
     if (ground.even()) return ground.unit(a) * along(a, b);
     const bool crowd = busyAlong(a, b);
     const bool hazard = hazardMeets(a, b);
-    return crowd || hazard ? costOverChanges(ground, a, b, crowd, hazard) : 0.0;
-}
-
-double CrowdExcess::costOverChanges(const StaticGround& ground, Vec2 a, Vec2 b, bool crowd, bool hazard) const {
+    if (!crowd && !hazard) return 0.0;
     const double whole = distance(a, b);
     if (!(whole > 0.0)) return 0.0;
     const Vec2 to = (b - a) / whole;

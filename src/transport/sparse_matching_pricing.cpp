@@ -59,36 +59,29 @@ void MatchingPricing::price(const MatchingContext& context, MatchingState& state
 void MatchingPricing::collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
                                   double tolerance) {
     candidates_.clear();
-    const MatchingSeats& seats = state.seats;
-    const std::int32_t holder = seats.holder(seat);
-    const Vec2 person = context.input.characters[static_cast<std::size_t>(holder)];
-    const double base = state.leaving(context, seat) + tolerance;
-    const double perMetre = context.costs.perMetre();
-    for (std::int32_t to = 0; to < seats.places(); ++to) {
-        const Vec2 place = context.input.places[static_cast<std::size_t>(to)];
-        const double rest = base - state.price[static_cast<std::size_t>(to)] - dot(context.slope, place);
-        if (!(rest < 0.0) || !seats.live(to) || to == seat) continue;
-        if (context.power(perMetre * distance(person, place)) + rest < 0.0 && state.arcs.find(seat, to) < 0)
-            candidates_.push_back({holder, to});
-    }
+    const double leaving = state.leaving(context, seat) + tolerance;
+    for (std::int32_t to = 0; to < state.seats.places(); ++to)
+        if (state.seats.live(to)) consider(context, state, seat, to, leaving + state.arriving(context, to));
 }
 
 // Characters whose way to a place might pay, were it straight.
 void MatchingPricing::collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
                                   double tolerance) {
     candidates_.clear();
-    const MatchingSeats& seats = state.seats;
-    const Vec2 place = context.input.places[static_cast<std::size_t>(seat)];
-    const double base = tolerance - state.price[static_cast<std::size_t>(seat)] - dot(context.slope, place);
-    const double perMetre = context.costs.perMetre();
-    for (std::int32_t from = 0; from < seats.count(); ++from) {
-        const double rest = base + state.leaving(context, from);
-        const std::int32_t holder = seats.holder(from);
-        if (!(rest < 0.0) || holder < 0 || from == seat) continue;
-        const Vec2 person = context.input.characters[static_cast<std::size_t>(holder)];
-        if (context.power(perMetre * distance(person, place)) + rest < 0.0 && state.arcs.find(from, seat) < 0)
-            candidates_.push_back({holder, seat});
-    }
+    const double arriving = state.arriving(context, seat) + tolerance;
+    for (std::int32_t from = 0; from < state.seats.count(); ++from)
+        if (state.seats.holder(from) >= 0) consider(context, state, from, seat, arriving + state.leaving(context, from));
+}
+
+// `rest` is the reduced cost less what the way costs.
+void MatchingPricing::consider(const MatchingContext& context, const MatchingState& state, std::int32_t from, std::int32_t to,
+                               double rest) {
+    if (!(rest < 0.0) || from == to) return;
+    const std::int32_t holder = state.seats.holder(from);
+    const double line = distance(context.input.characters[static_cast<std::size_t>(holder)],
+                                 context.input.places[static_cast<std::size_t>(to)]);
+    if (context.power(context.costs.perMetre() * line) + rest < 0.0 && state.arcs.find(from, to) < 0)
+        candidates_.push_back({holder, to});
 }
 
 // Takes in the most violated of each row.

@@ -46,6 +46,7 @@ private:
                double tolerance);
     void collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
     void collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
+    void consider(const MatchingContext& context, const MatchingState& state, std::int32_t from, std::int32_t to, double rest);
     void ask(const MatchingContext& context, MatchingState& state, std::uint32_t round, double tolerance);
 
     Turns all_;

@@ -43,6 +43,10 @@ struct MatchingState {
         const auto s = static_cast<std::size_t>(seat);
         return price[s] - ownPower[s] + dot(context.slope, seats.at(seat, context));
     }
+    /// The part of the reduced costs to a seat that is the same for all arcs.
+    double arriving(const MatchingContext& context, std::int32_t seat) const {
+        return -price[static_cast<std::size_t>(seat)] - dot(context.slope, seats.at(seat, context));
+    }
     /// Sets the cost of a seat's holder.
     void setOwn(std::int32_t seat, float cost, const CostPower& power) {
         own[static_cast<std::size_t>(seat)] = cost;

@@ -55,6 +55,32 @@ muster::MatchingDef sharpDef() {
     return def;
 }
 
+// 300 people on a lattice, each on the place it holds; no arcs.
+struct Standing {
+    muster_test::ClosedCosts& costs;
+    muster::ThreadPool pool{1};
+    muster::MatchingDef def = sharpDef();
+    muster::MatchingInput input;
+    muster::MatchingState state;
+    muster::MatchingPricing pricing;
+
+    explicit Standing(muster_test::ClosedCosts& made) : costs(made) {
+        std::vector<std::int32_t> own;
+        for (std::int32_t k = 0; k < 300; ++k) {
+            costs.characters.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
+            own.push_back(k);
+        }
+        costs.places = costs.characters;
+        input = {costs.characters, costs.places, {}, {}};
+        state.reset(300, 300);
+        state.seats.adopt(own);
+        std::vector<std::int32_t> flipped;
+        state.seats.follow(input, flipped);
+        pricing.reset(300);
+    }
+    muster::MatchingContext context() { return {def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold}; }
+};
+
 }  // namespace
 
 TEST_CASE("exchanges between places that are no neighbours are found by pricing") {
@@ -76,31 +102,18 @@ TEST_CASE("exchanges between places that are no neighbours are found by pricing"
 }
 
 TEST_CASE("who had best take a dear place is found from the place, whose turn comes before that of all others") {
-    muster::ThreadPool pool(1);
-    std::vector<Vec2> points;
-    for (int k = 0; k < 300; ++k) points.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
-    std::vector<std::int32_t> own(300);
-    for (std::int32_t k = 0; k < 300; ++k) own[static_cast<std::size_t>(k)] = k;
     TunnelCosts costs;
-    costs.characters = costs.places = points;
+    Standing standing(costs);
     costs.places[0] = {-25.0, 0.0};
     costs.tunnels = {{150, 0}};
-    const muster::MatchingInput input{costs.characters, costs.places, {}, {}};
-    muster::MatchingState state;
-    state.reset(300, 300);
-    state.seats.adopt(own);
-    std::vector<std::int32_t> flipped;
-    state.seats.follow(input, flipped);
-    const muster::MatchingDef def = sharpDef();
-    const muster::MatchingContext context{def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold};
+    const muster::MatchingContext context = standing.context();
+    muster::MatchingState& state = standing.state;
     state.setOwn(0, 25.0f, context.power);
     state.price[0] = 600.0;  // Nobody else had best go there.
     state.arcs.look(context, state.seats, state.price, state.own);
     REQUIRE(state.arcs.hot() == std::vector<std::int32_t>{0});
-    muster::MatchingPricing pricing;
-    pricing.reset(300);
     // A fifth of all characters at a time; the row of the one that knows a tunnel would wait for seventy steps.
-    for (int k = 0; k < 6; ++k) pricing.run(context, state, 1e-6);
+    for (int k = 0; k < 6; ++k) standing.pricing.run(context, state, 1e-6);
     CHECK(state.arcs.target(state.arcs.priced(150)) == 0);
     CHECK(state.arcs.weight(state.arcs.priced(150)) == doctest::Approx(0.04));
 }
@@ -115,25 +128,11 @@ TEST_CASE("pricing asks for no cost where the straight line says that it cannot 
             return ClosedCosts::exact(i, j);
         }
     };
-    muster::ThreadPool pool(1);
-    std::vector<Vec2> points;
-    for (int k = 0; k < 300; ++k) points.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
-    std::vector<std::int32_t> own(300);
-    for (std::int32_t k = 0; k < 300; ++k) own[static_cast<std::size_t>(k)] = k;
     Counting costs;
-    costs.characters = costs.places = points;
-    const muster::MatchingInput input{points, points, {}, {}};
-    muster::MatchingState state;
-    state.reset(300, 300);
-    state.seats.adopt(own);
-    std::vector<std::int32_t> flipped;
-    state.seats.follow(input, flipped);
-    const muster::MatchingDef def = sharpDef();
-    const muster::MatchingContext context{def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold};
-    state.arcs.look(context, state.seats, state.price, state.own);
-    muster::MatchingPricing pricing;
-    pricing.reset(300);
-    for (int k = 0; k < 400; ++k) pricing.run(context, state, 1e-6);
+    Standing standing(costs);
+    const muster::MatchingContext context = standing.context();
+    standing.state.arcs.look(context, standing.state.seats, standing.state.price, standing.state.own);
+    for (int k = 0; k < 400; ++k) standing.pricing.run(context, standing.state, 1e-6);
     CHECK(costs.asked == 0);
-    CHECK(pricing.found() == 0);
+    CHECK(standing.pricing.found() == 0);
 }

@@ -76,13 +76,12 @@ private:
     double crowdAlong(Vec2 p, Vec2 to) const;
     double crowdAlong(Vec2 p, Vec2 to, float unit) const;
     bool hazardMeets(Vec2 a, Vec2 b) const { return !(moved_.empty() && takenList_.empty()) && hazardBounds_.meets(a, b); }
-    double costOverChanges(const StaticGround& ground, Vec2 a, Vec2 b, bool crowd, bool hazard) const;
 
     Grid grid_;
     double perCell_ = 1.0;  // [1/m]
-    std::vector<CellCost> excess_;  // Relative, of leaving a cell to the four sides.
-    float perMetre_ = 0.0f;   // Parts of the cost of a metre of empty ground: of the way...
-    float perSecond_ = 1.0f;  // ... and of the time.
+    float perMetre_ = 0.0f;               // Parts of the cost of a metre of empty ground: of the way...
+    float perSecond_ = 1.0f;              // ... and of the time.
+    std::vector<CellCost> excess_;        // Relative, of leaving a cell to the four sides.
     std::vector<float> unit_;             // Cost of a metre of ground in the middle of cells that were priced for the crowd.
     std::vector<std::uint8_t> busy_;      // Cells from which some excess can be read.
     std::vector<std::int32_t> listed_;    // Cells with excess, in the order they got it.
