@@ -81,10 +81,9 @@ void CrowdExcess::set(std::int32_t cell, const CellCost& value) {
     excess_[cell] = value;
 }
 
-void CrowdExcess::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
-                         double radius) {
-    if (!(density.grid() == grid_)) {
-        grid_ = density.grid();
+void CrowdExcess::fit(const Grid& ground, const Grid& cells) {
+    if (!(cells == grid_)) {
+        grid_ = cells;
         perCell_ = 1.0 / grid_.cell;
         const auto count = static_cast<std::size_t>(grid_.count());
         excess_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
@@ -105,11 +104,16 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
         seenList_.clear();
     }
     clear();
-    if (grid_.count() == 0) return;
-    if (!(environment.grid() == ground_)) {
-        ground_ = environment.grid();
+    if (!(ground == ground_)) {
+        ground_ = ground;
         taken_.assign(static_cast<std::size_t>(ground_.count()), 0);
     }
+}
+
+void CrowdExcess::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+                         double radius) {
+    fit(environment.grid(), density.grid());
+    if (grid_.count() == 0) return;
     if (def.density) addCrowd(def, density, environment);
     if (def.discomfort && def.gamma > 0.0)
         for (const ObstaclePiece& piece : environment.pieces()) addDiscomfortOf(def, piece);

@@ -115,6 +115,12 @@ Geodesics::~Geodesics() = default;
 Geodesics::Geodesics(Geodesics&&) noexcept = default;
 Geodesics& Geodesics::operator=(Geodesics&&) noexcept = default;
 
+void Geodesics::reserve(const StaticGround& ground, std::size_t places) {
+    if (ground.plain()) return;
+    impl_->near.windows().reserve(places);
+    impl_->middle.windows().reserve(places);
+}
+
 void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places,
                        ThreadPool& pool) {
     Impl& s = *impl_;

@@ -34,6 +34,11 @@ void copy(std::span<const T> from, std::vector<T>& to) {
 
 std::unique_ptr<Plan> makeFastPlan() { return std::make_unique<FastPlan>(); }
 
+void FastPlan::reserve(std::size_t characters, std::size_t places, const StaticGround& ground) {
+    matching_.reserve(matchingDef(characters), characters, places);
+    geodesics_.reserve(ground, places);
+}
+
 Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = checkPlan(def, input); !status.ok()) return status;
     if (!input.supply.empty() || !input.demand.empty())
@@ -78,18 +83,18 @@ void FastPlan::workAside() {
     match(alone_);
 }
 
-MatchingDef FastPlan::matchingDef() const {
+MatchingDef FastPlan::matchingDef(std::size_t characters) const {
     MatchingDef def;
     def.exponent = def_.longestWalk ? kLongestWalkExponent : def_.exponent;
     def.threshold = def_.longestWalk ? 0.0 : def_.threshold;
     def.thresholdShare = def_.longestWalk ? kLongestWalkShare : def_.thresholdShare;
     // A small crowd can afford a better start.
-    if (characters_.size() <= kSmallCrowd) def.coldRounds = kSmallRounds;
-    const auto count = static_cast<double>(std::max<std::size_t>(1, characters_.size()));
+    if (characters <= kSmallCrowd) def.coldRounds = kSmallRounds;
+    const auto count = static_cast<double>(std::max<std::size_t>(1, characters));
     def.searchShare = std::min(def.searchShare, kMostSettled / count);
     // Where a large formation turns, what one seat gains is paid for by many others.
     def.searchLimit = std::clamp(static_cast<std::int32_t>(count) / kSeatsPerSearch, def.searchLimit, kLongestSearch);
-    def.turns = static_cast<std::int32_t>(std::min<std::size_t>(kMostTurns, 1 + characters_.size() / kPerTurn));
+    def.turns = static_cast<std::int32_t>(std::min<std::size_t>(kMostTurns, 1 + characters / kPerTurn));
     return def;
 }
 
@@ -128,14 +133,14 @@ void FastPlan::assign(ThreadPool& pool) {
         for (std::size_t i = 0; i < characters_.size(); i += stride) from.push_back(characters_[i]);
         geodesics_.survey(from, pool);
         // Nobody holds a place that it would be a pity to change.
-        MatchingDef def = matchingDef();
+        MatchingDef def = matchingDef(characters_.size());
         def.threshold = 0.0;
         def.thresholdShare = 0.0;
         matching_.coldStart(def, input, costs_, pool);
         return;
     }
-    if (!sameAsMatched()) matching_.adopt(matchingDef(), input, incumbent_, costs_, pool);
-    matching_.update(matchingDef(), input, costs_, pool);
+    if (!sameAsMatched()) matching_.adopt(matchingDef(characters_.size()), input, incumbent_, costs_, pool);
+    matching_.update(matchingDef(characters_.size()), input, costs_, pool);
 }
 
 Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {

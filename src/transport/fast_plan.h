@@ -19,6 +19,7 @@ class FastPlan final : public Plan {
 public:
     const char* name() const override { return "fast"; }
     bool readsUnitCost() const override { return false; }
+    void reserve(std::size_t characters, std::size_t places, const StaticGround& ground) override;
     Status start(const PlanDef& def, const PlanInput& input) override;
     bool pending() const override { return pending_; }
     void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
@@ -48,7 +49,7 @@ private:
     void report(PlanResult& result) const;
     void seekWaitingPlaces();
     bool sameAsMatched() const;
-    MatchingDef matchingDef() const;
+    MatchingDef matchingDef(std::size_t characters) const;
 
     PlanDef def_;
     std::vector<Vec2> characters_;

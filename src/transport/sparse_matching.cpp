@@ -20,18 +20,23 @@ constexpr double kLeastLoose = 1.0;        // ... at this cost or its own [m].
 
 void SparseMatching::clear() { *this = {}; }
 
-// Sizes the memory for the input.
-void SparseMatching::prepare(const MatchingDef& def, const MatchingInput& input) {
+void SparseMatching::reserve(const MatchingDef& def, std::size_t characters, std::size_t places) {
+    prepare(def, characters, places);
+    prepare(def, 0, 0);
+}
+
+// Sizes the memory.
+void SparseMatching::prepare(const MatchingDef& def, std::size_t characters, std::size_t places) {
     step_ = turn_ = restOfFit_ = violated_ = 0;
     far_ = near_ = false;
-    flipped_.reserve(2 * std::max(input.characters.size(), input.places.size()));
-    stale_.assign(std::max(input.characters.size(), input.places.size()), 0);
-    state_.reset(static_cast<std::int32_t>(input.characters.size()), static_cast<std::int32_t>(input.places.size()));
+    flipped_.reserve(2 * std::max(characters, places));
+    stale_.assign(std::max(characters, places), 0);
+    state_.reset(static_cast<std::int32_t>(characters), static_cast<std::int32_t>(places));
     searchLimit_ = def.searchLimit;
     repair_.reset(state_.seats.count(), def.searchLimit);
     pricing_.reset(state_.seats.count());
-    placeOf_.assign(input.characters.size(), -1);
-    cost_.assign(input.characters.size(), 0.0f);
+    placeOf_.assign(characters, -1);
+    cost_.assign(characters, 0.0f);
     pairs_.reserve(kPairsAtOnce);
     answers_.reserve(kPairsAtOnce);
     rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
@@ -61,7 +66,7 @@ void SparseMatching::coldStart(const MatchingDef& def, const MatchingInput& inpu
 
 void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, std::span<const std::int32_t> placeOf,
                            PairCosts& costs, ThreadPool& pool) {
-    prepare(def, input);
+    prepare(def, input.characters.size(), input.places.size());
     if (!placeOf.empty()) state_.seats.adopt(placeOf);
     MatchingContext context = contextFor(def, input, costs, pool);
     seatWaiting(context);

@@ -19,6 +19,8 @@ class SparseMatching {
 public:
     /// Forgets everything.
     void clear();
+    /// Makes room for so many, and forgets everything.
+    void reserve(const MatchingDef& def, std::size_t characters, std::size_t places);
     /// From nothing: matches parts of the crowd with parts of the formation, then improves.
     void coldStart(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool);
     /// From given places (per character, -1 for none; of two that name one place the first has it): these are kept
@@ -57,7 +59,7 @@ public:
 private:
     MatchingContext contextFor(const MatchingDef& def, const MatchingInput& input, PairCosts& costs,
                                ThreadPool& pool) const;
-    void prepare(const MatchingDef& def, const MatchingInput& input);
+    void prepare(const MatchingDef& def, std::size_t characters, std::size_t places);
     void seatWaiting(const MatchingContext& context);
     void frame(MatchingContext& context) const;
     void askOwn(const MatchingContext& context);

@@ -22,6 +22,7 @@ void PriceFit::run(const MatchingContext& context, MatchingState& state) {
     divide(context, state);
     fitSlopes(context, state);
     fitHeights(context, state);
+    listCoupled();
     solveHeights();
     for (std::int32_t s = 0; s < state.seats.count(); ++s) {
         const Plane& plane = planes_[static_cast<std::size_t>(partOf_[static_cast<std::size_t>(s)])];
@@ -122,21 +123,34 @@ void PriceFit::fitHeights(const MatchingContext& context, const MatchingState& s
     }
 }
 
+// Of some hundreds of parts each touches a dozen.
+void PriceFit::listCoupled() {
+    const std::size_t parts = planes_.size();
+    coupled_.clear();
+    coupledEnd_.clear();
+    for (std::size_t a = 0; a < parts; ++a) {
+        for (std::size_t b = 0; b < parts; ++b)
+            if (const double weight = coupling_[a * parts + b]; weight != 0.0) coupled_.push_back({b, weight});
+        coupledEnd_.push_back(coupled_.size());
+    }
+}
+
 // Gauss-Seidel with over-relaxation: a part's height is the mean of what its neighbours ask.
 void PriceFit::solveHeights() {
-    const std::size_t parts = planes_.size();
     constexpr std::int32_t kRounds = 60;
     constexpr double kOver = 1.7;
-    for (std::int32_t round = 0; round < kRounds; ++round)
-        for (std::size_t a = 0; a < parts; ++a) {
+    for (std::int32_t round = 0; round < kRounds; ++round) {
+        std::size_t k = 0;
+        for (std::size_t a = 0; a < planes_.size(); ++a) {
             double sum = wanted_[a];
             double weight = 0.0;
-            for (std::size_t b = 0; b < parts; ++b) {
-                sum += coupling_[a * parts + b] * planes_[b].height;
-                weight += coupling_[a * parts + b];
+            for (; k < coupledEnd_[a]; ++k) {
+                sum += coupled_[k].weight * planes_[coupled_[k].part].height;
+                weight += coupled_[k].weight;
             }
             if (weight > 0.0) planes_[a].height += kOver * (sum / weight - planes_[a].height);
         }
+    }
 }
 
 void PriceFit::smooth(MatchingState& state) const {

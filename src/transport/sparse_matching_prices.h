@@ -29,10 +29,17 @@ private:
         Vec2 right;
     };
 
+    // A part that shares arcs with another.
+    struct Coupled {
+        std::size_t part;
+        double weight;
+    };
+
     void pairArcs(const MatchingState& state);
     void divide(const MatchingContext& context, const MatchingState& state);
     void fitSlopes(const MatchingContext& context, const MatchingState& state);
     void fitHeights(const MatchingContext& context, const MatchingState& state);
+    void listCoupled();
     void solveHeights();
     void smooth(MatchingState& state) const;
 
@@ -41,6 +48,8 @@ private:
     std::vector<std::int32_t> partOf_;
     std::vector<Plane> planes_;
     std::vector<double> coupling_;  // Parts x parts.
+    std::vector<Coupled> coupled_;  // Of all parts in turn...
+    std::vector<std::size_t> coupledEnd_;  // ... up to here.
     std::vector<double> wanted_;    // Per part.
     std::vector<Normal> normals_;   // Per part.
     std::vector<Vec2> at_;          // Per seat.

@@ -128,10 +128,12 @@ void MatchingStart::parts(const MatchingContext& context, MatchingSeats& seats) 
     divideIntoLeaves(placesAt, places_, count, 0, placeEnds_);
     const auto n = static_cast<std::size_t>(count);
     matrix_.resize(n * n);
+    placeMiddles_.clear();
+    for (std::size_t b = 0; b < n; ++b) placeMiddles_.push_back(middleOf(placesAt, part(places_, placeEnds_, b)));
     for (std::size_t a = 0; a < n; ++a) {
         pairs_.clear();
         const std::int32_t person = middleOf(characters, part(people_, peopleEnds_, a));
-        for (std::size_t b = 0; b < n; ++b) pairs_.push_back({person, middleOf(placesAt, part(places_, placeEnds_, b))});
+        for (const std::int32_t place : placeMiddles_) pairs_.push_back({person, place});
         answers_.resize(n);
         context.costs.fill(pairs_, answers_, context.pool);
         for (std::size_t b = 0; b < n; ++b) matrix_[a * n + b] = context.power(answers_[b]);

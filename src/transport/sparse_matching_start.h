@@ -42,6 +42,7 @@ private:
     // Parts.
     std::vector<std::int32_t> peopleEnds_;
     std::vector<std::int32_t> placeEnds_;
+    std::vector<std::int32_t> placeMiddles_;
     std::vector<Pair> pairs_;
     std::vector<float> answers_;
     std::vector<double> matrix_;

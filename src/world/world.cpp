@@ -176,6 +176,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
         if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");
     }
     impl->prepareGround();
+    impl->makeRoom();
     return World(std::move(impl));
 }
 

@@ -139,6 +139,7 @@ struct World::Impl {
     bool plansThisStep(const Group& group, std::size_t index) const;
     bool plansReadGround() const;
     void prepareGround();
+    void makeRoom();
     void updateGround();
     void planInSlices(Group& group);
     void planAside(Group& group);

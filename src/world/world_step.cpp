@@ -97,6 +97,12 @@ void World::Impl::prepareGround() {
     if (plansReadGround()) ground.update(environment, def.alpha + def.beta, parameters.radius);
 }
 
+// Memory for the first step, which makes the first plans, besides.
+void World::Impl::makeRoom() {
+    if (plansReadGround()) excess.fit(environment.grid(), density.grid());
+    for (Group& group : groups) group.plan->reserve(group.members.size(), group.places.positions().size(), ground);
+}
+
 // What plans read that are not made from the unit cost of all ground.
 void World::Impl::updateGround() {
     if (!plansReadGround()) return;

@@ -16,6 +16,8 @@ namespace muster {
 /// order a small excess changes the cost of the cheapest way by its integral along the way that is cheapest without it.
 class CrowdExcess {
 public:
+    /// Makes room for the cells of this ground and this density; no excess anywhere then.
+    void fit(const Grid& ground, const Grid& cells);
     /// Works it out for this crowd and these moving things, for characters of `radius` [m].
     void update(const UnitCostDef& def, const Environment& environment, const DensityField& density, double radius);
     /// The integral along the straight line from `a` to `b` [m]: to be multiplied by the cost of a metre of empty ground.

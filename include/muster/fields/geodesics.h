@@ -60,6 +60,8 @@ public:
     Geodesics(Geodesics&&) noexcept;  ///< Moves.
     Geodesics& operator=(Geodesics&&) noexcept;
 
+    /// Makes room for the fields that so many places may need on this ground. Changes no result.
+    void reserve(const StaticGround& ground, std::size_t places);
     /// Takes the places of this step, and makes some of the fields that were missing in the last. `ground` and `excess`
     /// must live until the next call.
     void update(const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places, ThreadPool& pool);

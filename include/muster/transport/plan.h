@@ -77,6 +77,11 @@ public:
     virtual const char* name() const = 0;
     /// True where plans are made from the unit cost of all ground; else from the still ground and the crowd's excess.
     virtual bool readsUnitCost() const = 0;
+    /// Makes room for a group of this size on this ground, so that its first plan need not. Before the first start(); changes
+    /// no result.
+    virtual void reserve(std::size_t characters, std::size_t places, const StaticGround& ground) {
+        static_cast<void>(characters), static_cast<void>(places), static_cast<void>(ground);
+    }
     /// Freezes the input of the next plan; a plan under way is dropped. Fails with InvalidArgument, changing nothing,
     /// where sizes do not fit or a value is out of range.
     virtual Status start(const PlanDef& def, const PlanInput& input) = 0;
