@@ -42,11 +42,14 @@ double meanAlong(Vec2 a, Vec2 b, double step, const Read& read) {
     return sum * share;
 }
 
-// Of the costs of a metre to the four sides, relative to empty ground, the excess of going towards `to`, a unit vector.
-template <class Read>
-double excessTowards(Vec2 to, const Read& read) {
-    const float x = static_cast<float>(to.x) * read(to.x > 0.0 ? &CellCost::east : &CellCost::west);
-    const float y = static_cast<float>(to.y) * read(to.y > 0.0 ? &CellCost::north : &CellCost::south);
+// The sides towards which `to` leads.
+float CellCost::*sideX(Vec2 to) { return to.x > 0.0 ? &CellCost::east : &CellCost::west; }
+float CellCost::*sideY(Vec2 to) { return to.y > 0.0 ? &CellCost::north : &CellCost::south; }
+
+// The excess of going towards `to`, a unit vector, where a metre to these sides costs so much, relative to empty ground.
+double excessTowards(Vec2 to, float costX, float costY) {
+    const float x = static_cast<float>(to.x) * costX;
+    const float y = static_cast<float>(to.y) * costY;
     return static_cast<double>(std::sqrt(x * x + y * y)) - 1.0;
 }
 
@@ -265,7 +268,7 @@ inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
         const float above = high->*side + (high[at.right].*side - high->*side) * at.fx;
         return 1.0f + below + (above - below) * at.fy;
     };
-    return excessTowards(to, read);
+    return excessTowards(to, read(sideX(to)), read(sideY(to)));
 }
 
 // The same on ground that costs so much, by those of the four cells around whose ground costs as much: beside a patch the
@@ -288,7 +291,7 @@ inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to, float unit) const {
         for (int k = 0; k < 4; ++k) speed += share[k] * speedAt(excess_[cell[k]].*side);
         return perMetre_ + perSecond_ * sum / speed;
     };
-    return excessTowards(to, read);
+    return excessTowards(to, read(sideX(to)), read(sideY(to)));
 }
 
 double CrowdExcess::hazardAt(Vec2 p) const {

@@ -98,6 +98,7 @@ void FieldLattice::makeRoom() {
 
 void FieldLattice::admit(std::int32_t most) {
     fresh_.clear();
+    if (wishes_.empty()) return;
     for (const std::int32_t landmark : wishes_) {
         if (static_cast<std::int32_t>(fresh_.size()) >= most) break;
         if (use(landmark) >= 0) continue;

@@ -66,6 +66,16 @@ public:
 private:
     enum class Side { East, North, West, South };
 
+    // The cheapest ways bent at wall cells.
+    struct Bends {
+        static constexpr int kMost = 3;
+        float value[kMost];
+        std::int32_t cell[kMost];
+        int count = 0;
+
+        void take(float cost, std::int32_t at);
+    };
+
     template <Side kSide>
     static float towards(const CellCost& c);
     template <Side kSide>
@@ -76,7 +86,7 @@ private:
     Ray look(FrontCell to, float x, float y, std::int32_t number);
     bool shows(std::int32_t node, std::int32_t number, bool far) const;
     bool bends(std::int32_t cell) const;
-    std::int32_t bestBend(std::int32_t hiding, const Root& target, float more, float& value) const;
+    Bends bestBends(std::int32_t hiding, const Root& target, float limit) const;
     bool bendAt(std::int32_t hiding, FrontCell to, float x, float y, float unit, float old);
     void bend(FrontCell from, FrontCell to, float old);
     void bendRound(FrontCell from);
@@ -130,5 +140,16 @@ private:
     Cell writtenLow_;
     Cell writtenHigh_;
 };
+
+// Where the value of a cell belongs, from the centre of cell (0, 0) [cells].
+inline void Front::place(FrontCell cell, float& x, float& y) const {
+    const std::int32_t row = cell.node - cell.cell - (2 * stride_ + 1);
+    x = static_cast<float>(cell.cell - row * grid_.width);
+    y = static_cast<float>(row);
+    if (const std::int32_t number = sight_.wall(cell.cell); number != 0) {
+        x += sight_.node(number).x;
+        y += sight_.node(number).y;
+    }
+}
 
 }  // namespace muster

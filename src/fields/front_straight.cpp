@@ -17,7 +17,6 @@ constexpr float kSameCorner = 2.5f;
 constexpr float kFar = 6.0f;
 // Where a wall hides a root, ways bend within this many cells.
 constexpr std::int32_t kNearHiding = 2;
-constexpr int kBendTries = 3;
 constexpr float kBesideBend = 6.0f;
 
 // The middle of a rounded corner between two points at its wall, a root as good as the points themselves; false where
@@ -60,15 +59,14 @@ bool middleOfArc(const WallNode& a, const WallNode& b, const Root& from, float x
 
 }  // namespace
 
-// Where the value of a cell belongs, from the centre of cell (0, 0) [cells].
-void Front::place(FrontCell cell, float& x, float& y) const {
-    const std::int32_t row = cell.node - cell.cell - (2 * stride_ + 1);
-    x = static_cast<float>(cell.cell - row * grid_.width);
-    y = static_cast<float>(row);
-    if (const std::int32_t number = sight_.wall(cell.cell); number != 0) {
-        x += sight_.node(number).x;
-        y += sight_.node(number).y;
-    }
+// True where ways bend at a cell: where it touches a wall, or lies between two.
+inline bool Front::bends(std::int32_t cell) const {
+    const std::int32_t number = sight_.wall(cell);
+    if (number == 0) return false;
+    const WallNode& beside = sight_.node(number);
+    if (beside.normalX != 0.0f || beside.normalY != 0.0f) return true;
+    const CellCost& c = cells_[cell];
+    return (c.east == kInfiniteCost && c.west == kInfiniteCost) || (c.north == kInfiniteCost && c.south == kInfiniteCost);
 }
 
 // True where a node is known to see the root: its value comes straight from there, or, far off, from another root at
@@ -151,26 +149,37 @@ bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     return true;
 }
 
-// The wall cell near the one that hides a root from a point at which the way to the point is cheapest, of those dearer
-// than `more`; `value` is its cost, which must be below what it was. -1 where there is none.
-std::int32_t Front::bestBend(std::int32_t hiding, const Root& target, float more, float& value) const {
+// Adds a bend to those kept, in the order of their costs; of equal ones the first counts.
+void Front::Bends::take(float cost, std::int32_t at) {
+    int k = count;
+    while (k > 0 && value[k - 1] > cost) --k;
+    if (k == kMost || (k > 0 && value[k - 1] == cost)) return;
+    count = std::min(count + 1, kMost);
+    for (int m = count - 1; m > k; --m) {
+        value[m] = value[m - 1];
+        cell[m] = cell[m - 1];
+    }
+    value[k] = cost;
+    cell[k] = at;
+}
+
+// The wall cells near the one that hides a root from a point at which the way to the point is cheapest, and below `limit`.
+Front::Bends Front::bestBends(std::int32_t hiding, const Root& target, float limit) const {
     const Cell middle = grid_.at(hiding);
     const Cell low{std::max(0, middle.x - kNearHiding), std::max(0, middle.y - kNearHiding)};
     const Cell high{std::min(grid_.width - 1, middle.x + kNearHiding), std::min(grid_.height - 1, middle.y + kNearHiding)};
-    std::int32_t best = -1;
+    Bends best;
     for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
             const FrontCell at = this->at({x, y});
             const float cost = accepted_[at.node];
-            if (!(cost < value) || !bends(at.cell)) continue;
+            if (!(cost < limit) || !bends(at.cell)) continue;
             if (root_[at.node] <= 0 || roots_[root_[at.node]].unit != target.unit) continue;
             float px = 0.0f;
             float py = 0.0f;
             place(at, px, py);
             const float here = cost + target.costAt(px, py);
-            if (!(here < value && here > more)) continue;
-            value = here;
-            best = at.cell;
+            if (here < limit && here > 0.0f) best.take(here, at.cell);
         }
     }
     return best;
@@ -179,36 +188,21 @@ std::int32_t Front::bestBend(std::int32_t hiding, const Root& target, float more
 // Offers `to`, which lies at (x, y), the cheapest clear way bent at a wall near the cell that hides a root from it.
 bool Front::bendAt(std::int32_t hiding, FrontCell to, float x, float y, float unit, float old) {
     const Root target{x, y, 0.0f, unit};
-    float more = 0.0f;
     hidingCell_[to.node] = -1;
-    for (int tries = 0; tries < kBendTries; ++tries) {
-        float value = old - tolerance_;
-        const std::int32_t cell = bestBend(hiding, target, more, value);
-        if (cell < 0) return false;
-        const FrontCell from = at(grid_.at(cell));
+    const Bends best = bestBends(hiding, target, old - tolerance_);
+    for (int k = 0; k < best.count; ++k) {
+        const FrontCell from = at(grid_.at(best.cell[k]));
         Root bent = target;
         place(from, bent.x, bent.y);
         // Farther off the way lies beside the one that was clear as far as here.
         const float apart = std::sqrt((x - bent.x) * (x - bent.x) + (y - bent.y) * (y - bent.y));
         const float share = std::min(1.0f, kBesideBend / std::max(apart, 1.0f));
         std::int32_t ignored = 0;
-        if (sight_.look(bent.x + share * (x - bent.x), bent.y + share * (y - bent.y), bent, ignored) == Ray::Clear) {
-            put(to, tentative_[to.node], value, rootAt(from));
-            return true;
-        }
-        more = value;
+        if (sight_.look(bent.x + share * (x - bent.x), bent.y + share * (y - bent.y), bent, ignored) != Ray::Clear) continue;
+        put(to, tentative_[to.node], best.value[k], rootAt(from));
+        return true;
     }
     return false;
-}
-
-// True where ways bend at a cell: where it touches a wall, or lies between two.
-bool Front::bends(std::int32_t cell) const {
-    const std::int32_t number = sight_.wall(cell);
-    if (number == 0) return false;
-    const WallNode& beside = sight_.node(number);
-    if (beside.normalX != 0.0f || beside.normalY != 0.0f) return true;
-    const CellCost& c = cells_[cell];
-    return (c.east == kInfiniteCost && c.west == kInfiniteCost) || (c.north == kInfiniteCost && c.south == kInfiniteCost);
 }
 
 // Offers `to` the way from `from`, which lies at a wall: straight, or along the arc where a round corner lies between.

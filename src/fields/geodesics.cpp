@@ -306,6 +306,18 @@ bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->gr
 
 double Geodesics::perMetre() const { return impl_->ground->fine().lowest; }
 
+// Whoever comes out of a disc of slow ground crosses its radius.
+double Geodesics::atLeast(Vec2 from, std::int32_t place) const {
+    const StaticGround& ground = *impl_->ground;
+    const Vec2 to = impl_->places[place];
+    const double line = distance(from, to);
+    const double lowest = ground.fine().lowest;
+    if (ground.even()) return lowest * line;
+    const double before = std::clamp(ground.room(from), 0.0, line);
+    const double after = std::clamp(ground.room(to), 0.0, line - before);
+    return lowest * line + (ground.unit(from) - lowest) * before + (ground.unit(to) - lowest) * after;
+}
+
 bool Geodesics::unsteady(Vec2 p) const { return impl_->excess->moves(p); }
 
 float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }

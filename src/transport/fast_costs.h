@@ -25,6 +25,9 @@ public:
     }
     float cost(std::int32_t character, std::int32_t place) override { return price(character, place); }
     double perMetre() const override { return geodesic_ ? geodesics_->perMetre() : 1.0; }
+    double atLeast(std::int32_t character, std::int32_t place) const override {
+        return geodesic_ ? geodesics_->atLeast(characters_[character], place) : 0.0;
+    }
     bool unsteady(std::int32_t character, std::int32_t place) const override {
         return geodesic_ && (geodesics_->unsteady(characters_[character]) || geodesics_->unsteady(places_[place]));
     }

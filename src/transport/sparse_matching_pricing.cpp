@@ -26,6 +26,7 @@ void MatchingPricing::makeRoom(std::int32_t seats) {
 
 void MatchingPricing::run(const MatchingContext& context, MatchingState& state, double tolerance) {
     found_ = 0;
+    perMetre_ = context.costs.perMetre();
     const std::int32_t count = state.seats.count();
     if (count == 0) return;
     const std::int32_t most = std::min(kMostTurns, std::max(1, kMostBounds / count));
@@ -55,13 +56,27 @@ void MatchingPricing::price(const MatchingContext& context, MatchingState& state
     ask(context, state, round, tolerance);
 }
 
+// `rest`, below zero, is the reduced cost less what the way costs.
+inline void MatchingPricing::consider(const MatchingContext& context, const MatchingState& state, std::int32_t from, std::int32_t to,
+                               double rest) {
+    if (from == to) return;
+    const std::int32_t holder = state.seats.holder(from);
+    const double line = distance(context.input.characters[static_cast<std::size_t>(holder)],
+                                 context.input.places[static_cast<std::size_t>(to)]);
+    if (!(context.power(perMetre_ * line) + rest < 0.0) || state.arcs.find(from, to) >= 0) return;
+    if (context.power(context.costs.atLeast(holder, to)) + rest < 0.0) candidates_.push_back({holder, to});
+}
+
 // Places to which the way of a seat's holder might pay, were it straight.
 void MatchingPricing::collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
                                   double tolerance) {
     candidates_.clear();
     const double leaving = state.leaving(context, seat) + tolerance;
-    for (std::int32_t to = 0; to < state.seats.places(); ++to)
-        if (state.seats.live(to)) consider(context, state, seat, to, leaving + state.arriving(context, to));
+    for (std::int32_t to = 0; to < state.seats.places(); ++to) {
+        if (!state.seats.live(to)) continue;
+        const double rest = leaving + state.arriving(context, to);
+        if (rest < 0.0) consider(context, state, seat, to, rest);
+    }
 }
 
 // Characters whose way to a place might pay, were it straight.
@@ -69,19 +84,11 @@ void MatchingPricing::collectInto(const MatchingContext& context, const Matching
                                   double tolerance) {
     candidates_.clear();
     const double arriving = state.arriving(context, seat) + tolerance;
-    for (std::int32_t from = 0; from < state.seats.count(); ++from)
-        if (state.seats.holder(from) >= 0) consider(context, state, from, seat, arriving + state.leaving(context, from));
-}
-
-// `rest` is the reduced cost less what the way costs.
-void MatchingPricing::consider(const MatchingContext& context, const MatchingState& state, std::int32_t from, std::int32_t to,
-                               double rest) {
-    if (!(rest < 0.0) || from == to) return;
-    const std::int32_t holder = state.seats.holder(from);
-    const double line = distance(context.input.characters[static_cast<std::size_t>(holder)],
-                                 context.input.places[static_cast<std::size_t>(to)]);
-    if (context.power(context.costs.perMetre() * line) + rest < 0.0 && state.arcs.find(from, to) < 0)
-        candidates_.push_back({holder, to});
+    for (std::int32_t from = 0; from < state.seats.count(); ++from) {
+        if (state.seats.holder(from) < 0) continue;
+        const double rest = arriving + state.leaving(context, from);
+        if (rest < 0.0) consider(context, state, from, seat, rest);
+    }
 }
 
 // Takes in the most violated of each row.

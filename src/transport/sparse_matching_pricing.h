@@ -52,6 +52,7 @@ private:
     Turns all_;
     Turns hot_;  // Of seats far dearer than the mean.
     std::int32_t found_ = 0;
+    double perMetre_ = 0.0;  // Of this run.
     std::vector<Pair> candidates_;
     std::vector<Pair> pairs_;
     std::vector<float> answers_;

@@ -77,6 +77,9 @@ public:
     WayAhead ahead(Vec2 from, std::int32_t place, WayPoint& memory) const;
     /// Keeps the windows that walkers need, and asks for those that are missing. Call after all have asked ahead().
     void remember(std::span<const WayPoint> walkers);
+    /// A lower bound of the cost, less what moving patches save: the straight line, as far as both ends lie deep in ground that costs more by what
+    /// that costs.
+    double atLeast(Vec2 from, std::int32_t place) const;
     /// True where the cost is that of the straight line.
     bool straight(Vec2 from, std::int32_t place) const;
 

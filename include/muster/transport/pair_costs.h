@@ -25,6 +25,8 @@ public:
     virtual float cost(std::int32_t character, std::int32_t place) = 0;
     /// No cost is less than so many times the straight line, >= 0.
     virtual double perMetre() const { return 0.0; }
+    /// A closer bound of one pair, worked out from where both are [m] >= 0.
+    virtual double atLeast(std::int32_t, std::int32_t) const { return 0.0; }
     /// True where moving things are near the character or the place: there costs change from step to step.
     virtual bool unsteady(std::int32_t, std::int32_t) const { return false; }
     /// The costs of many pairs, worked out side by side; `cost` is as long as `pairs`.
