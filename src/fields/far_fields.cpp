@@ -151,7 +151,7 @@ double FarFields::squareWithin(const LandmarkStencil& stencil, Vec2 from) const 
     return within * within;
 }
 
-bool FarFields::build(std::int32_t most, ThreadPool& pool) {
+std::int32_t FarFields::build(std::int32_t most, ThreadPool& pool) {
     if (static_cast<std::int32_t>(solvers_.size()) < pool.threads()) solvers_.resize(pool.threads());
     return lattice_.build(most, pool, [&](std::int32_t landmark, CostField& field, std::int32_t worker) {
         solve(landmark, field, solvers_[worker]);

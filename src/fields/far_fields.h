@@ -19,7 +19,7 @@ public:
     /// Begins a step on this ground for so many places; forgets all where the ground or the spacing has changed.
     void beginStep(const StaticGround& ground, std::size_t places);
     /// Makes at most `most` of those asked for; true where any was made.
-    bool build(std::int32_t most, ThreadPool& pool);
+    std::int32_t build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
     /// The stencil of a place from the fields there are; asks for those that are missing.

@@ -31,15 +31,16 @@ public:
     void wish(std::int32_t landmark);
     /// Makes at most `most` of the fields wished for, in the order of the wishes, and forgets the other wishes.
     /// `solve(landmark, field, worker)` fills one.
-    /// Returns true where there are fields now that were not there before.
+    /// Returns how many. None where `most` is 0: wishes stay then.
     template <class Solve>
-    bool build(std::int32_t most, ThreadPool& pool, const Solve& solve) {
+    std::int32_t build(std::int32_t most, ThreadPool& pool, const Solve& solve) {
+        if (most <= 0) return 0;
         admit(most);
         pool.run(static_cast<std::int32_t>(fresh_.size()), [&](std::int32_t item, std::int32_t worker) {
             const std::int32_t slot = fresh_[item];
             solve(landmark_[slot], fields_[slot], worker);
         });
-        return !fresh_.empty();
+        return static_cast<std::int32_t>(fresh_.size());
     }
     /// Fills all fields anew, after load() or where the costs have changed.
     template <class Solve>

@@ -21,8 +21,8 @@ constexpr double kOverSlow = 8.0;           // Ways over slow ground that are lo
 constexpr double kShortLine = 5.0;          // ... and from which there may be one round it outside all windows.
 constexpr double kNearEnds = 3.0;           // Of a long way, from its ends [m].
 constexpr double kMuchLess = 0.6;           // Far fields are off by up to a tenth there.
-constexpr std::size_t kFewPlaces = 500;     // Below, one field is made in a step.
-constexpr std::int64_t kManyPlaces = 2500;  // Above, more windows are made in a step.
+constexpr std::size_t kFewPlaces = 500;     // Below, one field is made in a step...
+constexpr std::int64_t kManyPlaces = 2500;  // ... below, two; above, more windows.
 constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window to its rim...
 constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
 constexpr std::int32_t kTraceSteps = 10;    // Along a far way, to a point in sight ahead...
@@ -143,18 +143,25 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
     s.tick(pool);
 }
 
-// True where a far one was made. In a step of few a single field takes a good part: then one is made at a time, in every
-// other step from the farthest.
+// True where a far one was made. A field takes a good part of a small crowd's step: few are made in one then, of whatever kind,
+// in every other step from the farthest.
 bool Geodesics::Impl::makeFields(ThreadPool& pool) {
-    if (places.size() >= kFewPlaces) {
+    if (places.size() >= static_cast<std::size_t>(kManyPlaces)) {
         near.build(perStep(def.nearPerStep), pool);
         middle.build(perStep(def.middlePerStep), pool);
-        return far.build(def.farPerStep, pool);
+        return far.build(def.farPerStep, pool) > 0;
     }
-    if (step % 2 == 0) return !near.build(1, pool) && !middle.build(1, pool) && far.build(1, pool);
-    if (far.build(1, pool)) return true;
-    if (!middle.build(1, pool)) near.build(1, pool);
-    return false;
+    std::int32_t left = places.size() < kFewPlaces ? 1 : def.nearPerStep;
+    if (step % 2 == 0) {
+        left -= near.build(left, pool);
+        left -= middle.build(left, pool);
+        return far.build(left, pool) > 0;
+    }
+    const std::int32_t made = far.build(std::min(left, def.farPerStep), pool);
+    left -= made;
+    left -= middle.build(std::min(left, def.middlePerStep), pool);
+    near.build(left, pool);
+    return made > 0;
 }
 
 // Wishes of the last step are met as far as the budget goes; stencils follow from what there is.

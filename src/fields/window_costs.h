@@ -19,8 +19,8 @@ public:
     /// Begins a step with these places on a level of the still ground. All must live until the next.
     void beginStep(const StaticGround& ground, const GroundLevel& level, const CrowdExcess& excess,
                    std::span<const Vec2> places);
-    /// Makes at most `most` of the windows missed so far. True where there was one.
-    bool build(std::int32_t most, ThreadPool& pool) { return windows_.build(most, pool); }
+    /// Makes at most `most` of the windows missed so far; returns how many.
+    std::int32_t build(std::int32_t most, ThreadPool& pool) { return windows_.build(most, pool); }
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool) { windows_.rebuild(pool); }
     /// Finds what places read that were asked for in the last steps; `ticks` counts this as a step.

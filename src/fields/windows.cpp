@@ -124,7 +124,7 @@ std::int32_t Windows::landmarkNear(Vec2 p, std::int32_t other) const {
     return ground_->blocked(grid.index(c)) ? other : grid.index(c);
 }
 
-bool Windows::build(std::int32_t most, ThreadPool& pool) {
+std::int32_t Windows::build(std::int32_t most, ThreadPool& pool) {
     if (static_cast<std::int32_t>(workers_.size()) < pool.threads()) workers_.resize(pool.threads());
     return lattice_.build(most, pool, [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
         solve(landmark, field, workers_[worker]);

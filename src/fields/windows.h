@@ -39,8 +39,8 @@ public:
     void beginStep(const GroundLevel& ground, std::uint32_t version);
     /// Makes room for the windows that so many places may need while they are led about.
     void reserve(std::size_t places);
-    /// Makes at most `most` of those asked for. True where there was one.
-    bool build(std::int32_t most, ThreadPool& pool);
+    /// Makes at most `most` of those asked for; returns how many.
+    std::int32_t build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
     /// The windows there are of landmarks in sight of a place, the nearest first; asks for that of the nearest landmark.

@@ -1,6 +1,7 @@
 #include "transport/sparse_matching_pricing.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace muster {
 namespace {
@@ -20,15 +21,18 @@ void MatchingPricing::reset(std::int32_t seats) {
 
 void MatchingPricing::makeRoom(std::int32_t seats) {
     candidates_.reserve(static_cast<std::size_t>(seats));
+    leaving_.reserve(static_cast<std::size_t>(seats));
+    arriving_.reserve(static_cast<std::size_t>(seats));
     pairs_.reserve(kMostAsked);
     answers_.reserve(kMostAsked);
 }
 
 void MatchingPricing::run(const MatchingContext& context, MatchingState& state, double tolerance) {
     found_ = 0;
-    perMetre_ = context.costs.perMetre();
     const std::int32_t count = state.seats.count();
     if (count == 0) return;
+    perMetre_ = context.costs.perMetre();
+    noteEnds(context, state);
     const std::int32_t most = std::min(kMostTurns, std::max(1, kMostBounds / count));
     const std::int32_t turns = std::clamp(count / kSeatsPerTurn, std::min(kLeastTurns, most), most);
     for (std::int32_t k = 0; k < turns; ++k, ++all_.next) {
@@ -44,6 +48,17 @@ void MatchingPricing::run(const MatchingContext& context, MatchingState& state, 
         }
         hot_.next = *next + 1;
         price(context, state, *next, hot_.round, tolerance);
+    }
+}
+
+// What reduced costs have in common from each seat and to each; infinite where no way begins or ends.
+void MatchingPricing::noteEnds(const MatchingContext& context, const MatchingState& state) {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    leaving_.clear();
+    arriving_.clear();
+    for (std::int32_t s = 0; s < state.seats.count(); ++s) {
+        leaving_.push_back(state.seats.holder(s) >= 0 ? state.leaving(context, s) : kNever);
+        arriving_.push_back(state.seats.live(s) ? state.arriving(context, s) : kNever);
     }
 }
 
@@ -71,10 +86,9 @@ inline void MatchingPricing::consider(const MatchingContext& context, const Matc
 void MatchingPricing::collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
                                   double tolerance) {
     candidates_.clear();
-    const double leaving = state.leaving(context, seat) + tolerance;
+    const double base = leaving_[static_cast<std::size_t>(seat)] + tolerance;
     for (std::int32_t to = 0; to < state.seats.places(); ++to) {
-        if (!state.seats.live(to)) continue;
-        const double rest = leaving + state.arriving(context, to);
+        const double rest = base + arriving_[static_cast<std::size_t>(to)];
         if (rest < 0.0) consider(context, state, seat, to, rest);
     }
 }
@@ -83,10 +97,9 @@ void MatchingPricing::collectFrom(const MatchingContext& context, const Matching
 void MatchingPricing::collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
                                   double tolerance) {
     candidates_.clear();
-    const double arriving = state.arriving(context, seat) + tolerance;
+    const double base = arriving_[static_cast<std::size_t>(seat)] + tolerance;
     for (std::int32_t from = 0; from < state.seats.count(); ++from) {
-        if (state.seats.holder(from) < 0) continue;
-        const double rest = arriving + state.leaving(context, from);
+        const double rest = base + leaving_[static_cast<std::size_t>(from)];
         if (rest < 0.0) consider(context, state, from, seat, rest);
     }
 }

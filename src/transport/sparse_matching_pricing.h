@@ -42,6 +42,7 @@ private:
         }
     };
     void makeRoom(std::int32_t seats);
+    void noteEnds(const MatchingContext& context, const MatchingState& state);
     void price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
                double tolerance);
     void collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
@@ -53,6 +54,8 @@ private:
     Turns hot_;  // Of seats far dearer than the mean.
     std::int32_t found_ = 0;
     double perMetre_ = 0.0;  // Of this run.
+    std::vector<double> leaving_;   // Per seat, in this run.
+    std::vector<double> arriving_;
     std::vector<Pair> candidates_;
     std::vector<Pair> pairs_;
     std::vector<float> answers_;

@@ -17,7 +17,7 @@ namespace muster {
 struct GeodesicsDef {
     std::int32_t nearFields = 6144;      ///< Most windows of the ground cells kept.
     std::int32_t middleFields = 2048;    ///< Most windows of cells twice as wide kept.
-    std::int32_t nearPerStep = 2;        ///< Windows made in a step, at most; above 2,500 places in proportion, below 500 one field of any kind.
+    std::int32_t nearPerStep = 2;        ///< Windows made in a step, at most; above 2,500 places in proportion, below so many fields of all kinds, below 500 one.
     std::int32_t middlePerStep = 1;      ///< The same for the wider ones.
     std::int32_t farPerStep = 1;         ///< Far fields made in a step, at most.
 };
