@@ -252,10 +252,14 @@ bool Environment::changesSince(std::uint64_t version, std::vector<CellRect>& are
     return true;
 }
 
-void Environment::movingAreas(std::vector<CellRect>& areas) const {
+std::span<const CellRect> Environment::movingObstacleAreas() const {
     impl_->ensure();
-    areas.assign(impl_->clearance.covered().begin(), impl_->clearance.covered().end());
-    areas.insert(areas.end(), impl_->slowest.covered().begin(), impl_->slowest.covered().end());
+    return impl_->clearance.covered();
+}
+
+std::span<const CellRect> Environment::movingPatchAreas() const {
+    impl_->ensure();
+    return impl_->slowest.covered();
 }
 
 std::span<const ObstaclePiece> Environment::pieces() const {

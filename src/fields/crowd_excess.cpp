@@ -179,15 +179,15 @@ void CrowdExcess::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& p
 
 // Bodies of moving obstacles, and ground that moving patches slow or speed up.
 void CrowdExcess::addMovedGround(const Environment& environment, double radius) {
-    environment.movingAreas(areas_);
+    for (const CellRect& area : environment.movingPatchAreas())
+        if (!area.empty()) addMovedPatches(environment, area);
     const std::span<const float> live = environment.clearance();
     const std::span<const float> still = environment.stillClearance();
     // Not the rim, where those stand who touch the obstacle.
     const auto least = static_cast<float>(radius);
     const auto most = static_cast<float>(radius - 0.5 * ground_.cell);
-    for (const CellRect& area : areas_) {
+    for (const CellRect& area : environment.movingObstacleAreas()) {
         if (area.empty()) continue;
-        addMovedPatches(environment, area);
         for (std::int32_t y = area.low.y; y <= area.high.y; ++y)
             for (std::int32_t x = area.low.x; x <= area.high.x; ++x) {
                 const std::int32_t cell = ground_.index({x, y});

@@ -77,10 +77,13 @@ SeenWindows Windows::seen(const StaticGround& still, Vec2 place) {
         for (std::int32_t k = 0; k < corners.count; ++k) {
             const Vec2 at = grid.centre(grid.at(corners.cell[k]));
             // At last any landmark must do.
-            if (spacing == 1 || still.straight(at, place)) order[count++] = {lengthSquared(at - place), corners.cell[k]};
+            if (spacing > 1 && !still.straight(at, place)) continue;
+            const std::pair<double, std::int32_t> landmark{lengthSquared(at - place), corners.cell[k]};
+            std::int32_t rank = count++;
+            for (; rank > 0 && landmark < order[rank - 1]; --rank) order[rank] = order[rank - 1];
+            order[rank] = landmark;
         }
         if (count == 0) continue;
-        std::sort(order.begin(), order.begin() + count);
         SeenWindows seen;
         for (std::int32_t k = 0; k < count; ++k)
             if (const std::int32_t slot = lattice_.use(order[k].second); slot >= 0) seen.slot[seen.count++] = slot;

@@ -42,8 +42,8 @@ struct Grid {
     Cell cellOf(Vec2 p) const { return {floorOf((p.x - origin.x) / cell), floorOf((p.y - origin.y) / cell)}; }
     /// The existing cell nearest to `p`.
     Cell nearestCell(Vec2 p) const {
-        const Cell c = cellOf(p);
-        return {std::clamp(c.x, 0, width - 1), std::clamp(c.y, 0, height - 1)};
+        return {static_cast<std::int32_t>(std::clamp((p.x - origin.x) / cell, 0.0, width - 1.0)),
+                static_cast<std::int32_t>(std::clamp((p.y - origin.y) / cell, 0.0, height - 1.0))};
     }
     /// Centre of a cell [m].
     Vec2 centre(Cell c) const {

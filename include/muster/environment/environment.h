@@ -101,8 +101,9 @@ public:
     /// `version`. False where that is not known any more: all cells may have.
     bool changesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
 
-    /// Writes to `areas` the cells over which things that move lie now.
-    void movingAreas(std::vector<CellRect>& areas) const;
+    /// The cells whose clearance moving obstacles change now, and those whose travel speed moving patches do; some may be empty.
+    std::span<const CellRect> movingObstacleAreas() const;
+    std::span<const CellRect> movingPatchAreas() const;
 
     /// All convex parts as they stand now, ordered by obstacle id.
     std::span<const ObstaclePiece> pieces() const;

@@ -104,7 +104,6 @@ private:
     Grid ground_;
     std::vector<std::uint8_t> taken_;     // Ground cells where a moving obstacle leaves nobody room.
     std::vector<std::int32_t> takenList_;
-    std::vector<CellRect> areas_;
 };
 
 }  // namespace muster
