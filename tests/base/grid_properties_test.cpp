@@ -76,6 +76,20 @@ TEST_CASE("the cell of a point is the one with the nearest centre") {
     }
 }
 
+TEST_CASE("the nearest cell is that of the point moved into the grid, on edges too") {
+    Random random(21);
+    for (int i = 0; i < 500; ++i) {
+        const Grid grid = randomGrid(random);
+        Vec2 p = pointIn(grid.box().grown(3.0), random);
+        // Some lie just on the edge of a cell, or far away.
+        if (i % 3 == 0) p = grid.centre({static_cast<std::int32_t>(random.uniform(-2, 9)), 1}) - Vec2{0.5, 0.5} * grid.cell;
+        if (i % 7 == 0) p = p * 1e12;
+        const Cell of = grid.cellOf(p);
+        const Cell inside{std::clamp(of.x, 0, grid.width - 1), std::clamp(of.y, 0, grid.height - 1)};
+        CHECK(grid.nearestCell(p) == inside);
+    }
+}
+
 TEST_CASE("cells on the negative side are not rounded towards zero") {
     const Grid grid = Grid::covering({{0, 0}, {4, 4}}, 1.0);
     CHECK(grid.cellOf({-0.5, -1.5}) == Cell{-1, -2});

@@ -186,6 +186,33 @@ TEST_CASE("a way round mud is found, whether windows reach so far or not") {
     }
 }
 
+TEST_CASE("no way costs less than its bound, which knows the slow ground at both ends") {
+    Environment environment = squareWorld(24.0);
+    REQUIRE(environment.addPatch(slowBox(-9, -8, -1, 8, 0.3)).ok());
+    REQUIRE(environment.addPatch(slowBox(2, -8, 8, 8, 0.5)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-1, 8, 2, 24)).ok());
+    Scene scene(std::move(environment));
+    Random random(17);
+    for (int j = 0; j < 40; ++j) scene.places.push_back(freeSpot(scene.environment, random, 12.0));
+    scene.step();
+    EikonalSolver solver;
+    CostField field;
+    int closer = 0;
+    for (std::int32_t j = 0; j < 40; ++j) {
+        solver.solve(scene.ground.fine(), scene.places[static_cast<std::size_t>(j)], {}, field);
+        for (int k = 0; k < 40; ++k) {
+            const Vec2 p = freeSpot(scene.environment, random, 12.0);
+            const double line = scene.geodesics.perMetre() * distance(p, scene.places[static_cast<std::size_t>(j)]);
+            const double bound = scene.geodesics.atLeast(p, j);
+            CAPTURE(p);
+            CHECK(bound >= line - 1e-9);
+            CHECK(bound <= 1.03 * field.cost(p) + 0.2);
+            closer += bound > 1.2 * line ? 1 : 0;
+        }
+    }
+    CHECK(closer > 400);  // Of 1,600: more than half have an end in slow ground.
+}
+
 TEST_CASE("a far way that begins beside a cart costs what it takes to get away from it") {
     Environment environment = squareWorld(16.0);
     REQUIRE(environment.addObstacle(rectangle(-1, -9, 1, 9)).ok());

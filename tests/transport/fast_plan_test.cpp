@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "fields/ground_scene.h"
 #include "muster/transport/plan.h"
@@ -153,6 +154,32 @@ TEST_CASE("the number of threads changes nothing") {
         held.back().push_back(static_cast<std::int32_t>(value));
         held.back().push_back(static_cast<std::int32_t>(value >> 32));
         CHECK(held.back() == held.front());
+    }
+}
+
+TEST_CASE("room made ahead changes no plan") {
+    Walk scene(90, {-12, 0}, {10, 3}, 5);
+    const auto roomy = makeFastPlan();
+    const auto bare = makeFastPlan();
+    roomy->reserve(scene.characters.size(), scene.places.size(), scene.ground);
+    ThreadPool pool(2);
+    CHECK_FALSE(roomy->pending());
+    CHECK(roomy->suits(7, 3, scene.cost.grid));  // It plans for nobody yet.
+    for (int step = 0; step < 40; ++step) {
+        const PlanResult expected = scene.plan(*bare, pool);
+        const PlanResult result = scene.plan(*roomy, pool);
+        REQUIRE(result.cost == expected.cost);
+        scene.take(expected);
+        const std::vector<Vec2> before = scene.characters;
+        scene.walk(*roomy, pool, 0.05);
+        const std::vector<Vec2> after = std::exchange(scene.characters, before);
+        scene.walk(*bare, pool, 0.05);
+        REQUIRE(scene.characters == after);
+        Hasher one;
+        Hasher other;
+        roomy->hash(one);
+        bare->hash(other);
+        REQUIRE(one.value() == other.value());
     }
 }
 

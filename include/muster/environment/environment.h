@@ -101,8 +101,9 @@ public:
     /// `version`. False where that is not known any more: all cells may have.
     bool changesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
 
-    /// The cells whose clearance moving obstacles change now, and those whose travel speed moving patches do; some may be empty.
+    /// The cells whose clearance moving obstacles change now; some rectangles may be empty.
     std::span<const CellRect> movingObstacleAreas() const;
+    /// The cells whose travel speed moving patches change now; some rectangles may be empty.
     std::span<const CellRect> movingPatchAreas() const;
 
     /// All convex parts as they stand now, ordered by obstacle id.
