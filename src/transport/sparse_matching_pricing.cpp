@@ -72,8 +72,8 @@ void MatchingPricing::price(const MatchingContext& context, MatchingState& state
 }
 
 // `rest`, below zero, is the reduced cost less what the way costs.
-inline void MatchingPricing::consider(const MatchingContext& context, const MatchingState& state, std::int32_t from, std::int32_t to,
-                               double rest) {
+inline void MatchingPricing::consider(const MatchingContext& context, const MatchingState& state, std::int32_t from,
+                                      std::int32_t to, double rest) {
     if (from == to) return;
     const std::int32_t holder = state.seats.holder(from);
     const double line = distance(context.input.characters[static_cast<std::size_t>(holder)],

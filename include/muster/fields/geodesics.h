@@ -17,9 +17,9 @@ namespace muster {
 struct GeodesicsDef {
     std::int32_t nearFields = 6144;      ///< Most windows of the ground cells kept.
     std::int32_t middleFields = 2048;    ///< Most windows of cells twice as wide kept.
-    std::int32_t nearPerStep = 2;        ///< Windows made in a step, at most; above 2,500 places in proportion, below so many fields of all kinds, below 500 one.
-    std::int32_t middlePerStep = 1;      ///< The same for the wider ones.
-    std::int32_t farPerStep = 1;         ///< Far fields made in a step, at most.
+    std::int32_t nearPerStep = 2;        ///< Windows made in a step, at most: from 2,500 places on, in proportion. For fewer places fields of all kinds together, for fewer than 500 one.
+    std::int32_t middlePerStep = 1;      ///< The same for the wider ones; with fewer places in every other step.
+    std::int32_t farPerStep = 1;         ///< Far fields made in a step, at most: from 2,500 places on; with fewer in every other step.
 };
 
 /// Where to walk.

@@ -79,9 +79,7 @@ public:
     virtual bool readsUnitCost() const = 0;
     /// Makes room for a group of this size on this ground, so that its first plan need not. Before the first start(); changes
     /// no result.
-    virtual void reserve(std::size_t characters, std::size_t places, const StaticGround& ground) {
-        static_cast<void>(characters), static_cast<void>(places), static_cast<void>(ground);
-    }
+    virtual void reserve(std::size_t /*characters*/, std::size_t /*places*/, const StaticGround&) {}
     /// Freezes the input of the next plan; a plan under way is dropped. Fails with InvalidArgument, changing nothing,
     /// where sizes do not fit or a value is out of range.
     virtual Status start(const PlanDef& def, const PlanInput& input) = 0;
