@@ -314,12 +314,7 @@ void SparseMatching::publish(const MatchingContext& context) {
 
 void SparseMatching::measureSlack(const MatchingContext& context) {
     double left = 0.0;
-    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
-        double least = 0.0;
-        for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc)
-            least = std::min(least, state_.reduced(arc));
-        left -= least;
-    }
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) left -= std::min(0.0, state_.leastFrom(s));
     slack_ = left * context.power.units();
 }
 

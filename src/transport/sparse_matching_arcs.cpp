@@ -40,6 +40,7 @@ void MatchingArcs::makeRoom() {
     const std::size_t seats = target_.size() / kLanes;
     start_.assign(seats + 1, 0);
     into_.assign(target_.size(), 0);
+    asked_.reserve(kRowsAtOnce * kLanes);
     pairs_.reserve(kRowsAtOnce * kLanes);
     answers_.reserve(kRowsAtOnce * kLanes);
     hot_.reserve(seats);
@@ -140,38 +141,31 @@ void MatchingArcs::chooseTargets(const MatchingContext& context, const MatchingS
     leadHome(seat, lane, kLanes);
 }
 
-bool MatchingArcs::asks(std::int32_t arc, const Tight& tight) const {
-    const std::int32_t from = arc / kLanes;
-    const std::int32_t to = target(arc);
-    if (to == from) return false;
-    if (tight.price.empty()) return true;
-    const double reduced = weight(arc) - tight.price[static_cast<std::size_t>(to)] + tight.price[static_cast<std::size_t>(from)];
-    return reduced < tight.margin[static_cast<std::size_t>(from)];
-}
-
-void MatchingArcs::ask(const MatchingSeats& seats, std::span<const std::int32_t> rows, const Tight& tight) {
-    pairs_.clear();
-    for (const std::int32_t s : rows) {
-        const std::int32_t holder = seats.holder(s);
-        if (holder < 0) continue;
-        for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc)
-            if (asks(arc, tight) && seats.live(target(arc))) pairs_.push_back({holder, target(arc)});
-    }
-    answers_.resize(pairs_.size());
-}
-
-void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                          std::span<const std::int32_t> rows, const Tight& tight) {
-    std::size_t next = 0;
-    for (const std::int32_t s : rows) {
-        const bool somebody = seats.holder(s) >= 0;
-        for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc) {
-            const std::int32_t to = target(arc);
-            if (to == s) weight_[static_cast<std::size_t>(arc)] = kNever;
-            if (!asks(arc, tight)) continue;
-            const double there = somebody && seats.live(to) ? context.power(answers_[next++]) : 0.0;
-            weight_[static_cast<std::size_t>(arc)] = weightBy(context, seats, ownPower, arc, there);
+// Notes which arcs of a row are worth a question, in order. Lanes that lead home have no weight.
+void MatchingArcs::ask(const MatchingSeats& seats, std::int32_t seat, const Tight& tight) {
+    const std::int32_t holder = seats.holder(seat);
+    const auto s = static_cast<std::size_t>(seat);
+    const bool all = tight.price.empty();
+    const double own = all ? 0.0 : tight.price[s];
+    const double margin = all ? 0.0 : tight.margin[s];
+    for (std::int32_t arc = seat * kLanes; arc < (seat + 1) * kLanes; ++arc) {
+        const std::int32_t to = target(arc);
+        if (to == seat) {
+            setWeight(arc, kNever);
+            continue;
         }
+        if (!all && !(weight(arc) - tight.price[static_cast<std::size_t>(to)] + own < margin)) continue;
+        asked_.push_back(arc);
+        if (holder >= 0 && seats.live(to)) pairs_.push_back({holder, to});
+    }
+}
+
+void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower) {
+    std::size_t next = 0;
+    for (const std::int32_t arc : asked_) {
+        const bool paid = seats.holder(arc / kLanes) >= 0 && seats.live(target(arc));
+        const double there = paid ? context.power(answers_[next++]) : 0.0;
+        setWeight(arc, weightBy(context, seats, ownPower, arc, there));
     }
 }
 
@@ -186,22 +180,23 @@ float MatchingArcs::weightFor(const MatchingContext& context, const MatchingSeat
     return static_cast<float>(there - ownPower[static_cast<std::size_t>(from)] - frame);
 }
 
+void MatchingArcs::askFor(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower) {
+    answers_.resize(pairs_.size());
+    context.costs.fill(pairs_, answers_, context.pool);
+    answer(context, seats, ownPower);
+}
+
 void MatchingArcs::refreshArcs(const MatchingContext& context, const MatchingSeats& seats,
                                std::span<const double> ownPower, std::span<const std::int32_t> arcs) {
-    const auto costs = [&](std::int32_t arc) { return seats.holder(arc / kLanes) >= 0 && seats.live(target(arc)); };
     while (!arcs.empty()) {
         const auto some = arcs.first(std::min(arcs.size(), kRowsAtOnce * kLanes));
-        pairs_.clear();
-        for (const std::int32_t arc : some)
-            if (costs(arc)) pairs_.push_back({seats.holder(arc / kLanes), target(arc)});
-        answers_.resize(pairs_.size());
-        context.costs.fill(pairs_, answers_, context.pool);
-        std::size_t next = 0;
+        clearQuestions();
         for (const std::int32_t arc : some) {
-            const double there = costs(arc) ? context.power(answers_[next++]) : 0.0;
-            if (target(arc) != arc / kLanes)
-                weight_[static_cast<std::size_t>(arc)] = weightBy(context, seats, ownPower, arc, there);
+            if (target(arc) == arc / kLanes) continue;
+            asked_.push_back(arc);
+            if (seats.holder(arc / kLanes) >= 0 && seats.live(target(arc))) pairs_.push_back({seats.holder(arc / kLanes), target(arc)});
         }
+        askFor(context, seats, ownPower);
         arcs = arcs.subspan(some.size());
     }
 }
@@ -210,11 +205,16 @@ void MatchingArcs::refresh(const MatchingContext& context, const MatchingSeats& 
                            std::span<const double> ownPower, std::span<const std::int32_t> rows, const Tight& tight) {
     while (!rows.empty()) {
         const auto some = rows.first(std::min(rows.size(), kRowsAtOnce));
-        ask(seats, some, tight);
-        context.costs.fill(pairs_, answers_, context.pool);
-        answer(context, seats, ownPower, some, tight);
+        clearQuestions();
+        for (const std::int32_t s : some) ask(seats, s, tight);
+        askFor(context, seats, ownPower);
         rows = rows.subspan(some.size());
     }
+}
+
+void MatchingArcs::clearQuestions() {
+    asked_.clear();
+    pairs_.clear();
 }
 
 void MatchingArcs::sortByTarget() {
@@ -227,9 +227,12 @@ void MatchingArcs::sortByTarget() {
 }
 
 std::int32_t MatchingArcs::find(std::int32_t from, std::int32_t to) const {
-    for (std::int32_t arc = from * kLanes; arc < (from + 1) * kLanes; ++arc)
-        if (target(arc) == to) return arc;
-    return -1;
+    const std::int32_t first = from * kLanes;
+    const std::int32_t* row = target_.data() + first;
+    // Backward and to the end: without a branch the compiler compares several at once.
+    std::int32_t lane = kLanes;
+    for (std::int32_t k = kLanes; k-- > 0;) lane = row[k] == to ? k : lane;
+    return lane < kLanes ? first + lane : -1;
 }
 
 bool MatchingArcs::consistent() const {

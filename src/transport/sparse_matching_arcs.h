@@ -84,18 +84,19 @@ private:
     void add(std::int32_t seat, std::int32_t& lane, std::int32_t end, std::int32_t to);
     void leadHome(std::int32_t seat, std::int32_t& lane, std::int32_t end);
     void addHot(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat, std::int32_t& lane);
-    bool asks(std::int32_t arc, const Tight& tight) const;
-    void ask(const MatchingSeats& seats, std::span<const std::int32_t> rows, const Tight& tight);
-    void answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                std::span<const std::int32_t> rows, const Tight& tight);
+    void clearQuestions();
+    void ask(const MatchingSeats& seats, std::int32_t seat, const Tight& tight);
+    void askFor(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower);
+    void answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower);
 
     std::vector<std::int32_t> target_;
     std::vector<float> weight_;
     // Rebuilt in each step.
     std::vector<std::int32_t> start_;
     std::vector<std::int32_t> into_;
-    std::vector<Pair> pairs_;
-    std::vector<float> answers_;
+    std::vector<std::int32_t> asked_;  // Arcs whose weights are to be made anew...
+    std::vector<Pair> pairs_;          // ... the pairs whose costs these take, in their order...
+    std::vector<float> answers_;       // ... and these.
     CellList nearPlaces_;
     CellList nearCharacters_;
     std::vector<std::int32_t> hot_;  // Seats far dearer than the mean.

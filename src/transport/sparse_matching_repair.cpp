@@ -45,9 +45,8 @@ void MatchingRepair::collect(const MatchingState& state, double tolerance, std::
     violations_.clear();
     for (std::int32_t s = 0; s < state.seats.count(); ++s) {
         if (state.resting[static_cast<std::size_t>(s)] > 0) continue;
-        const std::int32_t arc = worstArc(state, s);
-        const double size = -state.reduced(arc);
-        if (size > tolerance) violations_.push_back({size, arc});
+        const double size = -state.leastFrom(s);
+        if (size > tolerance) violations_.push_back({size, worstArc(state, s)});
     }
     violated_ = static_cast<std::int32_t>(violations_.size());
     const auto worse = [](const Violation& a, const Violation& b) {

@@ -1,7 +1,9 @@
 // All that a sparse matching knows from step to step.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "transport/sparse_matching_arcs.h"
@@ -37,6 +39,15 @@ struct MatchingState {
     /// The same for an arc of this weight between two seats.
     double reduced(std::int32_t from, std::int32_t to, float weight) const {
         return weight - price[static_cast<std::size_t>(to)] + price[static_cast<std::size_t>(from)];
+    }
+    /// The least reduced cost of the arcs from a seat. (Rounding keeps the order, so what all have in common is added last.)
+    double leastFrom(std::int32_t seat) const {
+        const std::int32_t* target = arcs.targets().data() + static_cast<std::ptrdiff_t>(seat) * MatchingArcs::kLanes;
+        const float* weight = arcs.weights().data() + static_cast<std::ptrdiff_t>(seat) * MatchingArcs::kLanes;
+        double least[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+        for (std::int32_t k = 0; k < MatchingArcs::kLanes; k += 2)
+            for (std::int32_t m = 0; m < 2; ++m) least[m] = std::min(least[m], weight[k + m] - price[static_cast<std::size_t>(target[k + m])]);
+        return std::min(least[0], least[1]) + price[static_cast<std::size_t>(seat)];
     }
     /// The part of the reduced costs from a seat that is the same for all arcs.
     double leaving(const MatchingContext& context, std::int32_t seat) const {
