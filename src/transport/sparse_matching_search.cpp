@@ -19,10 +19,7 @@ void CycleSearch::reset(std::int32_t seats, std::int32_t limit) {
     const auto n = static_cast<std::size_t>(seats);
     const auto most = 64 + std::min(4 * n, 8 * static_cast<std::size_t>(limit));
     for (Side* side : {&forward_, &backward_}) {
-        side->distance.assign(n, 0.0);
-        side->through.assign(n, -1);
-        side->seen.assign(n, 0);
-        side->done.assign(n, 0);
+        side->node.assign(n, {});
         side->order.reserve(std::min(n, static_cast<std::size_t>(limit)) + 1);
         side->heap.reserve(most);
         side->most = most;
@@ -31,20 +28,27 @@ void CycleSearch::reset(std::int32_t seats, std::int32_t limit) {
     stamp_ = 0;
 }
 
+// Nothing is cleared between searches; stamps begin anew before they run out.
+void CycleSearch::newStamp() {
+    stamp_ += 2;
+    if (stamp_ != 0) return;
+    for (Side* side : {&forward_, &backward_})
+        for (Node& node : side->node) node.stamp = 0;
+    stamp_ = 2;
+}
+
 void CycleSearch::begin(Side& side, std::int32_t seat) {
     side.heap.clear();
     side.order.clear();
     side.radius = 0.0;
     side.lost = kInfinite;
-    side.distance[static_cast<std::size_t>(seat)] = 0.0;
-    side.through[static_cast<std::size_t>(seat)] = -1;
-    side.seen[static_cast<std::size_t>(seat)] = stamp_;
+    side.node[static_cast<std::size_t>(seat)] = {0.0, -1, stamp_};
     side.heap.push_back({0.0, seat});
 }
 
 // The least distance not settled yet.
 double CycleSearch::top(Side& side) {
-    while (!side.heap.empty() && side.done[static_cast<std::size_t>(side.heap.front().seat)] == stamp_) {
+    while (!side.heap.empty() && side.node[static_cast<std::size_t>(side.heap.front().seat)].stamp == stamp_ + 1) {
         std::pop_heap(side.heap.begin(), side.heap.end(), kLater);
         side.heap.pop_back();
     }
@@ -53,13 +57,12 @@ double CycleSearch::top(Side& side) {
 
 void CycleSearch::label(Side& side, const Side& other, std::int32_t seat, std::int32_t through, double distance,
                         double bound) {
-    const auto s = static_cast<std::size_t>(seat);
-    if (side.seen[s] == stamp_ && !(distance < side.distance[s])) return;
-    side.seen[s] = stamp_;
-    side.distance[s] = distance;
-    side.through[s] = through;
-    if (other.seen[s] == stamp_ && distance + other.distance[s] < best_) {
-        best_ = distance + other.distance[s];
+    Node& node = side.node[static_cast<std::size_t>(seat)];
+    if (node.stamp == stamp_ && !(distance < node.distance)) return;
+    node = {distance, through, stamp_};
+    const Node& there = other.node[static_cast<std::size_t>(seat)];
+    if (there.stamp >= stamp_ && distance + there.distance < best_) {
+        best_ = distance + there.distance;
         meeting_ = seat;
     }
     // Beyond the bound a node is needed neither for the way back nor for the prices.
@@ -79,33 +82,36 @@ void CycleSearch::settle(const MatchingArcs& arcs, std::span<const double> price
     std::pop_heap(side.heap.begin(), side.heap.end(), kLater);
     side.heap.pop_back();
     const std::int32_t seat = entry.seat;
-    side.done[static_cast<std::size_t>(seat)] = stamp_;
+    side.node[static_cast<std::size_t>(seat)].stamp = stamp_ + 1;
     side.order.push_back(seat);
     ++settledCount_;
     const double own = price[static_cast<std::size_t>(seat)];
-    const auto reach = [&](std::int32_t next, double reduced) {
-        if (side.done[static_cast<std::size_t>(next)] == stamp_) return;
-        const double distance = entry.distance + std::max(reduced, 0.0);
-        if (distance < bound) label(side, other, next, seat, distance, bound);
+    const Node* nodes = side.node.data();
+    const std::uint32_t done = stamp_ + 1;
+    const double soFar = entry.distance;
+    const auto reach = [&](std::int32_t next, double distance) {
+        if (distance < bound && nodes[next].stamp != done) label(side, other, next, seat, distance, bound);
     };
     const float* weights = arcs.weights().data();
     if constexpr (kForward) {
-        const std::int32_t first = seat * MatchingArcs::kLanes;
-        for (std::int32_t arc = first; arc < first + MatchingArcs::kLanes; ++arc) {
-            const std::int32_t next = arcs.target(arc);
-            reach(next, weights[arc] - price[static_cast<std::size_t>(next)] + own);
-        }
+        // Few are within the bound: first all distances, without a branch.
+        const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(seat) * MatchingArcs::kLanes;
+        const std::int32_t* targets = arcs.targets().data() + first;
+        double distance[MatchingArcs::kLanes];
+        for (std::int32_t k = 0; k < MatchingArcs::kLanes; ++k)
+            distance[k] = soFar + std::max(weights[first + k] - price[static_cast<std::size_t>(targets[k])] + own, 0.0);
+        for (std::int32_t k = 0; k < MatchingArcs::kLanes; ++k) reach(targets[k], distance[k]);
     } else {
         for (const std::int32_t arc : arcs.into(seat)) {
             const std::int32_t next = arc / MatchingArcs::kLanes;
-            reach(next, weights[arc] - own + price[static_cast<std::size_t>(next)]);
+            reach(next, soFar + std::max(weights[arc] - own + price[static_cast<std::size_t>(next)], 0.0));
         }
     }
 }
 
 SearchEnd CycleSearch::run(const MatchingArcs& arcs, std::span<const double> price, std::int32_t from, std::int32_t to,
                            double violation, double direct, std::int32_t limit) {
-    ++stamp_;
+    newStamp();
     settledCount_ = 0;
     best_ = direct;
     meeting_ = -1;
@@ -140,9 +146,9 @@ void CycleSearch::finish(double forwardTop, double backwardTop, double length) {
 
 void CycleSearch::movePrices(std::span<double> price) const {
     for (const std::int32_t s : forward_.order)
-        price[static_cast<std::size_t>(s)] -= std::max(forward_.radius - forward_.distance[static_cast<std::size_t>(s)], 0.0);
+        price[static_cast<std::size_t>(s)] -= std::max(forward_.radius - forward_.node[static_cast<std::size_t>(s)].distance, 0.0);
     for (const std::int32_t s : backward_.order)
-        price[static_cast<std::size_t>(s)] += std::max(backward_.radius - backward_.distance[static_cast<std::size_t>(s)], 0.0);
+        price[static_cast<std::size_t>(s)] += std::max(backward_.radius - backward_.node[static_cast<std::size_t>(s)].distance, 0.0);
 }
 
 // Writes the cycle. Ways of length zero may lead past one seat twice: the loop between is left out.
@@ -151,10 +157,10 @@ void CycleSearch::trace(std::int32_t from, std::int32_t to) {
     cycle_.push_back(to);
     if (meeting_ >= 0) {
         cycle_.clear();
-        for (std::int32_t s = meeting_; s >= 0; s = forward_.through[static_cast<std::size_t>(s)]) cycle_.push_back(s);
+        for (std::int32_t s = meeting_; s >= 0; s = forward_.node[static_cast<std::size_t>(s)].through) cycle_.push_back(s);
         std::reverse(cycle_.begin(), cycle_.end());
-        std::int32_t s = backward_.through[static_cast<std::size_t>(meeting_)];
-        for (; s >= 0; s = backward_.through[static_cast<std::size_t>(s)]) cycle_.push_back(s);
+        std::int32_t s = backward_.node[static_cast<std::size_t>(meeting_)].through;
+        for (; s >= 0; s = backward_.node[static_cast<std::size_t>(s)].through) cycle_.push_back(s);
         std::size_t kept = 0;
         for (std::size_t k = 0; k < cycle_.size(); ++k) {
             const std::int32_t seat = cycle_[k];

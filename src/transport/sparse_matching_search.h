@@ -40,11 +40,13 @@ private:
         double distance;
         std::int32_t seat;
     };
+    struct Node {
+        double distance = 0.0;      // Valid where this search has seen it.
+        std::int32_t through = -1;  // The seat it was reached from.
+        std::uint32_t stamp = 0;    // The search that saw it; one more where it is settled.
+    };
     struct Side {
-        std::vector<double> distance;       // Valid where seen is this search.
-        std::vector<std::int32_t> through;  // The seat it was reached from.
-        std::vector<std::int32_t> seen;
-        std::vector<std::int32_t> done;
+        std::vector<Node> node;  // Per seat.
         std::vector<Entry> heap;
         std::vector<std::int32_t> order;  // Settled seats.
         std::size_t most = 0;             // Entries that fit in the heap.
@@ -52,6 +54,7 @@ private:
         double radius = 0.0;              // How far prices move.
     };
 
+    void newStamp();
     void begin(Side& side, std::int32_t seat);
     double top(Side& side);
     void label(Side& side, const Side& other, std::int32_t seat, std::int32_t through, double distance, double bound);
@@ -62,7 +65,7 @@ private:
 
     Side forward_;
     Side backward_;
-    std::int32_t stamp_ = 0;
+    std::uint32_t stamp_ = 0;   // Even.
     std::int32_t settledCount_ = 0;
     double best_ = 0.0;         // Shortest way back that is known.
     std::int32_t meeting_ = 0;  // A seat on it; -1 for the direct one.
