@@ -1,6 +1,7 @@
 #include "transport/sparse_matching_pricing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace muster {
@@ -11,6 +12,8 @@ constexpr std::int32_t kLeastTurns = 2;       // ... but no fewer...
 constexpr std::int32_t kMostTurns = 8;        // ... and no more than these,
 constexpr std::int32_t kMostBounds = 200000;  // and no more pairs than these are looked at.
 constexpr std::size_t kMostAsked = 64;        // Costs asked for one seat, from it and to it.
+constexpr double kRounded = 1.0 - 1e-12;      // Below what rounding takes off a square.
+constexpr double kMostSquare = 0.99 * PairCosts::kNoWay * PairCosts::kNoWay;  // No cost counts for more than no way at all.
 
 }  // namespace
 
@@ -32,6 +35,7 @@ void MatchingPricing::run(const MatchingContext& context, MatchingState& state, 
     const std::int32_t count = state.seats.count();
     if (count == 0) return;
     perMetre_ = context.costs.perMetre();
+    squareOver_ = context.power.exponent() == 2.0 ? kRounded * context.power(perMetre_) : 0.0;
     noteEnds(context, state);
     const std::int32_t most = std::min(kMostTurns, std::max(1, kMostBounds / count));
     const std::int32_t turns = std::clamp(count / kSeatsPerTurn, std::min(kLeastTurns, most), most);
@@ -76,9 +80,11 @@ inline void MatchingPricing::consider(const MatchingContext& context, const Matc
                                       std::int32_t to, double rest) {
     if (from == to) return;
     const std::int32_t holder = state.seats.holder(from);
-    const double line = distance(context.input.characters[static_cast<std::size_t>(holder)],
-                                 context.input.places[static_cast<std::size_t>(to)]);
-    if (!(context.power(perMetre_ * line) + rest < 0.0) || state.arcs.find(from, to) >= 0) return;
+    const double square = lengthSquared(context.input.places[static_cast<std::size_t>(to)] -
+                                        context.input.characters[static_cast<std::size_t>(holder)]);
+    // Most are too far, which mostly can be told without a root.
+    if (std::min(square * squareOver_, kMostSquare) + rest >= 0.0) return;
+    if (!(context.power(perMetre_ * std::sqrt(square)) + rest < 0.0) || state.arcs.find(from, to) >= 0) return;
     if (context.power(context.costs.atLeast(holder, to)) + rest < 0.0) candidates_.push_back({holder, to});
 }
 

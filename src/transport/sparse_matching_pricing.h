@@ -53,7 +53,8 @@ private:
     Turns all_;
     Turns hot_;  // Of seats far dearer than the mean.
     std::int32_t found_ = 0;
-    double perMetre_ = 0.0;  // Of this run.
+    double perMetre_ = 0.0;    // Of this run.
+    double squareOver_ = 0.0;  // Just below the least cost of a way of one metre, squared, where costs are; else 0.
     std::vector<double> leaving_;   // Per seat, in this run.
     std::vector<double> arriving_;
     std::vector<Pair> candidates_;
