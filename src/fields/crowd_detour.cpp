@@ -10,15 +10,14 @@ constexpr double kBends[] = {0.4, 0.8, 1.2, 1.7, 2.3, 3.0};  // From the line, t
 
 }  // namespace
 
-double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b) {
-    const double cost = excess.costAlong(ground, a, b);
+double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b, double line) {
+    const double cost = excess.costAlong(ground, a, b, line);
     if (!(cost > 0.0)) return cost;
     const double unit = ground.unit(a);
     const double straight = cost / unit;
     if (straight < kWorthBending) return cost;
-    const double share = excess.hazardCentre(a, b);
+    const double share = excess.hazardCentre(a, b, line);
     if (share < 0.0) return cost;
-    const double line = distance(a, b);
     const Vec2 middle = lerp(a, b, share);
     const Vec2 aside = perpendicular((b - a) / line);
     const double worst = excess.hazardAt(middle);

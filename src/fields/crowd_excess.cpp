@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fields/between_centres.h"
 #include "fields/discomfort.h"
 
 namespace muster {
@@ -12,7 +11,6 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kPeak = 0.02;           // Precision of the time at which a moving thing is worst.
-constexpr double kPerHazardCell = 1.0 / CrowdExcess::kHazardCell;
 constexpr double kHazardStep = 0.5;      // Between two points at which moving things are read [m].
 constexpr float kSameUnit = 0.01f;       // Grounds whose costs differ by less, relatively, are the same.
 constexpr float kLeastShare = 0.02f;     // Of cells on the same ground that their reading takes.
@@ -28,39 +26,56 @@ double crowdSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, V
     return std::max(def.minSpeed, 1.0 + share * (std::min(1.0, flow) - 1.0));
 }
 
-std::int32_t samplesAlong(Vec2 a, Vec2 b, double step) {
-    return std::min(kSamples, static_cast<std::int32_t>(distance(a, b) / step) + 1);
+std::int32_t samplesAlong(double length, double step) {
+    return std::min(kSamples, static_cast<std::int32_t>(length / step) + 1);
 }
 
 // The mean of what is read at points, each with its share of the line.
 template <class Read>
-double meanAlong(Vec2 a, Vec2 b, double step, const Read& read) {
-    const std::int32_t samples = samplesAlong(a, b, step);
+double meanAlong(Vec2 a, Vec2 b, std::int32_t samples, const Read& read) {
     const double share = 1.0 / samples;
+    const Vec2 way = b - a;
     double sum = 0.0;
-    for (std::int32_t k = 0; k < samples; ++k) sum += read(a + (b - a) * ((k + 0.5) * share), (k + 0.5) * share);
+    for (std::int32_t k = 0; k < samples; ++k) sum += read(a + way * ((k + 0.5) * share), (k + 0.5) * share);
     return sum * share;
-}
-
-// The sides towards which `to` leads.
-float CellCost::*sideX(Vec2 to) { return to.x > 0.0 ? &CellCost::east : &CellCost::west; }
-float CellCost::*sideY(Vec2 to) { return to.y > 0.0 ? &CellCost::north : &CellCost::south; }
-
-// The excess of going towards `to`, a unit vector, where a metre to these sides costs so much, relative to empty ground.
-double excessTowards(Vec2 to, float costX, float costY) {
-    const float x = static_cast<float>(to.x) * costX;
-    const float y = static_cast<float>(to.y) * costY;
-    return static_cast<double>(std::sqrt(x * x + y * y)) - 1.0;
 }
 
 bool isNone(const CellCost& c) { return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f; }
 
 }  // namespace
 
-inline CrowdExcess::Between CrowdExcess::between(const Grid& grid, double perCell, Vec2 p) {
-    const BetweenCentres at = betweenCentresAt(grid, (p.x - grid.origin.x) * perCell, (p.y - grid.origin.y) * perCell);
-    return {grid.index(at.low), static_cast<float>(at.fx), static_cast<float>(at.fy), grid.width > 1 ? 1 : 0,
-            grid.height > 1 ? grid.width : 0};
+struct CrowdExcess::Sides {
+    float CellCost::*x;
+    float CellCost::*y;
+    float toX;
+    float toY;
+
+    explicit Sides(Vec2 to)
+        : x(to.x > 0.0 ? &CellCost::east : &CellCost::west), y(to.y > 0.0 ? &CellCost::north : &CellCost::south),
+          toX(static_cast<float>(to.x)), toY(static_cast<float>(to.y)) {}
+    // The excess of going there where a metre to these sides costs so much, relative to empty ground.
+    double excess(float costX, float costY) const {
+        const float alongX = toX * costX;
+        const float alongY = toY * costY;
+        return static_cast<double>(std::sqrt(alongX * alongX + alongY * alongY)) - 1.0;
+    }
+};
+
+void CrowdExcess::Centres::fit(const Grid& grid) {
+    origin = grid.origin;
+    perCell = 1.0 / grid.cell;
+    most = {grid.width - 1.0, grid.height - 1.0};
+    last = {std::max(0, grid.width - 2), std::max(0, grid.height - 2)};
+    width = grid.width;
+    right = grid.width > 1 ? 1 : 0;
+    up = grid.height > 1 ? grid.width : 0;
+}
+
+inline CrowdExcess::Between CrowdExcess::Centres::between(Vec2 p) const {
+    const double u = std::clamp((p.x - origin.x) * perCell - 0.5, 0.0, most.x);
+    const double v = std::clamp((p.y - origin.y) * perCell - 0.5, 0.0, most.y);
+    const Cell low{std::min(static_cast<std::int32_t>(u), last.x), std::min(static_cast<std::int32_t>(v), last.y)};
+    return {low.y * width + low.x, static_cast<float>(u - low.x), static_cast<float>(v - low.y)};
 }
 
 void CrowdExcess::clear() {
@@ -87,7 +102,7 @@ void CrowdExcess::set(std::int32_t cell, const CellCost& value) {
 void CrowdExcess::fit(const Grid& ground, const Grid& cells) {
     if (!(cells == grid_)) {
         grid_ = cells;
-        perCell_ = 1.0 / grid_.cell;
+        centres_.fit(grid_);
         const auto count = static_cast<std::size_t>(grid_.count());
         excess_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
         unit_.assign(count, 0.0f);
@@ -101,6 +116,7 @@ void CrowdExcess::fit(const Grid& ground, const Grid& cells) {
         busyList_.clear();
         lookedList_.clear();
         hazardGrid_ = Grid::covering(grid_.box(), kHazardCell);
+        hazardCentres_.fit(hazardGrid_);
         hazard_.assign(static_cast<std::size_t>(hazardGrid_.count()), 0.0f);
         seen_.assign(hazard_.size(), 0);
         moved_.clear();
@@ -257,27 +273,28 @@ void CrowdExcess::sumBusy() {
     }
 }
 
-// Excess of the crowd at `p` for somebody who goes towards `to`, a unit vector.
-inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to) const {
-    const Between at = between(grid_, perCell_, p);
-    if ((busy_[at.low] | busy_[at.low + at.right + at.up]) == 0) return 0.0;
+// Excess of the crowd at `p` for somebody who goes towards these sides.
+inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides) const {
+    const Between at = centres_.between(p);
+    if ((busy_[at.low] | busy_[at.low + centres_.right + centres_.up]) == 0) return 0.0;
     const CellCost* low = excess_.data() + at.low;
-    const CellCost* high = low + at.up;
+    const CellCost* high = low + centres_.up;
     const auto read = [&](float CellCost::*side) {
-        const float below = low->*side + (low[at.right].*side - low->*side) * at.fx;
-        const float above = high->*side + (high[at.right].*side - high->*side) * at.fx;
+        const float below = low->*side + (low[centres_.right].*side - low->*side) * at.fx;
+        const float above = high->*side + (high[centres_.right].*side - high->*side) * at.fx;
         return 1.0f + below + (above - below) * at.fy;
     };
-    return excessTowards(to, read(sideX(to)), read(sideY(to)));
+    return sides.excess(read(sides.x), read(sides.y));
 }
 
 // The same on ground that costs so much, by those of the four cells around whose ground costs as much: beside a patch the
 // flow is much for one of its speeds and little for the other. There single cells are slow by who has just come in or
 // gone out; speeds themselves are interpolated, which gives these least.
-inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to, float unit) const {
-    const Between at = between(grid_, perCell_, p);
-    if ((busy_[at.low] | busy_[at.low + at.right + at.up]) == 0) return 0.0;
-    const std::int32_t cell[] = {at.low, at.low + at.right, at.low + at.up, at.low + at.right + at.up};
+inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides, float unit) const {
+    const Between at = centres_.between(p);
+    if ((busy_[at.low] | busy_[at.low + centres_.right + centres_.up]) == 0) return 0.0;
+    const std::int32_t upper = at.low + centres_.up;
+    const std::int32_t cell[] = {at.low, at.low + centres_.right, upper, upper + centres_.right};
     float share[] = {(1.0f - at.fx) * (1.0f - at.fy), at.fx * (1.0f - at.fy), (1.0f - at.fx) * at.fy, at.fx * at.fy};
     float sum = 0.0f;
     for (int k = 0; k < 4; ++k) {
@@ -285,22 +302,22 @@ inline double CrowdExcess::crowdAlong(Vec2 p, Vec2 to, float unit) const {
         if (other) share[k] = 0.0f;
         sum += share[k];
     }
-    if (!(sum > kLeastShare)) return crowdAlong(p, to);
+    if (!(sum > kLeastShare)) return crowdAlong(p, sides);
     const auto read = [&](float CellCost::*side) {
         float speed = 0.0f;
         for (int k = 0; k < 4; ++k) speed += share[k] * speedAt(excess_[cell[k]].*side);
         return perMetre_ + perSecond_ * sum / speed;
     };
-    return excessTowards(to, read(sideX(to)), read(sideY(to)));
+    return sides.excess(read(sides.x), read(sides.y));
 }
 
-double CrowdExcess::hazardAt(Vec2 p) const {
+double CrowdExcess::hazardRead(Vec2 p) const {
     if (taken_[static_cast<std::size_t>(ground_.index(ground_.nearestCell(p)))] != 0) return kBlocked;
-    const Between at = between(hazardGrid_, kPerHazardCell, p);
+    const Between at = hazardCentres_.between(p);
     const float* low = hazard_.data() + at.low;
-    const float* high = low + at.up;
-    const float below = low[0] + (low[at.right] - low[0]) * at.fx;
-    const float above = high[0] + (high[at.right] - high[0]) * at.fx;
+    const float* high = low + hazardCentres_.up;
+    const float below = low[0] + (low[hazardCentres_.right] - low[0]) * at.fx;
+    const float above = high[0] + (high[hazardCentres_.right] - high[0]) * at.fx;
     return static_cast<double>(below + (above - below) * at.fy);
 }
 
@@ -320,43 +337,44 @@ bool CrowdExcess::busyAlong(Vec2 a, Vec2 b) const {
     return sum(right, high) - sum(left, high) - sum(right, low) + sum(left, low) > 0;
 }
 
-double CrowdExcess::along(Vec2 a, Vec2 b) const {
+double CrowdExcess::along(Vec2 a, Vec2 b, double length) const {
     const bool crowd = busyAlong(a, b);
     const bool hazard = hazardMeets(a, b);
-    if (!crowd && !hazard) return 0.0;
-    const double whole = distance(a, b);
-    if (!(whole > 0.0)) return 0.0;
-    const Vec2 to = (b - a) / whole;
+    if ((!crowd && !hazard) || !(length > 0.0)) return 0.0;
     double excess = 0.0;
-    if (crowd) excess += meanAlong(a, b, grid_.cell, [&](Vec2 p, double) { return crowdAlong(p, to); });
-    if (hazard) excess += meanAlong(a, b, kHazardStep, [&](Vec2 p, double) { return hazardAt(p); });
-    return excess * whole;
+    if (crowd) {
+        const Sides sides((b - a) / length);
+        excess += meanAlong(a, b, samplesAlong(length, grid_.cell), [&](Vec2 p, double) { return crowdAlong(p, sides); });
+    }
+    if (hazard)
+        excess += meanAlong(a, b, samplesAlong(length, kHazardStep), [&](Vec2 p, double) { return hazardAt(p); });
+    return excess * length;
 }
 
-double CrowdExcess::costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const {
-    if (ground.even()) return ground.unit(a) * along(a, b);
+double CrowdExcess::costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const {
+    if (ground.even()) return ground.unit(a) * along(a, b, length);
     const bool crowd = busyAlong(a, b);
     const bool hazard = hazardMeets(a, b);
-    if (!crowd && !hazard) return 0.0;
-    const double whole = distance(a, b);
-    if (!(whole > 0.0)) return 0.0;
-    const Vec2 to = (b - a) / whole;
-    const double cost = meanAlong(a, b, hazard ? kHazardStep : grid_.cell, [&](Vec2 p, double) {
+    if ((!crowd && !hazard) || !(length > 0.0)) return 0.0;
+    const Sides sides((b - a) / length);
+    const std::int32_t samples = samplesAlong(length, hazard ? kHazardStep : grid_.cell);
+    const double cost = meanAlong(a, b, samples, [&](Vec2 p, double) {
         const float unit = ground.unit(p);
-        return unit * ((crowd ? crowdAlong(p, to, unit) : 0.0) + (hazard ? hazardAt(p) : 0.0));
+        return unit * ((crowd ? crowdAlong(p, sides, unit) : 0.0) + (hazard ? hazardAt(p) : 0.0));
     });
-    return cost * whole;
+    return cost * length;
 }
 
-double CrowdExcess::hazardCentre(Vec2 a, Vec2 b) const {
+double CrowdExcess::hazardCentre(Vec2 a, Vec2 b, double length) const {
     if (!hazardMeets(a, b)) return -1.0;
     double moment = 0.0;
-    const double sum = meanAlong(a, b, kHazardStep, [&](Vec2 p, double share) {
+    const std::int32_t samples = samplesAlong(length, kHazardStep);
+    const double sum = meanAlong(a, b, samples, [&](Vec2 p, double share) {
         const double here = std::max(0.0, hazardAt(p));
         moment += here * share;
         return here;
     });
-    return sum > 0.0 ? moment / (sum * samplesAlong(a, b, kHazardStep)) : -1.0;
+    return sum > 0.0 ? moment / (sum * samples) : -1.0;
 }
 
 }  // namespace muster

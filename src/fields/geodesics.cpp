@@ -94,16 +94,16 @@ struct Geodesics::Impl {
     bool looksFar(std::size_t place) const;
     void askFor(Vec2 from, std::int32_t place);
     double farCost(Vec2 from, std::int32_t place, double line) const;
-    Bent bent(Vec2 from, std::int32_t place, bool owner) const;
+    Bent bent(Vec2 from, std::int32_t place, bool owner, double line) const;
     double excessAtEnds(Vec2 from, Vec2 to, double line) const;
     Bent roundOutside(Bent inside, Vec2 from, std::int32_t place) const;
     Bent overSlow(Vec2 from, std::int32_t place, double line) const;
     Bent byWindows(Vec2 from, std::int32_t place, bool owner, double line) const;
-    float straightCost(Vec2 from, Vec2 to) const;
+    float straightCost(Vec2 from, Vec2 to, double line) const;
     float costFrom(Vec2 from, std::int32_t place) const;
     WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
     Vec2 roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const;
-    bool farKnown(Vec2 from, std::int32_t place, float& cost) const;
+    bool farKnown(Vec2 from, std::int32_t place, double line, float& cost) const;
     Vec2 longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const;
     Vec2 alongWall(Vec2 from, Vec2 way) const;
     Vec2 towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) const;
@@ -216,7 +216,7 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
     for (std::int32_t j = 0; j < count; ++j)
         if (s.near.asked(j) || s.middle.asked(j))
             for (const Vec2 p : from)
-                if (s.middle.reaches(p, j) && s.bent(p, j, false).by == Impl::Bent::Unknown) s.askFar(j);
+                if (s.middle.reaches(p, j) && s.bent(p, j, false, distance(p, s.places[j])).by == Impl::Bent::Unknown) s.askFar(j);
     s.findFarStencils(true);
     s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.findFarStencils(true);
@@ -255,8 +255,7 @@ Geodesics::Impl::Bent Geodesics::Impl::overSlow(Vec2 from, std::int32_t place, d
     return {way.cost + more, Bent::Line, way.aim};
 }
 
-Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner) const {
-    const double line = distance(from, places[place]);
+Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner, double line) const {
     const Bent direct = overSlow(from, place, line);
     // Into slow ground or out of it that is the way; within it another way may lead out and in again.
     if (direct.by == Bent::Line && ground->unit(from) != ground->unit(places[place])) return roundOutside(direct, from, place);
@@ -268,7 +267,9 @@ Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool 
 // Of a long way whose course is not known: what moving things add where it begins and where it ends, as if it led straight there.
 double Geodesics::Impl::excessAtEnds(Vec2 from, Vec2 to, double line) const {
     const double part = std::min(1.0, kNearEnds / line);
-    const auto standsIn = [&](Vec2 end, Vec2 onward) { return excess->hazardCentre(end, lerp(end, onward, part)) >= 0.0; };
+    const auto standsIn = [&](Vec2 end, Vec2 onward) { const Vec2 until = lerp(end, onward, part);
+        return excess->hazardCentre(end, until, distance(end, until)) >= 0.0;
+    };
     double sum = 0.0;
     if (standsIn(from, to)) sum += excessBetween(*ground, *excess, from, lerp(from, to, part));
     if (part < 1.0 && standsIn(to, from)) sum += excessBetween(*ground, *excess, lerp(to, from, part), to);
@@ -299,10 +300,8 @@ Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, 
 }
 
 // Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the same.
-bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, float& cost) const {
-    if (ground->plain()) return false;
-    const double line = distance(from, places[place]);
-    if (line < kFarAway) return false;
+bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, double line, float& cost) const {
+    if (line < kFarAway || ground->plain()) return false;
     askFar(place);
     const double there = farCost(from, place, line);
     cost = static_cast<float>(there);
@@ -329,16 +328,17 @@ bool Geodesics::unsteady(Vec2 p) const { return impl_->excess->moves(p); }
 
 float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }
 
-float Geodesics::Impl::straightCost(Vec2 from, Vec2 to) const {
-    return static_cast<float>(ground->unit(to) * distance(from, to) + excessBetween(*ground, *excess, from, to));
+float Geodesics::Impl::straightCost(Vec2 from, Vec2 to, double line) const {
+    return static_cast<float>(ground->unit(to) * line + excessBetween(*ground, *excess, from, to, line));
 }
 
 float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
     const Vec2 to = places[place];
+    const double line = distance(from, to);
     float known = 0.0f;
-    if (farKnown(from, place, known)) return known;
-    if (ground->straight(from, to)) return straightCost(from, to);
-    return static_cast<float>(bent(from, place, false).cost);
+    if (farKnown(from, place, line, known)) return known;
+    if (ground->straight(from, to, line)) return straightCost(from, to, line);
+    return static_cast<float>(bent(from, place, false, line).cost);
 }
 
 // Goes down the field; notes the last point of the way in sight, and the landmark of a window some metres on.
@@ -447,14 +447,15 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
     const Vec2 to = places[place];
     // Where many get other places at once not all look for a point in one step: the field itself leads them until then.
     if (memory.place != place) memory = {from, place, static_cast<std::int32_t>(mixed(place) % kServes), -1, false};
+    const double line = distance(from, to);
     const auto farField = [&]() -> const CostField& { return far.field(farStencil[place].nearest); };
     WayAhead way;
-    if (farKnown(from, place, way.cost)) {
+    if (farKnown(from, place, line, way.cost)) {
         way.direction = longDirection(farField(), place, from, memory);
         return way;
     }
-    if (ground->straight(from, to)) return {normalized(to - from), straightCost(from, to)};
-    const Bent found = bent(from, place, true);
+    if (ground->straight(from, to, line)) return {normalized(to - from), straightCost(from, to, line)};
+    const Bent found = bent(from, place, true, line);
     way.cost = static_cast<float>(found.cost);
     if (found.by == Bent::Line) way.direction = normalized(found.aim - from);
     if (found.by == Bent::Near) way.direction = near.direction(from, place);

@@ -278,17 +278,15 @@ double StaticGround::lineCost(Vec2 a, Vec2 b) const {
     return sum / kSamples * distance(a, b);
 }
 
-bool StaticGround::straight(Vec2 a, Vec2 b) const {
+bool StaticGround::straight(Vec2 a, Vec2 b, double whole) const {
     if (plain_) return true;
-    const double whole = distance(a, b);
     // On slow ground a way out of it and back may be faster, unless both ends lie deep in it.
     if (!even_ && unit(b) > fine_.cost.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
-    return reaches(fine_.room, a, b);
+    return reaches(fine_.room, a, b, whole);
 }
 
 // From disc to disc of the room there is.
-bool StaticGround::reaches(const std::vector<float>& rooms, Vec2 a, Vec2 b) const {
-    const double whole = distance(a, b);
+bool StaticGround::reaches(const std::vector<float>& rooms, Vec2 a, Vec2 b, double whole) const {
     const auto roomAt = [&](Vec2 p) {
         const std::int32_t cell = cellAt(p);
         return cell >= 0 ? static_cast<double>(rooms[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
@@ -297,10 +295,12 @@ bool StaticGround::reaches(const std::vector<float>& rooms, Vec2 a, Vec2 b) cons
     if (whole <= radius_) return true;
     // As far as the disc round the end.
     const double far = whole - std::max(roomAt(b), 0.0);
+    double free = roomAt(a);
+    if (free >= kInterpolated && free >= far) return true;
     const Vec2 along = (b - a) / whole;
     for (double at = 0.0; at < far;) {
         const Vec2 p = a + along * at;
-        double free = roomAt(p);
+        free = roomAt(p);
         if (free < kInterpolated) free = between(rooms, p);
         if (free < kLeastRoom) return false;
         at += std::max(free, kLeastStride);

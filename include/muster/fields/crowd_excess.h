@@ -21,15 +21,18 @@ public:
     /// Works it out for this crowd and these moving things, for characters of `radius` [m].
     void update(const UnitCostDef& def, const Environment& environment, const DensityField& density, double radius);
     /// The integral along the straight line from `a` to `b` [m]: to be multiplied by the cost of a metre of empty ground.
-    double along(Vec2 a, Vec2 b) const;
-    /// The integral times the cost of a metre of the still ground under it, which may change on the way.
-    double costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const;
+    double along(Vec2 a, Vec2 b) const { return along(a, b, distance(a, b)); }
+    /// The same where the length of the line is known.
+    double along(Vec2 a, Vec2 b, double length) const;
+    /// The integral times the cost of a metre of the still ground under it, which may change on the way. `length` is that of
+    /// the line.
+    double costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const;
     /// The share of the line from `a` to `b` at which moving things make it dearest, in the mean; negative where none does.
-    double hazardCentre(Vec2 a, Vec2 b) const;
+    double hazardCentre(Vec2 a, Vec2 b, double length) const;
     /// The excess of moving things at a point.
-    double hazardAt(Vec2 p) const;
+    double hazardAt(Vec2 p) const { return hazardMeets(p, p) ? hazardRead(p) : 0.0; }
     /// True where moving things make the ground dearer or cheaper.
-    bool moves(Vec2 p) const { return hazardMeets(p, p) && hazardAt(p) != 0.0; }
+    bool moves(Vec2 p) const { return hazardAt(p) != 0.0; }
     /// The cells.
     const Grid& grid() const { return grid_; }
     /// True where there is none anywhere.
@@ -39,14 +42,26 @@ public:
     static constexpr double kHazardCell = 0.25;  ///< Edge of the finer cells [m].
 
 private:
-    /// Where a point lies between four cells: the index of the lower left one, shares, and steps to the others.
+    /// Where a point lies between four cells: the index of the lower left one, and shares.
     struct Between {
         std::int32_t low;
         float fx;
         float fy;
-        std::int32_t right;
-        std::int32_t up;
     };
+    /// The centres of a grid's cells, prepared for readings between them.
+    struct Centres {
+        Vec2 origin;
+        double perCell = 1.0;  // [1/m]
+        Vec2 most;             // Of coordinates in cells.
+        Cell last;             // Lower left one of four.
+        std::int32_t width = 0;
+        std::int32_t right = 0;  // From one cell to the next column, and row.
+        std::int32_t up = 0;
+        void fit(const Grid& grid);
+        Between between(Vec2 p) const;
+    };
+    /// The sides towards which a unit vector leads.
+    struct Sides;
     /// A box round cells from which something can be read; empty at first.
     struct Bounds {
         Vec2 min{1e300, 1e300};
@@ -62,7 +77,6 @@ private:
                    (a.y < max.y || b.y < max.y);
         }
     };
-    static Between between(const Grid& grid, double perCell, Vec2 p);
     void clear();
     void addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment);
     void addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece);
@@ -75,12 +89,13 @@ private:
     bool busyAlong(Vec2 a, Vec2 b) const;
     // The speed, relative to the free one of the ground, at which a metre has this excess.
     float speedAt(float excess) const { return perSecond_ / (1.0f + excess - perMetre_); }
-    double crowdAlong(Vec2 p, Vec2 to) const;
-    double crowdAlong(Vec2 p, Vec2 to, float unit) const;
+    double crowdAlong(Vec2 p, const Sides& sides) const;
+    double crowdAlong(Vec2 p, const Sides& sides, float unit) const;
+    double hazardRead(Vec2 p) const;
     bool hazardMeets(Vec2 a, Vec2 b) const { return !(moved_.empty() && takenList_.empty()) && hazardBounds_.meets(a, b); }
 
     Grid grid_;
-    double perCell_ = 1.0;  // [1/m]
+    Centres centres_;             // Of its cells.
     float perMetre_ = 0.0f;               // Parts of the cost of a metre of empty ground: of the way...
     float perSecond_ = 1.0f;              // ... and of the time.
     std::vector<CellCost> excess_;        // Relative, of leaving a cell to the four sides.
@@ -97,6 +112,7 @@ private:
     Bounds crowdBounds_;
     Bounds hazardBounds_;
     Grid hazardGrid_;
+    Centres hazardCentres_;
     std::vector<float> hazard_;
     std::vector<std::int32_t> moved_;     // Cells of it that moving things make dearer or cheaper.
     std::vector<std::uint8_t> seen_;      // Of those under moving things.

@@ -52,9 +52,11 @@ public:
     }
     /// True where a character can go straight from `a` to `b` and does best to. On slow ground it may say
     /// no though that is so.
-    bool straight(Vec2 a, Vec2 b) const;
+    bool straight(Vec2 a, Vec2 b) const { return straight(a, b, distance(a, b)); }
+    /// The same where the distance is known.
+    bool straight(Vec2 a, Vec2 b, double whole) const;
     /// True where no wall is between `a` and `b`, whatever the ground costs.
-    bool clear(Vec2 a, Vec2 b) const { return plain_ || reaches(fine_.wallRoom, a, b); }
+    bool clear(Vec2 a, Vec2 b) const { return plain_ || reaches(fine_.wallRoom, a, b, distance(a, b)); }
     /// Cost of the straight line, walls or none, by a few samples of the ground.
     double lineCost(Vec2 a, Vec2 b) const;
 
@@ -71,7 +73,7 @@ private:
         const Vec2 at = inCells(p);
         return holds(at) ? static_cast<std::int32_t>(at.y) * grid_.width + static_cast<std::int32_t>(at.x) : -1;
     }
-    bool reaches(const std::vector<float>& room, Vec2 a, Vec2 b) const;
+    bool reaches(const std::vector<float>& room, Vec2 a, Vec2 b, double whole) const;
     double between(const std::vector<float>& room, Vec2 p) const;
     void makeRoom(const Environment& environment);
     void widenRoom();
