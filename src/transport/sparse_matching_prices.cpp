@@ -13,42 +13,42 @@ constexpr std::int32_t kMostParts = 256;
 constexpr std::int32_t kSweeps = 6;
 constexpr std::int32_t kLanes = MatchingArcs::kLanes;
 
-double mid(const std::vector<float>& values, std::int32_t arc) { return values[static_cast<std::size_t>(arc)]; }
-
 }  // namespace
 
 void PriceFit::run(const MatchingContext& context, MatchingState& state) {
     pairArcs(state);
     divide(context, state);
-    fitSlopes(context, state);
-    fitHeights(context, state);
+    fitSlopes();
+    fitHeights();
     listCoupled();
     solveHeights();
     for (std::int32_t s = 0; s < state.seats.count(); ++s) {
-        const Plane& plane = planes_[static_cast<std::size_t>(partOf_[static_cast<std::size_t>(s)])];
-        state.price[static_cast<std::size_t>(s)] =
-            plane.height + dot(plane.slope, state.seats.at(s, context) - plane.middle);
+        const Plane& plane = planes_[partOf(s)];
+        state.price[static_cast<std::size_t>(s)] = plane.height + dot(plane.slope, at(s) - plane.middle);
     }
     smooth(state);
 }
 
+// Of arcs both ways. Those of one way say nothing.
 void PriceFit::pairArcs(const MatchingState& state) {
-    const auto arcs = state.arcs.targets().size();
-    middle_.assign(arcs, 0.0f);
-    weight_.assign(arcs, 0.0f);
+    paired_.clear();
+    paired_.reserve(state.arcs.targets().size());
+    pairedEnd_.clear();
     // Widths near the mean cost say little about prices.
     double soft = 1e-12;
     for (const double c : state.ownPower) soft += 0.02 * c / static_cast<double>(state.ownPower.size());
-    for (std::int32_t arc = 0; arc < static_cast<std::int32_t>(arcs); ++arc) {
-        const std::int32_t from = arc / kLanes;
-        const std::int32_t to = state.arcs.target(arc);
-        const std::int32_t back = to != from ? state.arcs.find(to, from) : -1;
-        if (back < 0) continue;
-        const double there = state.arcs.weight(arc);
-        const double again = state.arcs.weight(back);
-        const double width = std::max(there + again, 0.0);
-        middle_[static_cast<std::size_t>(arc)] = static_cast<float>(0.5 * (there - again));
-        weight_[static_cast<std::size_t>(arc)] = static_cast<float>((soft / (soft + width)) * (soft / (soft + width)));
+    for (std::int32_t from = 0; from < state.seats.count(); ++from) {
+        for (std::int32_t arc = from * kLanes; arc < (from + 1) * kLanes; ++arc) {
+            const std::int32_t to = state.arcs.target(arc);
+            const std::int32_t back = to != from ? state.arcs.find(to, from) : -1;
+            if (back < 0) continue;
+            const double there = state.arcs.weight(arc);
+            const double again = state.arcs.weight(back);
+            const double width = std::max(there + again, 0.0);
+            const auto weight = static_cast<float>((soft / (soft + width)) * (soft / (soft + width)));
+            if (weight > 0.0f) paired_.push_back({from, to, static_cast<float>(0.5 * (there - again)), weight});
+        }
+        pairedEnd_.push_back(paired_.size());
     }
 }
 
@@ -75,19 +75,17 @@ void PriceFit::divide(const MatchingContext& context, const MatchingState& state
     }
 }
 
-void PriceFit::fitSlopes(const MatchingContext& context, const MatchingState& state) {
+void PriceFit::fitSlopes() {
     normals_.assign(planes_.size(), {});
-    for (std::int32_t arc = 0; arc < static_cast<std::int32_t>(weight_.size()); ++arc) {
-        const double weight = mid(weight_, arc);
-        if (weight == 0.0) continue;
-        const std::int32_t to = state.arcs.target(arc);
-        const Vec2 way = state.seats.at(to, context) - state.seats.at(arc / kLanes, context);
-        for (const std::int32_t s : {arc / kLanes, to}) {
-            Normal& normal = normals_[static_cast<std::size_t>(partOf_[static_cast<std::size_t>(s)])];
+    for (const Paired& pair : paired_) {
+        const double weight = pair.weight;
+        const Vec2 way = at(pair.to) - at(pair.from);
+        for (const std::int32_t s : {pair.from, pair.to}) {
+            Normal& normal = normals_[partOf(s)];
             normal.xx += weight * way.x * way.x;
             normal.xy += weight * way.x * way.y;
             normal.yy += weight * way.y * way.y;
-            normal.right += way * (weight * mid(middle_, arc));
+            normal.right += way * (weight * pair.middle);
         }
     }
     for (std::size_t k = 0; k < planes_.size(); ++k) {
@@ -102,20 +100,18 @@ void PriceFit::fitSlopes(const MatchingContext& context, const MatchingState& st
     }
 }
 
-void PriceFit::fitHeights(const MatchingContext& context, const MatchingState& state) {
+void PriceFit::fitHeights() {
     const std::size_t parts = planes_.size();
     coupling_.assign(parts * parts, 0.0);
     wanted_.assign(parts, 0.0);
-    for (std::int32_t arc = 0; arc < static_cast<std::int32_t>(weight_.size()); ++arc) {
-        const double weight = mid(weight_, arc);
-        const std::int32_t from = arc / kLanes;
-        const std::int32_t to = state.arcs.target(arc);
-        const auto a = static_cast<std::size_t>(partOf_[static_cast<std::size_t>(from)]);
-        const auto b = static_cast<std::size_t>(partOf_[static_cast<std::size_t>(to)]);
-        if (weight == 0.0 || a == b) continue;
-        const double inA = dot(planes_[a].slope, state.seats.at(from, context) - planes_[a].middle);
-        const double inB = dot(planes_[b].slope, state.seats.at(to, context) - planes_[b].middle);
-        const double rise = mid(middle_, arc) + inA - inB;  // Height of b less height of a.
+    for (const Paired& pair : paired_) {
+        const double weight = pair.weight;
+        const std::size_t a = partOf(pair.from);
+        const std::size_t b = partOf(pair.to);
+        if (a == b) continue;
+        const double inA = dot(planes_[a].slope, at(pair.from) - planes_[a].middle);
+        const double inB = dot(planes_[b].slope, at(pair.to) - planes_[b].middle);
+        const double rise = pair.middle + inA - inB;  // Height of b less height of a.
         coupling_[a * parts + b] += weight;
         coupling_[b * parts + a] += weight;
         wanted_[a] -= weight * rise;
@@ -154,17 +150,19 @@ void PriceFit::solveHeights() {
 }
 
 void PriceFit::smooth(MatchingState& state) const {
-    for (std::int32_t sweep = 0; sweep < kSweeps; ++sweep)
-        for (std::int32_t s = 0; s < state.seats.count(); ++s) {
+    for (std::int32_t sweep = 0; sweep < kSweeps; ++sweep) {
+        std::size_t k = 0;
+        for (std::size_t s = 0; s < pairedEnd_.size(); ++s) {
             double sum = 0.0;
             double weight = 0.0;
-            for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc) {
-                const double w = mid(weight_, arc);
-                sum += w * (state.price[static_cast<std::size_t>(state.arcs.target(arc))] - mid(middle_, arc));
+            for (; k < pairedEnd_[s]; ++k) {
+                const double w = paired_[k].weight;
+                sum += w * (state.price[static_cast<std::size_t>(paired_[k].to)] - paired_[k].middle);
                 weight += w;
             }
-            if (weight > 0.0) state.price[static_cast<std::size_t>(s)] = sum / weight;
+            if (weight > 0.0) state.price[s] = sum / weight;
         }
+    }
 }
 
 }  // namespace muster

@@ -29,6 +29,14 @@ private:
         Vec2 right;
     };
 
+    // An arc to a seat from which one leads back.
+    struct Paired {
+        std::int32_t from;
+        std::int32_t to;
+        float middle;  // Wanted price of `to` less that of `from`.
+        float weight;  // > 0
+    };
+
     // A part that shares arcs with another.
     struct Coupled {
         std::size_t part;
@@ -37,14 +45,19 @@ private:
 
     void pairArcs(const MatchingState& state);
     void divide(const MatchingContext& context, const MatchingState& state);
-    void fitSlopes(const MatchingContext& context, const MatchingState& state);
-    void fitHeights(const MatchingContext& context, const MatchingState& state);
+    void fitSlopes();
+    void fitHeights();
     void listCoupled();
     void solveHeights();
     void smooth(MatchingState& state) const;
 
-    std::vector<float> middle_;  // Per arc: wanted price of the target less that of the seat.
-    std::vector<float> weight_;  // Per arc: 0 where there is no arc back.
+    Vec2 at(std::int32_t seat) const { return at_[static_cast<std::size_t>(seat)]; }
+    std::size_t partOf(std::int32_t seat) const {
+        return static_cast<std::size_t>(partOf_[static_cast<std::size_t>(seat)]);
+    }
+
+    std::vector<Paired> paired_;           // Of all seats in turn...
+    std::vector<std::size_t> pairedEnd_;   // ... up to here.
     std::vector<std::int32_t> partOf_;
     std::vector<Plane> planes_;
     std::vector<double> coupling_;  // Parts x parts.

@@ -30,13 +30,16 @@ void MatchingRepair::reset(std::int32_t seats, std::int32_t searchLimit) {
 }
 
 std::int32_t MatchingRepair::worstArc(const MatchingState& state, std::int32_t seat) const {
+    const std::int32_t first = seat * kLanes;
+    const std::int32_t* target = state.arcs.targets().data() + first;
+    const float* weight = state.arcs.weights().data() + first;
     double least = std::numeric_limits<double>::infinity();
     std::int32_t worst = -1;
-    for (std::int32_t arc = seat * kLanes; arc < (seat + 1) * kLanes; ++arc) {
-        const double reduced = state.reduced(arc);
+    for (std::int32_t k = 0; k < kLanes; ++k) {
+        const double reduced = state.reduced(seat, target[k], weight[k]);
         if (!(reduced < least)) continue;
         least = reduced;
-        worst = arc;
+        worst = first + k;
     }
     return worst;
 }
