@@ -127,8 +127,10 @@ bool GoalCarrier::offer(std::size_t k, Vec2 spot) {
 // From the spot where it could best be outwards, as long as that is a gain.
 bool GoalCarrier::seat(std::size_t k, Vec2 target, std::int32_t& left) {
     left -= kSeekCost;
-    const Vec2 best = ground_.reachable(target);
     double gain = 1e300;
+    // Near its target it leaves a seat for nothing but the target itself.
+    if (s_.fit[k] != 0 && distance(s_.goal[k], target) <= kWorthwhile * apart_) return offer(k, target);
+    const Vec2 best = ground_.reachable(target);
     if (s_.fit[k] != 0) gain = distance(s_.goal[k], target) - distance(best, target) - kWorthwhile * apart_;
     if ((gain > 0.0 || best == target) && offer(k, best)) return true;
     for (std::int32_t ring = 1; ring <= kRings; ++ring) {
