@@ -107,9 +107,10 @@ void GoalCarrier::giveWay() {
         m_.lowered.swap(m_.losers);
         m_.losers.clear();
         for (const std::int32_t loser : m_.lowered) lower(static_cast<std::size_t>(loser));
-        for (const std::int32_t loser : m_.lowered)
-            for (const std::int32_t other : m_.seats.near(static_cast<std::size_t>(loser)))
-                meet(static_cast<std::size_t>(loser), static_cast<std::size_t>(other));
+        for (const std::int32_t loser : m_.lowered) {
+            const auto k = static_cast<std::size_t>(loser);
+            m_.seats.forNear(k, [&](std::size_t other) { meet(k, other); });
+        }
     }
 }
 
