@@ -159,6 +159,8 @@ struct Environment::Impl {
     /// A lower bound of the distance from `p` to the nearest surface, from the raster; no bound
     /// (minus infinity) off the grid.
     double roughDistance(Vec2 p) const;
+    /// True where the raster shows at once that every surface is at least `limit` [m] away.
+    bool farFromAll(Vec2 p, double limit) const;
     bool jumpOut(Vec2 p, double radius, Vec2& best) const;
     std::optional<Cell> nearestFreeCell(Vec2 p, double radius) const;
 

@@ -10,8 +10,8 @@
 namespace muster {
 namespace {
 
-// What float rounding may take off a clearance [m].
-constexpr double kFloatSlack = 1e-6;
+constexpr double kFloatSlack = 1e-6;  // What float rounding may take off a clearance [m].
+constexpr double kApart = 1e-6;       // So much farther than asked is certain whatever the rounding [m].
 
 bool insideConvex(const Polygon& corners, Vec2 p) {
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
@@ -31,6 +31,23 @@ bool edgeParts(const Polygon& a, const Polygon& b) {
 
 bool convexMeet(const Polygon& a, const Polygon& b) { return !edgeParts(a, b) && !edgeParts(b, a); }
 
+// True where a box keeps clear of the box of a segment by more than `far`.
+bool boxApart(const Box& box, Vec2 a, Vec2 b, double far) {
+    return std::max(a.x, b.x) < box.min.x - far || std::min(a.x, b.x) > box.max.x + far ||
+           std::max(a.y, b.y) < box.min.y - far || std::min(a.y, b.y) > box.max.y + far;
+}
+
+// True where one side's line keeps a convex polygon clear of a segment by more than `far`.
+bool sideApart(const Polygon& corners, Vec2 a, Vec2 b, double far) {
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+        const Vec2 side = corners[i] - corners[j];
+        // Both are distances times the length of the side, negative on its outer side.
+        const double nearer = std::max(cross(side, a - corners[j]), cross(side, b - corners[j]));
+        if (nearer < 0.0 && nearer * nearer > far * far * lengthSquared(side)) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Box Environment::Impl::roomFor(double radius) const {
@@ -40,11 +57,17 @@ Box Environment::Impl::roomFor(double radius) const {
     return room;
 }
 
+// Distances change by no more than the way moved.
 double Environment::Impl::roughDistance(Vec2 p) const {
     const Cell c = grid.cellOf(p);
     if (!grid.contains(c)) return -std::numeric_limits<double>::infinity();
-    // Distances change by no more than the way moved.
     return clearance.live()[grid.index(c)] - distance(p, grid.centre(c)) - kFloatSlack;
+}
+
+bool Environment::Impl::farFromAll(Vec2 p, double limit) const {
+    const Cell c = grid.cellOf(p);
+    // A centre is nearer to any point of its cell than three quarters of an edge.
+    return grid.contains(c) && clearance.live()[grid.index(c)] - 0.75 * grid.cell - kFloatSlack >= limit;
 }
 
 double Environment::Impl::distanceTo(Vec2 p, double limit) const {
@@ -62,9 +85,10 @@ bool Environment::Impl::blockedLine(Vec2 a, Vec2 b, double radius) const {
     const double least = std::max(radius - kTouch, 1e-3 * kTouch);
     const auto meets = [&](std::int32_t number) {
         const ObstaclePiece& piece = pieces[number];
+        if (boxApart(index.bounds[number], a, b, least + kApart)) return false;
         const double far = least + piece.radius;
         if (lengthSquared(closestOnSegment(a, b, piece.centre) - piece.centre) > far * far) return false;
-        return piece.segmentDistance(a, b) < least;
+        return !sideApart(piece.corners, a, b, least + kApart) && piece.segmentDistance(a, b) < least;
     };
     if (radius > 0.5 * kReach || !inBox(a) || !inBox(b)) {
         for (std::size_t number = 0; number < pieces.size(); ++number) {
@@ -128,7 +152,7 @@ bool Environment::onePatch(PatchId a, PatchId b) const {
 
 double Environment::distanceToObstacle(Vec2 p, double limit) const {
     impl_->ensure();
-    return impl_->distanceTo(p, limit);
+    return impl_->farFromAll(p, limit) ? limit : impl_->distanceTo(p, limit);
 }
 
 void Environment::forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const {

@@ -20,18 +20,29 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 constexpr Vec2 times(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 constexpr Vec2 conjugate(Vec2 a) { return {a.x, -a.y}; }
 
-// The rotation that turns the rest triangle best onto the given corners (least squares).
-Vec2 bestRotation(const std::array<Vec2, 3>& rest, const std::array<Vec2, 3>& now) {
-    const Vec2 restMean = (rest[0] + rest[1] + rest[2]) / 3.0;
-    const Vec2 mean = (now[0] + now[1] + now[2]) / 3.0;
-    Vec2 sum;
-    for (std::size_t k = 0; k < 3; ++k) sum += times(conjugate(rest[k] - restMean), now[k] - mean);
-    const double l = length(sum);
-    return l > 1e-300 ? sum / l : Vec2{1.0, 0.0};
-}
-
 std::array<Vec2, 3> corners(const Triangle& t, std::span<const Vec2> vertices) {
     return {vertices[at(t[0])], vertices[at(t[1])], vertices[at(t[2])]};
+}
+
+// What every solution asks of a triangle at rest.
+struct RestTriangle {
+    std::array<Vec2, 3> spoke;  // From the centre to each corner, conjugate.
+    std::array<Vec2, 3> edge;   // From each corner to the next.
+};
+
+RestTriangle restTriangle(const std::array<Vec2, 3>& c) {
+    const Vec2 mean = (c[0] + c[1] + c[2]) / 3.0;
+    return {{conjugate(c[0] - mean), conjugate(c[1] - mean), conjugate(c[2] - mean)},
+            {c[1] - c[0], c[2] - c[1], c[0] - c[2]}};
+}
+
+// The rotation that turns the rest triangle best onto the given corners (least squares).
+Vec2 bestRotation(const RestTriangle& rest, const std::array<Vec2, 3>& now) {
+    const Vec2 mean = (now[0] + now[1] + now[2]) / 3.0;
+    Vec2 sum;
+    for (std::size_t k = 0; k < 3; ++k) sum += times(rest.spoke[k], now[k] - mean);
+    const double l = length(sum);
+    return l > 1e-300 ? sum / l : Vec2{1.0, 0.0};
 }
 
 bool sameSoft(const SoftConstraint& a, const SoftConstraint& b) {
@@ -53,6 +64,7 @@ struct ArapSolver::Impl {
     };
 
     TriangleMesh rest;
+    std::vector<RestTriangle> restTriangles;
     MeshComponents components;
     std::vector<std::int32_t> hard;
     std::vector<SoftConstraint> soft;
@@ -69,9 +81,8 @@ struct ArapSolver::Impl {
 
     std::vector<Vec2> restPoints;  // Of hard, then soft constraints.
     std::vector<Vec2> targets;
-    std::vector<Vec2> rotation;    // Of each triangle.
-    std::vector<double> right;
-    std::vector<double> rightY;
+    std::vector<double> right;       // Of the first step: x and y of each free vertex in turn.
+    std::vector<Vec2> rightPoints;   // Of the second.
 
     Status check(std::span<const std::int32_t> newHard, std::span<const SoftConstraint> newSoft);
     void indexVertices();
@@ -81,7 +92,7 @@ struct ArapSolver::Impl {
     void addEdge(std::int32_t a, std::int32_t b, double factor);
     void addSoft(bool forSimilarity);
     void firstStep(std::vector<Vec2>& vertices);
-    void fitTriangles(const std::vector<Vec2>& vertices);
+    void addTriangles(const std::vector<Vec2>& vertices);
     void secondStep(std::vector<Vec2>& vertices);
     Pose placement() const;
 };
@@ -234,29 +245,31 @@ void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
     }
 }
 
-void ArapSolver::Impl::fitTriangles(const std::vector<Vec2>& vertices) {
-    for (std::size_t k = 0; k < rest.triangles.size(); ++k)
-        rotation[k] = bestRotation(corners(rest.triangles[k], rest.vertices), corners(rest.triangles[k], vertices));
+// What the edges of each triangle ask for where the triangle is turned as it fits the first step's shape best.
+void ArapSolver::Impl::addTriangles(const std::vector<Vec2>& vertices) {
+    for (std::size_t n = 0; n < rest.triangles.size(); ++n) {
+        const Triangle& t = rest.triangles[n];
+        const RestTriangle& triangle = restTriangles[n];
+        const Vec2 rotation = bestRotation(triangle, corners(t, vertices));
+        std::array<Vec2, 3> edge;
+        for (std::size_t k = 0; k < 3; ++k) edge[k] = times(rotation, triangle.edge[k]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t row = freeIndex[at(t[k])];
+            if (row < 0) continue;
+            Vec2& sum = rightPoints[at(row)];
+            // In the order of edges: the first corner has the edge from it before the one to it.
+            if (k == 0) sum = (sum - edge[0]) + edge[2];
+            else sum = (sum + edge[k - 1]) - edge[k];
+        }
+    }
 }
 
 void ArapSolver::Impl::secondStep(std::vector<Vec2>& vertices) {
-    std::fill(right.begin(), right.begin() + freeCount, 0.0);
-    std::fill(rightY.begin(), rightY.end(), 0.0);
+    std::fill(rightPoints.begin(), rightPoints.end(), Vec2{});
     const auto add = [&](std::int32_t row, Vec2 value) {
-        if (row < 0) return;
-        right[at(row)] += value.x;
-        rightY[at(row)] += value.y;
+        if (row >= 0) rightPoints[at(row)] += value;
     };
-    for (std::size_t n = 0; n < rest.triangles.size(); ++n) {
-        const Triangle& t = rest.triangles[n];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t a = t[k];
-            const std::int32_t b = t[(k + 1) % 3];
-            const Vec2 edge = times(rotation[n], rest.vertices[at(b)] - rest.vertices[at(a)]);
-            add(freeIndex[at(b)], edge);
-            add(freeIndex[at(a)], -edge);
-        }
-    }
+    addTriangles(vertices);
     for (const Coupling& c : edgesKnown) add(c.row, targets[at(c.column)] * -c.factor.x);
     for (std::size_t k = 0; k < soft.size(); ++k) {
         const Triangle& t = rest.triangles[at(soft[k].point.triangle)];
@@ -267,11 +280,10 @@ void ArapSolver::Impl::secondStep(std::vector<Vec2>& vertices) {
         const Pose pose = placement();
         for (const Pull& pull : pulls) add(freeIndex[at(pull.vertex)], pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
     }
-    edges.solve(right);
-    edges.solve(rightY);
+    edges.solve(rightPoints);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const std::int32_t row = freeIndex[v];
-        vertices[v] = row < 0 ? targets[at(-1 - row)] : Vec2{right[at(row)], rightY[at(row)]};
+        vertices[v] = row < 0 ? targets[at(-1 - row)] : rightPoints[at(row)];
     }
 }
 
@@ -305,7 +317,8 @@ Status ArapSolver::setMesh(const TriangleMesh& rest) {
     impl_->ready = false;
     impl_->hard.clear();
     impl_->soft.clear();
-    impl_->rotation.assign(rest.triangles.size(), {1.0, 0.0});
+    impl_->restTriangles.clear();
+    for (const Triangle& t : rest.triangles) impl_->restTriangles.push_back(restTriangle(corners(t, rest.vertices)));
     return {};
 }
 
@@ -324,7 +337,7 @@ Status ArapSolver::setConstraints(std::span<const std::int32_t> hard, std::span<
     s.findPulls();
     if (!s.factorise()) return invalidArgument("the constrained mesh cannot be factorised: its triangles are too thin");
     s.right.assign(at(2 * s.freeCount), 0.0);
-    s.rightY.assign(at(s.freeCount), 0.0);
+    s.rightPoints.assign(at(s.freeCount), {});
     s.targets.resize(hard.size() + soft.size());
     s.ready = true;
     return {};
@@ -347,7 +360,6 @@ Status ArapSolver::solve(std::span<const Vec2> hardTargets, std::span<const Vec2
         if (!isFinite(s.targets[n])) return invalidArgument("target " + std::to_string(n) + " is not finite");
     vertices.resize(s.rest.vertices.size());
     s.firstStep(vertices);
-    s.fitTriangles(vertices);
     s.secondStep(vertices);
     for (Vec2& v : vertices) v += origin;
     for (std::size_t n = 0; n < hardTargets.size(); ++n) vertices[at(s.hard[n])] = hardTargets[n];

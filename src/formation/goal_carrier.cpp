@@ -20,12 +20,13 @@ constexpr double kTouch = 1.0 - 1e-9;      // Of what is asked for: seats that t
 
 }  // namespace
 
-// Out of what is in the way, unless that leads too far.
+// For a spot where nobody can stand: out of what is in the way, unless that leads too far.
 bool GoalCarrier::settle(Vec2& spot, Vec2 from) const {
     const double most = SeatList::slack(apart_);
-    spot = from + clampLength(spot - from, most);
-    if (!ground_.standable(spot)) spot = ground_.pushed(spot);
-    return lengthSquared(spot - from) <= most * most * (1.0 + 1e-9) && ground_.standable(spot);
+    const Vec2 near = from + clampLength(spot - from, most);
+    const bool free = near != spot && ground_.standable(near);
+    spot = free ? near : ground_.pushed(near);
+    return lengthSquared(spot - from) <= most * most * (1.0 + 1e-9) && (free || ground_.standable(spot));
 }
 
 void GoalCarrier::carry(std::size_t k, Vec2 target) {
@@ -35,65 +36,81 @@ void GoalCarrier::carry(std::size_t k, Vec2 target) {
     m_.next[k] = m_.carried[k] = seat;
     if (s_.fit[k] == 0) return;
     const double most = SeatList::slack(apart_);
-    m_.exact[k] = seat == s_.target[k] ? 1 : 0;
+    const bool exact = seat == s_.target[k];
+    m_.exact[k] = exact ? 1 : 0;
     if (!(lengthSquared(way) <= most * most)) {
         m_.level[k] = Leapt;
         return;
     }
-    Vec2& carried = m_.carried[k];
-    carried = m_.exact[k] != 0 ? target : seat + way;
-    const bool free = ground_.standable(carried);
-    if (free || settle(carried, seat)) m_.level[k] = Carried;
-    else carried = seat;
-    if (m_.exact[k] != 0 && free) return;
-    Vec2& next = m_.next[k];
-    next = carried + clampLength(target - carried, pull_);
+    const Vec2 there = exact ? target : seat + way;
+    const bool free = ground_.standable(there);
+    if (!exact || !free) {
+        approach(k, target, there, free);
+        return;
+    }
+    m_.next[k] = m_.carried[k] = there;
+    m_.level[k] = Carried;
+}
+
+// For those who are not where they would be: with their targets, if they can, and nearer to them.
+void GoalCarrier::approach(std::size_t k, Vec2 target, Vec2 carried, bool free) {
+    const Vec2 seat = s_.goal[k];
+    if (free || settle(carried, seat)) {
+        m_.level[k] = Carried;
+        m_.next[k] = m_.carried[k] = carried;
+    } else {
+        carried = seat;
+    }
+    Vec2 next = carried + clampLength(target - carried, pull_);
     if (distance(carried, target) <= pull_) next = target;
-    if (distance(next, seat) > most || next == carried || !(ground_.standable(next) || settle(next, seat))) return;
+    const bool near = distance(next, seat) <= SeatList::slack(apart_) && next != carried;
+    if (!near || !(ground_.standable(next) || settle(next, seat))) return;
     m_.level[k] = Drawn;
+    m_.next[k] = next;
 }
 
-Vec2 GoalCarrier::spotOf(std::size_t k) const {
-    return m_.level[k] == Drawn ? m_.next[k] : m_.level[k] == Carried ? m_.carried[k] : s_.goal[k];
-}
-
-void GoalCarrier::lower(std::size_t k) {
-    if (m_.losing[k] != 0) return;
-    m_.losing[k] = 1;
-    m_.losers.push_back(static_cast<std::int32_t>(k));
+bool GoalCarrier::tooNear(std::size_t a, std::size_t b) const {
+    const double least = apart_ * kTouch;
+    return lengthSquared(m_.next[a] - m_.next[b]) < least * least && s_.fit[a] != 0 && s_.fit[b] != 0;
 }
 
 // Of two that would come too near the one that moves more freely gives way; those on their targets last.
-void GoalCarrier::meet(std::size_t a, std::size_t b) {
-    if (s_.fit[a] == 0 || s_.fit[b] == 0) return;
-    const double least = apart_ * kTouch;
-    if (lengthSquared(spotOf(a) - spotOf(b)) >= least * least) return;
+void GoalCarrier::part(std::size_t a, std::size_t b) {
     const auto rank = [&](std::size_t k) {
         return 2 * m_.level[k] + (m_.level[k] != Stays && m_.exact[k] == 0 ? 1 : 0);
     };
     const int ra = rank(a), rb = rank(b);
-    lower(ra != rb ? (ra > rb ? a : b) : std::max(a, b));
+    const std::size_t loser = ra != rb ? (ra > rb ? a : b) : std::max(a, b);
+    if (m_.losing[loser] != 0) return;
+    m_.losing[loser] = 1;
+    m_.losers.push_back(static_cast<std::int32_t>(loser));
+}
+
+void GoalCarrier::lower(std::size_t k) {
+    m_.losing[k] = 0;
+    if (m_.level[k] == Stays) s_.fit[k] = 0;
+    else m_.level[k] = m_.level[k] == Drawn ? Carried : Stays;
+    m_.next[k] = m_.level[k] == Carried ? m_.carried[k] : s_.goal[k];
+    // An obstacle may have come to where it stood.
+    if (m_.level[k] == Stays && !ground_.standable(s_.goal[k])) s_.fit[k] = 0;
 }
 
 // In rounds, each decided by what stood before it: the order in which pairs are looked at means nothing.
 void GoalCarrier::giveWay() {
     m_.losers.clear();
     m_.losing.assign(s_.goal.size(), 0);
-    m_.seats.forPairs([&](std::size_t a, std::size_t b) { meet(a, b); });
+    const auto meet = [&](std::size_t a, std::size_t b) {
+        if (tooNear(a, b)) part(a, b);
+    };
+    m_.seats.forPairs(meet);
     while (!m_.losers.empty()) {
         m_.lowered.swap(m_.losers);
         m_.losers.clear();
+        for (const std::int32_t loser : m_.lowered) lower(static_cast<std::size_t>(loser));
         for (const std::int32_t loser : m_.lowered) {
             const auto k = static_cast<std::size_t>(loser);
-            m_.losing[k] = 0;
-            if (m_.level[k] == Stays) s_.fit[k] = 0;
-            else m_.level[k] = m_.level[k] == Drawn ? Carried : Stays;
-            // An obstacle may have come to where it stood.
-            if (m_.level[k] == Stays && !ground_.standable(s_.goal[k])) s_.fit[k] = 0;
+            m_.seats.forNear(k, [&](std::size_t other) { meet(k, other); });
         }
-        for (const std::int32_t loser : m_.lowered)
-            for (const std::int32_t other : m_.seats.near(static_cast<std::size_t>(loser)))
-                meet(static_cast<std::size_t>(loser), static_cast<std::size_t>(other));
     }
 }
 
@@ -111,8 +128,10 @@ bool GoalCarrier::offer(std::size_t k, Vec2 spot) {
 // From the spot where it could best be outwards, as long as that is a gain.
 bool GoalCarrier::seat(std::size_t k, Vec2 target, std::int32_t& left) {
     left -= kSeekCost;
-    const Vec2 best = ground_.reachable(target);
     double gain = 1e300;
+    // Near its target it leaves a seat for nothing but the target itself.
+    if (s_.fit[k] != 0 && distance(s_.goal[k], target) <= kWorthwhile * apart_) return offer(k, target);
+    const Vec2 best = ground_.reachable(target);
     if (s_.fit[k] != 0) gain = distance(s_.goal[k], target) - distance(best, target) - kWorthwhile * apart_;
     if ((gain > 0.0 || best == target) && offer(k, best)) return true;
     for (std::int32_t ring = 1; ring <= kRings; ++ring) {
@@ -133,16 +152,27 @@ void GoalCarrier::seatInTurns(std::span<const Vec2> targets) {
     m_.taken.clear();
     const std::size_t n = targets.size();
     std::int32_t left = kLeastSpots + static_cast<std::int32_t>(n / kPlacesPerSpot);
-    const std::size_t first = s_.turn % n;
+    listSeekers(targets, s_.turn % n);
     for (const bool seated : {false, true}) {
         const std::int32_t spare = seated ? 0 : left / kSpared;
-        for (std::size_t k = 0; k < n && left > spare; ++k) {
-            const std::size_t place = (first + k) % n;
+        for (std::size_t at = 0; at < m_.seekers.size() && left > spare; ++at) {
+            const auto place = static_cast<std::size_t>(m_.seekers[at]);
             if ((s_.fit[place] != 0) != seated || (seated && s_.goal[place] == targets[place])) continue;
             seat(place, targets[place], left);
             s_.turn = static_cast<std::uint32_t>((place + 1) % n);
         }
     }
+}
+
+// Those without the best seat, the one whose turn it is first.
+void GoalCarrier::listSeekers(std::span<const Vec2> targets, std::size_t first) {
+    m_.seekers.clear();
+    const auto list = [&](std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k < to; ++k)
+            if (s_.fit[k] == 0 || s_.goal[k] != targets[k]) m_.seekers.push_back(static_cast<std::int32_t>(k));
+    };
+    list(first, targets.size());
+    list(0, first);
 }
 
 bool GoalCarrier::run(std::span<const Vec2> targets, ThreadPool* pool) {
@@ -154,16 +184,14 @@ bool GoalCarrier::run(std::span<const Vec2> targets, ThreadPool* pool) {
     const auto leapt = static_cast<std::size_t>(std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Leapt}));
     if (leapt * kLeapShare > n) return false;
     for (std::size_t k = 0; k < n; ++k) {
-        const bool stays = m_.level[k] == Stays && (s_.fit[k] == 0 || ground_.standable(s_.goal[k]));
-        if (stays || m_.level[k] == Carried || m_.level[k] == Drawn) continue;
+        if (m_.level[k] == Carried || m_.level[k] == Drawn) continue;
+        if (m_.level[k] == Stays && (s_.fit[k] == 0 || ground_.standable(s_.goal[k]))) continue;
         m_.level[k] = Stays;
         s_.fit[k] = 0;
     }
-    for (std::size_t k = 0; k < n; ++k)
-        if (m_.level[k] != Drawn) m_.next[k] = m_.carried[k];
     m_.seats.update(s_.goal, m_.next, s_.fit, apart_);
     giveWay();
-    for (std::size_t k = 0; k < n; ++k) s_.goal[k] = spotOf(k);
+    s_.goal.swap(m_.next);
     s_.target.assign(targets.begin(), targets.end());
     seatInTurns(targets);
     return true;

@@ -15,12 +15,13 @@ namespace muster {
 struct CarryMemory {
     SeatList seats;
     std::vector<Vec2> carried;         ///< Where each would be if it went with its target [m].
-    std::vector<Vec2> next;            ///< Where it would be if it also came nearer to its target [m].
+    std::vector<Vec2> next;            ///< Where it goes: nearer to its target if it can, until it gives way [m].
     std::vector<std::uint8_t> level;   ///< Which of these it does.
     std::vector<std::uint8_t> exact;   ///< 1 for those on their targets.
     std::vector<std::uint8_t> losing;  ///< 1 for those that are to give way.
     std::vector<std::int32_t> losers;
     std::vector<std::int32_t> lowered;
+    std::vector<std::int32_t> seekers; ///< Places without the best seat, in the order of their turns.
     std::vector<std::int32_t> taken;   ///< Places seated anew in this step.
 };
 
@@ -48,12 +49,14 @@ private:
     enum Level : std::uint8_t { Stays, Carried, Drawn, Leapt };
 
     void carry(std::size_t place, Vec2 target);
+    void approach(std::size_t place, Vec2 target, Vec2 carried, bool free);
     bool settle(Vec2& spot, Vec2 from) const;
-    Vec2 spotOf(std::size_t place) const;
     void giveWay();
-    void meet(std::size_t a, std::size_t b);
+    bool tooNear(std::size_t a, std::size_t b) const;
+    void part(std::size_t a, std::size_t b);
     void lower(std::size_t place);
     void seatInTurns(std::span<const Vec2> targets);
+    void listSeekers(std::span<const Vec2> targets, std::size_t first);
     bool seat(std::size_t place, Vec2 target, std::int32_t& left);
     bool offer(std::size_t place, Vec2 spot);
 

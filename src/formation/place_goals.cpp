@@ -11,19 +11,12 @@ namespace {
 
 constexpr std::int32_t kMostSpots = 60000;  // Looked at for goals without room when all are sought anew.
 constexpr std::int32_t kRings = 8;          // Round a goal, one diameter wide each.
+constexpr double kBeyond = 1e-3;            // Distances are asked for so much farther than they matter [m].
 
 }  // namespace
 
-bool PlaceGround::roomy(Vec2 p, double distance) const {
-    if (!inner_.contains(p)) return false;
-    const Grid& grid = environment_.grid();
-    const Cell cell = grid.cellOf(p);
-    if (grid.contains(cell)) {
-        const double known = environment_.clearance()[static_cast<std::size_t>(grid.index(cell))];
-        // Values are floats: a little is left for their rounding.
-        if (known - cellReach_ - 1e-5 >= distance) return true;
-    }
-    return environment_.distanceToObstacle(p, distance + 1.0) >= distance;
+bool PlaceGround::roomyExactly(Vec2 p, double distance) const {
+    return environment_.distanceToObstacle(p, distance + kBeyond) >= distance;
 }
 
 bool PlaceGround::inRegion(Vec2 p) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "formation/goal_carrier.h"
 #include "formation/place_goals.h"
@@ -74,8 +75,8 @@ void PlaceTracker::findGoals(const PlaceDef& def, const Environment& environment
 class PlaceTracker::Mover {
 public:
     Mover(PlaceTracker& tracker, const PlaceDef& def, const Environment& environment, double dt)
-        : tracker_(tracker), def_(def), environment_(environment), ground_(def, environment, -1), dt_(dt),
-          radius_(lineRadius(def)) {}
+        : tracker_(tracker), def_(def), environment_(environment), speed_(environment.travelSpeed()),
+          ground_(def, environment, -1), dt_(dt), radius_(lineRadius(def)) {}
 
     // What a place needs after its step.
     enum class Need { Nothing, Way, KeepsDetour };
@@ -84,14 +85,18 @@ public:
         Vec2& position = tracker_.position_[place];
         const Vec2 goal = tracker_.goal_[place];
         const Vec2 before = position;
-        const Grid& grid = environment_.grid();
-        const double speed = environment_.travelSpeed()[static_cast<std::size_t>(grid.index(grid.nearestCell(position)))];
-        const double reach = def_.maxSpeed * speed * dt_;
+        const std::size_t cell = ground_.cellOf(position);
+        const double room = ground_.roomAt(cell);
+        // Stands where it should.
+        if (position == goal && (room >= radius_ || ground_.roomy(position, radius_))) {
+            tracker_.velocity_[place] = {};
+            return Need::Nothing;
+        }
+        const double reach = def_.maxSpeed * speed_[cell] * dt_;
+        const double way = distance(position, goal);
         Need need = Need::Nothing;
-        if (position == goal && ground_.roomy(position, radius_)) {
-            // Stands where it should.
-        } else if (lineIsClear(position, goal)) {
-            position = stepTowards(position, goal, reach);
+        if (room >= way + radius_ || lineIsClear(position, goal, way)) {
+            position = stepTowards(position, goal, way, reach);
         } else if (environment_.distanceToObstacle(position) < radius_ || !environment_.def().box.contains(position)) {
             escape(position, reach);
             need = detour != nullptr ? Need::KeepsDetour : Need::Nothing;
@@ -109,14 +114,14 @@ public:
     }
 
 private:
-    bool lineIsClear(Vec2 a, Vec2 b) const {
-        return ground_.roomy(a, distance(a, b) + radius_) || environment_.clearLine(a, b, radius_);
+    bool lineIsClear(Vec2 a, Vec2 b, double way) const {
+        return ground_.roomy(a, way + radius_) || environment_.clearLine(a, b, radius_);
     }
 
-    static Vec2 stepTowards(Vec2 from, Vec2 to, double reach) {
-        const double way = distance(from, to);
+    static Vec2 stepTowards(Vec2 from, Vec2 to, double way, double reach) {
         return way <= reach ? to : from + (to - from) * (reach / way);
     }
+    static Vec2 stepTowards(Vec2 from, Vec2 to, double reach) { return stepTowards(from, to, distance(from, to), reach); }
 
     // A moving obstacle has run over the place: out by the nearest way, never through.
     void escape(Vec2& position, double reach) {
@@ -158,6 +163,7 @@ private:
     PlaceTracker& tracker_;
     const PlaceDef& def_;
     const Environment& environment_;
+    std::span<const float> speed_;  // Travel speed of cells.
     PlaceGround ground_;
     double dt_;
     double radius_;
@@ -189,6 +195,23 @@ void PlaceTracker::reset(const PlaceDef& def, std::span<const Vec2> targets, con
     turn_ = seatTurn_ = 0;
 }
 
+namespace {
+
+// The detour of a place, or where it belongs among the others.
+template <class Detours>
+auto detourAt(Detours& detours, std::size_t place) {
+    return std::lower_bound(detours.begin(), detours.end(), static_cast<std::int32_t>(place),
+                            [](const auto& d, std::int32_t p) { return d.place < p; });
+}
+
+// The first of the places in [from, to) that bears a mark, or `to`.
+std::size_t firstMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark, std::size_t from, std::size_t to) {
+    const void* const at = from < to ? std::memchr(marks.data() + from, mark, to - from) : nullptr;
+    return at != nullptr ? static_cast<std::size_t>(static_cast<const std::uint8_t*>(at) - marks.data()) : to;
+}
+
+}  // namespace
+
 // Marks: 0 needs nothing, 1 needs a way, 2 keeps its detour. Few ways are sought per step, in turns.
 void PlaceTracker::findWays(const PlaceDef& def, const Environment& environment) {
     const std::size_t n = position_.size();
@@ -197,39 +220,38 @@ void PlaceTracker::findWays(const PlaceDef& def, const Environment& environment)
     const std::size_t first = turn_ % n;
     turn_ = static_cast<std::uint32_t>((first + 1) % n);
     double metres = kMetresPerStep;
-    for (std::size_t k = 0; k < n && left > 0; ++k) {
-        const std::size_t place = (first + k) % n;
-        const auto index = static_cast<std::int32_t>(place);
-        auto at = std::lower_bound(detours_.begin(), detours_.end(), index,
-                                   [](const Detour& d, std::int32_t p) { return d.place < p; });
-        const bool known = at != detours_.end() && at->place == index;
-        // Where no way was found it is sought again when the place's turn comes first.
-        const bool again = k == 0 && known && at->way.empty() && mark_[place] == 2;
-        if (mark_[place] != 1 && !again) continue;
-        if (!known) {
+    const auto seek = [&](std::size_t place) {
+        auto at = detourAt(detours_, place);
+        if (at == detours_.end() || static_cast<std::size_t>(at->place) != place) {
             at = detours_.insert(at, Detour{});
             if (!spareWays_.empty()) {
                 at->way.swap(spareWays_.back());
                 spareWays_.pop_back();
             }
         }
-        at->place = index;
+        at->place = static_cast<std::int32_t>(place);
         at->goal = goal_[place];
         environment.findPath(position_[place], goal_[place], def.radius, at->way);
         metres -= distance(position_[place], goal_[place]);
         left = metres > 0.0 ? left - 1 : 0;
         if (left == 0) turn_ = static_cast<std::uint32_t>((place + 1) % n);
-    }
+    };
+    // Where no way was found it is sought again when the place's turn comes first.
+    if (mark_[first] == 2 && detourAt(detours_, first)->way.empty()) seek(first);
+    const auto seekAll = [&](std::size_t from, std::size_t to) {
+        for (; left > 0 && (from = firstMarked(mark_, 1, from, to)) < to; ++from) seek(from);
+    };
+    seekAll(first, n);
+    seekAll(0, first);
 }
 
 // By chunks: a place looks at nothing but the ground, and has its own detour.
 void PlaceTracker::moveAll(Mover& mover, ThreadPool* pool) {
     const std::size_t n = position_.size();
-    mark_.assign(n, 0);
+    mark_.resize(n);
     const auto task = [&](std::int32_t chunk, std::int32_t) {
         const auto first = static_cast<std::size_t>(chunk) * kChunk;
-        auto next = std::lower_bound(detours_.begin(), detours_.end(), static_cast<std::int32_t>(first),
-                                     [](const Detour& d, std::int32_t p) { return d.place < p; });
+        auto next = detourAt(detours_, first);
         for (std::size_t place = first; place < std::min(n, first + kChunk); ++place) {
             const bool known = next != detours_.end() && static_cast<std::size_t>(next->place) == place;
             mark_[place] = static_cast<std::uint8_t>(mover.move(place, known ? &*next : nullptr));

@@ -3,6 +3,11 @@
 #include <cmath>
 
 namespace muster {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
 
 bool SparseFactor::factorise(int size, const std::vector<SparseEntry>& entries) {
     order_.clear();
@@ -32,26 +37,66 @@ bool SparseFactor::factorise(int size, const std::vector<SparseEntry>& entries) 
         }
         start_.push_back(static_cast<int>(row_.size()));
     }
-    work_.assign(static_cast<std::size_t>(size), 0.0);
+    findPairs();
+    work_.assign(at(size), 0.0);
+    workPoints_.assign(at(size), {});
     return true;
+}
+
+// Where unknowns are coordinates, most rows come as x and y of a point: these are worked off two by two.
+void SparseFactor::findPairs() {
+    paired_.clear();
+    for (std::size_t j = 0; j < diagonal_.size(); ++j) {
+        int from = start_[j + 1];
+        while (from - 2 >= start_[j] && row_[at(from - 1)] == row_[at(from - 2)] + 1) from -= 2;
+        paired_.push_back(from);
+    }
 }
 
 void SparseFactor::solve(std::vector<double>& values) {
     const std::size_t n = diagonal_.size();
-    for (std::size_t i = 0; i < n; ++i) work_[static_cast<std::size_t>(order_[i])] = values[i];
+    for (std::size_t i = 0; i < n; ++i) work_[at(order_[i])] = values[i];
     for (std::size_t j = 0; j < n; ++j) {
         const double x = work_[j];
-        for (int k = start_[j]; k < start_[j + 1]; ++k)
-            work_[static_cast<std::size_t>(row_[static_cast<std::size_t>(k)])] -= value_[static_cast<std::size_t>(k)] * x;
+        int k = start_[j];
+        for (; k < paired_[j]; ++k) work_[at(row_[at(k)])] -= value_[at(k)] * x;
+        for (; k < start_[j + 1]; k += 2) {
+            double* const w = &work_[at(row_[at(k)])];
+            const double first = w[0] - value_[at(k)] * x;
+            const double second = w[1] - value_[at(k + 1)] * x;
+            w[0] = first;
+            w[1] = second;
+        }
     }
     for (std::size_t j = 0; j < n; ++j) work_[j] /= diagonal_[j];
     for (std::size_t j = n; j-- > 0;) {
         double x = work_[j];
-        for (int k = start_[j]; k < start_[j + 1]; ++k)
-            x -= value_[static_cast<std::size_t>(k)] * work_[static_cast<std::size_t>(row_[static_cast<std::size_t>(k)])];
+        int k = start_[j];
+        for (; k < paired_[j]; ++k) x -= value_[at(k)] * work_[at(row_[at(k)])];
+        for (; k < start_[j + 1]; k += 2) {
+            const double* const w = &work_[at(row_[at(k)])];
+            x -= value_[at(k)] * w[0];
+            x -= value_[at(k + 1)] * w[1];
+        }
         work_[j] = x;
     }
-    for (std::size_t i = 0; i < n; ++i) values[i] = work_[static_cast<std::size_t>(order_[i])];
+    for (std::size_t i = 0; i < n; ++i) values[i] = work_[at(order_[i])];
+}
+
+void SparseFactor::solve(std::vector<Vec2>& values) {
+    const std::size_t n = diagonal_.size();
+    for (std::size_t i = 0; i < n; ++i) workPoints_[at(order_[i])] = values[i];
+    for (std::size_t j = 0; j < n; ++j) {
+        const Vec2 x = workPoints_[j];
+        for (int k = start_[j]; k < start_[j + 1]; ++k) workPoints_[at(row_[at(k)])] -= value_[at(k)] * x;
+    }
+    for (std::size_t j = 0; j < n; ++j) workPoints_[j] = workPoints_[j] / diagonal_[j];
+    for (std::size_t j = n; j-- > 0;) {
+        Vec2 x = workPoints_[j];
+        for (int k = start_[j]; k < start_[j + 1]; ++k) x -= value_[at(k)] * workPoints_[at(row_[at(k)])];
+        workPoints_[j] = x;
+    }
+    for (std::size_t i = 0; i < n; ++i) values[i] = workPoints_[at(order_[i])];
 }
 
 }  // namespace muster

@@ -4,6 +4,8 @@
 #include <Eigen/SparseCholesky>
 #include <vector>
 
+#include "muster/base/vec2.h"
+
 namespace muster {
 
 /// One entry of a sparse matrix.
@@ -18,16 +20,22 @@ public:
     bool factorise(int size, const std::vector<SparseEntry>& entries);
     /// Replaces `values` (the right side) by the solution.
     void solve(std::vector<double>& values);
+    /// Two right sides at once, as x and y: each gets the very solution it would get alone.
+    void solve(std::vector<Vec2>& values);
     /// Number of unknowns.
     int size() const { return static_cast<int>(diagonal_.size()); }
 
 private:
+    void findPairs();
+
     std::vector<int> order_;     ///< Position of each unknown in the factor.
     std::vector<int> start_;     ///< Where each column of L begins; unit diagonal left out.
+    std::vector<int> paired_;    ///< From where on a column's rows come two by two, one just after the other.
     std::vector<int> row_;
     std::vector<double> value_;
     std::vector<double> diagonal_;
     std::vector<double> work_;
+    std::vector<Vec2> workPoints_;
 };
 
 }  // namespace muster
