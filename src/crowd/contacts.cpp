@@ -13,7 +13,7 @@ constexpr std::size_t kChunk = 1024;    // Characters a task looks round.
 
 }  // namespace
 
-double Contacts::separatePairs(double diameter, std::span<Vec2> positions) const {
+double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
     double worst = 0.0;
     const double touching = diameter * diameter;
     for (const NearPair pair : pairs_.pairs) {
@@ -29,11 +29,12 @@ double Contacts::separatePairs(double diameter, std::span<Vec2> positions) const
         a -= away * (0.5 * depth);
         b += away * (0.5 * depth);
         worst = std::max(worst, depth);
+        moved_ = true;
     }
     return worst;
 }
 
-double Contacts::leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const {
+double Contacts::leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) {
     double worst = 0.0;
     for (const std::int32_t index : nearObstacle_) {
         Vec2& p = positions[static_cast<std::size_t>(index)];
@@ -41,23 +42,26 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
         if (free == p) continue;
         worst = std::max(worst, distance(p, free));
         p = free;
+        moved_ = true;
     }
     return worst;
 }
 
 // Pairs may have pushed somebody since: obstacles and the world's edge have the last word.
-void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const {
+void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) {
     const Box inside = environment.def().box.grown(-radius);
     for (const std::int32_t index : nearObstacle_) {
         Vec2& p = positions[static_cast<std::size_t>(index)];
-        if (!inside.contains(p) || environment.distanceToObstacle(p, radius) < radius) p = environment.pushOut(p, radius);
+        if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
+        p = environment.pushOut(p, radius);
+        moved_ = true;
     }
 }
 
 // Looks for pairs anew where corrections may have brought together who was far apart before.
 ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) {
     ContactReport result;
-    if (outdated(diameter, positions)) look(diameter, positions);
+    if (outdatedSince(diameter, positions)) look(diameter, positions);
     for (const NearPair pair : pairs_.pairs) {
         const double d2 = lengthSquared(positions[static_cast<std::size_t>(pair.a)] -
                                         positions[static_cast<std::size_t>(pair.b)]);
@@ -80,11 +84,10 @@ void Contacts::look(double diameter, std::span<const Vec2> positions) {
 // Notes who is near an obstacle or the edge of the world: so near that nobody else comes to one while pairs hold.
 void Contacts::watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions,
                               ThreadPool* pool) {
-    const double watch = 3.0 * radius;
-    const Box room = environment.def().box.grown(-watch);
     watched_.resize(positions.size());
-    forChunks(pool, positions.size(), kChunk, [&](std::size_t i) {
-        watched_[i] = !room.contains(positions[i]) || environment.distanceToObstacle(positions[i], watch) < watch ? 1 : 0;
+    forChunks(pool, (positions.size() + kChunk - 1) / kChunk, 1, [&](std::size_t chunk) {
+        const std::size_t first = chunk * kChunk, count = std::min(kChunk, positions.size() - first);
+        environment.markClose(positions.subspan(first, count), 3.0 * radius, std::span(watched_).subspan(first, count));
     });
     nearObstacle_.clear();
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -100,16 +103,24 @@ bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const 
     return false;
 }
 
+// As outdated(), where it was false before and nobody but those that were moved since is elsewhere.
+bool Contacts::outdatedSince(double diameter, std::span<const Vec2> positions) {
+    const bool moved = moved_;
+    moved_ = false;
+    return moved && outdated(diameter, positions);
+}
+
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
                                 const KnownPairs& known, ThreadPool* pool) {
     const double diameter = 2.0 * def.radius;
     pairs_ = known;
     if (outdated(diameter, positions)) look(diameter, positions);
+    moved_ = false;
     watchObstacles(def.radius, environment, positions, pool);
     for (std::int32_t round = 0; round < def.iterations; ++round) {
         const double pairs = separatePairs(diameter, positions);
         const double walls = leaveObstacles(def.radius, environment, positions);
-        const bool anew = outdated(diameter, positions);
+        const bool anew = outdatedSince(diameter, positions);
         if (!anew && std::max(pairs, walls) < kSettled * diameter) break;
         if (!anew) continue;
         look(diameter, positions);

@@ -9,8 +9,7 @@ public:
     MotionUpdate(const Environment& environment, Characters& characters, std::size_t i, std::vector<MotionEvent>& events)
         : environment_(environment), characters_(characters), i_(i), events_(events) {}
 
-    void run(double dt) {
-        const GroundSample ground = environment_.ground(characters_.position[i_]);
+    void run(const GroundSample& ground, double dt) {
         const std::uint32_t before = characters_.patch[i_];
         characters_.motionTime[i_] += dt;
         if (ground.patch.value != before) {
@@ -111,7 +110,14 @@ private:
 
 void updateMotions(const Environment& environment, double dt, Characters& characters,
                    std::vector<MotionEvent>& events) {
-    for (std::size_t i = 0; i < characters.size(); ++i) MotionUpdate(environment, characters, i, events).run(dt);
+    const bool patches = !environment.patchIds().empty();
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const GroundSample ground = patches ? environment.ground(characters.position[i]) : GroundSample{};
+        // Most go on in the motion they are in.
+        const bool same = ground.patch.value == characters.patch[i] && characters.phase[i] == MotionPhase::Steady;
+        if (same && characters.lastSingle[i] == 0) characters.motionTime[i] += dt;
+        else MotionUpdate(environment, characters, i, events).run(ground, dt);
+    }
 }
 
 }  // namespace muster

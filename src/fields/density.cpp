@@ -16,6 +16,41 @@ DensityField::DensityField(const Box& box, const DensityDef& def) : def_(def), g
     occupied_.reserve(count);
 }
 
+inline DensityField::Stencil DensityField::stencilOf(Vec2 position) const {
+    const double u = (position.x - grid_.origin.x) / grid_.cell - 0.5;
+    const double v = (position.y - grid_.origin.y) / grid_.cell - 0.5;
+    // As floor(), which is a call; u and v are at least -0.5.
+    const std::int32_t left = static_cast<std::int32_t>(u + 1.0) - 1;
+    const std::int32_t low = static_cast<std::int32_t>(v + 1.0) - 1;
+    return {{left, low}, u - left, v - low};
+}
+
+inline void DensityField::add(Vec2 position, Vec2 velocity) {
+    const auto [cell, dx, dy] = stencilOf(position);
+    double shares[4] = {std::min(1 - dx, 1 - dy), std::min(dx, 1 - dy), std::min(dx, dy), std::min(1 - dx, dy)};
+    if (def_.lambda != 1.0)
+        for (double& share : shares) share = power(share, def_.lambda);
+    const double scale = 1.0 / ((shares[0] + shares[1] + shares[2] + shares[3]) * grid_.cell * grid_.cell);
+    const auto vx = static_cast<float>(velocity.x), vy = static_cast<float>(velocity.y);
+    const auto give = [&](std::int32_t index, double part) {
+        const auto share = static_cast<float>(part * scale);
+        if (!(share > 0.0f)) return;
+        if (density_[index] == 0.0f) occupied_.push_back(index);
+        // Momentum until splat() divides it by the density.
+        density_[index] += share;
+        velocityX_[index] += share * vx;
+        velocityY_[index] += share * vy;
+    };
+    // At the rim the neighbour takes the share of a missing cell.
+    const std::int32_t left = std::max(cell.x, 0), right = std::min(cell.x + 1, grid_.width - 1);
+    const std::int32_t low = std::max(cell.y, 0) * grid_.width;
+    const std::int32_t high = std::min(cell.y + 1, grid_.height - 1) * grid_.width;
+    give(low + left, shares[0]);
+    give(low + right, shares[1]);
+    give(high + right, shares[2]);
+    give(high + left, shares[3]);
+}
+
 void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> velocities) {
     MUSTER_ASSERT(positions.size() == velocities.size());
     for (const std::int32_t cell : occupied_) {
@@ -24,29 +59,29 @@ void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> 
         velocityY_[cell] = 0.0f;
     }
     occupied_.clear();
-    const Box box = grid_.box();
+    const Box box = grid_.box();  // What lies in it is finite.
+    Box around{box.max, box.min};
     for (std::size_t k = 0; k < positions.size(); ++k) {
-        if (isFinite(positions[k]) && isFinite(velocities[k]) && box.contains(positions[k])) {
-            add(positions[k], velocities[k]);
-        }
+        const Vec2 p = positions[k];
+        if (!box.contains(p) || !isFinite(velocities[k])) continue;
+        around.min = {std::min(around.min.x, p.x), std::min(around.min.y, p.y)};
+        around.max = {std::max(around.max.x, p.x), std::max(around.max.y, p.y)};
+        add(p, velocities[k]);
     }
-    sortOccupied();
+    sortOccupied(around);
     for (const std::int32_t cell : occupied_) {
         velocityX_[cell] /= density_[cell];
         velocityY_[cell] /= density_[cell];
     }
 }
 
-// Listing the cells of their box in order is faster than sorting, unless they lie far apart.
-void DensityField::sortOccupied() {
+// Listing the cells around all characters in order is faster than sorting, unless they lie far apart.
+void DensityField::sortOccupied(const Box& around) {
     if (occupied_.empty()) return;
-    Cell low = grid_.at(occupied_[0]);
-    Cell high = low;
-    for (const std::int32_t index : occupied_) {
-        const Cell c = grid_.at(index);
-        low = {std::min(low.x, c.x), std::min(low.y, c.y)};
-        high = {std::max(high.x, c.x), std::max(high.y, c.y)};
-    }
+    const Cell first = stencilOf(around.min).cell;
+    const Cell last = stencilOf(around.max).cell;
+    const Cell low{std::max(first.x, 0), std::max(first.y, 0)};
+    const Cell high{std::min(last.x + 1, grid_.width - 1), std::min(last.y + 1, grid_.height - 1)};
     const double box = (high.x - low.x + 1.0) * (high.y - low.y + 1.0);
     if (box > 16.0 * static_cast<double>(occupied_.size())) {
         std::sort(occupied_.begin(), occupied_.end());
@@ -56,34 +91,6 @@ void DensityField::sortOccupied() {
     for (std::int32_t y = low.y; y <= high.y; ++y)
         for (std::int32_t x = low.x; x <= high.x; ++x)
             if (density_[grid_.index({x, y})] > 0.0f) occupied_.push_back(grid_.index({x, y}));
-}
-
-void DensityField::add(Vec2 position, Vec2 velocity) {
-    const double u = (position.x - grid_.origin.x) / grid_.cell - 0.5;
-    const double v = (position.y - grid_.origin.y) / grid_.cell - 0.5;
-    // As floor(), which is a call; u and v are at least -0.5.
-    const std::int32_t left = static_cast<std::int32_t>(u + 1.0) - 1;
-    const std::int32_t low = static_cast<std::int32_t>(v + 1.0) - 1;
-    const double dx = u - left;
-    const double dy = v - low;
-    double shares[4] = {std::min(1 - dx, 1 - dy), std::min(dx, 1 - dy), std::min(dx, dy), std::min(1 - dx, dy)};
-    if (def_.lambda != 1.0)
-        for (double& share : shares) share = power(share, def_.lambda);
-    const double scale = 1.0 / ((shares[0] + shares[1] + shares[2] + shares[3]) * grid_.cell * grid_.cell);
-    constexpr std::int32_t kRight[4] = {0, 1, 1, 0};
-    constexpr std::int32_t kUp[4] = {0, 0, 1, 1};
-    for (int k = 0; k < 4; ++k) {
-        const auto share = static_cast<float>(shares[k] * scale);
-        if (!(share > 0.0f)) continue;
-        const Cell cell{std::clamp(left + kRight[k], 0, grid_.width - 1),
-                        std::clamp(low + kUp[k], 0, grid_.height - 1)};
-        const std::int32_t index = grid_.index(cell);
-        if (density_[index] == 0.0f) occupied_.push_back(index);
-        // Momentum until splat() divides it by the density.
-        density_[index] += share;
-        velocityX_[index] += share * static_cast<float>(velocity.x);
-        velocityY_[index] += share * static_cast<float>(velocity.y);
-    }
 }
 
 float DensityField::densityAt(Vec2 p) const {

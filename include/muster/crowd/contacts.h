@@ -32,18 +32,20 @@ public:
                           const KnownPairs& known = {}, ThreadPool* pool = nullptr);
 
 private:
-    double separatePairs(double diameter, std::span<Vec2> positions) const;
-    double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const;
-    void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const;
+    double separatePairs(double diameter, std::span<Vec2> positions);
+    double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions);
+    void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions);
     ContactReport report(double diameter, std::span<const Vec2> positions);
     void look(double diameter, std::span<const Vec2> positions);
     void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions, ThreadPool* pool);
     bool outdated(double diameter, std::span<const Vec2> positions) const;
+    bool outdatedSince(double diameter, std::span<const Vec2> positions);
 
     NeighbourGrid neighbours_;
     std::vector<NearPair> found_;
     std::vector<Vec2> foundAt_;
     KnownPairs pairs_;  // Found here, or known before.
+    bool moved_ = false;  // Somebody was moved since pairs were last held against positions.
     std::vector<std::int32_t> nearObstacle_;
     std::vector<std::uint8_t> watched_;  // Per character: near one.
 };

@@ -39,8 +39,15 @@ public:
     Vec2 velocityAt(Vec2 p) const;
 
 private:
+    // Where a position lies among the four cells around it.
+    struct Stencil {
+        Cell cell;  // The lower left; off the grid at its rim.
+        double dx;  // From its centre, in cells: 0 to 1.
+        double dy;
+    };
+    Stencil stencilOf(Vec2 position) const;
     void add(Vec2 position, Vec2 velocity);
-    void sortOccupied();
+    void sortOccupied(const Box& around);
 
     DensityDef def_;
     Grid grid_;
