@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace muster {
 namespace {
@@ -36,10 +37,14 @@ double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
 
 double Contacts::leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) {
     double worst = 0.0;
-    for (const std::int32_t index : nearObstacle_) {
-        Vec2& p = positions[static_cast<std::size_t>(index)];
+    for (NearObstacle& near : nearObstacle_) {
+        Vec2& p = positions[static_cast<std::size_t>(near.index)];
+        if (p == near.free) continue;
         const Vec2 free = environment.pushOut(p, radius);
-        if (free == p) continue;
+        if (free == p) {
+            near.free = p;
+            continue;
+        }
         worst = std::max(worst, distance(p, free));
         p = free;
         moved_ = true;
@@ -50,8 +55,9 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
 // Pairs may have pushed somebody since: obstacles and the world's edge have the last word.
 void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) {
     const Box inside = environment.def().box.grown(-radius);
-    for (const std::int32_t index : nearObstacle_) {
-        Vec2& p = positions[static_cast<std::size_t>(index)];
+    for (const NearObstacle& near : nearObstacle_) {
+        Vec2& p = positions[static_cast<std::size_t>(near.index)];
+        if (p == near.free) continue;
         if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
         p = environment.pushOut(p, radius);
         moved_ = true;
@@ -91,23 +97,35 @@ void Contacts::watchObstacles(double radius, const Environment& environment, std
     });
     nearObstacle_.clear();
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (watched_[i] != 0) nearObstacle_.push_back(static_cast<std::int32_t>(i));
+        if (watched_[i] != 0) nearObstacle_.push_back({static_cast<std::int32_t>(i)});
+}
+
+// How far somebody may go from where pairs were found before others than those noted may be near, squared.
+double Contacts::roomSquared(double diameter) const {
+    const double most = std::clamp(0.5 * (pairs_.reach - diameter), 0.0, 0.5 * diameter);
+    return most * most;
 }
 
 // True where somebody moved so far that others than those noted may be near.
 bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const {
     if (pairs_.at.size() != positions.size()) return true;
-    const double most = std::clamp(0.5 * (pairs_.reach - diameter), 0.0, 0.5 * diameter);
+    const double most = roomSquared(diameter);
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (!(lengthSquared(positions[i] - pairs_.at[i]) <= most * most)) return true;
+        if (!(lengthSquared(positions[i] - pairs_.at[i]) <= most)) return true;
     return false;
 }
 
-// As outdated(), where it was false before and nobody but those that were moved since is elsewhere.
+// As outdated(), where it was false before and only corrections moved anybody since.
 bool Contacts::outdatedSince(double diameter, std::span<const Vec2> positions) {
-    const bool moved = moved_;
-    moved_ = false;
-    return moved && outdated(diameter, positions);
+    if (!std::exchange(moved_, false)) return false;
+    if (2 * pairs_.pairs.size() + nearObstacle_.size() > positions.size()) return outdated(diameter, positions);
+    const double most = roomSquared(diameter);
+    const auto left = [&](std::int32_t index) {
+        const auto i = static_cast<std::size_t>(index);
+        return !(lengthSquared(positions[i] - pairs_.at[i]) <= most);
+    };
+    return std::any_of(pairs_.pairs.begin(), pairs_.pairs.end(), [&](NearPair pair) { return left(pair.a) || left(pair.b); }) ||
+           std::any_of(nearObstacle_.begin(), nearObstacle_.end(), [&](const NearObstacle& near) { return left(near.index); });
 }
 
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,

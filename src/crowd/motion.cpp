@@ -112,10 +112,14 @@ void updateMotions(const Environment& environment, double dt, Characters& charac
                    std::vector<MotionEvent>& events) {
     const bool patches = !environment.patchIds().empty();
     for (std::size_t i = 0; i < characters.size(); ++i) {
-        const GroundSample ground = patches ? environment.ground(characters.position[i]) : GroundSample{};
+        const bool steady = characters.phase[i] == MotionPhase::Steady && characters.lastSingle[i] == 0;
         // Most go on in the motion they are in.
-        const bool same = ground.patch.value == characters.patch[i] && characters.phase[i] == MotionPhase::Steady;
-        if (same && characters.lastSingle[i] == 0) characters.motionTime[i] += dt;
+        if (!patches && steady && characters.patch[i] == 0) {
+            characters.motionTime[i] += dt;
+            continue;
+        }
+        const GroundSample ground = environment.ground(characters.position[i]);
+        if (steady && ground.patch.value == characters.patch[i]) characters.motionTime[i] += dt;
         else MotionUpdate(environment, characters, i, events).run(ground, dt);
     }
 }

@@ -1,11 +1,23 @@
 #include "muster/fields/density.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "muster/base/assert.h"
 #include "muster/base/maths.h"
 
 namespace muster {
+namespace {
+
+using Shares = std::array<double, 4>;
+
+Shares raised(Shares shares, double exponent) {
+    for (double& share : shares) share = power(share, exponent);
+    return shares;
+}
+
+}  // namespace
 
 DensityField::DensityField(const Box& box, const DensityDef& def) : def_(def), grid_(Grid::covering(box, def.cell)) {
     MUSTER_ASSERT(def.cell > 0.0 && def.lambda > 0.0);
@@ -25,17 +37,16 @@ inline DensityField::Stencil DensityField::stencilOf(Vec2 position) const {
     return {{left, low}, u - left, v - low};
 }
 
-inline void DensityField::add(Vec2 position, Vec2 velocity) {
-    const auto [cell, dx, dy] = stencilOf(position);
-    double shares[4] = {std::min(1 - dx, 1 - dy), std::min(dx, 1 - dy), std::min(dx, dy), std::min(1 - dx, dy)};
-    if (def_.lambda != 1.0)
-        for (double& share : shares) share = power(share, def_.lambda);
+inline void DensityField::add(const Stencil& stencil, Vec2 velocity) {
+    const auto [cell, dx, dy] = stencil;
+    Shares shares{std::min(1 - dx, 1 - dy), std::min(dx, 1 - dy), std::min(dx, dy), std::min(1 - dx, dy)};
+    if (def_.lambda != 1.0) shares = raised(shares, def_.lambda);
     const double scale = 1.0 / ((shares[0] + shares[1] + shares[2] + shares[3]) * grid_.cell * grid_.cell);
     const auto vx = static_cast<float>(velocity.x), vy = static_cast<float>(velocity.y);
     const auto give = [&](std::int32_t index, double part) {
         const auto share = static_cast<float>(part * scale);
         if (!(share > 0.0f)) return;
-        if (density_[index] == 0.0f) occupied_.push_back(index);
+        if (!(density_[index] > 0.0f)) occupied_.push_back(index);
         // Momentum until splat() divides it by the density.
         density_[index] += share;
         velocityX_[index] += share * vx;
@@ -60,26 +71,26 @@ void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> 
     }
     occupied_.clear();
     const Box box = grid_.box();  // What lies in it is finite.
-    Box around{box.max, box.min};
+    constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
+    Cell first{kFar, kFar};
+    Cell last{-1, -1};
     for (std::size_t k = 0; k < positions.size(); ++k) {
-        const Vec2 p = positions[k];
-        if (!box.contains(p) || !isFinite(velocities[k])) continue;
-        around.min = {std::min(around.min.x, p.x), std::min(around.min.y, p.y)};
-        around.max = {std::max(around.max.x, p.x), std::max(around.max.y, p.y)};
-        add(p, velocities[k]);
+        if (!box.contains(positions[k]) || !isFinite(velocities[k])) continue;
+        const Stencil stencil = stencilOf(positions[k]);
+        first = {std::min(first.x, stencil.cell.x), std::min(first.y, stencil.cell.y)};
+        last = {std::max(last.x, stencil.cell.x), std::max(last.y, stencil.cell.y)};
+        add(stencil, velocities[k]);
     }
-    sortOccupied(around);
+    sortOccupied(first, last);
     for (const std::int32_t cell : occupied_) {
         velocityX_[cell] /= density_[cell];
         velocityY_[cell] /= density_[cell];
     }
 }
 
-// Listing the cells around all characters in order is faster than sorting, unless they lie far apart.
-void DensityField::sortOccupied(const Box& around) {
+// Listing all cells between the first and the last stencil in order is faster than sorting, unless they lie far apart.
+void DensityField::sortOccupied(Cell first, Cell last) {
     if (occupied_.empty()) return;
-    const Cell first = stencilOf(around.min).cell;
-    const Cell last = stencilOf(around.max).cell;
     const Cell low{std::max(first.x, 0), std::max(first.y, 0)};
     const Cell high{std::min(last.x + 1, grid_.width - 1), std::min(last.y + 1, grid_.height - 1)};
     const double box = (high.x - low.x + 1.0) * (high.y - low.y + 1.0);

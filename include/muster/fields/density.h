@@ -46,8 +46,8 @@ private:
         double dy;
     };
     Stencil stencilOf(Vec2 position) const;
-    void add(Vec2 position, Vec2 velocity);
-    void sortOccupied(const Box& around);
+    void add(const Stencil& stencil, Vec2 velocity);
+    void sortOccupied(Cell first, Cell last);
 
     DensityDef def_;
     Grid grid_;
