@@ -1,5 +1,7 @@
 #include "muster/crowd/motion.h"
 
+#include <span>
+
 namespace muster {
 namespace {
 
@@ -111,15 +113,19 @@ private:
 void updateMotions(const Environment& environment, double dt, Characters& characters,
                    std::vector<MotionEvent>& events) {
     const bool patches = !environment.patchIds().empty();
-    for (std::size_t i = 0; i < characters.size(); ++i) {
-        const bool steady = characters.phase[i] == MotionPhase::Steady && characters.lastSingle[i] == 0;
+    const std::span<const MotionPhase> phases = characters.phase;
+    const std::span<const std::uint32_t> singles = characters.lastSingle;
+    const std::span<const std::uint32_t> inPatch = characters.patch;
+    const std::span<double> times = characters.motionTime;
+    for (std::size_t i = 0; i < phases.size(); ++i) {
         // Most go on in the motion they are in.
-        if (!patches && steady && characters.patch[i] == 0) {
-            characters.motionTime[i] += dt;
+        const bool steady = phases[i] == MotionPhase::Steady && singles[i] == 0;
+        if (!patches && steady && inPatch[i] == 0) {
+            times[i] += dt;
             continue;
         }
         const GroundSample ground = environment.ground(characters.position[i]);
-        if (steady && ground.patch.value == characters.patch[i]) characters.motionTime[i] += dt;
+        if (steady && ground.patch.value == inPatch[i]) times[i] += dt;
         else MotionUpdate(environment, characters, i, events).run(ground, dt);
     }
 }

@@ -37,29 +37,29 @@ inline DensityField::Stencil DensityField::stencilOf(Vec2 position) const {
     return {{left, low}, u - left, v - low};
 }
 
+// At the rim the neighbour stands for a missing cell.
+inline std::array<std::int32_t, 4> DensityField::cellsOf(Cell lowerLeft) const {
+    const std::int32_t left = std::max(lowerLeft.x, 0), right = std::min(lowerLeft.x + 1, grid_.width - 1);
+    const std::int32_t low = std::max(lowerLeft.y, 0) * grid_.width;
+    const std::int32_t high = std::min(lowerLeft.y + 1, grid_.height - 1) * grid_.width;
+    return {low + left, low + right, high + right, high + left};
+}
+
 inline void DensityField::add(const Stencil& stencil, Vec2 velocity) {
     const auto [cell, dx, dy] = stencil;
     Shares shares{std::min(1 - dx, 1 - dy), std::min(dx, 1 - dy), std::min(dx, dy), std::min(1 - dx, dy)};
     if (def_.lambda != 1.0) shares = raised(shares, def_.lambda);
     const double scale = 1.0 / ((shares[0] + shares[1] + shares[2] + shares[3]) * grid_.cell * grid_.cell);
     const auto vx = static_cast<float>(velocity.x), vy = static_cast<float>(velocity.y);
-    const auto give = [&](std::int32_t index, double part) {
-        const auto share = static_cast<float>(part * scale);
-        if (!(share > 0.0f)) return;
-        if (!(density_[index] > 0.0f)) occupied_.push_back(index);
+    const std::array<std::int32_t, 4> cells = cellsOf(cell);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto share = static_cast<float>(shares[k] * scale);
+        if (!(share > 0.0f)) continue;
         // Momentum until splat() divides it by the density.
-        density_[index] += share;
-        velocityX_[index] += share * vx;
-        velocityY_[index] += share * vy;
-    };
-    // At the rim the neighbour takes the share of a missing cell.
-    const std::int32_t left = std::max(cell.x, 0), right = std::min(cell.x + 1, grid_.width - 1);
-    const std::int32_t low = std::max(cell.y, 0) * grid_.width;
-    const std::int32_t high = std::min(cell.y + 1, grid_.height - 1) * grid_.width;
-    give(low + left, shares[0]);
-    give(low + right, shares[1]);
-    give(high + right, shares[2]);
-    give(high + left, shares[3]);
+        density_[cells[k]] += share;
+        velocityX_[cells[k]] += share * vx;
+        velocityY_[cells[k]] += share * vy;
+    }
 }
 
 void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> velocities) {
@@ -69,9 +69,8 @@ void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> 
         velocityX_[cell] = 0.0f;
         velocityY_[cell] = 0.0f;
     }
-    occupied_.clear();
-    const Box box = grid_.box();  // What lies in it is finite.
     constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
+    const Box box = grid_.box();  // What lies in it is finite.
     Cell first{kFar, kFar};
     Cell last{-1, -1};
     for (std::size_t k = 0; k < positions.size(); ++k) {
@@ -81,27 +80,32 @@ void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> 
         last = {std::max(last.x, stencil.cell.x), std::max(last.y, stencil.cell.y)};
         add(stencil, velocities[k]);
     }
-    sortOccupied(first, last);
+    listOccupied(first, last, positions);
     for (const std::int32_t cell : occupied_) {
         velocityX_[cell] /= density_[cell];
         velocityY_[cell] /= density_[cell];
     }
 }
 
-// Listing all cells between the first and the last stencil in order is faster than sorting, unless they lie far apart.
-void DensityField::sortOccupied(Cell first, Cell last) {
-    if (occupied_.empty()) return;
+// Looking at all cells between the first and the last stencil is faster than sorting, unless they lie far apart.
+void DensityField::listOccupied(Cell first, Cell last, std::span<const Vec2> positions) {
+    occupied_.clear();
+    if (first.x > last.x) return;  // There is nobody.
     const Cell low{std::max(first.x, 0), std::max(first.y, 0)};
     const Cell high{std::min(last.x + 1, grid_.width - 1), std::min(last.y + 1, grid_.height - 1)};
-    const double box = (high.x - low.x + 1.0) * (high.y - low.y + 1.0);
-    if (box > 16.0 * static_cast<double>(occupied_.size())) {
-        std::sort(occupied_.begin(), occupied_.end());
+    const auto list = [&](std::int32_t cell) {
+        if (density_[cell] > 0.0f) occupied_.push_back(cell);
+    };
+    if ((high.x - low.x + 1.0) * (high.y - low.y + 1.0) <= 16.0 * static_cast<double>(positions.size())) {
+        for (std::int32_t y = low.y; y <= high.y; ++y)
+            for (std::int32_t x = low.x; x <= high.x; ++x) list(grid_.index({x, y}));
         return;
     }
-    occupied_.clear();
-    for (std::int32_t y = low.y; y <= high.y; ++y)
-        for (std::int32_t x = low.x; x <= high.x; ++x)
-            if (density_[grid_.index({x, y})] > 0.0f) occupied_.push_back(grid_.index({x, y}));
+    const Box box = grid_.box();
+    for (const Vec2 p : positions)
+        if (box.contains(p)) std::ranges::for_each(cellsOf(stencilOf(p).cell), list);
+    std::sort(occupied_.begin(), occupied_.end());
+    occupied_.erase(std::unique(occupied_.begin(), occupied_.end()), occupied_.end());
 }
 
 float DensityField::densityAt(Vec2 p) const {

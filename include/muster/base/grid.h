@@ -53,14 +53,14 @@ struct Grid {
     BilinearStencil bilinear(Vec2 p) const {
         const double u = bounded((p.x - origin.x) / cell - 0.5, 0.0, width - 1.0);
         const double v = bounded((p.y - origin.y) / cell - 0.5, 0.0, height - 1.0);
-        const std::int32_t x0 = std::min(static_cast<std::int32_t>(u), std::max(0, width - 2));
-        const std::int32_t y0 = std::min(static_cast<std::int32_t>(v), std::max(0, height - 2));
-        const std::int32_t x1 = std::min(x0 + 1, width - 1);
-        const std::int32_t y1 = std::min(y0 + 1, height - 1);
-        const double fx = u - x0;
-        const double fy = v - y0;
-        return {{index({x0, y0}), index({x1, y0}), index({x0, y1}), index({x1, y1})},
-                {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
+        // From a cell to the right and to the upper one; nowhere where there is but one.
+        const std::int32_t right = width > 1 ? 1 : 0, up = height > 1 ? 1 : 0;
+        const std::int32_t x = std::min(static_cast<std::int32_t>(u), width - 1 - right);
+        const std::int32_t y = std::min(static_cast<std::int32_t>(v), height - 1 - up);
+        const std::int32_t low = index({x, y}), high = low + up * width;
+        const double fx = u - x;
+        const double fy = v - y;
+        return {{low, low + right, high, high + right}, {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
     }
     /// The box covered.
     Box box() const { return {origin, {origin.x + width * cell, origin.y + height * cell}}; }

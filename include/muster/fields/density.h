@@ -1,6 +1,7 @@
 // Density and average velocity of the crowd (SPEC A4; Treuille, Cooper and Popovic 2006, section 4.1).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,8 +47,9 @@ private:
         double dy;
     };
     Stencil stencilOf(Vec2 position) const;
+    std::array<std::int32_t, 4> cellsOf(Cell lowerLeft) const;
     void add(const Stencil& stencil, Vec2 velocity);
-    void sortOccupied(Cell first, Cell last);
+    void listOccupied(Cell first, Cell last, std::span<const Vec2> positions);
 
     DensityDef def_;
     Grid grid_;
