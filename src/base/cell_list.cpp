@@ -33,17 +33,21 @@ void CellList::sort(std::span<const Vec2> points, double least) {
     start_.assign(static_cast<std::size_t>(grid_.count()) + 1, 0);
     cellOf_.resize(points.size());
     item_.resize(points.size());
+    const Grid grid = grid_;  // A copy cannot change with what is written: it stays in registers.
     for (std::size_t k = 0; k < points.size(); ++k) {
-        cellOf_[k] = grid_.index(grid_.nearestCell(points[k]));
-        ++start_[static_cast<std::size_t>(cellOf_[k])];
+        const std::int32_t cell = grid.index(grid.nearestCell(points[k]));
+        cellOf_[k] = cell;
+        ++start_[static_cast<std::size_t>(cell)];
     }
     std::int32_t sum = 0;
     for (std::int32_t& s : start_) s = sum += s;
     // Filled from the back, so that points of one cell stay in ascending order.
-    for (std::size_t k = points.size(); k-- > 0;)
-        item_[static_cast<std::size_t>(--start_[static_cast<std::size_t>(cellOf_[k])])] = static_cast<std::int32_t>(k);
     sorted_.resize(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) sorted_[k] = points[static_cast<std::size_t>(item_[k])];
+    for (std::size_t k = points.size(); k-- > 0;) {
+        const auto at = static_cast<std::size_t>(--start_[static_cast<std::size_t>(cellOf_[k])]);
+        item_[at] = static_cast<std::int32_t>(k);
+        sorted_[at] = points[k];
+    }
 }
 
 }  // namespace muster

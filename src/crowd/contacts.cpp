@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace muster {
 namespace {
@@ -13,7 +14,7 @@ constexpr std::size_t kChunk = 1024;    // Characters a task looks round.
 
 }  // namespace
 
-double Contacts::separatePairs(double diameter, std::span<Vec2> positions) const {
+double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
     double worst = 0.0;
     const double touching = diameter * diameter;
     for (const NearPair pair : pairs_.pairs) {
@@ -29,35 +30,44 @@ double Contacts::separatePairs(double diameter, std::span<Vec2> positions) const
         a -= away * (0.5 * depth);
         b += away * (0.5 * depth);
         worst = std::max(worst, depth);
+        moved_ = true;
     }
     return worst;
 }
 
-double Contacts::leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const {
+double Contacts::leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) {
     double worst = 0.0;
-    for (const std::int32_t index : nearObstacle_) {
-        Vec2& p = positions[static_cast<std::size_t>(index)];
+    for (NearObstacle& near : nearObstacle_) {
+        Vec2& p = positions[static_cast<std::size_t>(near.index)];
+        if (p == near.free) continue;
         const Vec2 free = environment.pushOut(p, radius);
-        if (free == p) continue;
+        if (free == p) {
+            near.free = p;
+            continue;
+        }
         worst = std::max(worst, distance(p, free));
         p = free;
+        moved_ = true;
     }
     return worst;
 }
 
 // Pairs may have pushed somebody since: obstacles and the world's edge have the last word.
-void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const {
+void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) {
     const Box inside = environment.def().box.grown(-radius);
-    for (const std::int32_t index : nearObstacle_) {
-        Vec2& p = positions[static_cast<std::size_t>(index)];
-        if (!inside.contains(p) || environment.distanceToObstacle(p, radius) < radius) p = environment.pushOut(p, radius);
+    for (const NearObstacle& near : nearObstacle_) {
+        Vec2& p = positions[static_cast<std::size_t>(near.index)];
+        if (p == near.free) continue;
+        if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
+        p = environment.pushOut(p, radius);
+        moved_ = true;
     }
 }
 
 // Looks for pairs anew where corrections may have brought together who was far apart before.
 ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) {
     ContactReport result;
-    if (outdated(diameter, positions)) look(diameter, positions);
+    if (outdatedSince(diameter, positions)) look(diameter, positions);
     for (const NearPair pair : pairs_.pairs) {
         const double d2 = lengthSquared(positions[static_cast<std::size_t>(pair.a)] -
                                         positions[static_cast<std::size_t>(pair.b)]);
@@ -80,24 +90,42 @@ void Contacts::look(double diameter, std::span<const Vec2> positions) {
 // Notes who is near an obstacle or the edge of the world: so near that nobody else comes to one while pairs hold.
 void Contacts::watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions,
                               ThreadPool* pool) {
-    const double watch = 3.0 * radius;
-    const Box room = environment.def().box.grown(-watch);
     watched_.resize(positions.size());
-    forChunks(pool, positions.size(), kChunk, [&](std::size_t i) {
-        watched_[i] = !room.contains(positions[i]) || environment.distanceToObstacle(positions[i], watch) < watch ? 1 : 0;
+    forChunks(pool, (positions.size() + kChunk - 1) / kChunk, 1, [&](std::size_t chunk) {
+        const std::size_t first = chunk * kChunk, count = std::min(kChunk, positions.size() - first);
+        environment.markClose(positions.subspan(first, count), 3.0 * radius, std::span(watched_).subspan(first, count));
     });
     nearObstacle_.clear();
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (watched_[i] != 0) nearObstacle_.push_back(static_cast<std::int32_t>(i));
+        if (watched_[i] != 0) nearObstacle_.push_back({static_cast<std::int32_t>(i)});
+}
+
+// How far somebody may go from where pairs were found before others than those noted may be near, squared.
+double Contacts::roomSquared(double diameter) const {
+    const double most = std::clamp(0.5 * (pairs_.reach - diameter), 0.0, 0.5 * diameter);
+    return most * most;
 }
 
 // True where somebody moved so far that others than those noted may be near.
 bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const {
     if (pairs_.at.size() != positions.size()) return true;
-    const double most = std::clamp(0.5 * (pairs_.reach - diameter), 0.0, 0.5 * diameter);
+    const double most = roomSquared(diameter);
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (!(lengthSquared(positions[i] - pairs_.at[i]) <= most * most)) return true;
+        if (!(lengthSquared(positions[i] - pairs_.at[i]) <= most)) return true;
     return false;
+}
+
+// As outdated(), where it was false before and only corrections moved anybody since.
+bool Contacts::outdatedSince(double diameter, std::span<const Vec2> positions) {
+    if (!std::exchange(moved_, false)) return false;
+    if (2 * pairs_.pairs.size() + nearObstacle_.size() > positions.size()) return outdated(diameter, positions);
+    const double most = roomSquared(diameter);
+    const auto left = [&](std::int32_t index) {
+        const auto i = static_cast<std::size_t>(index);
+        return !(lengthSquared(positions[i] - pairs_.at[i]) <= most);
+    };
+    return std::any_of(pairs_.pairs.begin(), pairs_.pairs.end(), [&](NearPair pair) { return left(pair.a) || left(pair.b); }) ||
+           std::any_of(nearObstacle_.begin(), nearObstacle_.end(), [&](const NearObstacle& near) { return left(near.index); });
 }
 
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
@@ -105,11 +133,12 @@ ContactReport Contacts::resolve(const ContactDef& def, const Environment& enviro
     const double diameter = 2.0 * def.radius;
     pairs_ = known;
     if (outdated(diameter, positions)) look(diameter, positions);
+    moved_ = false;
     watchObstacles(def.radius, environment, positions, pool);
     for (std::int32_t round = 0; round < def.iterations; ++round) {
         const double pairs = separatePairs(diameter, positions);
         const double walls = leaveObstacles(def.radius, environment, positions);
-        const bool anew = outdated(diameter, positions);
+        const bool anew = outdatedSince(diameter, positions);
         if (!anew && std::max(pairs, walls) < kSettled * diameter) break;
         if (!anew) continue;
         look(diameter, positions);

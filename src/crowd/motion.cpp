@@ -1,5 +1,7 @@
 #include "muster/crowd/motion.h"
 
+#include <span>
+
 namespace muster {
 namespace {
 
@@ -9,8 +11,7 @@ public:
     MotionUpdate(const Environment& environment, Characters& characters, std::size_t i, std::vector<MotionEvent>& events)
         : environment_(environment), characters_(characters), i_(i), events_(events) {}
 
-    void run(double dt) {
-        const GroundSample ground = environment_.ground(characters_.position[i_]);
+    void run(const GroundSample& ground, double dt) {
         const std::uint32_t before = characters_.patch[i_];
         characters_.motionTime[i_] += dt;
         if (ground.patch.value != before) {
@@ -111,7 +112,22 @@ private:
 
 void updateMotions(const Environment& environment, double dt, Characters& characters,
                    std::vector<MotionEvent>& events) {
-    for (std::size_t i = 0; i < characters.size(); ++i) MotionUpdate(environment, characters, i, events).run(dt);
+    const bool patches = !environment.patchIds().empty();
+    const std::span<const MotionPhase> phases = characters.phase;
+    const std::span<const std::uint32_t> singles = characters.lastSingle;
+    const std::span<const std::uint32_t> inPatch = characters.patch;
+    const std::span<double> times = characters.motionTime;
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+        // Most go on in the motion they are in.
+        const bool steady = phases[i] == MotionPhase::Steady && singles[i] == 0;
+        if (!patches && steady && inPatch[i] == 0) {
+            times[i] += dt;
+            continue;
+        }
+        const GroundSample ground = environment.ground(characters.position[i]);
+        if (steady && ground.patch.value == inPatch[i]) times[i] += dt;
+        else MotionUpdate(environment, characters, i, events).run(ground, dt);
+    }
 }
 
 }  // namespace muster

@@ -43,20 +43,36 @@ bool isAhead(const Characters& now, std::size_t a, std::size_t b) {
     return now.cost[a] != now.cost[b] ? now.cost[a] < now.cost[b] : a < b;
 }
 
-}  // namespace
-
-Vec2 Steering::preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input,
-                                 std::size_t i, double topSpeed) const {
-    if (now.place[i] < 0 && now.direction[i] == Vec2{}) return {};
+// The velocity that the way and the place alone ask for.
+Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i,
+                       double topSpeed) {
+    const Vec2 direction = now.direction[i];
+    const bool placed = now.place[i] >= 0;
+    if (!placed && direction == Vec2{}) return {};
     const Vec2 toPlace = input.place[i] - now.position[i];
     const double left = length(toPlace);
     const bool crossing = now.phase[i] == MotionPhase::Locked && left > kLockEnds && lengthSquared(now.velocity[i]) > 0.01;
-    if (crossing) return withinLock(now.direction[i], now.heading[i]) * topSpeed;
-    if (now.place[i] >= 0 && left < def.directReach && dot(now.direction[i], toPlace) > 0.999 * left)
+    if (crossing) return withinLock(direction, now.heading[i]) * topSpeed;
+    if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left)
         return clampLength(input.placeVelocity[i] + toPlace * def.positionGain, topSpeed);
-    if (now.place[i] >= 0 && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
-    return now.direction[i] * topSpeed;
+    if (placed && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
+    return direction * topSpeed;
 }
+
+// What a step may change, the same for all.
+struct StepBounds {
+    double share;   // Of the way to the wish.
+    double change;  // Of velocity [m/s].
+    double turn;    // Share of the way to the heading aimed at.
+};
+
+Vec2 nextVelocity(const StepBounds& bounds, Vec2 velocity, Vec2 preferred, double topSpeed) {
+    const Vec2 wish = clampLength(preferred, topSpeed);
+    const Vec2 change = clampLength((wish - velocity) * bounds.share, bounds.change);
+    return clampLength(velocity + change, topSpeed);
+}
+
+}  // namespace
 
 void Steering::addSidesteps(const SteeringDef& def, const Characters& now) {
     if (def.separationGain <= 0.0 || def.separationReach <= 0.0) return;
@@ -94,34 +110,29 @@ void Steering::holdBack(const SteeringDef& def, const Characters& now) {
     }
 }
 
-// The next velocity and heading of one character.
-void Steering::move(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i, double dt,
-                    std::span<Vec2> velocity, std::span<Vec2> heading) const {
-    const double share = std::min(1.0, def.velocityGain * dt);
-    const Vec2 wish = clampLength(preferred_[i], topSpeed_[i]);
-    const Vec2 change = clampLength((wish - now.velocity[i]) * share, def.acceleration * dt);
-    velocity[i] = clampLength(now.velocity[i] + change, topSpeed_[i]);
-    const double speed = length(velocity[i]);
-    const Vec2 towards = speed > kWalkingSpeed ? velocity[i] / speed : input.facing[i];
-    heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i]
-                                                     : turned(now.heading[i], towards, std::min(1.0, kTurnRate * dt));
-}
-
 void Steering::run(const SteeringDef& def, const Characters& now, const SteeringInput& input,
                    const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading,
                    ThreadPool* pool) {
     const std::size_t count = now.size();
     preferred_.resize(count);
     topSpeed_.resize(count);
+    const bool patches = !environment.patchIds().empty();
     forChunks(pool, count, kChunk, [&](std::size_t i) {
-        topSpeed_[i] = def.maxSpeed * environment.ground(now.position[i]).travelSpeed;
+        topSpeed_[i] = patches ? def.maxSpeed * environment.ground(now.position[i]).travelSpeed : def.maxSpeed;
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     });
     reach_ = 2.0 * def.radius + std::max(def.separationReach, kTouchGap);
     neighbours_.findPairs(now.position, reach_, pairs_);
     addSidesteps(def, now);
     holdBack(def, now);
-    forChunks(pool, count, kChunk, [&](std::size_t i) { move(def, now, input, i, dt, velocity, heading); });
+    const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt, std::min(1.0, kTurnRate * dt)};
+    forChunks(pool, count, kChunk, [&, bounds](std::size_t i) {
+        const Vec2 next = nextVelocity(bounds, now.velocity[i], preferred_[i], topSpeed_[i]);
+        const double speed = length(next);
+        const Vec2 towards = speed > kWalkingSpeed ? next / speed : input.facing[i];
+        velocity[i] = next;
+        heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i] : turned(now.heading[i], towards, bounds.turn);
+    });
 }
 
 }  // namespace muster

@@ -155,6 +155,22 @@ double Environment::distanceToObstacle(Vec2 p, double limit) const {
     return impl_->farFromAll(p, limit) ? limit : impl_->distanceTo(p, limit);
 }
 
+void Environment::markClose(std::span<const Vec2> points, double reach, std::span<std::uint8_t> close) const {
+    impl_->ensure();
+    const Impl& s = *impl_;
+    const Grid grid = s.grid;
+    const Box room = s.def.box.grown(-reach);
+    const std::span<const float> clearance = s.clearance.live();
+    // No point of a cell is farther from its centre than half a diagonal: most need no exact look.
+    const double ample = reach + 0.7072 * grid.cell + 2.0 * kFloatSlack;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 p = points[i];
+        if (!room.contains(p)) close[i] = 1;
+        else if (clearance[grid.index(grid.nearestCell(p))] >= ample) close[i] = 0;
+        else close[i] = s.distanceTo(p, reach) < reach ? 1 : 0;
+    }
+}
+
 void Environment::forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const {
     impl_->ensure();
     impl_->forNear(p, radius, [&](std::int32_t number) { visit(impl_->pieces[number]); });

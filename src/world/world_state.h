@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -148,8 +149,9 @@ struct World::Impl {
     void startPlan(Group& group);
     void finishPlan(Group& group);
     void steerGroup(Group& group);
-    void directTheUnmatched(Group& group);
-    void findPresent(const Group& group);
+    std::span<const Vec2> gather(const Group& group);
+    void directTheUnmatched(const Group& group, std::span<const Vec2> positions);
+    void findPresent(const Group& group, std::span<const Vec2> positions);
     const UnitCost* unitCostNow();
     void collectItems();
     void meetCheckpoints();

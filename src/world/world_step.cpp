@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "muster/base/stopwatch.h"
 #include "world/world_state.h"
@@ -119,41 +120,52 @@ const UnitCost* World::Impl::unitCostNow() {
 }
 
 // Who stands on ground that is cut off from where most of the group is.
-void World::Impl::findPresent(const Group& group) {
+void World::Impl::findPresent(const Group& group, std::span<const Vec2> positions) {
     memory.groupPresent.clear();
     if (!group.apart) return;
-    for (const Vec2 p : memory.groupPositions) {
+    for (const Vec2 p : positions) {
         const std::int32_t label = environment.region(p, parameters.radius);
         memory.groupPresent.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
     }
 }
 
+// Writes to memory.groupPlaces the place of each member; returns where members are, valid until the next call. A group
+// that holds all characters needs no list of its own.
+std::span<const Vec2> World::Impl::gather(const Group& group) {
+    const std::size_t count = group.members.size();
+    if (count == characters.size()) {
+        memory.groupPlaces.assign(characters.place.begin(), characters.place.end());
+        return characters.position;
+    }
+    memory.groupPositions.resize(count);
+    memory.groupPlaces.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        memory.groupPositions[k] = characters.position[i];
+        memory.groupPlaces[k] = characters.place[i];
+    }
+    return memory.groupPositions;
+}
+
 void World::Impl::startPlan(Group& group) {
     const PlanMode mode = planMode();
-    memory.groupPositions.clear();
-    memory.groupPlaces.clear();
-    for (std::size_t k = 0; k < group.members.size(); ++k) {
-        const auto i = static_cast<std::size_t>(group.members[k]);
-        memory.groupPositions.push_back(characters.position[i]);
-        memory.groupPlaces.push_back(characters.place[i]);
-    }
+    PlanInput input;
+    input.characters = gather(group);
     PlanDef def = planDef();
     group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
     def.reassign = group.reassigns;
     // Who lost a kept place because it did not fit has a claim to it.
-    for (std::size_t k = 0; k < group.members.size(); ++k) {
-        if (mode == PlanMode::Fixed) memory.groupPlaces[k] = static_cast<std::int32_t>(k);
-        else if (!group.reassigns && k < group.kept.size()) memory.groupPlaces[k] = group.kept[k];
-    }
-    PlanInput input;
-    input.characters = memory.groupPositions;
+    if (mode == PlanMode::Fixed)
+        std::iota(memory.groupPlaces.begin(), memory.groupPlaces.end(), 0);
+    else if (!group.reassigns)
+        std::copy_n(group.kept.begin(), std::min(group.kept.size(), group.members.size()), memory.groupPlaces.begin());
     input.places = group.places.positions();
     input.usable = group.places.fit();
     input.incumbent = memory.groupPlaces;
     if (group.plan->readsUnitCost()) {
         input.cost = &costBuilder.cost();
     } else {
-        findPresent(group);
+        findPresent(group, input.characters);
         input.present = memory.groupPresent;
         input.ground = &ground;
         input.excess = &excess;
@@ -225,39 +237,33 @@ void World::Impl::plan() {
 
 void World::Impl::steerGroup(Group& group) {
     const std::size_t count = group.members.size();
-    memory.groupPositions.resize(count);
-    memory.groupPlaces.resize(count);
+    const std::span<const Vec2> positions = gather(group);
     memory.groupDirections.resize(count);
     memory.groupCosts.resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto i = static_cast<std::size_t>(group.members[k]);
-        memory.groupPositions[k] = characters.position[i];
-        memory.groupPlaces[k] = characters.place[i];
-    }
-    directTheUnmatched(group);
-    const SteerInput input{memory.groupPositions, memory.groupPlaces, group.places.positions(), &environment,
+    directTheUnmatched(group, positions);
+    const SteerInput input{positions, memory.groupPlaces, group.places.positions(), &environment,
                            parameters.directReach, &ground, &excess};
     group.plan->steer(input, *pool, memory.groupDirections, memory.groupCosts);
     const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
     for (std::size_t k = 0; k < count; ++k) {
         const auto i = static_cast<std::size_t>(group.members[k]);
         const std::int32_t place = characters.place[i];
-        characters.direction[i] = memory.groupDirections[k];
-        characters.cost[i] = place >= 0 ? memory.groupCosts[k] : std::numeric_limits<double>::infinity();
-        memory.facing[i] = facing;
         const auto j = static_cast<std::size_t>(place);
+        characters.direction[i] = memory.groupDirections[k];
+        memory.facing[i] = facing;
+        characters.cost[i] = place >= 0 ? memory.groupCosts[k] : std::numeric_limits<double>::infinity();
         memory.placePosition[i] = place >= 0 ? group.places.positions()[j] : characters.position[i];
         memory.placeVelocity[i] = place >= 0 ? group.places.velocities()[j] : Vec2{};
     }
 }
 
 // The unmatched come as near as the nearest place that someone can take, and wait there beside the mesh.
-void World::Impl::directTheUnmatched(Group& group) {
-    for (std::size_t k = 0; k < group.members.size(); ++k) {
+void World::Impl::directTheUnmatched(const Group& group, std::span<const Vec2> positions) {
+    for (std::size_t k = 0; k < positions.size(); ++k) {
         if (memory.groupPlaces[k] >= 0) continue;
         const std::int32_t place = group.plan->waitingPlace(static_cast<std::int32_t>(k));
         if (place < 0) continue;
-        const Vec2 position = memory.groupPositions[k];
+        const Vec2 position = positions[k];
         const Vec2 there = group.places.positions()[static_cast<std::size_t>(place)];
         const bool beside = distance(position, there) < kUnmatchedReach && environment.clearLine(position, there, 0.0);
         if (!beside) memory.groupPlaces[k] = place;

@@ -57,6 +57,25 @@ TEST_CASE("distances, near pieces and fields equal sums over all pieces") {
     }
 }
 
+TEST_CASE("who is close to an obstacle or to the edge is told as by looking at each piece") {
+    Random random(6);
+    for (int round = 0; round < 10; ++round) {
+        const Environment environment = randomWorld(random, 12);
+        const double reach = round == 0 ? 0.0 : random.uniform(0.05, 4.0);
+        const Box room = environment.def().box.grown(-reach);
+        std::vector<Vec2> points(300);
+        for (Vec2& p : points) p = randomPlace(random, 11.0);
+        points.push_back(room.min);
+        points.push_back(room.max);
+        std::vector<std::uint8_t> close(points.size(), 2);
+        environment.markClose(points, reach, close);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool expected = !room.contains(points[i]) || bruteDistance(environment, points[i], reach) < reach;
+            CHECK(close[i] == (expected ? 1 : 0));
+        }
+    }
+}
+
 TEST_CASE("the potential field follows the paper's equation 1") {
     Environment environment = emptyWorld(20.0, 0.5);
     ObstacleDef def = rectangle({-2, -1}, {2, 1});

@@ -47,18 +47,15 @@ private:
                 visit(i < j ? i : j, i < j ? j : i);
             }
         };
-        const std::int32_t first = grid_.index({0, y});
+        const std::int32_t first = grid_.index({0, y}), last = first + grid_.width - 1;
         const bool top = y + 1 == grid_.height;
-        for (std::int32_t x = 0; x < grid_.width; ++x) {
-            const std::int32_t here = begin(first + x), end = begin(first + x + 1);
-            if (here == end) continue;
-            const std::int32_t right = x + 1 < grid_.width ? x + 1 : x;
-            const std::int32_t above = top ? 0 : begin(first + grid_.width + (x > 0 ? x - 1 : 0));
-            const std::int32_t aboveEnd = top ? 0 : begin(first + grid_.width + right + 1);
-            for (std::int32_t u = here; u < end; ++u) {
-                test(u, u + 1, begin(first + right + 1));
-                test(u, above, aboveEnd);
-            }
+        // By points, not by cells: most cells may be empty.
+        for (std::int32_t u = begin(first), end = begin(last + 1); u < end; ++u) {
+            const std::int32_t cell = cellOf_[static_cast<std::size_t>(item_[static_cast<std::size_t>(u)])];
+            const std::int32_t left = cell > first ? cell - 1 : cell;
+            const std::int32_t right = cell < last ? cell + 1 : cell;
+            test(u, u + 1, begin(right + 1));
+            if (!top) test(u, begin(left + grid_.width), begin(right + grid_.width + 1));
         }
     }
 

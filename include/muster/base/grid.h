@@ -42,15 +42,26 @@ struct Grid {
     Cell cellOf(Vec2 p) const { return {floorOf((p.x - origin.x) / cell), floorOf((p.y - origin.y) / cell)}; }
     /// The existing cell nearest to `p`.
     Cell nearestCell(Vec2 p) const {
-        return {static_cast<std::int32_t>(std::clamp((p.x - origin.x) / cell, 0.0, width - 1.0)),
-                static_cast<std::int32_t>(std::clamp((p.y - origin.y) / cell, 0.0, height - 1.0))};
+        return {static_cast<std::int32_t>(bounded((p.x - origin.x) / cell, 0.0, width - 1.0)),
+                static_cast<std::int32_t>(bounded((p.y - origin.y) / cell, 0.0, height - 1.0))};
     }
     /// Centre of a cell [m].
     Vec2 centre(Cell c) const {
         return {origin.x + (c.x + 0.5) * cell, origin.y + (c.y + 0.5) * cell};
     }
     /// The four cell centres around `p`, clamped to the grid at its edges.
-    BilinearStencil bilinear(Vec2 p) const;
+    BilinearStencil bilinear(Vec2 p) const {
+        const double u = bounded((p.x - origin.x) / cell - 0.5, 0.0, width - 1.0);
+        const double v = bounded((p.y - origin.y) / cell - 0.5, 0.0, height - 1.0);
+        // From a cell to the right and to the upper one; nowhere where there is but one.
+        const std::int32_t right = width > 1 ? 1 : 0, up = height > 1 ? 1 : 0;
+        const std::int32_t x = std::min(static_cast<std::int32_t>(u), width - 1 - right);
+        const std::int32_t y = std::min(static_cast<std::int32_t>(v), height - 1 - up);
+        const std::int32_t low = index({x, y}), high = low + up * width;
+        const double fx = u - x;
+        const double fy = v - y;
+        return {{low, low + right, high, high + right}, {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
+    }
     /// The box covered.
     Box box() const { return {origin, {origin.x + width * cell, origin.y + height * cell}}; }
 
@@ -62,11 +73,16 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 
 private:
+    // As std::clamp(), but by value: two instructions without a branch.
+    static double bounded(double value, double low, double high) {
+        const double raised = value < low ? low : value;
+        return high < raised ? high : raised;
+    }
     // floor() is a call on plain x86-64; a truncation and a correction are not.
     static std::int32_t floorOf(double coordinate) {
-        const double bounded = std::clamp(coordinate, -1e9, 1e9);
-        const auto whole = static_cast<std::int32_t>(bounded);
-        return whole - (static_cast<double>(whole) > bounded ? 1 : 0);
+        const double held = bounded(coordinate, -1e9, 1e9);
+        const auto whole = static_cast<std::int32_t>(held);
+        return whole - (static_cast<double>(whole) > held ? 1 : 0);
     }
 };
 

@@ -82,7 +82,8 @@ template <class Each>
 void forChunks(ThreadPool* pool, std::size_t count, std::size_t chunk, const Each& each) {
     const auto task = [&](std::int32_t item, std::int32_t) {
         const std::size_t first = static_cast<std::size_t>(item) * chunk;
-        for (std::size_t i = first; i < std::min(count, first + chunk); ++i) each(i);
+        const std::size_t last = std::min(count, first + chunk);
+        for (std::size_t i = first; i < last; ++i) each(i);
     };
     const auto chunks = static_cast<std::int32_t>((count + chunk - 1) / chunk);
     if (pool != nullptr && chunks > 1) pool->run(chunks, task);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,19 +33,28 @@ public:
                           const KnownPairs& known = {}, ThreadPool* pool = nullptr);
 
 private:
-    double separatePairs(double diameter, std::span<Vec2> positions) const;
-    double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) const;
-    void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) const;
+    // Somebody near an obstacle or the edge of the world.
+    struct NearObstacle {
+        std::int32_t index;
+        Vec2 free{std::numeric_limits<double>::quiet_NaN(), 0.0};  // Known to be left where it is here; nowhere at first.
+    };
+
+    double separatePairs(double diameter, std::span<Vec2> positions);
+    double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions);
+    void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions);
     ContactReport report(double diameter, std::span<const Vec2> positions);
     void look(double diameter, std::span<const Vec2> positions);
     void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions, ThreadPool* pool);
+    double roomSquared(double diameter) const;
     bool outdated(double diameter, std::span<const Vec2> positions) const;
+    bool outdatedSince(double diameter, std::span<const Vec2> positions);
 
     NeighbourGrid neighbours_;
     std::vector<NearPair> found_;
     std::vector<Vec2> foundAt_;
     KnownPairs pairs_;  // Found here, or known before.
-    std::vector<std::int32_t> nearObstacle_;
+    bool moved_ = false;  // Somebody was moved since pairs were last held against positions.
+    std::vector<NearObstacle> nearObstacle_;
     std::vector<std::uint8_t> watched_;  // Per character: near one.
 };
 

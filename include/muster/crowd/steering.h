@@ -43,10 +43,6 @@ public:
     double reach() const { return reach_; }
 
 private:
-    Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i,
-                           double topSpeed) const;
-    void move(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i, double dt,
-              std::span<Vec2> velocity, std::span<Vec2> heading) const;
     void addSidesteps(const SteeringDef& def, const Characters& now);
     void holdBack(const SteeringDef& def, const Characters& now);
 

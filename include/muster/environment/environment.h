@@ -126,6 +126,9 @@ public:
     bool onePatch(PatchId a, PatchId b) const;
     /// Distance from `p` to the nearest obstacle surface [m], negative inside, `limit` where farther.
     double distanceToObstacle(Vec2 p, double limit = kClearanceLimit) const;
+    /// Sets `close[i]` to 1 where `points[i]` is nearer than `reach` [m] >= 0 to an obstacle surface or to the edge of the
+    /// box, in an obstacle or out of the box, and to 0 elsewhere.
+    void markClose(std::span<const Vec2> points, double reach, std::span<std::uint8_t> close) const;
     /// Calls `visit(piece)` in ascending order for every piece whose surface may be within `radius` of `p`.
     void forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const;
     /// Writes to `found` the numbers of these pieces in pieces(), ascending; reuses its memory.

@@ -1,6 +1,7 @@
 // Density and average velocity of the crowd (SPEC A4; Treuille, Cooper and Popovic 2006, section 4.1).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,8 +40,16 @@ public:
     Vec2 velocityAt(Vec2 p) const;
 
 private:
-    void add(Vec2 position, Vec2 velocity);
-    void sortOccupied();
+    // Where a position lies among the four cells around it.
+    struct Stencil {
+        Cell cell;  // The lower left; off the grid at its rim.
+        double dx;  // From its centre, in cells: 0 to 1.
+        double dy;
+    };
+    Stencil stencilOf(Vec2 position) const;
+    std::array<std::int32_t, 4> cellsOf(Cell lowerLeft) const;
+    void add(const Stencil& stencil, Vec2 velocity);
+    void listOccupied(Cell first, Cell last, std::span<const Vec2> positions);
 
     DensityDef def_;
     Grid grid_;
