@@ -124,8 +124,11 @@ bool Contacts::outdatedSince(double diameter, std::span<const Vec2> positions) {
         const auto i = static_cast<std::size_t>(index);
         return !(lengthSquared(positions[i] - pairs_.at[i]) <= most);
     };
-    return std::any_of(pairs_.pairs.begin(), pairs_.pairs.end(), [&](NearPair pair) { return left(pair.a) || left(pair.b); }) ||
-           std::any_of(nearObstacle_.begin(), nearObstacle_.end(), [&](const NearObstacle& near) { return left(near.index); });
+    for (const NearPair pair : pairs_.pairs)
+        if (left(pair.a) || left(pair.b)) return true;
+    for (const NearObstacle& near : nearObstacle_)
+        if (left(near.index)) return true;
+    return false;
 }
 
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,

@@ -73,7 +73,7 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 
 private:
-    // As std::clamp(), but by value: two instructions without a branch.
+    // As std::clamp(), but by value: what it gives stays in a register.
     static double bounded(double value, double low, double high) {
         const double raised = value < low ? low : value;
         return high < raised ? high : raised;
