@@ -247,7 +247,11 @@ void CrowdExcess::markBusy() {
     hazardBounds_ = {};
     for (const std::int32_t cell : moved_)
         hazardBounds_.take(hazardGrid_.centre(hazardGrid_.at(cell)), kHazardCell);
-    for (const std::int32_t cell : takenList_) hazardBounds_.take(ground_.centre(ground_.at(cell)), ground_.cell);
+    takenBounds_ = {};
+    for (const std::int32_t cell : takenList_) {
+        hazardBounds_.take(ground_.centre(ground_.at(cell)), ground_.cell);
+        takenBounds_.take(ground_.centre(ground_.at(cell)), ground_.cell);
+    }
 }
 
 // Over the box round all busy cells; one more row and column, of zeros, below and left of it.
@@ -312,7 +316,7 @@ inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides, float unit) co
 }
 
 double CrowdExcess::hazardRead(Vec2 p) const {
-    if (taken_[static_cast<std::size_t>(ground_.index(ground_.nearestCell(p)))] != 0) return kBlocked;
+    if (takenBounds_.meets(p, p) && taken_[static_cast<std::size_t>(ground_.index(ground_.nearestCell(p)))] != 0) return kBlocked;
     const Between at = hazardCentres_.between(p);
     const float* low = hazard_.data() + at.low;
     const float* high = low + hazardCentres_.up;

@@ -219,11 +219,15 @@ void MatchingArcs::clearQuestions() {
 
 void MatchingArcs::sortByTarget() {
     std::fill(start_.begin(), start_.end(), 0);
-    for (const std::int32_t to : target_) ++start_[static_cast<std::size_t>(to)];
+    // Unsigned, so that numbers of seats need no sign when they become addresses.
+    const std::int32_t* targets = target_.data();
+    std::int32_t* start = start_.data();
+    std::int32_t* into = into_.data();
+    for (std::size_t k = 0; k < target_.size(); ++k) ++start[static_cast<std::uint32_t>(targets[k])];
     std::int32_t sum = 0;
     for (std::int32_t& s : start_) s = sum += s;
     for (std::size_t k = target_.size(); k-- > 0;)
-        into_[static_cast<std::size_t>(--start_[static_cast<std::size_t>(target_[k])])] = static_cast<std::int32_t>(k);
+        into[static_cast<std::uint32_t>(--start[static_cast<std::uint32_t>(targets[k])])] = static_cast<std::int32_t>(k);
 }
 
 std::int32_t MatchingArcs::find(std::int32_t from, std::int32_t to) const {

@@ -110,7 +110,8 @@ private:
     std::vector<std::uint8_t> looked_;    // Cells that were priced for the crowd.
     std::vector<std::int32_t> lookedList_;
     Bounds crowdBounds_;
-    Bounds hazardBounds_;
+    Bounds hazardBounds_;  // Of all that moves...
+    Bounds takenBounds_;   // ... and of what is taken.
     Grid hazardGrid_;
     Centres hazardCentres_;
     std::vector<float> hazard_;
