@@ -85,35 +85,39 @@ public:
         Vec2& position = tracker_.position_[place];
         const Vec2 goal = tracker_.goal_[place];
         const Vec2 before = position;
-        const std::size_t cell = ground_.cellOf(position);
-        const double room = ground_.roomAt(cell);
-        // Stands where it should.
-        if (position == goal && (room >= radius_ || ground_.roomy(position, radius_))) {
-            tracker_.velocity_[place] = {};
-            return Need::Nothing;
-        }
+        const std::size_t cell = ground_.cellOf(before);
         const double reach = def_.maxSpeed * speed_[cell] * dt_;
-        const double way = distance(position, goal);
+        const double way = distance(before, goal);
         Need need = Need::Nothing;
-        if (room >= way + radius_ || lineIsClear(position, goal, way)) {
-            position = stepTowards(position, goal, way, reach);
-        } else if (environment_.distanceToObstacle(position) < radius_ || !environment_.def().box.contains(position)) {
-            escape(position, reach);
-            need = detour != nullptr ? Need::KeepsDetour : Need::Nothing;
-        } else if (detour != nullptr && !detour->way.empty()) {
-            need = follow(position, *detour, reach);
-            const double stale = std::max(kReplanDistance, kReplanShare * distance(position, goal));
-            if (distance(detour->goal, goal) > stale) need = Need::Way;
-        } else {
-            const bool sought = detour != nullptr && distance(detour->goal, goal) <= kReplanDistance;
-            approach(position, goal, reach);
-            need = sought ? Need::KeepsDetour : Need::Way;
-        }
+        // Mostly there is room all round up to the goal.
+        if (ground_.roomAt(cell) < way + radius_) need = moveAmong(position, goal, way, reach, detour);
+        else if (before != goal) position = stepTowards(before, goal, way, reach);
         tracker_.velocity_[place] = dt_ > 0.0 ? (position - before) / dt_ : Vec2{};
         return need;
     }
 
 private:
+    // Where obstacles may be in the way.
+    Need moveAmong(Vec2& position, Vec2 goal, double way, double reach, Detour* detour) {
+        if (position == goal && ground_.roomy(position, radius_)) return Need::Nothing;
+        if (lineIsClear(position, goal, way)) {
+            position = stepTowards(position, goal, way, reach);
+            return Need::Nothing;
+        }
+        if (environment_.distanceToObstacle(position) < radius_ || !environment_.def().box.contains(position)) {
+            escape(position, reach);
+            return detour != nullptr ? Need::KeepsDetour : Need::Nothing;
+        }
+        if (detour != nullptr && !detour->way.empty()) {
+            const Need need = follow(position, *detour, reach);
+            const double stale = std::max(kReplanDistance, kReplanShare * distance(position, goal));
+            return distance(detour->goal, goal) > stale ? Need::Way : need;
+        }
+        const bool sought = detour != nullptr && distance(detour->goal, goal) <= kReplanDistance;
+        approach(position, goal, reach);
+        return sought ? Need::KeepsDetour : Need::Way;
+    }
+
     bool lineIsClear(Vec2 a, Vec2 b, double way) const {
         return ground_.roomy(a, way + radius_) || environment_.clearLine(a, b, radius_);
     }
