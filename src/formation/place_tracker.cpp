@@ -208,6 +208,21 @@ auto detourAt(Detours& detours, std::size_t place) {
                             [](const auto& d, std::int32_t p) { return d.place < p; });
 }
 
+// The detour of a place, put among the others where it has none yet, with memory of ways that ended.
+template <class Detours, class Ways>
+auto& detourFor(Detours& detours, Ways& spareWays, std::size_t place) {
+    auto at = detourAt(detours, place);
+    if (at == detours.end() || static_cast<std::size_t>(at->place) != place) {
+        at = detours.emplace(at);
+        at->place = static_cast<std::int32_t>(place);
+        if (!spareWays.empty()) {
+            at->way.swap(spareWays.back());
+            spareWays.pop_back();
+        }
+    }
+    return *at;
+}
+
 // The first of the places in [from, to) that bears a mark, or `to`.
 std::size_t firstMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark, std::size_t from, std::size_t to) {
     const void* const at = from < to ? std::memchr(marks.data() + from, mark, to - from) : nullptr;
@@ -225,17 +240,9 @@ void PlaceTracker::findWays(const PlaceDef& def, const Environment& environment)
     turn_ = static_cast<std::uint32_t>((first + 1) % n);
     double metres = kMetresPerStep;
     const auto seek = [&](std::size_t place) {
-        auto at = detourAt(detours_, place);
-        if (at == detours_.end() || static_cast<std::size_t>(at->place) != place) {
-            at = detours_.insert(at, Detour{});
-            if (!spareWays_.empty()) {
-                at->way.swap(spareWays_.back());
-                spareWays_.pop_back();
-            }
-        }
-        at->place = static_cast<std::int32_t>(place);
-        at->goal = goal_[place];
-        environment.findPath(position_[place], goal_[place], def.radius, at->way);
+        Detour& detour = detourFor(detours_, spareWays_, place);
+        detour.goal = goal_[place];
+        environment.findPath(position_[place], goal_[place], def.radius, detour.way);
         metres -= distance(position_[place], goal_[place]);
         left = metres > 0.0 ? left - 1 : 0;
         if (left == 0) turn_ = static_cast<std::uint32_t>((place + 1) % n);
