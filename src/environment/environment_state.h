@@ -118,6 +118,8 @@ struct Environment::Impl {
     static constexpr double kReach = kClearanceLimit;
     /// Slack of contact tests: a disc set exactly against a surface counts as free [m].
     static constexpr double kTouch = 1e-7;
+    /// What float rounding may take off a clearance [m].
+    static constexpr double kFloatSlack = 1e-6;
     /// Of `slowest` where no patch lies.
     static constexpr float kNoPatch = std::numeric_limits<float>::infinity();
 
@@ -155,12 +157,20 @@ struct Environment::Impl {
     /// The box that a disc's centre must keep to.
     Box roomFor(double radius) const;
     bool blockedLine(Vec2 a, Vec2 b, double radius) const;
-    double distanceTo(Vec2 p, double limit) const;
+    /// Distance from `p` to the nearest surface [m], negative inside, `limit` where farther.
+    double distanceTo(Vec2 p, double limit) const { return shownFar(p, limit) ? limit : exactDistance(p, limit); }
+    double exactDistance(Vec2 p, double limit) const;
     /// A lower bound of the distance from `p` to the nearest surface, from the raster; no bound
     /// (minus infinity) off the grid.
     double roughDistance(Vec2 p) const;
-    /// True where the raster shows at once that every surface is at least `limit` [m] away.
-    bool farFromAll(Vec2 p, double limit) const;
+    /// True where the raster shows that every surface is at least `limit` [m] away.
+    bool shownFar(Vec2 p, double limit) const {
+        const Cell c = grid.cellOf(p);
+        if (!grid.contains(c)) return false;
+        const double known = clearance.live()[grid.index(c)] - kFloatSlack;
+        // Three quarters of an edge are more than any point of a cell is away from the centre.
+        return known - 0.75 * grid.cell >= limit || known - distance(p, grid.centre(c)) >= limit;
+    }
     bool jumpOut(Vec2 p, double radius, Vec2& best) const;
     std::optional<Cell> nearestFreeCell(Vec2 p, double radius) const;
 

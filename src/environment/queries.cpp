@@ -10,8 +10,8 @@
 namespace muster {
 namespace {
 
-constexpr double kFloatSlack = 1e-6;  // What float rounding may take off a clearance [m].
-constexpr double kApart = 1e-6;       // So much farther than asked is certain whatever the rounding [m].
+// So much farther than asked is certain whatever the rounding [m].
+constexpr double kApart = 1e-6;
 
 bool insideConvex(const Polygon& corners, Vec2 p) {
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
@@ -64,14 +64,7 @@ double Environment::Impl::roughDistance(Vec2 p) const {
     return clearance.live()[grid.index(c)] - distance(p, grid.centre(c)) - kFloatSlack;
 }
 
-bool Environment::Impl::farFromAll(Vec2 p, double limit) const {
-    const Cell c = grid.cellOf(p);
-    // A centre is nearer to any point of its cell than three quarters of an edge.
-    return grid.contains(c) && clearance.live()[grid.index(c)] - 0.75 * grid.cell - kFloatSlack >= limit;
-}
-
-double Environment::Impl::distanceTo(Vec2 p, double limit) const {
-    if (roughDistance(p) >= limit) return limit;
+double Environment::Impl::exactDistance(Vec2 p, double limit) const {
     double nearest = limit;
     double radius = std::max(limit, 0.0);
     forNear(p, radius, [&](std::int32_t number) {
@@ -152,7 +145,7 @@ bool Environment::onePatch(PatchId a, PatchId b) const {
 
 double Environment::distanceToObstacle(Vec2 p, double limit) const {
     impl_->ensure();
-    return impl_->farFromAll(p, limit) ? limit : impl_->distanceTo(p, limit);
+    return impl_->distanceTo(p, limit);
 }
 
 void Environment::markClose(std::span<const Vec2> points, double reach, std::span<std::uint8_t> close) const {

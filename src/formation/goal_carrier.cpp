@@ -32,24 +32,17 @@ bool GoalCarrier::settle(Vec2& spot, Vec2 from) const {
 void GoalCarrier::carry(std::size_t k, Vec2 target) {
     const Vec2 seat = s_.goal[k];
     const Vec2 way = target - s_.target[k];
-    m_.level[k] = Stays;
-    m_.next[k] = m_.carried[k] = seat;
-    if (s_.fit[k] == 0) return;
     const double most = SeatList::slack(apart_);
     const bool exact = seat == s_.target[k];
+    const bool leaps = !(lengthSquared(way) <= most * most);
+    const bool fit = s_.fit[k] != 0;
+    // Most sit on their targets and go with them.
+    const bool free = fit && !leaps && ground_.standable(exact ? target : seat + way);
+    const bool rides = exact && free;
+    m_.carried[k] = m_.next[k] = rides ? target : seat;
+    m_.level[k] = rides ? Carried : fit && leaps ? Leapt : Stays;
     m_.exact[k] = exact ? 1 : 0;
-    if (!(lengthSquared(way) <= most * most)) {
-        m_.level[k] = Leapt;
-        return;
-    }
-    const Vec2 there = exact ? target : seat + way;
-    const bool free = ground_.standable(there);
-    if (!exact || !free) {
-        approach(k, target, there, free);
-        return;
-    }
-    m_.next[k] = m_.carried[k] = there;
-    m_.level[k] = Carried;
+    if (fit && !leaps && !rides) approach(k, target, exact ? target : seat + way, free);
 }
 
 // For those who are not where they would be: with their targets, if they can, and nearer to them.

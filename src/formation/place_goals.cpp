@@ -36,6 +36,12 @@ bool PlaceGround::inRegion(Vec2 p) const {
     return false;
 }
 
+bool PlaceGround::standableByRegion(Vec2 p) const {
+    // In an undivided world the raster has been asked in vain.
+    const bool room = undivided_ ? inner_.contains(p) && roomyExactly(p, clearRadius()) : roomy(p, clearRadius());
+    return room && inRegion(p);
+}
+
 Vec2 PlaceGround::reachable(Vec2 p) const {
     if (standable(p)) return p;
     const Vec2 pushed = environment_.pushOut(p, clearRadius());

@@ -34,8 +34,7 @@ public:
     /// True where a character can stand at `p` with clearance, in the region.
     bool standable(Vec2 p) const {
         // A cell with room for the character is in a region: in the only one, if there is only one.
-        if (roomAt(cellOf(p)) >= clearRadius()) return undivided_ || inRegion(p);
-        return inner_.contains(p) && roomyExactly(p, clearRadius()) && inRegion(p);
+        return (undivided_ && roomAt(cellOf(p)) >= clearRadius()) || standableByRegion(p);
     }
 
 private:
@@ -43,6 +42,7 @@ private:
     static constexpr double kRounding = 1e-5;
 
     bool roomyExactly(Vec2 p, double distance) const;
+    bool standableByRegion(Vec2 p) const;
     // The cell of a point beside a wall may count as blocked though the point is free: then a
     // neighbouring cell must be in the region and in sight.
     bool inRegion(Vec2 p) const;

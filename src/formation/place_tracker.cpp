@@ -85,35 +85,39 @@ public:
         Vec2& position = tracker_.position_[place];
         const Vec2 goal = tracker_.goal_[place];
         const Vec2 before = position;
-        const std::size_t cell = ground_.cellOf(position);
-        const double room = ground_.roomAt(cell);
-        // Stands where it should.
-        if (position == goal && (room >= radius_ || ground_.roomy(position, radius_))) {
-            tracker_.velocity_[place] = {};
-            return Need::Nothing;
-        }
+        const std::size_t cell = ground_.cellOf(before);
         const double reach = def_.maxSpeed * speed_[cell] * dt_;
-        const double way = distance(position, goal);
+        const double way = distance(before, goal);
         Need need = Need::Nothing;
-        if (room >= way + radius_ || lineIsClear(position, goal, way)) {
-            position = stepTowards(position, goal, way, reach);
-        } else if (environment_.distanceToObstacle(position) < radius_ || !environment_.def().box.contains(position)) {
-            escape(position, reach);
-            need = detour != nullptr ? Need::KeepsDetour : Need::Nothing;
-        } else if (detour != nullptr && !detour->way.empty()) {
-            need = follow(position, *detour, reach);
-            const double stale = std::max(kReplanDistance, kReplanShare * distance(position, goal));
-            if (distance(detour->goal, goal) > stale) need = Need::Way;
-        } else {
-            const bool sought = detour != nullptr && distance(detour->goal, goal) <= kReplanDistance;
-            approach(position, goal, reach);
-            need = sought ? Need::KeepsDetour : Need::Way;
-        }
+        // Mostly there is room all round up to the goal.
+        if (ground_.roomAt(cell) < way + radius_) need = moveAmong(position, goal, way, reach, detour);
+        else if (before != goal) position = stepTowards(before, goal, way, reach);
         tracker_.velocity_[place] = dt_ > 0.0 ? (position - before) / dt_ : Vec2{};
         return need;
     }
 
 private:
+    // Where obstacles may be in the way.
+    Need moveAmong(Vec2& position, Vec2 goal, double way, double reach, Detour* detour) {
+        if (position == goal && ground_.roomy(position, radius_)) return Need::Nothing;
+        if (lineIsClear(position, goal, way)) {
+            position = stepTowards(position, goal, way, reach);
+            return Need::Nothing;
+        }
+        if (environment_.distanceToObstacle(position) < radius_ || !environment_.def().box.contains(position)) {
+            escape(position, reach);
+            return detour != nullptr ? Need::KeepsDetour : Need::Nothing;
+        }
+        if (detour != nullptr && !detour->way.empty()) {
+            const Need need = follow(position, *detour, reach);
+            const double stale = std::max(kReplanDistance, kReplanShare * distance(position, goal));
+            return distance(detour->goal, goal) > stale ? Need::Way : need;
+        }
+        const bool sought = detour != nullptr && distance(detour->goal, goal) <= kReplanDistance;
+        approach(position, goal, reach);
+        return sought ? Need::KeepsDetour : Need::Way;
+    }
+
     bool lineIsClear(Vec2 a, Vec2 b, double way) const {
         return ground_.roomy(a, way + radius_) || environment_.clearLine(a, b, radius_);
     }
@@ -204,6 +208,21 @@ auto detourAt(Detours& detours, std::size_t place) {
                             [](const auto& d, std::int32_t p) { return d.place < p; });
 }
 
+// The detour of a place, put among the others where it has none yet, with memory of ways that ended.
+template <class Detours, class Ways>
+auto& detourFor(Detours& detours, Ways& spareWays, std::size_t place) {
+    auto at = detourAt(detours, place);
+    if (at == detours.end() || static_cast<std::size_t>(at->place) != place) {
+        at = detours.emplace(at);
+        at->place = static_cast<std::int32_t>(place);
+        if (!spareWays.empty()) {
+            at->way.swap(spareWays.back());
+            spareWays.pop_back();
+        }
+    }
+    return *at;
+}
+
 // The first of the places in [from, to) that bears a mark, or `to`.
 std::size_t firstMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark, std::size_t from, std::size_t to) {
     const void* const at = from < to ? std::memchr(marks.data() + from, mark, to - from) : nullptr;
@@ -221,17 +240,9 @@ void PlaceTracker::findWays(const PlaceDef& def, const Environment& environment)
     turn_ = static_cast<std::uint32_t>((first + 1) % n);
     double metres = kMetresPerStep;
     const auto seek = [&](std::size_t place) {
-        auto at = detourAt(detours_, place);
-        if (at == detours_.end() || static_cast<std::size_t>(at->place) != place) {
-            at = detours_.insert(at, Detour{});
-            if (!spareWays_.empty()) {
-                at->way.swap(spareWays_.back());
-                spareWays_.pop_back();
-            }
-        }
-        at->place = static_cast<std::int32_t>(place);
-        at->goal = goal_[place];
-        environment.findPath(position_[place], goal_[place], def.radius, at->way);
+        Detour& detour = detourFor(detours_, spareWays_, place);
+        detour.goal = goal_[place];
+        environment.findPath(position_[place], goal_[place], def.radius, detour.way);
         metres -= distance(position_[place], goal_[place]);
         left = metres > 0.0 ? left - 1 : 0;
         if (left == 0) turn_ = static_cast<std::uint32_t>((place + 1) % n);

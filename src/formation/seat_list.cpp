@@ -126,7 +126,8 @@ void SeatList::listAnew(std::size_t seat, Vec2 at) {
     const double reach = apart_ * (1.0 + kMargin);
     anyRound(at, [&](std::size_t other) {
         if (other == seat || !(lengthSquared(foundAt_[other] - at) < reach * reach)) return false;
-        pairs_.push_back({static_cast<std::int32_t>(std::min(seat, other)), static_cast<std::int32_t>(std::max(seat, other))});
+        const auto [low, high] = std::minmax(seat, other);
+        pairs_.push_back({static_cast<std::int32_t>(low), static_cast<std::int32_t>(high)});
         chain(laterOther_[seat], other);
         chain(laterOther_[other], seat);
         return false;

@@ -11,7 +11,7 @@
 namespace muster {
 
 /// The seats of those that have one (marked in `fit`), in cells, and for each the others that may come near. The list
-/// holds while seats move alike; those that have moved otherwise than most are listed anew, all of them where there are many.
+/// holds while seats move alike; those that have moved otherwise than most are listed anew, or all where these are many.
 class SeatList {
 public:
     /// Brings the list up to date with seats and with where they may move now. Both must lie within slack() of each
@@ -24,7 +24,8 @@ public:
     void forNear(std::size_t seat, const Visit& visit) const {
         for (auto at = static_cast<std::size_t>(start_[seat]); at < static_cast<std::size_t>(start_[seat + 1]); ++at)
             visit(static_cast<std::size_t>(other_[at]));
-        for (std::int32_t at = laterOther_[seat]; at >= 0; at = link(at).next) visit(static_cast<std::size_t>(link(at).seat));
+        for (std::int32_t at = laterOther_[seat]; at >= 0; at = link(at).next)
+            visit(static_cast<std::size_t>(link(at).seat));
     }
     /// Calls `visit(a, b)` for all pairs that may be nearer than `apart`, some twice, in a fixed order.
     template <class Visit>
