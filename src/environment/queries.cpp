@@ -155,7 +155,7 @@ void Environment::markClose(std::span<const Vec2> points, double reach, std::spa
     const Box room = s.def.box.grown(-reach);
     const std::span<const float> clearance = s.clearance.live();
     // No point of a cell is farther from its centre than half a diagonal: most need no exact look.
-    const double ample = reach + 0.7072 * grid.cell + 2.0 * kFloatSlack;
+    const double ample = reach + 0.7072 * grid.cell + 2.0 * Impl::kFloatSlack;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 p = points[i];
         if (!room.contains(p)) close[i] = 1;
