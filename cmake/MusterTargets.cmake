@@ -26,6 +26,8 @@ endif()
 # g++ 12 joins the two numbers of a point to one load right after it stored them one by one, and waits for the stores: a
 # sixth of a step's time, without any gain.
 target_compile_options(muster_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+# Modules may end up in a shared library, but nobody replaces single functions of them: so they may be inlined.
+target_compile_options(muster_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 target_compile_definitions(muster_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
 add_library(muster_warnings INTERFACE)
 target_compile_options(muster_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
