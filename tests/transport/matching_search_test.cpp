@@ -195,6 +195,52 @@ TEST_CASE("a direct way back counts as known") {
     }
 }
 
+TEST_CASE("the least reduced cost of a row is that of its worst arc, to the bit") {
+    Bench bench(120, 16);
+    bench.disturb(17, 3.0, false);
+    for (std::int32_t s = 0; s < bench.state.seats.count(); ++s) {
+        double least = kInfinite;
+        for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc) least = std::min(least, bench.state.reduced(arc));
+        REQUIRE(bench.state.leastFrom(s) == least);
+    }
+}
+
+TEST_CASE("an arc is found in whatever lane it lies, and none where none leads") {
+    Bench bench(120, 18);
+    bench.disturb(19, 1.0, false);
+    for (std::int32_t from = 0; from < 120; ++from)
+        for (std::int32_t to = 0; to < 120; ++to) {
+            std::int32_t first = -1;
+            for (std::int32_t arc = (from + 1) * kLanes; arc-- > from * kLanes;)
+                if (bench.state.arcs.target(arc) == to) first = arc;
+            REQUIRE(bench.state.arcs.find(from, to) == first);
+        }
+}
+
+TEST_CASE("tight arcs only are asked for, and the others keep their weights") {
+    Bench bench(120, 20);
+    bench.disturb(21, 3.0, false);
+    const std::vector<float> before = bench.state.arcs.weights();
+    const std::vector<double> reduced = bench.reduced();
+    for (Vec2& p : bench.scene.costs.characters) p += Vec2{0.3, -0.2};
+    const std::vector<double> margin(120, 1.0);
+    std::vector<std::int32_t> rows(120);
+    std::iota(rows.begin(), rows.end(), 0);
+    bench.state.arcs.refresh(bench.context, bench.state.seats, bench.state.ownPower, rows, {bench.state.price, margin});
+    int renewed = 0;
+    for (std::int32_t arc = 0; arc < 120 * kLanes; ++arc) {
+        const std::int32_t to = bench.state.arcs.target(arc);
+        if (to == arc / kLanes) continue;
+        const double there = bench.context.power(bench.scene.costs.cost(bench.state.seats.holder(arc / kLanes), to));
+        const float now = bench.state.arcs.weightBy(bench.context, bench.state.seats, bench.state.ownPower, arc, there);
+        const bool tight = reduced[static_cast<std::size_t>(arc)] < 1.0;
+        REQUIRE(bench.state.arcs.weight(arc) == (tight ? now : before[static_cast<std::size_t>(arc)]));
+        renewed += tight ? 1 : 0;
+    }
+    CHECK(renewed > 100);
+    CHECK(renewed < 120 * 12);
+}
+
 TEST_CASE("repairs only ever lower the objective, within their budget, and end where nothing gains enough") {
     for (const std::uint64_t seed : {14, 15}) {
         Bench bench(200, seed);

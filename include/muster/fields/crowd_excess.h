@@ -24,10 +24,12 @@ public:
     double along(Vec2 a, Vec2 b) const { return along(a, b, distance(a, b)); }
     /// The same where the length of the line is known.
     double along(Vec2 a, Vec2 b, double length) const;
-    /// The integral times the cost of a metre of the still ground under it, which may change on the way. `length` is that of
-    /// the line.
+    /// The integral times the cost of a metre of the still ground under it, which may change on the way.
+    double costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const { return costAlong(ground, a, b, distance(a, b)); }
+    /// The same where the length of the line is known.
     double costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const;
-    /// The share of the line from `a` to `b` at which moving things make it dearest, in the mean; negative where none does.
+    /// The share of the line from `a` to `b`, of this length, at which moving things make it dearest, in the mean; negative where
+    /// none does.
     double hazardCentre(Vec2 a, Vec2 b, double length) const;
     /// The excess of moving things at a point.
     double hazardAt(Vec2 p) const { return hazardMeets(p, p) ? hazardRead(p) : 0.0; }
