@@ -15,8 +15,8 @@ bool Front::flood(Cell home, std::int32_t root, float limit) {
     float x = 0.0f;
     float y = 0.0f;
     place(start, x, y);
-    root_[start.node] = root;
-    tentative_[start.node] = accepted_[start.node] = roots_[root].costAt(x, y);
+    nodes_[start.node].root = root;
+    nodes_[start.node].tentative = nodes_[start.node].accepted = roots_[root].costAt(x, y);
     for (const std::int32_t side : {1, -1}) {
         floodAxis(home, side, 0, root);
         floodAxis(home, 0, side, root);
@@ -38,10 +38,10 @@ void Front::floodAxis(Cell home, std::int32_t right, std::int32_t up, std::int32
     for (Cell c{home.x + right, home.y + up}; grid_.contains(c); c = {c.x + right, c.y + up}) {
         const FrontCell cell = at(c);
         const FrontCell before = at({c.x - right, c.y - up});
-        if (root_[before.node] != root) return;
+        if (nodes_[before.node].root != root) return;
         const bool rim = right != 0 ? c.y == 0 || c.y == grid_.height - 1 : c.x == 0 || c.x == grid_.width - 1;
         floodCell(cell, !rim && sight_.open(before.cell - across, unit) && sight_.open(before.cell + across, unit), root);
-        if (root_[cell.node] != root) return;
+        if (nodes_[cell.node].root != root) return;
         floodLow_ = {std::min(floodLow_.x, c.x), std::min(floodLow_.y, c.y)};
         floodHigh_ = {std::max(floodHigh_.x, c.x), std::max(floodHigh_.y, c.y)};
     }
@@ -59,16 +59,16 @@ void Front::floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::i
     for (std::int32_t j = 1; j <= height; ++j) {
         const std::int32_t row = home.y + up * j;
         const float dy = std::fabs(static_cast<float>(row) - source.y);
-        std::int32_t last = root_[node(home.x, row)] == root ? 0 : -1;
+        std::int32_t last = nodes_[node(home.x, row)].root == root ? 0 : -1;
         for (std::int32_t i = 1; i <= width; ++i) {
             const std::int32_t column = home.x + right * i;
             const std::int32_t to = node(column, row);
             const float dx = std::fabs(static_cast<float>(column) - source.x);
-            const bool straight = root_[to - (dx >= dy ? right : rowStep)] == root;
-            const bool oblique = root_[to - right - rowStep] == root;
+            const bool straight = nodes_[to - (dx >= dy ? right : rowStep)].root == root;
+            const bool oblique = nodes_[to - right - rowStep].root == root;
             if (straight || oblique) {
                 floodCell({row * grid_.width + column, to}, straight && oblique, root);
-                if (root_[to] == root) last = i;
+                if (nodes_[to].root == root) last = i;
             } else if (i > reached) {
                 break;
             }
@@ -93,9 +93,9 @@ inline void Front::floodCell(FrontCell cell, bool certain, std::int32_t root) {
     if (value > floodLimit_) return;
     const float rise = open ? 1.0f : sight_.rise(cell.cell, x, y, source);
     if (rise < kHidden || (!(certain && rise >= kRisen) && look(cell, x, y, root) != Ray::Clear)) return;
-    root_[cell.node] = root;
-    tentative_[cell.node] = value;
-    accepted_[cell.node] = value;
+    nodes_[cell.node].root = root;
+    nodes_[cell.node].tentative = value;
+    nodes_[cell.node].accepted = value;
 }
 
 // The march goes on from the flooded cells that have others beside them, or may be bent at.
@@ -103,12 +103,12 @@ void Front::queueRim(std::int32_t root) {
     for (std::int32_t y = floodLow_.y; y <= floodHigh_.y; ++y) {
         for (std::int32_t x = floodLow_.x; x <= floodHigh_.x; ++x) {
             const FrontCell cell = at({x, y});
-            if (root_[cell.node] != root) continue;
-            const bool inner = root_[cell.node - 1] == root && root_[cell.node + 1] == root &&
-                               root_[cell.node - stride_] == root && root_[cell.node + stride_] == root;
+            if (nodes_[cell.node].root != root) continue;
+            const bool inner = nodes_[cell.node - 1].root == root && nodes_[cell.node + 1].root == root &&
+                               nodes_[cell.node - stride_].root == root && nodes_[cell.node + stride_].root == root;
             if (inner && sight_.wall(cell.cell) == 0) continue;
-            accepted_[cell.node] = kInfiniteCost;
-            queue_.push(queue_.number(tentative_[cell.node]), cell);
+            nodes_[cell.node].accepted = kInfiniteCost;
+            queue_.push(queue_.number(nodes_[cell.node].tentative), cell);
         }
     }
 }
