@@ -82,6 +82,12 @@ private:
         void take(float cost, std::int32_t at);
     };
 
+    // Of a row of the flood, in columns from the root's: as far as the ground goes, and as the row before was seen.
+    struct FloodSpan {
+        std::int32_t width;
+        std::int32_t reached;
+    };
+
     template <Side kSide>
     static float towards(const CellCost& c);
     template <Side kSide>
@@ -100,7 +106,8 @@ private:
     void place(FrontCell cell, float& x, float& y) const;
     void floodAxis(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
     void floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
-    void floodCell(FrontCell cell, bool certain, std::int32_t root);
+    std::int32_t floodRow(Cell axis, Cell side, FloodSpan span, std::int32_t root);
+    bool floodCell(FrontCell cell, bool certain, std::int32_t root);
     void queueRim(std::int32_t root);
     void noteWritten(Cell low, Cell high) {
         writtenLow_ = {std::min(writtenLow_.x, low.x), std::min(writtenLow_.y, low.y)};
