@@ -11,6 +11,18 @@ constexpr float kBucketShare = 0.125f;
 // Second-order differences need evenly spaced values: they are used where the costs of two steps differ by less.
 constexpr float kEven = 0.2f;
 
+// The value that follows from those of two neighbours across each other, a step from which costs ca and cb; from a alone
+// where it would lie below one of them.
+inline float upwind(float a, float ca, float b, float cb) {
+    const float alone = a + ca;
+    if (!(b < alone && a < b + cb)) return alone;
+    const float difference = a - b;
+    const float sa = ca * ca;
+    const float sb = cb * cb;
+    const float sum = sa + sb;
+    return (sb * a + sa * b + ca * cb * std::sqrt(std::max(0.0f, sum - difference * difference))) / sum;
+}
+
 }  // namespace
 
 void Front::fit(const Grid& grid) {
@@ -91,7 +103,9 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
     const float value = here->accepted;
     const float old = there->tentative;
     if (!(old > value) || there->root == kGiven) return;
-    const auto to = [&] { return FrontCell{from.cell + static_cast<std::int32_t>(cellStep), from.node + static_cast<std::int32_t>(step)}; };
+    const auto to = [&] {
+        return FrontCell{from.cell + static_cast<std::int32_t>(cellStep), from.node + static_cast<std::int32_t>(step)};
+    };
     if (here->root > 0 && relaxStraight(from, to(), old)) return;
     const CellCost* const cost = fromCost + cellStep;
 
@@ -127,14 +141,7 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
                 cb *= 2.0f / 3.0f;
             }
         }
-        // Upwind only: the solution must not lie below a or b.
-        if (b < best && a < b + cb) {
-            const float difference = a - b;
-            const float sa = ca * ca;
-            const float sb = cb * cb;
-            const float sum = sa + sb;
-            best = (sb * a + sa * b + ca * cb * std::sqrt(std::max(0.0f, sum - difference * difference))) / sum;
-        }
+        best = upwind(a, ca, b, cb);
     }
     const float least = there->root > 0 && !(before < last) ? kDoubt * cost->east : tolerance_;
     if (best < old - least) put(to(), old, best, before < last ? kCheaper : 0);

@@ -127,7 +127,8 @@ bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     const Root& root = roots_[number];
     if (!sight_.plain(to.cell, root.unit)) return false;
     // A value from differences gives way to a straight one that is hardly worse.
-    if (nodes_[to.node].root == 0 && old < kInfiniteCost && nodes_[to.node].accepted == kInfiniteCost) old += kDoubt * root.unit;
+    const FrontNode& there = nodes_[to.node];
+    if (there.root == 0 && old < kInfiniteCost && there.accepted == kInfiniteCost) old += kDoubt * root.unit;
     float x = 0.0f;
     float y = 0.0f;
     place(to, x, y);
