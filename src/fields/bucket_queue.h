@@ -42,11 +42,7 @@ public:
     /// Adds a cell to the bucket of that number.
     void push(std::int32_t bucket, FrontCell cell) {
         if (bucket < current_) bucket = current_;
-        if (bucket - current_ >= kRing) {
-            far_.push_back({bucket, cell});
-            if (bucket < farLowest_) farLowest_ = bucket;
-            return;
-        }
+        if (bucket - current_ >= kRing) return putFar(bucket, cell);
         put(bucket, cell);
     }
 
@@ -83,8 +79,13 @@ private:
 
     void put(std::int32_t bucket, FrontCell cell) {
         const std::uint32_t at = slot(bucket);
-        used_[at / 64] |= 1ull << (at % 64);
+        if (buckets_[at].empty()) used_[at / 64] |= 1ull << (at % 64);
         buckets_[at].push_back(cell);
+    }
+
+    void putFar(std::int32_t bucket, FrontCell cell) {
+        far_.push_back({bucket, cell});
+        if (bucket < farLowest_) farLowest_ = bucket;
     }
 
     std::int32_t nextUsed() const {

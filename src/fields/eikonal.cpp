@@ -68,16 +68,16 @@ Cell EikonalSolver::Impl::readRows(const Grid& grid, Cell& high) const {
     Cell low{grid.width, grid.height};
     high = {-1, -1};
     for (std::int32_t y = front.firstRow(); y <= front.lastRow(); ++y) {
-        const float* row = front.row(y);
+        const FrontNode* row = front.row(y);
         std::int32_t left = 0;
-        while (left < low.x && !(row[left] < kInfiniteCost)) ++left;
+        while (left < low.x && !(row[left].accepted < kInfiniteCost)) ++left;
         std::int32_t right = grid.width - 1;
-        while (right > high.x && !(row[right] < kInfiniteCost)) --right;
+        while (right > high.x && !(row[right].accepted < kInfiniteCost)) --right;
         const bool inside = left < low.x || right > high.x;
         low.x = std::min(low.x, left);
         high.x = std::max(high.x, right);
         bool any = inside;
-        for (std::int32_t x = low.x; !any && x <= high.x; ++x) any = row[x] < kInfiniteCost;
+        for (std::int32_t x = low.x; !any && x <= high.x; ++x) any = row[x].accepted < kInfiniteCost;
         if (!any) continue;
         low.y = std::min(low.y, y);
         high.y = y;
@@ -118,15 +118,15 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
     field.marched_ = 0;
     const auto edge = static_cast<float>(grid.cell);
     for (std::int32_t y = 0; y < field.height_; ++y) {
-        const float* row = work.front.row(low.y + y) + low.x;
-        const std::int32_t* root = work.front.rootRow(low.y + y) + low.x;
+        const FrontNode* row = work.front.row(low.y + y) + low.x;
         float* out = field.values_.data() + static_cast<std::size_t>(y) * field.width_;
         std::uint16_t* rootOut = field.root_.data() + static_cast<std::size_t>(y) * field.width_;
         std::int32_t reached = 0;
         for (std::int32_t x = 0; x < field.width_; ++x) {
-            out[x] = row[x] * edge;
-            rootOut[x] = static_cast<std::uint16_t>(root[x] > 0 && root[x] <= 0xffff ? root[x] : 0);
-            reached += row[x] < kInfiniteCost ? 1 : 0;
+            const std::int32_t root = row[x].root;
+            out[x] = row[x].accepted * edge;
+            rootOut[x] = static_cast<std::uint16_t>(root > 0 && root <= 0xffff ? root : 0);
+            reached += row[x].accepted < kInfiniteCost ? 1 : 0;
         }
         field.marched_ += reached;
     }

@@ -21,6 +21,14 @@ inline constexpr std::int32_t kGiven = -1;
 /// In place of a root: the value comes from cheaper ground, so that no straight way along this ground can be better.
 inline constexpr std::int32_t kCheaper = -2;
 
+/// What a march knows of a cell. It is kept in one place, as a step of the march needs nearly all of it at once.
+struct FrontNode {
+    float accepted = kInfiniteCost;   ///< Value that neighbours have been told of.
+    float tentative = kInfiniteCost;  ///< Lowest value found so far.
+    std::int32_t root = 0;    ///< What the value comes from: number of a root above 0, 0 for none, kGiven or kCheaper.
+    std::int32_t hidden = 0;  ///< The root last found hidden from here by a wall; 0 for none.
+};
+
 /// Values of a march in units of cost per metre times the cell's edge. Rows are padded by one cell that ends one
 /// row and begins the next, and by two rows below and above, so that no index needs a check.
 class Front {
@@ -46,14 +54,12 @@ public:
     /// Value at the centre of a cell beside a wall, whose own value is that of its point at the wall.
     float centreValue(const WallNode& beside) const;
     /// Value of a node, infinite where not reached.
-    float value(std::int32_t node) const { return accepted_[node]; }
+    float value(std::int32_t node) const { return nodes_[node].accepted; }
     /// First and last row in which a cell may have been reached; the last lies below the first where there is none.
     std::int32_t firstRow() const { return lastNode_ < 0 ? 0 : firstNode_ / stride_ - 2; }
     std::int32_t lastRow() const { return lastNode_ < 0 ? -1 : lastNode_ / stride_ - 2; }
-    /// Values of a row, from column 0 on.
-    const float* row(std::int32_t y) const { return accepted_.data() + node(0, y); }
-    /// What the values of a row come from: numbers of roots above 0.
-    const std::int32_t* rootRow(std::int32_t y) const { return root_.data() + node(0, y); }
+    /// The cells of a row, from column 0 on.
+    const FrontNode* row(std::int32_t y) const { return nodes_.data() + node(0, y); }
     /// All roots by number; number 0 is none.
     const std::vector<Root>& roots() const { return roots_; }
     /// The padded index of a cell.
@@ -76,11 +82,17 @@ private:
         void take(float cost, std::int32_t at);
     };
 
+    // Of a row of the flood, in columns from the root's: as far as the ground goes, and as the row before was seen.
+    struct FloodSpan {
+        std::int32_t width;
+        std::int32_t reached;
+    };
+
     template <Side kSide>
     static float towards(const CellCost& c);
     template <Side kSide>
-    void relax(FrontCell from, float value, const CellCost& fromCost);
-    void spread(FrontCell from, float value);
+    void relax(FrontCell from, const FrontNode* here, const CellCost* fromCost);
+    void spread(FrontCell from, const FrontNode* here);
     bool relaxStraight(FrontCell from, FrontCell to, float old);
     Ray sees(FrontCell to, float x, float y, std::int32_t number);
     Ray look(FrontCell to, float x, float y, std::int32_t number);
@@ -94,40 +106,39 @@ private:
     void place(FrontCell cell, float& x, float& y) const;
     void floodAxis(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
     void floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::int32_t root);
-    void floodCell(FrontCell cell, bool certain, std::int32_t root);
+    std::int32_t floodRow(Cell axis, Cell side, FloodSpan span, std::int32_t root);
+    bool floodCell(FrontCell cell, bool certain, std::int32_t root);
     void queueRim(std::int32_t root);
     void noteWritten(Cell low, Cell high) {
         writtenLow_ = {std::min(writtenLow_.x, low.x), std::min(writtenLow_.y, low.y)};
         writtenHigh_ = {std::max(writtenHigh_.x, high.x), std::max(writtenHigh_.y, high.y)};
     }
     void noteReached(std::int32_t node) {
-        firstNode_ = std::min(firstNode_, node);
-        lastNode_ = std::max(lastNode_, node);
+        if (node < firstNode_) firstNode_ = node;
+        if (node > lastNode_) lastNode_ = node;
     }
     void put(FrontCell to, float old, float value, std::int32_t root) {
-        tentative_[to.node] = value;
-        root_[to.node] = root;
+        FrontNode& at = nodes_[to.node];
+        at.tentative = value;
+        at.root = root;
         const std::int32_t bucket = queue_.number(value);
         // A cell that waits in the same bucket need not be put there twice.
-        if (accepted_[to.node] != old && queue_.number(old) == bucket) return;
+        if (at.accepted != old && queue_.number(old) == bucket) return;
         queue_.push(bucket, to);
     }
 
     Grid grid_;
     std::int32_t stride_ = 0;
     const CellCost* cells_ = nullptr;
-    bool secondOrder_ = true;
+    float even_ = 0.0f;       // Costs of two steps that differ by a smaller share are even.
     float width_ = 1.0f;      // Of a bucket.
     float tolerance_ = 0.0f;  // Smaller gains are not worth a visit.
-    std::vector<float> accepted_;
-    std::vector<float> tentative_;
+    std::vector<FrontNode> nodes_;
     BucketQueue queue_;
-    // Straight ways: the root that each value comes from (0 for none), and the root that stands at each wall node.
+    // Straight ways, and the root that stands at each wall node.
     Sight sight_;
     std::vector<Root> roots_;
-    std::vector<std::int32_t> root_;
-    std::vector<std::int32_t> hidden_;  // The root last found hidden from a node by a wall; 0 for none.
-    std::vector<std::int32_t> hidingCell_;  // The cell that hid it; -1 where ways bent there were offered.
+    std::vector<std::int32_t> hidingCell_;  // The cell that hid a node's hidden root; -1 where ways bent there were offered.
     std::int32_t hiding_ = -1;          // The same of the root asked for last.
     std::vector<std::int32_t> wallRoot_;
     // The lowest and the highest node reached, so that reading the result need not visit the whole ground.

@@ -72,7 +72,7 @@ inline bool Front::bends(std::int32_t cell) const {
 // True where a node is known to see the root: its value comes straight from there, or, far off, from another root at
 // the same corner or from the root before it, as at the border between what the two see first.
 inline bool Front::shows(std::int32_t node, std::int32_t number, bool far) const {
-    const std::int32_t own = root_[node];
+    const std::int32_t own = nodes_[node].root;
     if (own == number) return true;
     if (!far || own <= 0) return false;
     const Root& a = roots_[own];
@@ -84,7 +84,7 @@ inline bool Front::shows(std::int32_t node, std::int32_t number, bool far) const
 // towards it, it sees this one as well, unless a wall hides one from the other; else the way is looked along.
 Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
     hiding_ = -1;
-    if (hidden_[to.node] == number) {
+    if (nodes_[to.node].hidden == number) {
         hiding_ = hidingCell_[to.node];
         return Ray::Wall;
     }
@@ -105,7 +105,7 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
     }
     const bool level = std::min(ax, ay) <= kNearlyStraight * std::max(ax, ay);
     const bool far = rootRise >= 0.0f && rootRise < 1.0f && ax + ay > kFar;
-    const bool own = root_[straight] == number || root_[oblique] == number;
+    const bool own = nodes_[straight].root == number || nodes_[oblique].root == number;
     if (own && rise >= kRisen && shows(straight, number, far) && (level || shows(oblique, number, far))) return Ray::Clear;
     return look(to, x, y, number);
 }
@@ -113,7 +113,7 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
 Ray Front::look(FrontCell to, float x, float y, std::int32_t number) {
     const Ray ray = sight_.look(x, y, roots_[number], hiding_);
     if (ray == Ray::Wall) {
-        hidden_[to.node] = number;
+        nodes_[to.node].hidden = number;
         hidingCell_[to.node] = hiding_;
     }
     return ray;
@@ -122,12 +122,13 @@ Ray Front::look(FrontCell to, float x, float y, std::int32_t number) {
 // Offers `to` the cost of a straight way from the root of `from`, or from `from` itself where it lies at a wall.
 // Returns false where differences should be tried: on other ground, or where the root is hidden.
 bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
-    const std::int32_t number = root_[from.node];
-    if (root_[to.node] == number) return true;
+    const std::int32_t number = nodes_[from.node].root;
+    if (nodes_[to.node].root == number) return true;
     const Root& root = roots_[number];
     if (!sight_.plain(to.cell, root.unit)) return false;
     // A value from differences gives way to a straight one that is hardly worse.
-    if (root_[to.node] == 0 && old < kInfiniteCost && accepted_[to.node] == kInfiniteCost) old += kDoubt * root.unit;
+    const FrontNode& there = nodes_[to.node];
+    if (there.root == 0 && old < kInfiniteCost && there.accepted == kInfiniteCost) old += kDoubt * root.unit;
     float x = 0.0f;
     float y = 0.0f;
     place(to, x, y);
@@ -135,12 +136,12 @@ bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     if (!(straight < old - tolerance_)) return true;
     const Ray ray = sees(to, x, y, number);
     if (ray == Ray::Clear) {
-        put(to, tentative_[to.node], straight, number);
+        put(to, nodes_[to.node].tentative, straight, number);
         return true;
     }
     const bool atWall = sight_.wall(from.cell) != 0;
     if (!bends(from.cell)) {
-        const bool bendsThere = ray == Ray::Wall && hiding_ >= 0 && (root_[to.node] <= 0 || atWall);
+        const bool bendsThere = ray == Ray::Wall && hiding_ >= 0 && (nodes_[to.node].root <= 0 || atWall);
         if (bendsThere && bendAt(hiding_, to, x, y, root.unit, old)) return true;
         // Hidden: by other ground, or in the shadow of a wall whose corner will offer better to nearly all.
         if (!atWall) return false;
@@ -172,9 +173,9 @@ Front::Bends Front::bestBends(std::int32_t hiding, const Root& target, float lim
     for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
             const FrontCell at = this->at({x, y});
-            const float cost = accepted_[at.node];
+            const float cost = nodes_[at.node].accepted;
             if (!(cost < limit) || !bends(at.cell)) continue;
-            if (root_[at.node] <= 0 || roots_[root_[at.node]].unit != target.unit) continue;
+            if (nodes_[at.node].root <= 0 || roots_[nodes_[at.node].root].unit != target.unit) continue;
             float px = 0.0f;
             float py = 0.0f;
             place(at, px, py);
@@ -199,7 +200,7 @@ bool Front::bendAt(std::int32_t hiding, FrontCell to, float x, float y, float un
         const float share = std::min(1.0f, kBesideBend / std::max(apart, 1.0f));
         std::int32_t ignored = 0;
         if (sight_.look(bent.x + share * (x - bent.x), bent.y + share * (y - bent.y), bent, ignored) != Ray::Clear) continue;
-        put(to, tentative_[to.node], best.value[k], rootAt(from));
+        put(to, nodes_[to.node].tentative, best.value[k], rootAt(from));
         return true;
     }
     return false;
@@ -222,18 +223,18 @@ void Front::bend(FrontCell from, FrontCell to, float old) {
         number = static_cast<std::int32_t>(roots_.size());
         roots_.push_back(middle);
     }
-    put(to, tentative_[to.node], value, number);
+    put(to, nodes_[to.node].tentative, value, number);
 }
 
 // The root at a wall cell, made where there is none yet.
 std::int32_t Front::rootAt(FrontCell wallCell) {
     std::int32_t& number = wallRoot_[sight_.wall(wallCell.cell)];
-    const float cost = accepted_[wallCell.node];
+    const float cost = nodes_[wallCell.node].accepted;
     if (number == 0 || roots_[number].cost != cost) {
         Root root;
         place(wallCell, root.x, root.y);
         root.cost = cost;
-        root.parent = root_[wallCell.node];
+        root.parent = nodes_[wallCell.node].root;
         root.unit = roots_[root.parent].unit;
         const WallNode& beside = sight_.node(sight_.wall(wallCell.cell));
         root.normalX = beside.normalX;
@@ -249,8 +250,8 @@ void Front::bendRound(FrontCell from) {
     for (const std::int32_t right : {1, -1}) {
         for (const std::int32_t up : {1, -1}) {
             const FrontCell to{from.cell + up * grid_.width + right, from.node + up * stride_ + right};
-            const float old = tentative_[to.node];
-            if (!(old > accepted_[from.node]) || root_[to.node] == kGiven) continue;
+            const float old = nodes_[to.node].tentative;
+            if (!(old > nodes_[from.node].accepted) || nodes_[to.node].root == kGiven) continue;
             const CellCost& cost = cells_[from.cell];
             const bool beside = (right > 0 ? cost.east : cost.west) < kInfiniteCost;
             const bool above = (up > 0 ? cost.north : cost.south) < kInfiniteCost;
@@ -262,11 +263,11 @@ void Front::bendRound(FrontCell from) {
 float Front::centreValue(const WallNode& beside) const {
     const Cell c = grid_.at(beside.cell);
     const std::int32_t at = node(c.x, c.y);
-    const std::int32_t root = root_[at];
-    if (!(accepted_[at] < kInfiniteCost) || root <= 0) return accepted_[at];
+    const std::int32_t root = nodes_[at].root;
+    if (!(nodes_[at].accepted < kInfiniteCost) || root <= 0) return nodes_[at].accepted;
     const auto x = static_cast<float>(c.x);
     const auto y = static_cast<float>(c.y);
-    return accepted_[at] + roots_[root].costAt(x, y) - roots_[root].costAt(x + beside.x, y + beside.y);
+    return nodes_[at].accepted + roots_[root].costAt(x, y) - roots_[root].costAt(x + beside.x, y + beside.y);
 }
 
 }  // namespace muster

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -31,8 +32,14 @@ public:
     const WallNode& node(std::int32_t number) const { return cost_->nodes[number - 1]; }
     /// True where all directions of a cell are open and cost `unit`.
     bool open(std::int32_t cell, float unit) const {
-        const CellCost& c = cost_->cells[cell];
-        return c.east == unit && c.north == unit && c.west == unit && c.south == unit;
+        // Costs are above 0, so that equal ones have equal bits: two comparisons of integers do for four of numbers.
+        struct Pairs {
+            std::uint64_t first, second;
+        };
+        const auto one = std::bit_cast<std::uint32_t>(unit);
+        const std::uint64_t two = static_cast<std::uint64_t>(one) << 32 | one;
+        const auto c = std::bit_cast<Pairs>(cost_->cells[cell]);
+        return c.first == two && c.second == two;
     }
     /// True where all directions of a cell cost `unit`, as far as they are open.
     bool plain(std::int32_t cell, float unit) const {

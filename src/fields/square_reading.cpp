@@ -39,32 +39,32 @@ double CostField::squareBetween(Vec2 p) const {
     const BetweenCentres at = betweenCentres(grid_, p);
     const std::int32_t x = at.low.x - low_.x;
     const std::int32_t y = at.low.y - low_.y;
+    if (x < 0 || y < 0 || x + 1 >= width_ || y + 1 >= height_) return squareOfKnown(at.low, at.fx, at.fy);
+    const float* low = values_.data() + static_cast<std::size_t>(y) * width_ + x;
+    const float* high = low + width_;
+    // Nearly always all four are known: squares between them at once.
+    const bool all = low[0] < kInfiniteCost && low[1] < kInfiniteCost && high[0] < kInfiniteCost && high[1] < kInfiniteCost;
+    if (!all) return squareOfKnown(at.low, at.fx, at.fy);
+    const auto square = [](double value) { return value * value; };
+    const double lowLeft = square(low[0]);
+    const double highLeft = square(high[0]);
+    const double below = lowLeft + (square(low[1]) - lowLeft) * at.fx;
+    const double above = highLeft + (square(high[1]) - highLeft) * at.fx;
+    return below + (above - below) * at.fy;
+}
+
+// The same where not all four centres may be reached, `low` being the lower left one.
+double CostField::squareOfKnown(Cell low, double fx, double fy) const {
     double v[4];
     bool known[4];
-    if (x >= 0 && y >= 0 && x + 1 < width_ && y + 1 < height_) {
-        const float* low = values_.data() + static_cast<std::size_t>(y) * width_ + x;
-        const float* high = low + width_;
-        v[0] = low[0];
-        v[1] = low[1];
-        v[2] = high[0];
-        v[3] = high[1];
-    } else {
-        for (int k = 0; k < 4; ++k) v[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)});
-    }
-    bool all = true;
     bool any = false;
     for (int k = 0; k < 4; ++k) {
+        v[k] = value({low.x + (k & 1), low.y + (k >> 1)});
         known[k] = v[k] < kInfiniteCost;
-        all = all && known[k];
         any = any || known[k];
         v[k] *= v[k];
     }
-    if (all) {
-        const double below = v[0] + (v[1] - v[0]) * at.fx;
-        const double above = v[2] + (v[3] - v[2]) * at.fx;
-        return below + (above - below) * at.fy;
-    }
-    return any ? betweenKnown(v, known, at.fx, at.fy) : std::numeric_limits<double>::infinity();
+    return any ? betweenKnown(v, known, fx, fy) : std::numeric_limits<double>::infinity();
 }
 
 std::int32_t CostField::corners(Vec2 p, std::span<Vec2> corners) const {

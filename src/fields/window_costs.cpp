@@ -42,9 +42,9 @@ bool WindowCosts::looks(std::size_t place) const {
     return seen_[place].count == 0 || (mixed_[place] > 0 && stencil_[place].count < 4) || (step_ + place) % kLookPeriod == 0;
 }
 
-void WindowCosts::tick(std::size_t place) {
+void WindowCosts::tick() {
     for (auto* steps : {&asked_, &owned_, &mixed_})
-        if ((*steps)[place] > 0) --(*steps)[place];
+        for (std::uint8_t& left : *steps) left = static_cast<std::uint8_t>(left - (left > 0 ? 1 : 0));
 }
 
 void WindowCosts::look(std::size_t place, bool anew) {
@@ -58,13 +58,16 @@ void WindowCosts::findStencils(bool ticks) {
     if (ticks) ++step_;
     const bool anew = generation_ != windows_.generation();
     generation_ = windows_.generation();
-    for (const bool owned : {true, false})
-        for (std::size_t j = 0; j < places_.size(); ++j)
-            if (asked_[j] > 0 && (owned_[j] > 0) == owned) look(j, anew);
+    // First for those whom somebody walks to.
+    bool others = false;
     for (std::size_t j = 0; j < places_.size(); ++j) {
         if (asked_[j] == 0) seen_[j].count = stencil_[j].count = 0;
-        if (ticks) tick(j);
+        else if (owned_[j] > 0) look(j, anew);
+        else others = true;
     }
+    for (std::size_t j = 0; others && j < places_.size(); ++j)
+        if (asked_[j] > 0 && owned_[j] == 0) look(j, anew);
+    if (ticks) tick();
 }
 
 // What an archive told of must be there.

@@ -58,7 +58,7 @@ public:
 
 private:
     bool looks(std::size_t place) const;
-    void tick(std::size_t place);
+    void tick();
     void look(std::size_t place, bool anew);
     bool slotsFit() const;
     double stillCost(Vec2 from, std::int32_t place) const;

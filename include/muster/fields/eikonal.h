@@ -67,6 +67,7 @@ private:
     // The cheapest of the ways from the roots around a point, exact also where two ways meet, and the vector to that
     // root [cells]. Infinite where not all that is known around the point comes straight from roots.
     double straightCostAt(Vec2 p, Vec2& towards) const;
+    double squareOfKnown(Cell low, double fx, double fy) const;
     std::int32_t indexOf(Cell cell) const;
     Roots rootsAround(Vec2 p) const;
     std::int32_t seenRoot(std::int32_t first, std::int32_t last, Vec2 at) const;
