@@ -16,8 +16,8 @@ struct BetweenCentres {
 
 /// The centres around a point told in cells from the grid's corner; the nearest ones beyond the outermost.
 inline BetweenCentres betweenCentresAt(const Grid& grid, double x, double y) {
-    const double u = std::clamp(x - 0.5, 0.0, static_cast<double>(grid.width - 1));
-    const double v = std::clamp(y - 0.5, 0.0, static_cast<double>(grid.height - 1));
+    const double u = Grid::bounded(x - 0.5, 0.0, static_cast<double>(grid.width - 1));
+    const double v = Grid::bounded(y - 0.5, 0.0, static_cast<double>(grid.height - 1));
     const Cell low{std::min(static_cast<std::int32_t>(u), std::max(0, grid.width - 2)),
                    std::min(static_cast<std::int32_t>(v), std::max(0, grid.height - 2))};
     return {low, u - low.x, v - low.y};

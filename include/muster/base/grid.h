@@ -45,6 +45,11 @@ struct Grid {
         return {static_cast<std::int32_t>(bounded((p.x - origin.x) / cell, 0.0, width - 1.0)),
                 static_cast<std::int32_t>(bounded((p.y - origin.y) / cell, 0.0, height - 1.0))};
     }
+    /// As std::clamp(), but by value: what it gives stays in a register.
+    static double bounded(double value, double low, double high) {
+        const double raised = value < low ? low : value;
+        return high < raised ? high : raised;
+    }
     /// Centre of a cell [m].
     Vec2 centre(Cell c) const {
         return {origin.x + (c.x + 0.5) * cell, origin.y + (c.y + 0.5) * cell};
@@ -73,11 +78,6 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 
 private:
-    // As std::clamp(), but by value: what it gives stays in a register.
-    static double bounded(double value, double low, double high) {
-        const double raised = value < low ? low : value;
-        return high < raised ? high : raised;
-    }
     // floor() is a call on plain x86-64; a truncation and a correction are not.
     static std::int32_t floorOf(double coordinate) {
         const double held = bounded(coordinate, -1e9, 1e9);
