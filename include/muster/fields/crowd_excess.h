@@ -59,7 +59,9 @@ private:
         std::int32_t width = 0;
         std::int32_t right = 0;  // From one cell to the next column, and row.
         std::int32_t up = 0;
+        /// Prepares those of a grid.
         void fit(const Grid& grid);
+        /// The four around a point.
         Between between(Vec2 p) const;
     };
     /// The sides towards which a unit vector leads.
