@@ -102,8 +102,10 @@ void DensityField::listOccupied(Cell first, Cell last, std::span<const Vec2> pos
         return;
     }
     const Box box = grid_.box();
-    for (const Vec2 p : positions)
-        if (box.contains(p)) std::ranges::for_each(cellsOf(stencilOf(p).cell), list);
+    for (const Vec2 p : positions) {
+        if (!box.contains(p)) continue;
+        for (const std::int32_t cell : cellsOf(stencilOf(p).cell)) list(cell);
+    }
     std::sort(occupied_.begin(), occupied_.end());
     occupied_.erase(std::unique(occupied_.begin(), occupied_.end()), occupied_.end());
 }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "muster/base/bits.h"
 #include "muster/fields/root.h"
 #include "muster/fields/unit_cost.h"
 
@@ -36,9 +36,9 @@ public:
         struct Pairs {
             std::uint64_t first, second;
         };
-        const auto one = std::bit_cast<std::uint32_t>(unit);
+        const auto one = bitCast<std::uint32_t>(unit);
         const std::uint64_t two = static_cast<std::uint64_t>(one) << 32 | one;
-        const auto c = std::bit_cast<Pairs>(cost_->cells[cell]);
+        const auto c = bitCast<Pairs>(cost_->cells[cell]);
         return c.first == two && c.second == two;
     }
     /// True where all directions of a cell cost `unit`, as far as they are open.
