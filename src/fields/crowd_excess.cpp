@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/between_centres.h"
 #include "fields/discomfort.h"
 
 namespace muster {
@@ -72,10 +73,8 @@ void CrowdExcess::Centres::fit(const Grid& grid) {
 }
 
 inline CrowdExcess::Between CrowdExcess::Centres::between(Vec2 p) const {
-    const double u = Grid::bounded((p.x - origin.x) * perCell - 0.5, 0.0, most.x);
-    const double v = Grid::bounded((p.y - origin.y) * perCell - 0.5, 0.0, most.y);
-    const Cell low{std::min(static_cast<std::int32_t>(u), last.x), std::min(static_cast<std::int32_t>(v), last.y)};
-    return {low.y * width + low.x, static_cast<float>(u - low.x), static_cast<float>(v - low.y)};
+    const BetweenCentres at = betweenCentresAt((p.x - origin.x) * perCell, (p.y - origin.y) * perCell, most, last);
+    return {at.low.y * width + at.low.x, static_cast<float>(at.fx), static_cast<float>(at.fy)};
 }
 
 void CrowdExcess::clear() {

@@ -267,7 +267,8 @@ Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool 
 // Of a long way whose course is not known: what moving things add where it begins and where it ends, as if it led straight there.
 double Geodesics::Impl::excessAtEnds(Vec2 from, Vec2 to, double line) const {
     const double part = std::min(1.0, kNearEnds / line);
-    const auto standsIn = [&](Vec2 end, Vec2 onward) { const Vec2 until = lerp(end, onward, part);
+    const auto standsIn = [&](Vec2 end, Vec2 onward) {
+        const Vec2 until = lerp(end, onward, part);
         return excess->hazardCentre(end, until, distance(end, until)) >= 0.0;
     };
     double sum = 0.0;

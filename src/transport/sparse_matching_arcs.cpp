@@ -141,9 +141,18 @@ void MatchingArcs::chooseTargets(const MatchingContext& context, const MatchingS
     leadHome(seat, lane, kLanes);
 }
 
+// True where somebody would pay for going to a place.
+inline bool MatchingArcs::pays(const MatchingSeats& seats, std::int32_t arc) const {
+    return seats.holder(arc / kLanes) >= 0 && seats.live(target(arc));
+}
+
+inline void MatchingArcs::note(const MatchingSeats& seats, std::int32_t arc) {
+    asked_.push_back(arc);
+    if (pays(seats, arc)) pairs_.push_back({seats.holder(arc / kLanes), target(arc)});
+}
+
 // Notes which arcs of a row are worth a question, in order. Lanes that lead home have no weight.
 void MatchingArcs::ask(const MatchingSeats& seats, std::int32_t seat, const Tight& tight) {
-    const std::int32_t holder = seats.holder(seat);
     const auto s = static_cast<std::size_t>(seat);
     const bool all = tight.price.empty();
     const double own = all ? 0.0 : tight.price[s];
@@ -155,16 +164,14 @@ void MatchingArcs::ask(const MatchingSeats& seats, std::int32_t seat, const Tigh
             continue;
         }
         if (!all && !(weight(arc) - tight.price[static_cast<std::size_t>(to)] + own < margin)) continue;
-        asked_.push_back(arc);
-        if (holder >= 0 && seats.live(to)) pairs_.push_back({holder, to});
+        note(seats, arc);
     }
 }
 
 void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower) {
     std::size_t next = 0;
     for (const std::int32_t arc : asked_) {
-        const bool paid = seats.holder(arc / kLanes) >= 0 && seats.live(target(arc));
-        const double there = paid ? context.power(answers_[next++]) : 0.0;
+        const double there = pays(seats, arc) ? context.power(answers_[next++]) : 0.0;
         setWeight(arc, weightBy(context, seats, ownPower, arc, there));
     }
 }
@@ -191,11 +198,8 @@ void MatchingArcs::refreshArcs(const MatchingContext& context, const MatchingSea
     while (!arcs.empty()) {
         const auto some = arcs.first(std::min(arcs.size(), kRowsAtOnce * kLanes));
         clearQuestions();
-        for (const std::int32_t arc : some) {
-            if (target(arc) == arc / kLanes) continue;
-            asked_.push_back(arc);
-            if (seats.holder(arc / kLanes) >= 0 && seats.live(target(arc))) pairs_.push_back({seats.holder(arc / kLanes), target(arc)});
-        }
+        for (const std::int32_t arc : some)
+            if (target(arc) != arc / kLanes) note(seats, arc);
         askFor(context, seats, ownPower);
         arcs = arcs.subspan(some.size());
     }

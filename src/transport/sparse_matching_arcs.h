@@ -84,7 +84,9 @@ private:
     void add(std::int32_t seat, std::int32_t& lane, std::int32_t end, std::int32_t to);
     void leadHome(std::int32_t seat, std::int32_t& lane, std::int32_t end);
     void addHot(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat, std::int32_t& lane);
+    bool pays(const MatchingSeats& seats, std::int32_t arc) const;
     void clearQuestions();
+    void note(const MatchingSeats& seats, std::int32_t arc);
     void ask(const MatchingSeats& seats, std::int32_t seat, const Tight& tight);
     void askFor(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower);
     void answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower);
