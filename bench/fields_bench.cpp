@@ -1,8 +1,8 @@
 // Cost fields, unit cost and density: what they cost.
 #include <benchmark/benchmark.h>
 
-#include "muster/base/random.h"
-#include "muster/fields/eikonal.h"
+#include "base/random.h"
+#include "eikonal/eikonal.h"
 
 namespace {
 

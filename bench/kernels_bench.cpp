@@ -7,16 +7,16 @@
 #include <memory>
 #include <vector>
 
-#include "muster/base/random.h"
-#include "muster/base/stopwatch.h"
-#include "muster/crowd/neighbours.h"
-#include "muster/fields/crowd_excess.h"
-#include "muster/fields/eikonal.h"
-#include "muster/fields/static_ground.h"
-#include "muster/formation/arap.h"
-#include "muster/formation/formation.h"
-#include "muster/transport/assignment.h"
-#include "muster/transport/plan.h"
+#include "base/random.h"
+#include "base/stopwatch.h"
+#include "crowd/neighbours.h"
+#include "cost/crowd_excess.h"
+#include "eikonal/eikonal.h"
+#include "cost/static_ground.h"
+#include "formation/mesh/arap.h"
+#include "muster/formation.h"
+#include "assignment/dense/assignment.h"
+#include "planning/plan.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "muster/base/random.h"
-#include "transport/sparse_matching.h"
+#include "base/random.h"
+#include "assignment/dynamic/sparse_matching.h"
 
 namespace {
 

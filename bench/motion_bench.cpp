@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "../tests/motion/parade.h"
-#include "muster/base/stopwatch.h"
-#include "muster/generator/own_clips.h"
+#include "character/motion/parade.h"
+#include "base/stopwatch.h"
+#include "muster/own_clips.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "muster/base/random.h"
-#include "muster/transport/plan.h"
+#include "base/random.h"
+#include "planning/plan.h"
 
 namespace {
 

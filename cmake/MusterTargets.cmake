@@ -49,26 +49,51 @@ endif()
 
 set(MUSTER_MODULES "" CACHE INTERNAL "")
 
-# muster_module(name dependency...): builds src/name/*.cpp with the public headers include/muster/name/.
-function(muster_module name)
-    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
-    if(NOT sources)
-        message(STATUS "module ${name} has no sources yet")
-        return()
-    endif()
+# muster_headers(name folder header...): what those that use the module may include. Its folder and its installed headers
+# are linked into a folder of their own, build/headers/<name>, so that nobody finds headers of modules that they do not use.
+function(muster_headers name folder)
+    set(inside ${PROJECT_BINARY_DIR}/headers/${name}/inside)
+    set(outside ${PROJECT_BINARY_DIR}/headers/${name}/outside)
+    file(REMOVE_RECURSE ${inside} ${outside})
+    get_filename_component(place ${folder} NAME)
+    get_filename_component(parent ${folder} DIRECTORY)
+    file(RELATIVE_PATH path ${MUSTER_FOLDER_ROOT} ${parent})
+    file(MAKE_DIRECTORY ${inside}/${path} ${outside}/muster)
+    file(CREATE_LINK ${folder} ${inside}/${path}/${place} SYMBOLIC)
+    foreach(header ${ARGN})
+        file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/muster/${header}.h ${outside}/muster/${header}.h SYMBOLIC)
+    endforeach()
+endfunction()
+
+# muster_module(path [HEADERS installed...] [USES module...]): builds src/<path> and what lies below it. Its name is the last
+# part of the path; HEADERS are those of include/muster that it implements.
+function(muster_module path)
+    cmake_parse_arguments(MODULE "" "" "HEADERS;USES" ${ARGN})
+    get_filename_component(name ${path} NAME)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${path}/*.cpp)
+    set(MUSTER_FOLDER_ROOT ${PROJECT_SOURCE_DIR}/src)
+    muster_headers(${name} ${PROJECT_SOURCE_DIR}/src/${path} ${MODULE_HEADERS})
+
+    # For Muster's own code: all headers of the module, and of those that it uses.
+    add_library(muster_${name}_inside INTERFACE)
+    target_include_directories(muster_${name}_inside INTERFACE
+        ${PROJECT_BINARY_DIR}/headers/${name}/inside ${PROJECT_BINARY_DIR}/headers/${name}/outside)
+
+    # For everybody: its installed headers.
     add_library(muster_${name} STATIC ${sources})
     add_library(muster::${name} ALIAS muster_${name})
     set_target_properties(muster_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-    target_include_directories(muster_${name}
-        PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-        PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_include_directories(muster_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/headers/${name}/outside> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(muster_${name} PUBLIC cxx_std_20)
-    target_link_libraries(muster_${name} PRIVATE
+    target_link_libraries(muster_${name} PRIVATE $<BUILD_INTERFACE:muster_${name}_inside>
         $<BUILD_INTERFACE:muster_flags> $<BUILD_INTERFACE:muster_warnings> $<BUILD_INTERFACE:muster_eigen>)
-    foreach(dependency ${ARGN})
-        if(TARGET muster_${dependency})
-            target_link_libraries(muster_${name} PUBLIC muster_${dependency})
+    foreach(used ${MODULE_USES})
+        if(NOT TARGET muster_${used})
+            message(FATAL_ERROR "module ${path} uses ${used}, which is not built before it")
         endif()
+        target_link_libraries(muster_${name}_inside INTERFACE muster_${used}_inside)
+        target_link_libraries(muster_${name} PUBLIC muster_${used})
     endforeach()
     if(name STREQUAL "base")
         target_link_libraries(muster_${name} PUBLIC Threads::Threads)

@@ -123,8 +123,8 @@ function cppHeader() {
 #include <variant>
 #include <vector>
 
-#include "muster/base/archive.h"
-#include "muster/base/status.h"
+#include "base/archive.h"
+#include "muster/status.h"
 
 namespace muster::protocol {
 
@@ -190,7 +190,7 @@ std::vector<std::uint8_t> encode(const Message& message) {
 function cppSource() {
   const names = (all) => wrapped(all.map((entry) => `"${entry.name}"`), '    ');
   const cases = (all) => all.map((entry) => `        case ${entry.number}: return decodeAs<Any, ${entry.name}>(bytes);\n`).join('');
-  return `${banner}#include "muster/session/protocol.h"
+  return `${banner}#include "session/protocol.h"
 
 #include <iterator>
 
@@ -328,7 +328,7 @@ export const SUBPROTOCOL = 'muster.v${schema.version}';
 }
 
 const outputs = {
-  'include/muster/session/protocol.h': cppHeader(),
+  'src/session/protocol.h': cppHeader(),
   'src/session/protocol.cpp': cppSource(),
   'web/src/protocol/messages.ts': typescript(),
 };

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "commands.h"
-#include "muster/scenario/gestures.h"
-#include "muster/scenario/scenario.h"
-#include "muster/take/take.h"
+#include "muster/gestures.h"
+#include "muster/scenario.h"
+#include "muster/take.h"
 #include "report.h"
 
 namespace muster {

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "commands.h"
-#include "muster/clips/clip_files.h"
-#include "muster/export/formats.h"
-#include "muster/generator/own_clips.h"
-#include "muster/motion/clips_for.h"
+#include "character/clips/clip_files.h"
+#include "io/export/formats.h"
+#include "muster/own_clips.h"
+#include "character/motion/clips_for.h"
 #include "options.h"
 #include "report.h"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "commands.h"
-#include "muster/scenario/scenario.h"
-#include "muster/world/validation.h"
+#include "muster/scenario.h"
+#include "world/commands/validation.h"
 #include "options.h"
 #include "report.h"
 

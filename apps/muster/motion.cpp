@@ -9,10 +9,10 @@
 #include "motion_bodies.h"
 #include "motion_measure.h"
 #include "motion_strip.h"
-#include "muster/clips/clip_files.h"
-#include "muster/clips/motion_facts.h"
-#include "muster/clips/retarget.h"
-#include "muster/generator/own_clips.h"
+#include "character/clips/clip_files.h"
+#include "character/clips/motion_facts.h"
+#include "character/clips/retarget.h"
+#include "muster/own_clips.h"
 #include "report.h"
 
 namespace muster {

@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "commands.h"
-#include "muster/clips/clip_files.h"
-#include "muster/motion/clips_for.h"
-#include "muster/motion/motion_report.h"
-#include "muster/scenario/gestures.h"
-#include "muster/scenario/scenario.h"
+#include "character/clips/clip_files.h"
+#include "character/motion/clips_for.h"
+#include "character/motion/motion_report.h"
+#include "muster/gestures.h"
+#include "muster/scenario.h"
 #include "report.h"
 
 namespace muster {

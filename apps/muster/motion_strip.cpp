@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "muster/debug/pose_strip.h"
-#include "muster/export/output_file.h"
+#include "picture/pose_strip.h"
+#include "io/export/output_file.h"
 
 namespace muster {
 

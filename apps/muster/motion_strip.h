@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "muster/base/status.h"
-#include "muster/clips/clip.h"
+#include "muster/status.h"
+#include "muster/clip.h"
 
 namespace muster {
 

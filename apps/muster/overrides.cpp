@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "muster/world/validation.h"
+#include "world/commands/validation.h"
 
 namespace muster {
 

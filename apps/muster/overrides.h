@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "muster/world/world_def.h"
+#include "muster/world_def.h"
 
 namespace muster {
 

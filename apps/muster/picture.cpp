@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "commands.h"
-#include "muster/debug/picture.h"
-#include "muster/scenario/scenario.h"
-#include "muster/take/take.h"
-#include "muster/world/validation.h"
+#include "picture/picture.h"
+#include "muster/scenario.h"
+#include "muster/take.h"
+#include "world/commands/validation.h"
 #include "options.h"
 #include "overrides.h"
 #include "report.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "commands.h"
-#include "muster/scenario/scenario.h"
+#include "muster/scenario.h"
 #include "options.h"
 #include "overrides.h"
 #include "report.h"

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "commands.h"
-#include "muster/base/hash.h"
-#include "muster/scenario/gestures.h"
-#include "muster/take/take.h"
+#include "muster/hash.h"
+#include "muster/gestures.h"
+#include "muster/take.h"
 #include "options.h"
 #include "report.h"
 

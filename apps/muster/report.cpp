@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "commands.h"
-#include "muster/base/hash.h"
-#include "muster/scenario/scenario.h"
+#include "muster/hash.h"
+#include "muster/scenario.h"
 
 namespace muster {
 

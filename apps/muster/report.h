@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "muster/base/status.h"
-#include "muster/base/stopwatch.h"
-#include "muster/world/metrics.h"
-#include "muster/world/world_def.h"
+#include "muster/status.h"
+#include "base/stopwatch.h"
+#include "muster/metrics.h"
+#include "muster/world_def.h"
 
 namespace muster {
 

@@ -11,7 +11,7 @@
 
 #include "commands.h"
 #include "folders.h"
-#include "muster/experiments/reproduce.h"
+#include "reproduce/reproduce.h"
 #include "options.h"
 #include "report.h"
 

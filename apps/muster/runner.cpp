@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "muster/take/take.h"
+#include "muster/take.h"
 #include "report.h"
 #include "trajectory.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "muster/base/status.h"
-#include "muster/world/metrics.h"
+#include "muster/status.h"
+#include "muster/metrics.h"
 
 namespace muster {
 

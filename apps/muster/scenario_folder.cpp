@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "muster/motion/clips_for.h"
-#include "muster/scenario/gestures.h"
-#include "muster/scenario/scenario.h"
+#include "character/motion/clips_for.h"
+#include "muster/gestures.h"
+#include "muster/scenario.h"
 
 namespace muster {
 namespace {

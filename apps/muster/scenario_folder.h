@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "muster/session/session.h"
+#include "muster/session.h"
 
 namespace muster {
 

@@ -18,7 +18,7 @@
 #include <map>
 #include <utility>
 
-#include "muster/session/token_bucket.h"
+#include "session/token_bucket.h"
 #include "static_files.h"
 
 namespace muster {

@@ -7,7 +7,7 @@
 
 #include "commands.h"
 #include "folders.h"
-#include "muster/experiments/reproduce.h"
+#include "reproduce/reproduce.h"
 #include "report.h"
 
 namespace muster {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "muster/session/session.h"
+#include "muster/session.h"
 
 namespace muster {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "muster/scenario/gestures.h"
+#include "muster/gestures.h"
 
 namespace muster {
 

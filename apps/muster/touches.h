@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "muster/base/status.h"
-#include "muster/world/command.h"
-#include "muster/world/world_def.h"
+#include "muster/status.h"
+#include "muster/command.h"
+#include "muster/world_def.h"
 
 namespace muster {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "muster/base/status.h"
-#include "muster/world/world.h"
+#include "muster/status.h"
+#include "muster/world.h"
 
 namespace muster {
 

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <limits>
 
-#include "muster/base/maths.h"
-#include "muster/fields/eikonal.h"
+#include "base/maths.h"
+#include "eikonal/eikonal.h"
 #include "scale/judge.h"
 #include "scale/sparse_assignment.h"
-#include "transport/ground_regions.h"
+#include "planning/exact/ground_regions.h"
 
 namespace muster::scale {
 namespace {

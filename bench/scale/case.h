@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "muster/base/status.h"
-#include "muster/world/world.h"
+#include "muster/status.h"
+#include "muster/world.h"
 #include "scale/scenes.h"
 
 namespace muster::scale {

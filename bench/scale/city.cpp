@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/random.h"
-#include "muster/base/text_file.h"
+#include "base/random.h"
+#include "base/text_file.h"
 #include "scale/spots.h"
 
 namespace muster::scale {

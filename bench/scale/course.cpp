@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/maths.h"
+#include "base/maths.h"
 #include "scale/scenes.h"
 
 namespace muster::scale {

@@ -1,6 +1,6 @@
 #include "scale/drag.h"
 
-#include "muster/base/maths.h"
+#include "base/maths.h"
 
 namespace muster::scale {
 namespace {

@@ -1,7 +1,7 @@
 // Two fingers that lead a formation along a course.
 #pragma once
 
-#include "muster/world/world.h"
+#include "muster/world.h"
 #include "scale/scenes.h"
 
 namespace muster::scale {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 namespace muster::scale {
 namespace {

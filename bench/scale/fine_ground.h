@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "muster/fields/unit_cost.h"
-#include "muster/world/world.h"
+#include "cost/unit_cost.h"
+#include "muster/world.h"
 
 namespace muster::scale {
 

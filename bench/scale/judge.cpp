@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/maths.h"
-#include "muster/transport/plan.h"
+#include "base/maths.h"
+#include "planning/plan.h"
 
 namespace muster::scale {
 

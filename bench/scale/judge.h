@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "muster/base/parallel.h"
-#include "muster/base/status.h"
-#include "muster/fields/unit_cost.h"
+#include "base/parallel.h"
+#include "muster/status.h"
+#include "cost/unit_cost.h"
 
 namespace muster::scale {
 

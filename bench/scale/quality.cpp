@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "muster/base/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace muster::scale {
 namespace {

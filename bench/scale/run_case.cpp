@@ -2,7 +2,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "muster/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "scale/case.h"
 #include "scale/drag.h"
 #include "scale/meter.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
+#include "base/maths.h"
+#include "base/random.h"
 #include "scale/city.h"
 #include "scale/features.h"
 #include "scale/spots.h"

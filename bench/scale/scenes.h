@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/base/status.h"
-#include "muster/world/world_def.h"
+#include "muster/status.h"
+#include "muster/world_def.h"
 
 namespace muster::scale {
 

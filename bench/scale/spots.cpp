@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "muster/base/maths.h"
+#include "base/maths.h"
 
 namespace muster::scale {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "muster/environment/environment.h"
-#include "muster/world/world_def.h"
+#include "environment/environment.h"
+#include "muster/world_def.h"
 
 namespace muster::scale {
 

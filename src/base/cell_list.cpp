@@ -1,4 +1,4 @@
-#include "muster/base/cell_list.h"
+#include "base/cell_list.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "muster/base/grid.h"
+#include "base/grid.h"
 
 #include <algorithm>
 

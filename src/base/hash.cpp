@@ -1,4 +1,4 @@
-#include "muster/base/hash.h"
+#include "muster/hash.h"
 
 #include <array>
 

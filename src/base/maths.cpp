@@ -1,10 +1,10 @@
-#include "muster/base/maths.h"
+#include "base/maths.h"
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-#include "muster/base/bits.h"
+#include "base/bits.h"
 
 namespace muster {
 namespace {

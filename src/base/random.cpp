@@ -1,4 +1,4 @@
-#include "muster/base/random.h"
+#include "base/random.h"
 
 namespace muster {
 namespace {

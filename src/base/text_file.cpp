@@ -1,4 +1,4 @@
-#include "muster/base/text_file.h"
+#include "base/text_file.h"
 
 #include <cstdio>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "muster/crowd/contacts.h"
+#include "crowd/contacts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "muster/crowd/motion.h"
+#include "crowd/motion.h"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "muster/crowd/neighbours.h"
+#include "crowd/neighbours.h"
 
 namespace muster {
 

@@ -1,4 +1,4 @@
-#include "muster/crowd/steering.h"
+#include "crowd/steering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "muster/environment/environment.h"
+#include "environment/environment.h"
 
 #include <cmath>
 #include <string>
 
 #include "environment/environment_state.h"
-#include "muster/base/archive.h"
-#include "muster/geometry/convex_decomposition.h"
+#include "base/archive.h"
+#include "geometry/convex_decomposition.h"
 
 namespace muster {
 namespace {

@@ -10,7 +10,7 @@
 #include "environment/box_bins.h"
 #include "environment/raster_layer.h"
 #include "environment/region_labels.h"
-#include "muster/environment/environment.h"
+#include "environment/environment.h"
 
 namespace muster {
 

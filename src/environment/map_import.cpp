@@ -1,4 +1,4 @@
-#include "muster/environment/map_import.h"
+#include "muster/map_import.h"
 
 #include <algorithm>
 #include <array>

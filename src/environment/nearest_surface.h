@@ -1,7 +1,7 @@
 // The nearest surface of a piece, distance and point at once.
 #pragma once
 
-#include "muster/environment/obstacle.h"
+#include "muster/obstacle.h"
 
 namespace muster {
 

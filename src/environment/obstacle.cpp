@@ -1,4 +1,4 @@
-#include "muster/environment/obstacle.h"
+#include "muster/obstacle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "muster/environment/patch.h"
+#include "muster/patch.h"
 
 namespace muster {
 namespace {

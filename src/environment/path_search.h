@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "muster/base/grid.h"
+#include "base/grid.h"
 
 namespace muster {
 

@@ -5,7 +5,7 @@
 
 #include "environment/environment_state.h"
 #include "environment/nearest_surface.h"
-#include "muster/base/grid_search.h"
+#include "base/grid_search.h"
 
 namespace muster {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "environment/environment_state.h"
-#include "muster/base/grid_search.h"
+#include "base/grid_search.h"
 #include "environment/path_search.h"
 
 namespace muster {

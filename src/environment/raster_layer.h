@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "muster/base/cell_rect.h"
+#include "base/cell_rect.h"
 
 namespace muster {
 

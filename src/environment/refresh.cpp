@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "environment/environment_state.h"
-#include "muster/base/maths.h"
+#include "base/maths.h"
 
 namespace muster {
 namespace {

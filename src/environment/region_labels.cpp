@@ -1,6 +1,6 @@
 #include "environment/region_labels.h"
 
-#include "muster/base/grid_search.h"
+#include "base/grid_search.h"
 
 namespace muster {
 

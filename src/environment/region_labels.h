@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "muster/base/grid.h"
+#include "base/grid.h"
 
 namespace muster {
 

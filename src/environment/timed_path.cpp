@@ -1,4 +1,4 @@
-#include "muster/environment/timed_path.h"
+#include "muster/timed_path.h"
 
 #include <algorithm>
 #include <cmath>

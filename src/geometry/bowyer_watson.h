@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "muster/geometry/triangulation.h"
+#include "geometry/triangulation.h"
 
 namespace muster {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "geometry/predicates.h"
-#include "muster/geometry/polygon.h"
+#include "geometry/polygon.h"
 
 namespace muster {
 namespace {

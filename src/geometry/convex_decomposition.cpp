@@ -1,4 +1,4 @@
-#include "muster/geometry/convex_decomposition.h"
+#include "geometry/convex_decomposition.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "geometry/bowyer_watson.h"
 #include "geometry/predicates.h"
-#include "muster/geometry/triangulation.h"
+#include "geometry/triangulation.h"
 
 namespace muster {
 namespace {

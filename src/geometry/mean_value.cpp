@@ -1,9 +1,9 @@
-#include "muster/geometry/mean_value.h"
+#include "geometry/mean_value.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/assert.h"
+#include "muster/assert.h"
 
 namespace muster {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "muster/geometry/triangulation.h"
+#include "geometry/triangulation.h"
 
 namespace muster {
 namespace {

@@ -1,4 +1,4 @@
-#include "muster/geometry/polygon.h"
+#include "geometry/polygon.h"
 
 #include <algorithm>
 #include <cmath>

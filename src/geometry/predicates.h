@@ -1,7 +1,7 @@
 // Exact signs of the two determinants that triangulation stands on.
 #pragma once
 
-#include "muster/base/vec2.h"
+#include "muster/vec2.h"
 
 namespace muster {
 

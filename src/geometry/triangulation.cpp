@@ -1,4 +1,4 @@
-#include "muster/geometry/triangulation.h"
+#include "geometry/triangulation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/session/protocol.h"
+#include "session/protocol.h"
 #include "session/crowd_picture.h"
 
 namespace muster {

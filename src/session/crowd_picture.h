@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/base/vec2.h"
+#include "muster/vec2.h"
 
 namespace muster {
 

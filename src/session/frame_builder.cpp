@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/formation/formation.h"
+#include "muster/formation.h"
 
 namespace muster {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "muster/session/protocol.h"
-#include "muster/world/world.h"
+#include "session/protocol.h"
+#include "muster/world.h"
 #include "session/crowd_picture.h"
 #include "session/places_encoder.h"
 

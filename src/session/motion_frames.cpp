@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/session/protocol.h"
+#include "session/protocol.h"
 
 namespace muster {
 namespace {

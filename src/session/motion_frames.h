@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "muster/clips/clip.h"
-#include "muster/motion/crowd_motion.h"
+#include "muster/clip.h"
+#include "muster/crowd_motion.h"
 #include "session/crowd_picture.h"
 
 namespace muster {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/grid.h"
+#include "base/grid.h"
 
 namespace muster {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "muster/session/protocol.h"
-#include "muster/world/world.h"
+#include "session/protocol.h"
+#include "muster/world.h"
 
 namespace muster {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/session/protocol.h"
-#include "muster/world/world.h"
+#include "session/protocol.h"
+#include "muster/world.h"
 
 namespace muster {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "muster/take/take.h"
+#include "muster/take.h"
 
 namespace muster {
 

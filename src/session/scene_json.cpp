@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "muster/base/hash.h"
-#include "muster/formation/formation.h"
+#include "muster/hash.h"
+#include "muster/formation.h"
 
 namespace muster {
 namespace {

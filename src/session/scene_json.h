@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "muster/world/world.h"
+#include "muster/world.h"
 
 namespace muster {
 

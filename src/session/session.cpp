@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "muster/generator/own_clips.h"
-#include "muster/scenario/scenario.h"
+#include "muster/own_clips.h"
+#include "muster/scenario.h"
 #include "session/notice_place.h"
 #include "session/scene_json.h"
 #include "session/session_state.h"

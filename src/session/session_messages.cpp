@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/world/validation.h"
+#include "world/commands/validation.h"
 #include "session/notice_place.h"
 #include "session/session_state.h"
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "muster/session/protocol.h"
-#include "muster/session/session.h"
-#include "muster/session/token_bucket.h"
+#include "session/protocol.h"
+#include "muster/session.h"
+#include "session/token_bucket.h"
 #include "session/crowd_encoder.h"
 #include "session/frame_builder.h"
 #include "session/motion_frames.h"

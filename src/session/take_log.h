@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "muster/session/session.h"
-#include "muster/take/take.h"
+#include "muster/session.h"
+#include "muster/take.h"
 
 namespace muster {
 

@@ -1,10 +1,10 @@
-#include "muster/world/metrics.h"
+#include "muster/metrics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "world/least_walk.h"
+#include "world/stages/least_walk.h"
 
 namespace muster {
 namespace {

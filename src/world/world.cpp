@@ -1,11 +1,11 @@
-#include "muster/world/world.h"
+#include "muster/world.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "muster/world/validation.h"
-#include "world/world_state.h"
+#include "world/commands/validation.h"
+#include "world/state/world_state.h"
 
 namespace muster {
 namespace {

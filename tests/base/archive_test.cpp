@@ -1,8 +1,8 @@
-#include "muster/base/archive.h"
+#include "base/archive.h"
 
 #include <doctest.h>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "muster/base/archive.h"
-#include "muster/base/id.h"
+#include "base/archive.h"
+#include "muster/id.h"
 
 using namespace muster;
 

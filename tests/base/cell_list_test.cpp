@@ -1,10 +1,10 @@
-#include "muster/base/cell_list.h"
+#include "base/cell_list.h"
 
 #include <doctest.h>
 
 #include <algorithm>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

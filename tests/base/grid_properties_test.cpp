@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "muster/base/archive.h"
-#include "muster/base/grid.h"
-#include "muster/base/random.h"
+#include "base/archive.h"
+#include "base/grid.h"
+#include "base/random.h"
 
 using namespace muster;
 

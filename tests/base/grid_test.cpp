@@ -1,4 +1,4 @@
-#include "muster/base/grid.h"
+#include "base/grid.h"
 
 #include <doctest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "muster/base/parallel.h"
-#include "muster/base/random.h"
+#include "base/parallel.h"
+#include "base/random.h"
 
 using namespace muster;
 

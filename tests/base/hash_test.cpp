@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "muster/base/archive.h"
-#include "muster/base/hash.h"
-#include "muster/base/random.h"
+#include "base/archive.h"
+#include "muster/hash.h"
+#include "base/random.h"
 
 using namespace muster;
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <set>
 
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
-#include "muster/base/status.h"
-#include "muster/base/vec2.h"
+#include "base/maths.h"
+#include "base/random.h"
+#include "muster/status.h"
+#include "muster/vec2.h"
 
 using namespace muster;
 

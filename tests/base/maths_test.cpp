@@ -1,11 +1,11 @@
-#include "muster/base/maths.h"
+#include "base/maths.h"
 
 #include <doctest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

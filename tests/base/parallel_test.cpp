@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "muster/base/parallel.h"
+#include "base/parallel.h"
 
 using namespace muster;
 

@@ -1,5 +1,5 @@
 // Rotations in space against a second way: matrices by Rodrigues' formula.
-#include "muster/base/quat.h"
+#include "muster/quat.h"
 
 #include <doctest.h>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

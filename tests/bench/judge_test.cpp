@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "muster/base/random.h"
-#include "muster/fields/eikonal.h"
+#include "base/random.h"
+#include "eikonal/eikonal.h"
 #include "scale/judge.h"
 
 using namespace muster;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/world/validation.h"
+#include "world/commands/validation.h"
 #include "scale/case.h"
 #include "scale/options.h"
 #include "scale/quality.h"

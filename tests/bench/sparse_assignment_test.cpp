@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "muster/base/random.h"
-#include "muster/transport/assignment.h"
+#include "base/random.h"
+#include "assignment/dense/assignment.h"
 #include "scale/sparse_assignment.h"
 
 using namespace muster;

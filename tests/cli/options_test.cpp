@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/program.h"
-#include "muster/world/parameters.h"
+#include "muster/parameters.h"
 
 using muster::testing::Outcome;
 using muster::testing::put;

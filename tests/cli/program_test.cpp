@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/program.h"
-#include "muster/scenario/scenario.h"
-#include "muster/take/take.h"
+#include "muster/scenario.h"
+#include "muster/take.h"
 
 using muster::testing::Outcome;
 using muster::testing::put;

@@ -1,8 +1,8 @@
-#include "muster/crowd/contacts.h"
+#include "crowd/contacts.h"
 
 #include <doctest.h>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

@@ -1,8 +1,8 @@
-#include "muster/crowd/motion.h"
+#include "crowd/motion.h"
 
 #include <doctest.h>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

@@ -1,11 +1,11 @@
-#include "muster/crowd/neighbours.h"
+#include "crowd/neighbours.h"
 
 #include <doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

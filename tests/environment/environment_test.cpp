@@ -1,13 +1,13 @@
-#include "muster/environment/environment.h"
+#include "environment/environment.h"
 
 #include <doctest.h>
 
 #include <cmath>
 
 #include "environment/scene.h"
-#include "muster/base/archive.h"
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
+#include "base/archive.h"
+#include "base/maths.h"
+#include "base/random.h"
 
 using namespace muster;
 using namespace muster::test;

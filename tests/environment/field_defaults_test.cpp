@@ -1,6 +1,6 @@
 #include <doctest.h>
 
-#include "muster/environment/environment.h"
+#include "environment/environment.h"
 
 using namespace muster;
 

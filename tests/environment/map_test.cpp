@@ -1,4 +1,4 @@
-#include "muster/environment/map_import.h"
+#include "muster/map_import.h"
 
 #include <doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "environment/rectangle_cover.h"
 #include "environment/scene.h"
-#include "muster/base/stopwatch.h"
+#include "base/stopwatch.h"
 
 using namespace muster;
 using namespace muster::test;

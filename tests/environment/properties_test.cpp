@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "environment/scene.h"
-#include "muster/base/archive.h"
+#include "base/archive.h"
 
 using namespace muster;
 using namespace muster::test;

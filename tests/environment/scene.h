@@ -3,9 +3,9 @@
 
 #include <doctest.h>
 
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
-#include "muster/environment/environment.h"
+#include "base/maths.h"
+#include "base/random.h"
+#include "environment/environment.h"
 
 namespace muster::test {
 

@@ -7,8 +7,8 @@
 
 #include "counting_new.h"
 #include "environment/scene.h"
-#include "muster/base/stopwatch.h"
-#include "muster/environment/map_import.h"
+#include "base/stopwatch.h"
+#include "muster/map_import.h"
 
 using namespace muster;
 using namespace muster::test;

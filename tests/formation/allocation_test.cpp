@@ -3,7 +3,7 @@
 
 #include "counting_new.h"
 #include "formation/mesh_fixture.h"
-#include "muster/formation/place_tracker.h"
+#include "formation/places/place_tracker.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "muster/formation/arap.h"
+#include "formation/mesh/arap.h"
 
 namespace muster::test {
 

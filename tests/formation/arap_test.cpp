@@ -1,4 +1,4 @@
-#include "muster/formation/arap.h"
+#include "formation/mesh/arap.h"
 
 #include <doctest.h>
 
@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <new>
 
-#include "muster/base/maths.h"
+#include "base/maths.h"
 #include "formation/arap_oracle.h"
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -1,4 +1,4 @@
-#include "muster/formation/control.h"
+#include "muster/control.h"
 
 #include "formation/mesh_fixture.h"
 

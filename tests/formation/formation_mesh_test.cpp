@@ -1,4 +1,4 @@
-#include "muster/formation/formation_mesh.h"
+#include "formation/mesh/formation_mesh.h"
 
 #include "formation/mesh_fixture.h"
 

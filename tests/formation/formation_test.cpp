@@ -1,12 +1,12 @@
-#include "muster/formation/formation.h"
+#include "muster/formation.h"
 
 #include <doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
+#include "base/maths.h"
+#include "base/random.h"
 
 using namespace muster;
 

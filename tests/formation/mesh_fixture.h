@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "muster/base/archive.h"
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
-#include "muster/formation/formation_mesh.h"
+#include "base/archive.h"
+#include "base/maths.h"
+#include "base/random.h"
+#include "formation/mesh/formation_mesh.h"
 
 namespace muster::test {
 

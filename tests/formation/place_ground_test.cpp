@@ -1,7 +1,7 @@
 #include <doctest.h>
 
 #include "environment/scene.h"
-#include "formation/place_goals.h"
+#include "formation/places/place_goals.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -1,4 +1,4 @@
-#include "muster/formation/place_tracker.h"
+#include "formation/places/place_tracker.h"
 
 #include <chrono>
 

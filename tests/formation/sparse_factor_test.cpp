@@ -1,7 +1,7 @@
 #include <doctest.h>
 
-#include "formation/sparse_factor.h"
-#include "muster/base/random.h"
+#include "formation/mesh/sparse_factor.h"
+#include "base/random.h"
 
 using namespace muster;
 

@@ -1,11 +1,11 @@
-#include "muster/geometry/convex_decomposition.h"
+#include "geometry/convex_decomposition.h"
 
 #include <doctest.h>
 
 #include <cmath>
 
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
+#include "base/maths.h"
+#include "base/random.h"
 
 using namespace muster;
 

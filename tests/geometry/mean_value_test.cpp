@@ -1,11 +1,11 @@
-#include "muster/geometry/mean_value.h"
+#include "geometry/mean_value.h"
 
 #include <doctest.h>
 
 #include <cmath>
 
-#include "muster/base/random.h"
-#include "muster/geometry/polygon.h"
+#include "base/random.h"
+#include "geometry/polygon.h"
 
 using namespace muster;
 

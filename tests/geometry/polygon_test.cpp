@@ -1,11 +1,11 @@
-#include "muster/geometry/polygon.h"
+#include "geometry/polygon.h"
 
 #include <doctest.h>
 
 #include <cmath>
 
 #include "geometry/predicates.h"
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "muster/base/maths.h"
-#include "muster/geometry/convex_decomposition.h"
-#include "muster/geometry/mean_value.h"
-#include "muster/geometry/triangulation.h"
+#include "base/maths.h"
+#include "geometry/convex_decomposition.h"
+#include "geometry/mean_value.h"
+#include "geometry/triangulation.h"
 
 using namespace muster;
 

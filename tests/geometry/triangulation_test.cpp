@@ -1,4 +1,4 @@
-#include "muster/geometry/triangulation.h"
+#include "geometry/triangulation.h"
 
 #include <doctest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "muster/base/maths.h"
-#include "muster/base/random.h"
+#include "base/maths.h"
+#include "base/random.h"
 
 using namespace muster;
 

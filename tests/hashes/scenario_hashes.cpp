@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "muster/scenario/gestures.h"
-#include "muster/scenario/scenario.h"
-#include "muster/world/world.h"
+#include "muster/gestures.h"
+#include "muster/scenario.h"
+#include "muster/world.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 #include "session/crowd_encoder.h"
 #include "session/page_decoder.h"
 #include "session/places_encoder.h"

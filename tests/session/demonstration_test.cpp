@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "muster/scenario/gestures.h"
-#include "muster/scenario/scenario.h"
-#include "muster/take/take.h"
+#include "muster/gestures.h"
+#include "muster/scenario.h"
+#include "muster/take.h"
 #include "session/fake_client.h"
 
 using namespace muster;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "muster/session/protocol.h"
-#include "muster/session/session.h"
+#include "session/protocol.h"
+#include "muster/session.h"
 #include "session/page_decoder.h"
 
 namespace muster::testing {

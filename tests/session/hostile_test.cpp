@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 #include "session/fake_client.h"
 
 using namespace muster;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "muster/generator/own_clips.h"
+#include "muster/own_clips.h"
 #include "session/fake_client.h"
 
 using namespace muster;

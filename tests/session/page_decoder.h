@@ -7,9 +7,9 @@
 #include <map>
 #include <vector>
 
-#include "muster/base/quat.h"
-#include "muster/clips/skeleton.h"
-#include "muster/session/protocol.h"
+#include "muster/quat.h"
+#include "muster/skeleton.h"
+#include "session/protocol.h"
 
 namespace muster::testing {
 

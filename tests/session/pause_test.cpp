@@ -1,7 +1,7 @@
 // Stamps and parameters on their way from a client to the world.
 #include <doctest.h>
 
-#include "fake_client.h"
+#include "session/fake_client.h"
 #include "session/touch_clock.h"
 
 using namespace muster;

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "muster/session/protocol.h"
-#include "muster/session/token_bucket.h"
+#include "session/protocol.h"
+#include "session/token_bucket.h"
 #include "session/pacer.h"
 #include "session/touch_clock.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "muster/take/take.h"
+#include "muster/take.h"
 #include "session/fake_client.h"
 
 using namespace muster;

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "muster/take/take.h"
+#include "muster/take.h"
 
 using namespace muster;
 using namespace muster::testing;

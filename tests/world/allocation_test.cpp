@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "counting_new.h"
-#include "muster/crowd/neighbours.h"
-#include "scenes.h"
+#include "crowd/neighbours.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,4 +1,4 @@
-#include "muster/world/command.h"
+#include "muster/command.h"
 
 #include <doctest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "muster/base/random.h"
+#include "base/random.h"
 
 using namespace muster;
 

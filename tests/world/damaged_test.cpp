@@ -1,7 +1,7 @@
 // Snapshots with flipped bits and cut ends: refused, or good enough to go on from; never a crash.
 #include <doctest.h>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

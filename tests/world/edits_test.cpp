@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

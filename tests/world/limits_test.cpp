@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "muster/world/validation.h"
-#include "scenes.h"
+#include "world/commands/validation.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,10 +1,10 @@
-#include "muster/world/metrics.h"
+#include "muster/metrics.h"
 
 #include <doctest.h>
 
 #include <cmath>
 
-#include "world/least_walk.h"
+#include "world/stages/least_walk.h"
 
 using namespace muster;
 

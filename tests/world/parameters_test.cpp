@@ -1,4 +1,4 @@
-#include "muster/world/parameters.h"
+#include "muster/parameters.h"
 
 #include <doctest.h>
 

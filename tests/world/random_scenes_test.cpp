@@ -2,7 +2,7 @@
 #include <doctest.h>
 #include <rapidcheck.h>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,8 +1,8 @@
 // Small worlds that the world's tests share.
 #pragma once
 
-#include "muster/base/random.h"
-#include "muster/world/world.h"
+#include "base/random.h"
+#include "muster/world.h"
 
 namespace muster::testing {
 

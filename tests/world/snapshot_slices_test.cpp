@@ -1,7 +1,7 @@
 // A saved world goes on from any slice of a plan, with what still waits in its queue.
 #include <doctest.h>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

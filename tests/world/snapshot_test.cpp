@@ -1,7 +1,7 @@
 // All that influences a later step is in the snapshot; nothing depends on threads.
 #include <doctest.h>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,5 +1,5 @@
 // The step as a whole: crowds follow their mesh, keep apart, and obey commands.
-#include "muster/world/world.h"
+#include "muster/world.h"
 
 #include <doctest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "scenes.h"
+#include "world/scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

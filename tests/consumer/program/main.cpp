@@ -1,5 +1,5 @@
 // The smallest program a game would start from: a crowd, one finger, ten seconds, on the game's own threads.
-#include <muster/world/world.h>
+#include <muster/world.h>
 
 #include <atomic>
 #include <cstdio>

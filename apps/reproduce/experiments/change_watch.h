@@ -1,0 +1,54 @@
+// Watches changes of formation: how long the crowd takes, against the least possible.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "muster/world.h"
+
+namespace muster {
+
+/// One change of formation of a group.
+struct FormationChangeRecord {
+    FormationKind kind = FormationKind::Square;  ///< Into what.
+    double time = 0.0;        ///< When [s].
+    double bottleneck = 0.0;  ///< Least longest straight walk from where everybody stood to the new places [m].
+    double arrived95 = 0.0;   ///< From the change until 95 % have arrived (SPEC 8) [s]; NaN where they never did.
+    double arrived100 = 0.0;  ///< The same of all.
+    double stood95 = 0.0;     ///< As arrived95, within a tenth of a metre.
+    std::int32_t stuck = 0;   ///< Not arrived when the watch on this change ended, and still for its last 5 s.
+    /// arrived95 over the time that the bottleneck takes at `speed` [m/s].
+    double ratio(double speed) const { return arrived95 / (bottleneck / speed); }
+    /// stood95 over it.
+    double strictRatio(double speed) const { return stood95 / (bottleneck / speed); }
+};
+
+/// Observes one group of a world from its first step on.
+class ChangeWatch {
+public:
+    /// Watches the group with that index.
+    explicit ChangeWatch(const World& world, std::size_t group = 0);
+    /// Call after every step.
+    void observe(const World& world);
+    /// All changes so far, the last as it stood after the last step that was observed.
+    std::vector<FormationChangeRecord> changes() const;
+
+private:
+    std::vector<Vec2> positions(const World& world) const;
+    void begin(const World& world);
+    FormationChangeRecord judged() const;
+
+    std::size_t group_;
+    std::uint32_t version_ = 0;
+    double lastTime_ = 0.0;
+    std::vector<Vec2> last_;              // Where everybody stood a step ago.
+    FormationChangeRecord running_;
+    bool watching_ = false;
+    std::vector<double> reachedAt_;       // Since when it is within reach of its place [s]; infinite outside.
+    std::vector<double> stoodAt_;         // Since when it is within the shorter reach.
+    std::vector<double> movedAt_;         // When it last left the spot below [s].
+    std::vector<Vec2> spot_;
+    std::vector<FormationChangeRecord> done_;
+};
+
+}  // namespace muster

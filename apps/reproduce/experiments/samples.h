@@ -1,0 +1,49 @@
+// What runs gave, by arm and seed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// A picture of a film strip.
+struct FilmFrame {
+    double time = 0.0;    ///< Of the simulation [s].
+    std::string caption;  ///< What is to be seen in it.
+    std::string svg;      ///< The picture, a whole SVG document.
+};
+
+/// What one run gave.
+struct RunSample {
+    std::map<std::string, double> figures;             ///< By name, in the unit of its FigureInfo. NaN: has no value here.
+    std::map<std::string, std::vector<Vec2>> curves;   ///< By name, for charts.
+    std::vector<FilmFrame> film;                       ///< Where asked for.
+    std::uint64_t hash = 0;                            ///< Of the world at the end; 0 where there is none.
+};
+
+/// All runs of an experiment.
+class Samples {
+public:
+    /// Adds the run of an arm; seeds are added in rising order.
+    void add(const std::string& arm, const std::string& preset, RunSample sample);
+    /// A figure of an arm by seed; those without a value are left out. Empty for an unknown arm or figure.
+    std::vector<double> values(const std::string& arm, const std::string& preset, const std::string& figure) const;
+    /// All runs of an arm by seed; empty for an unknown one.
+    const std::vector<RunSample>& runs(const std::string& arm, const std::string& preset) const;
+    /// Runs of each arm.
+    std::size_t seeds() const;
+
+private:
+    std::map<std::pair<std::string, std::string>, std::vector<RunSample>> runs_;  // By arm and preset.
+};
+
+/// Median (of an even number: the mean of the middle two); NaN of none.
+double median(std::vector<double> values);
+/// Pair by pair: a[i] / b[i], of as many as both have. NaN where b is 0.
+std::vector<double> ratios(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace muster

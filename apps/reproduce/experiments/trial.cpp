@@ -1,0 +1,128 @@
+#include "reproduce/experiments/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "muster/gestures.h"
+#include "muster/scenario.h"
+
+namespace muster {
+namespace {
+
+constexpr double kTrailPeriod = 0.2;          // [s]
+constexpr std::size_t kTrailLength = 20;      // Samples that pictures show.
+constexpr std::int32_t kFrameWidth = 440;     // [px]
+
+double orNothing(double value) {
+    return value < 0.0 ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+}  // namespace
+
+Result<Trial> Trial::open(const RunRequest& request, const TrialDef& def) {
+    const std::string path = request.folder + "/" + def.scenario + ".json";
+    auto loaded = loadScenario(path);
+    if (!loaded.ok()) return loaded.status();
+    Trial trial;
+    trial.def_ = std::move(loaded).value();
+    Parameters& parameters = trial.def_.parameters;
+    if (Status s = usePreset(parameters, request.arm.preset); !s.ok()) return s.within(path);
+    for (const auto* settings : {&request.settings, &def.settings})
+        for (const auto& [name, value] : *settings)
+            if (Status s = setParameter(parameters, name, value); !s.ok()) return s.within(path);
+    trial.def_.seed = request.seed;
+    for (GroupDef& group : trial.def_.groups) group.jitter = def.jitter;
+    if (def.gestures) {
+        auto gestures = loadScenarioGestures(path, trial.def_);
+        if (!gestures.ok()) return gestures.status();
+        trial.commands_ = std::move(gestures).value();
+    }
+    trial.film_ = request.film;
+    trial.picture_.width = kFrameWidth;
+    return trial;
+}
+
+void Trial::shift(Vec2 by) {
+    for (GroupDef& group : def_.groups) group.position += by;
+    for (Command& command : commands_) {
+        if (auto* down = std::get_if<TouchDown>(&command.body)) down->position += by;
+        if (auto* move = std::get_if<TouchMove>(&command.body)) move->position += by;
+    }
+}
+
+Status Trial::start() {
+    auto world = World::create(def_);
+    if (!world.ok()) return world.status();
+    world_.emplace(std::move(world).value());
+    for (const Command& command : commands_) {
+        if (Status s = world_->submit(command); !s.ok()) return s;
+        gesturesEnd_ = std::max(gesturesEnd_, (command.step + 1) * def_.parameters.stepTime);
+    }
+    metrics_.emplace(*world_);
+    follow();
+    return {};
+}
+
+// Where characters came from, for pictures.
+void Trial::follow() {
+    if (!film_) return;
+    const auto every = static_cast<std::uint32_t>(std::max(1.0, std::floor(kTrailPeriod / def_.parameters.stepTime)));
+    if (world_->stepCount() % every != 0) return;
+    const Characters& characters = world_->characters();
+    if (picture_.trails.size() != characters.size()) picture_.trails.assign(characters.size(), {});
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        std::vector<Vec2>& trail = picture_.trails[i];
+        if (trail.size() >= kTrailLength) trail.erase(trail.begin());
+        trail.push_back(characters.position[i]);
+    }
+}
+
+void Trial::step() {
+    world_->step();
+    metrics_->observe(*world_);
+    follow();
+}
+
+void Trial::runUntil(double seconds, const std::function<void()>& watch) {
+    while (time() < seconds - 1e-9) {
+        step();
+        if (watch) watch();
+    }
+}
+
+bool Trial::runUntilSettled(double longest, const std::function<void()>& watch) {
+    const auto half = static_cast<std::uint32_t>(std::max(1.0, std::floor(0.5 / def_.parameters.stepTime)));
+    const double end = gesturesEnd_ + longest;
+    while (time() < end) {
+        step();
+        if (watch) watch();
+        const bool due = time() > gesturesEnd_ + 1.0 && world_->stepCount() % half == 0;
+        if (due && metrics_->settled(*world_)) return true;
+    }
+    return metrics_->settled(*world_);
+}
+
+void Trial::shoot(const std::string& caption) {
+    if (!film_) return;
+    // A view too high or empty is a mistake in an experiment; the strip then shows words alone.
+    auto svg = svgPicture(*world_, picture_);
+    MUSTER_ASSERT(svg.ok());
+    frames_.push_back({time(), caption, svg.ok() ? std::move(svg).value() : std::string()});
+}
+
+void Trial::report(RunSample& sample) {
+    const RunFigures figures = metrics_->figures(*world_, false);
+    sample.figures["arrived95"] = orNothing(figures.arrived95);
+    sample.figures["arrived100"] = orNothing(figures.arrived100);
+    sample.figures["stuck"] = figures.stuck;
+    sample.figures["unmatched"] = figures.unmatched;
+    sample.figures["swaps"] = figures.swapsPerCharacterPerSecond;
+    sample.figures["overlaps"] = figures.overlapPairsMax;
+    sample.figures["penetration"] = 100.0 * figures.worstPenetration;
+    sample.hash = figures.hash;
+    for (FilmFrame& frame : frames_) sample.film.push_back(std::move(frame));
+    frames_.clear();
+}
+
+}  // namespace muster

@@ -1,0 +1,65 @@
+// The report's files.
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "reproduce/report/film_strip.h"
+#include "reproduce/report/markup.h"
+#include "reproduce/reproduce.h"
+#include "muster/scenario.h"
+
+namespace muster {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json orNull(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/// One film strip per arm that was filmed: x4-film.svg, where there are several x4-film-transport-paper.svg.
+Status writeFilms(const ExperimentResult& experiment, const std::string& folder) {
+    for (const Arm& arm : experiment.arms) {
+        const auto& runs = experiment.samples.runs(arm.id, arm.preset);
+        if (runs.empty() || runs.front().film.empty()) continue;
+        std::string name = lowerCase(experiment.text.id) + "-film";
+        if (experiment.arms.size() > 1) name += "-" + arm.id + (arm.preset == "muster" ? "" : "-" + arm.preset);
+        const std::string path = folder + "/" + name + ".svg";
+        if (Status s = writeTextFile(path, filmStrip(runs.front().film)); !s.ok()) return s;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string resultsJson(const Reproduction& reproduction) {
+    Json all = Json::array();
+    for (const ExperimentResult& experiment : reproduction.experiments) {
+        for (const Verdict& v : experiment.verdicts) {
+            all.push_back({{"experiment", experiment.text.id},
+                           {"criterion", v.criterion},
+                           {"preset", v.preset},
+                           {"value", orNull(v.value)},
+                           {"threshold", orNull(v.threshold)},
+                           {"pass", v.pass},
+                           {"seeds", v.seeds},
+                           {"low", orNull(v.low)},
+                           {"high", orNull(v.high)}});
+        }
+    }
+    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Status writeReport(const Reproduction& reproduction, const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder, error)) return {StatusCode::IoError, folder + ": cannot be made a folder"};
+    if (Status s = writeTextFile(folder + "/results.json", resultsJson(reproduction)); !s.ok()) return s;
+    if (Status s = writeTextFile(folder + "/index.html", reportHtml(reproduction)); !s.ok()) return s;
+    if (Status s = writeTextFile(folder + "/summary.md", summaryMarkdown(reproduction)); !s.ok()) return s;
+    for (const ExperimentResult& experiment : reproduction.experiments)
+        if (Status s = writeFilms(experiment, folder); !s.ok()) return s;
+    return {};
+}
+
+}  // namespace muster

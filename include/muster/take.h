@@ -1,0 +1,99 @@
+// Takes: a scenario, the commands given to it and hashes of its state, so that it replays bit for bit (SPEC B6).
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "muster/status.h"
+#include "muster/command.h"
+#include "muster/world.h"
+
+namespace muster {
+
+inline constexpr std::uint32_t kTakeMarkSpacing = 60;  ///< Steps between hash marks.
+
+/// The hash of a world's state after that many steps.
+struct HashMark {
+    std::uint32_t step = 0;      ///< Steps done.
+    std::uint64_t hash = 0;      ///< World::hash() then.
+    std::uint32_t commands = 0;  ///< Recorded before it: those were submitted by then (not in the file's mark itself).
+    friend bool operator==(const HashMark&, const HashMark&) = default;
+};
+
+/// A whole take in memory.
+struct Take {
+    std::string scenario;           ///< Text of the scenario, map and clip facts embedded.
+    WorldDef def;                   ///< The same, parsed.
+    std::vector<Command> commands;  ///< In the order they were given.
+    std::vector<HashMark> marks;    ///< In ascending order.
+    bool finished = false;          ///< It ends with an end record.
+    std::size_t tornBytes = 0;      ///< Bytes of an unfinished last record that were left out.
+    /// Steps whose hashes are known: up to the last mark.
+    std::uint32_t markedSteps() const { return marks.empty() ? 0 : marks.back().step; }
+    /// Steps that can be replayed: also those behind the last mark of an unfinished take, to its last command.
+    std::uint32_t steps() const;
+};
+
+/// Makes the bytes of a take record by record (docs/take-format.md).
+class TakeEncoder {
+public:
+    /// Header and scenario record.
+    static std::vector<std::uint8_t> begin(const WorldDef& def);
+    /// A command record.
+    static std::vector<std::uint8_t> command(const Command& command);
+    /// A hash mark.
+    static std::vector<std::uint8_t> mark(const HashMark& mark);
+    /// The last record, with the last mark.
+    static std::vector<std::uint8_t> end(const HashMark& mark);
+};
+
+/// Appends records to a file; each is handed to the system before the call returns, so that a killed
+/// process loses at most the record it was writing.
+class TakeWriter {
+public:
+    /// Makes the file. Fails with IoError, also where it exists and `overwrite` is false.
+    static Result<TakeWriter> create(const std::string& path, const WorldDef& def, bool overwrite = true);
+
+    /// Appends a command. Call in the order of submission, before the step that applies it.
+    Status command(const Command& command);
+    /// Call after every step: appends a mark whenever one is due.
+    Status observe(const World& world);
+    /// Appends the end record and closes the file, synchronised with the disk.
+    Status finish(const World& world);
+
+private:
+    struct CloseFile {
+        void operator()(std::FILE* file) const;
+    };
+    explicit TakeWriter(std::FILE* file, std::string path) : file_(file), path_(std::move(path)) {}
+    Status append(const std::vector<std::uint8_t>& bytes);
+
+    std::unique_ptr<std::FILE, CloseFile> file_;
+    std::string path_;
+};
+
+/// Reads a take. A torn last record is left out and reported in `tornBytes`. Fails with Corrupt, naming the
+/// offset, where anything before it does not match its checksum; with ParseError or Unsupported on other files.
+Result<Take> readTake(const std::string& path);
+/// The same from bytes.
+Result<Take> parseTake(std::span<const std::uint8_t> bytes, const std::string& sourceName);
+
+/// Outcome of a replay.
+struct ReplayReport {
+    std::uint32_t steps = 0;     ///< Simulated.
+    std::uint32_t compared = 0;  ///< Marks that matched.
+    std::uint32_t unmarked = 0;  ///< Steps behind the last mark: simulated, compared with nothing.
+    std::uint64_t hash = 0;      ///< At the end.
+};
+
+/// Simulates the take again and compares every mark; then, where the take is unfinished, goes on to its last
+/// command. Fails with Corrupt naming the step of the first mark that differs. `observe` is called after every step; it returns false to stop early.
+Result<ReplayReport> replayTake(const Take& take, std::int32_t threads = 1,
+                                const std::function<bool(const World&)>& observe = {});
+
+}  // namespace muster

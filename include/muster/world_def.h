@@ -1,0 +1,92 @@
+// What a world is made from: plain data, as scenarios hold it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "environment/environment.h"
+#include "muster/map_import.h"
+#include "muster/formation.h"
+#include "muster/parameters.h"
+
+namespace muster {
+
+/// A group of characters with one mesh.
+struct GroupDef {
+    std::string name = "Group";  ///< Shown on its chip.
+    std::int32_t count = 36;     ///< Characters, 1 to 200,000; with exact plans 5,000 in all groups.
+    FormationDef formation;      ///< Kind and spacing.
+    Vec2 position;               ///< Centre of the formation [m].
+    double angle = 0.0;          ///< Where it faces, from +x counter-clockwise [rad].
+    std::vector<Vec2> starts;    ///< Where characters stand at first [m]; empty: on their places.
+    double jitter = 0.0;         ///< Start positions are moved by up to this, by the seed [m] >= 0.
+
+    /// Lets an archive read or write the definition.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, count, formation, position, angle, starts, jitter);
+    }
+};
+
+/// A spot that changes the formation of a group whose mesh centre comes within its radius (SPEC M7).
+struct FormationCheckpointDef {
+    Vec2 position;           ///< [m]
+    double radius = 2.0;     ///< [m] > 0
+    FormationDef formation;  ///< What the group becomes.
+    std::int32_t group = -1; ///< Index of the group it concerns; -1 for any.
+    bool once = true;        ///< Works once per group; else each time the group comes anew.
+
+    /// Lets an archive read or write the definition.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(position, radius, formation, group, once);
+    }
+};
+
+/// Something to collect: gone when a character comes within the radius.
+struct ItemDef {
+    Vec2 position;        ///< [m]
+    double radius = 0.5;  ///< [m] > 0
+
+    /// Lets an archive read or write the definition.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(position, radius);
+    }
+};
+
+/// A MovingAI map as ground.
+struct MapGround {
+    MapGrid grid;  ///< The cells.
+    MapDef def;    ///< Scale and placement.
+
+    /// Lets an archive read or write the ground.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(grid, def.metresPerCell, def.origin, def.swampSpeed);
+    }
+};
+
+/// Everything a world starts from.
+struct WorldDef {
+    std::string name = "Untitled";                    ///< Shown in the studio.
+    std::string description;                          ///< One or two sentences.
+    std::string credit;                               ///< Whose data it uses; may be empty.
+    std::string gestures;                             ///< File of the touches that belong to it, beside the scenario;
+                                                      ///< empty for none. A World takes no notice of it.
+    Box box{{-16, -16}, {16, 16}};                    ///< [m]
+    double cell = 0.25;                               ///< Edge of a ground cell [m] > 0.
+    std::uint64_t seed = 1;                           ///< Of all random numbers.
+    std::vector<ClipFacts> clips = defaultClipFacts();///< Indexed by MotionId.
+    std::vector<ObstacleDef> obstacles;
+    std::vector<PatchDef> patches;
+    std::optional<MapGround> map;
+    std::vector<GroupDef> groups;
+    std::vector<FormationCheckpointDef> checkpoints;
+    std::vector<ItemDef> items;
+    Parameters parameters;
+};
+
+}  // namespace muster

@@ -1,0 +1,340 @@
+#include "assignment/dynamic/sparse_matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace muster {
+namespace {
+
+constexpr std::size_t kPairsAtOnce = 4096;
+constexpr std::int32_t kManyViolated = 8;  // One in so many seats.
+constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices...
+constexpr std::int32_t kFarFitRests = 40;  // ... where all is far away and little changes.
+constexpr std::int32_t kWholeTurns = 4;    // In every so many turns of a row all its arcs are asked for, else the tight ones.
+constexpr double kShortWay = 4.0;          // Over longer ways a jump is longer in proportion [m].
+constexpr double kLoose = 0.2;             // Arcs are tight that a holder's coming nearer by so much would violate [m]...
+constexpr double kLeastLoose = 1.0;        // ... at this cost or its own [m].
+
+}  // namespace
+
+void SparseMatching::clear() { *this = {}; }
+
+void SparseMatching::reserve(const MatchingDef& def, std::size_t characters, std::size_t places) {
+    prepare(def, characters, places);
+    prepare(def, 0, 0);
+}
+
+// Sizes the memory.
+void SparseMatching::prepare(const MatchingDef& def, std::size_t characters, std::size_t places) {
+    step_ = turn_ = restOfFit_ = violated_ = 0;
+    far_ = near_ = false;
+    flipped_.reserve(2 * std::max(characters, places));
+    stale_.assign(std::max(characters, places), 0);
+    state_.reset(static_cast<std::int32_t>(characters), static_cast<std::int32_t>(places));
+    searchLimit_ = def.searchLimit;
+    repair_.reset(state_.seats.count(), def.searchLimit);
+    pricing_.reset(state_.seats.count());
+    placeOf_.assign(characters, -1);
+    cost_.assign(characters, 0.0f);
+    pairs_.reserve(kPairsAtOnce);
+    answers_.reserve(kPairsAtOnce);
+    rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    tightRows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    staleArcs_.reserve(static_cast<std::size_t>(state_.seats.count()) * MatchingArcs::kLanes);
+    margin_.assign(static_cast<std::size_t>(state_.seats.count()), 0.0);
+}
+
+MatchingContext SparseMatching::contextFor(const MatchingDef& def, const MatchingInput& input, PairCosts& costs,
+                                           ThreadPool& pool) const {
+    MatchingContext context{def, input, costs, pool, CostPower(def.exponent), {}, {}, 0.0};
+    context.threshold = def.threshold / context.power.units();
+    return context;
+}
+
+void SparseMatching::coldStart(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool) {
+    adopt(def, input, {}, costs, pool);
+    const MatchingContext first = contextFor(def, input, costs, pool);
+    for (std::int32_t round = 0; round < def.coldRounds && state_.seats.count() > 0; ++round) {
+        MatchingContext context = first;
+        frame(context);
+        state_.arcs.sortByTarget();
+        repair(context);
+        publish(context);
+    }
+}
+
+void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, std::span<const std::int32_t> placeOf,
+                           PairCosts& costs, ThreadPool& pool) {
+    prepare(def, input.characters.size(), input.places.size());
+    if (!placeOf.empty()) state_.seats.adopt(placeOf);
+    MatchingContext context = contextFor(def, input, costs, pool);
+    seatWaiting(context);
+    frame(context);
+    askOwn(context);
+    refreshAll(context);
+    state_.arcs.sortByTarget();
+    fit_.run(context, state_);
+    publish(context);
+    measureSlack(context);
+}
+
+void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool) {
+    if (static_cast<std::size_t>(state_.seats.characters()) != input.characters.size() ||
+        static_cast<std::size_t>(state_.seats.places()) != input.places.size()) {
+        coldStart(def, input, costs, pool);
+        return;
+    }
+    if (searchLimit_ != def.searchLimit) {
+        searchLimit_ = def.searchLimit;
+        repair_.reset(state_.seats.count(), def.searchLimit);
+    }
+    if (turn_ >= def.turns) turn_ = 0;
+    if (turn_ == 0) ++step_;
+    MatchingContext context = contextFor(def, input, costs, pool);
+    seatWaiting(context);
+    frame(context);
+    askOwn(context);
+    if (turn_ < def.refreshTurns()) refreshSome(context);
+    // Seats that flipped are priced by the arcs to them: as these are now.
+    if (turn_ + 1 == def.refreshTurns() || (turn_ < def.refreshTurns() && !flipped_.empty())) state_.arcs.sortByTarget();
+    repriceFlipped();
+    if (turn_ >= def.turns - def.repairTurns()) repair(context);
+    publish(context);
+    ++turn_;
+}
+
+void SparseMatching::repair(const MatchingContext& context) {
+    const MatchingDef& def = context.def;
+    // Where much is violated searches find no way: prices are fitted anew then.
+    if (restOfFit_ > 0) --restOfFit_;
+    if (restOfFit_ == 0 && violated_ > state_.seats.count() / kManyViolated) {
+        fit_.run(context, state_);
+        restOfFit_ = far_ ? kFarFitRests : kFitRests;
+    }
+    const double share = far_ ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
+    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()), far_ ? def.farRest : def.rest);
+    violated_ = repair_.violated();
+    measureSlack(context);
+}
+
+// A seat that is another thing than before has a new price: between what its holder can pay elsewhere and what others
+// would pay for it.
+void SparseMatching::repriceFlipped() {
+    for (const std::int32_t s : flipped_) {
+        double low = -std::numeric_limits<double>::infinity();
+        double high = std::numeric_limits<double>::infinity();
+        for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc) {
+            const std::int32_t to = state_.arcs.target(arc);
+            if (to != s) low = std::max(low, state_.price[static_cast<std::size_t>(to)] - state_.arcs.weight(arc));
+        }
+        for (const std::int32_t arc : state_.arcs.into(s)) {
+            const std::int32_t from = arc / MatchingArcs::kLanes;
+            if (from != s) high = std::min(high, state_.price[static_cast<std::size_t>(from)] + state_.arcs.weight(arc));
+        }
+        double& price = state_.price[static_cast<std::size_t>(s)];
+        if (std::isfinite(low) && std::isfinite(high)) price = low < high ? std::clamp(price, low, high) : 0.5 * (low + high);
+        else if (std::isfinite(low)) price = low;
+        else if (std::isfinite(high)) price = high;
+    }
+}
+
+// Pairs those who wait with free places, and gives the rest a seat.
+void SparseMatching::seatWaiting(const MatchingContext& context) {
+    MatchingSeats& seats = state_.seats;
+    flipped_.clear();
+    seats.follow(context.input, flipped_);
+    for (const std::int32_t s : flipped_) jumped(s);
+    for (const std::int32_t s : seats.free()) state_.changed[static_cast<std::size_t>(s)] = 1;
+    for (const std::int32_t i : seats.waiting())
+        if (seats.seatOf(i) >= 0) state_.changed[static_cast<std::size_t>(seats.seatOf(i))] = 1;
+    start_.seat(context, state_);
+    seats.seatRest();
+}
+
+// For the squares of straight distances the prices' frame makes weights and prices independent of where the formation as
+// a whole is; for other costs and powers it takes away most of the change.
+void SparseMatching::frame(MatchingContext& context) const {
+    const MatchingSeats& seats = state_.seats;
+    Vec2 places;
+    Vec2 away;
+    std::int32_t live = 0;
+    std::int32_t matched = 0;
+    for (std::int32_t s = 0; s < seats.count(); ++s) {
+        if (!seats.live(s)) continue;
+        const Vec2 place = context.input.places[static_cast<std::size_t>(s)];
+        places += place;
+        ++live;
+        if (seats.holder(s) < 0) continue;
+        away += place - context.input.characters[static_cast<std::size_t>(seats.holder(s))];
+        ++matched;
+    }
+    context.anchor = places / std::max(1, live);
+    away = away / std::max(1, matched);
+    const double p = context.power.exponent();
+    double factor = p;
+    if (p != 2.0) {
+        double spread = 0.0;
+        for (std::int32_t s = 0; s < seats.count(); ++s)
+            if (seats.matched(s))
+                spread += lengthSquared(context.input.places[static_cast<std::size_t>(s)] -
+                                        context.input.characters[static_cast<std::size_t>(seats.holder(s))] - away);
+        const double reach = std::sqrt(lengthSquared(away) + spread / std::max(1, matched)) + 1e-3;
+        factor = p * context.power(reach) / (reach * reach);
+    }
+    context.slope = away * factor;
+}
+
+void SparseMatching::askOwn(const MatchingContext& context) {
+    const MatchingSeats& seats = state_.seats;
+    std::int32_t next = 0;
+    for (std::int32_t s = 0; s < seats.count();) {
+        pairs_.clear();
+        const std::int32_t first = s;
+        for (; s < seats.count() && pairs_.size() < kPairsAtOnce; ++s)
+            if (seats.matched(s)) pairs_.push_back({seats.holder(s), s});
+        answers_.resize(pairs_.size());
+        context.costs.fill(pairs_, answers_, context.pool);
+        next = 0;
+        for (std::int32_t t = first; t < s; ++t) {
+            const float cost = seats.matched(t) ? answers_[static_cast<std::size_t>(next++)] : 0.0f;
+            const double jump = context.def.jump * std::max(1.0, static_cast<double>(cost) / kShortWay);
+            if (std::abs(cost - state_.asked[static_cast<std::size_t>(t)]) > jump) jumped(t);
+            state_.setOwn(t, cost, context.power);
+        }
+    }
+}
+
+// A place that came to the other side of a wall, or whose cost drifted off: all arcs to it and from it are wrong.
+void SparseMatching::jumped(std::int32_t seat) {
+    state_.changed[static_cast<std::size_t>(seat)] = 1;
+    stale_[static_cast<std::size_t>(seat)] = 1;
+}
+
+void SparseMatching::refreshAll(const MatchingContext& context) {
+    state_.arcs.look(context, state_.seats, state_.price, state_.own);
+    noteHowFar(context);
+    rows_.clear();
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
+        state_.arcs.chooseTargets(context, state_.seats, s);
+        state_.changed[static_cast<std::size_t>(s)] = 0;
+        rows_.push_back(s);
+    }
+    askRows(context);
+}
+
+void SparseMatching::askRows(const MatchingContext& context) {
+    state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
+    for (const std::int32_t s : rows_) state_.asked[static_cast<std::size_t>(s)] = state_.own[static_cast<std::size_t>(s)];
+}
+
+// How much an arc may gain or lose until all arcs of its row are asked for again.
+double SparseMatching::marginOf(const MatchingContext& context, std::size_t seat) const {
+    const double cost = std::max(static_cast<double>(state_.own[seat]), kLeastLoose);
+    return context.power(cost + kLoose) - context.power(cost);
+}
+
+void SparseMatching::noteHowFar(const MatchingContext& context) {
+    double sum = 0.0;
+    for (const float c : state_.own) sum += c;
+    far_ = sum > context.def.farCost * static_cast<double>(state_.own.size());
+    near_ = sum < context.def.nearCost * static_cast<double>(state_.own.size());
+}
+
+// Rounds in which all rows have had their turn.
+std::int32_t SparseMatching::refreshPeriod(const MatchingDef& def) const {
+    return def.rounds(far_ ? def.farRefreshPeriod : near_ ? def.nearRefreshPeriod : def.refreshPeriod);
+}
+
+// Beside moving things costs change by more than people move.
+bool SparseMatching::unsteady(const MatchingContext& context, std::int32_t seat) const {
+    return state_.seats.matched(seat) && context.costs.unsteady(state_.seats.holder(seat), seat);
+}
+
+// Rows in turn, and at once those whose holder is new.
+void SparseMatching::refreshSome(const MatchingContext& context) {
+    state_.arcs.look(context, state_.seats, state_.price, state_.own);
+    noteHowFar(context);
+    const std::int32_t period = refreshPeriod(context.def);
+    const std::int32_t targets = context.def.rounds(context.def.retargetPeriod);
+    const std::int64_t count = state_.seats.count();
+    const std::int64_t first = count * turn_ / context.def.refreshTurns();
+    const std::int64_t end = count * (turn_ + 1) / context.def.refreshTurns();
+    rows_.clear();
+    tightRows_.clear();
+    collectStale();
+    for (std::int32_t s = 0; s < count; ++s) {
+        const bool turn = s >= first && s < end;
+        const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (turn && (s + step_) % targets == 0);
+        if (!anew && !(turn && (s + step_) % period == 0)) continue;
+        if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
+        state_.changed[static_cast<std::size_t>(s)] = 0;
+        if (anew || (s + step_) / period % kWholeTurns == 0 || unsteady(context, s)) {
+            rows_.push_back(s);
+        } else {
+            tightRows_.push_back(s);
+            margin_[static_cast<std::size_t>(s)] = marginOf(context, static_cast<std::size_t>(s));
+        }
+    }
+    askRows(context);
+    state_.arcs.refresh(context, state_.seats, state_.ownPower, tightRows_, {state_.price, margin_});
+    state_.arcs.refreshArcs(context, state_.seats, state_.ownPower, staleArcs_);
+    // Of long ways the straight line says too little, and from afar neighbours are enough.
+    if (!far_) pricing_.run(context, state_, MatchingRepair::tolerance(context, state_));
+}
+
+// Arcs to seats that jumped. As they were sorted, so before any leads elsewhere.
+void SparseMatching::collectStale() {
+    staleArcs_.clear();
+    if (turn_ != 0) return;
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
+        if (stale_[static_cast<std::size_t>(s)] == 0) continue;
+        stale_[static_cast<std::size_t>(s)] = 0;
+        const auto into = state_.arcs.into(s);
+        staleArcs_.insert(staleArcs_.end(), into.begin(), into.end());
+    }
+}
+
+// What others may read: places, costs, the objective and what may be left to gain.
+void SparseMatching::publish(const MatchingContext& context) {
+    const MatchingSeats& seats = state_.seats;
+    const double units = context.power.units();
+    double sum = 0.0;
+    for (const double own : state_.ownPower) sum += own;
+    for (std::size_t i = 0; i < placeOf_.size(); ++i) {
+        const std::int32_t seat = seats.seatOf(static_cast<std::int32_t>(i));
+        const bool placed = seat >= 0 && seats.live(seat);
+        placeOf_[i] = placed ? seat : -1;
+        cost_[i] = placed ? state_.own[static_cast<std::size_t>(seat)] : 0.0f;
+    }
+    slope_ = context.slope;
+    units_ = units;
+    objective_ = sum * units;
+}
+
+void SparseMatching::measureSlack(const MatchingContext& context) {
+    double left = 0.0;
+    for (std::int32_t s = 0; s < state_.seats.count(); ++s) left -= std::min(0.0, state_.leastFrom(s));
+    slack_ = left * context.power.units();
+}
+
+void SparseMatching::prices(const MatchingInput& input, std::span<double> price) const {
+    for (std::size_t j = 0; j < price.size(); ++j) price[j] = units_ * (state_.price[j] + dot(slope_, input.places[j]));
+}
+
+// Working memory for what was read; the order of arcs by target and the own costs of the last step are made again.
+void SparseMatching::afterReading() {
+    const auto seats = static_cast<std::size_t>(state_.seats.count());
+    searchLimit_ = 0;
+    pricing_.afterReading(state_.seats.count());
+    rows_.reserve(seats);
+    tightRows_.reserve(seats);
+    margin_.assign(seats, 0.0);
+    flipped_.reserve(2 * seats);
+    staleArcs_.reserve(seats * MatchingArcs::kLanes);
+    pairs_.reserve(kPairsAtOnce);
+    answers_.reserve(kPairsAtOnce);
+    state_.arcs.afterReading();
+}
+
+}  // namespace muster

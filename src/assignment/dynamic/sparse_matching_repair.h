@@ -1,0 +1,56 @@
+// Makes a matching better where prices say that it can be.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "assignment/dynamic/sparse_matching_search.h"
+#include "assignment/dynamic/sparse_matching_state.h"
+
+namespace muster {
+
+/// Takes violated arcs, the worst first, and either exchanges places along a cycle or moves prices until no arc is
+/// violated by more than some tolerance, or the step's work is used up. Owns its working memory.
+class MatchingRepair {
+public:
+    /// Makes room.
+    void reset(std::int32_t seats, std::int32_t searchLimit);
+    /// Settles at most `budget` nodes. A change that gained too little is not tried again for `rest` steps.
+    void run(const MatchingContext& context, MatchingState& state, std::int64_t budget, std::int32_t rest);
+
+    /// Violations up to this are let be [in the units of the power].
+    static double tolerance(const MatchingContext& context, const MatchingState& state);
+
+    std::int32_t exchanges() const { return exchanges_; }  ///< Cycles committed by the last run.
+    std::int32_t violated() const { return violated_; }    ///< Seats with a violated arc at its beginning.
+    std::int64_t settled() const { return settled_; }      ///< Nodes settled by it.
+
+private:
+    struct Violation {
+        double size;
+        std::int32_t arc;
+    };
+
+    void collect(const MatchingState& state, double tolerance, std::int32_t most);
+    std::int32_t worstArc(const MatchingState& state, std::int32_t seat) const;
+    void repairSeat(const MatchingContext& context, MatchingState& state, std::int32_t seat, double tolerance,
+                    std::int64_t budget);
+    double backAgain(const MatchingContext& context, MatchingState& state, std::int32_t from, std::int32_t to);
+    bool commit(const MatchingContext& context, MatchingState& state);
+    void askCycle(const MatchingContext& context, const MatchingState& state);
+    void rotate(const MatchingContext& context, MatchingState& state);
+    void noteWeights(const MatchingContext& context, MatchingState& state);
+
+    CycleSearch search_;
+    std::vector<Violation> violations_;
+    std::vector<float> costs_;           // Of the cycle: each holder to the next seat, 0 where one is missing.
+    std::vector<std::int32_t> holders_;  // Of the cycle: holders before it.
+    double asked_ = 0.0;  // What the last cycle looked at had to gain.
+    std::uint8_t rest_ = 0;
+    std::int32_t exchanges_ = 0;
+    std::int32_t violated_ = 0;
+    std::int64_t settled_ = 0;
+};
+
+}  // namespace muster

@@ -1,0 +1,19 @@
+// Whole files as text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "muster/status.h"
+
+namespace muster {
+
+inline constexpr std::size_t kMaxTextBytes = 64u << 20;  ///< Largest file read where no other limit is named.
+
+/// Whole file as bytes. Fails with IoError, or LimitExceeded beyond `limit` bytes.
+Result<std::string> readTextFile(const std::string& path, std::size_t limit = kMaxTextBytes);
+/// Makes or replaces a file. Fails with IoError.
+Status writeTextFile(const std::string& path, std::string_view text);
+
+}  // namespace muster

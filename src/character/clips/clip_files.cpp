@@ -1,0 +1,209 @@
+#include "character/clips/clip_files.h"
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/text_file.h"
+#include "muster/bvh.h"
+#include "character/clips/motion_facts.h"
+#include "character/clips/retarget.h"
+
+namespace muster {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "muster-clips";
+constexpr std::size_t kMostClips = 1000;
+
+bool isFileName(const std::string& name) {
+    if (name.empty() || name.size() > 80 || name[0] == '.') return false;
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '-' || c == '_' || c == '.';
+        if (!plain) return false;
+    }
+    return true;
+}
+
+Json contactJson(const Contact& contact) {
+    return {{"limb", limbName(contact.limb)},
+            {"begin_s", contact.begin},
+            {"end_s", contact.end},
+            {"anchor_m", {contact.anchor.x, contact.anchor.y, contact.anchor.z}}};
+}
+
+Json clipJson(const Clip& clip, double run) {
+    const MotionFacts facts = factsOf(clip);
+    Json json = {{"clip", clip.name},
+                 {"motion", clip.motion},
+                 {"file", clip.name + ".bvh"},
+                 {"speed_mps", facts.speed},
+                 {"ratio", speedRatio(facts.speed, run)},
+                 {"duration_s", facts.duration},
+                 {"length_m", facts.length},
+                 {"cyclic", clip.cyclic},
+                 {"entry_phase", clip.entryPhase},
+                 {"exit_phase", clip.exitPhase}};
+    json["obstacle"] = {{"height_m", clip.obstacle.height}, {"thickness_m", clip.obstacle.thickness}};
+    json["contacts"] = Json::array();
+    for (const Contact& contact : clip.contacts) json["contacts"].push_back(contactJson(contact));
+    return json;
+}
+
+/// Reads fields of one object and remembers the first that is wrong.
+class FieldsOf {
+public:
+    explicit FieldsOf(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
+        if (!json.is_object()) fail("", "an object");
+    }
+
+    double number(const char* key, double low, double high) {
+        const Json* found = find(key);
+        const double value = found != nullptr && found->is_number() ? found->get<double>() : std::nan("");
+        if (!(value >= low && value <= high)) fail(key, "a number in range");
+        return value;
+    }
+    std::string text(const char* key) {
+        const Json* found = find(key);
+        if (found != nullptr && found->is_string()) return found->get<std::string>();
+        fail(key, "text");
+        return {};
+    }
+    bool flag(const char* key) {
+        const Json* found = find(key);
+        if (found != nullptr && found->is_boolean()) return found->get<bool>();
+        fail(key, "true or false");
+        return false;
+    }
+    /// The list of that name; empty where it is wrong.
+    const Json& list(const char* key, std::size_t most) {
+        static const Json kNone = Json::array();
+        const Json* found = find(key);
+        if (found != nullptr && found->is_array() && found->size() <= most) return *found;
+        fail(key, "a list");
+        return kNone;
+    }
+    /// The object of that name, or what stands there.
+    const Json& object(const char* key) {
+        static const Json kNone = Json::object();
+        const Json* found = find(key);
+        return found != nullptr ? *found : kNone;
+    }
+    void fail(const std::string& key, const std::string& expected) {
+        if (status_.ok())
+            status_ = {StatusCode::ParseError,
+                       path_ + (key.empty() ? "" : "." + key) + ": expected " + expected};
+    }
+    void fail(const Status& status) {
+        if (status_.ok()) status_ = status;
+    }
+    const Status& status() const { return status_; }
+    const std::string& path() const { return path_; }
+
+private:
+    const Json* find(const char* key) const {
+        if (!json_.is_object()) return nullptr;
+        const auto found = json_.find(key);
+        return found == json_.end() ? nullptr : &*found;
+    }
+
+    const Json& json_;
+    std::string path_;
+    Status status_;
+};
+
+Contact contactOf(const Json& json, FieldsOf& clip, std::size_t i) {
+    FieldsOf fields(json, clip.path() + ".contacts[" + std::to_string(i) + "]");
+    Contact contact;
+    const std::string limb = fields.text("limb");
+    std::size_t l = 0;
+    while (l < kLimbCount && limb != limbName(static_cast<Limb>(l))) ++l;
+    if (l == kLimbCount) fields.fail("limb", "a limb such as \"left foot\"");
+    contact.limb = static_cast<Limb>(l);
+    contact.begin = fields.number("begin_s", 0.0, 1e6);
+    contact.end = fields.number("end_s", 0.0, 1e6);
+    const Json& anchor = fields.list("anchor_m", 3);
+    float xyz[3] = {};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (k < anchor.size() && anchor[k].is_number())
+            xyz[k] = anchor[k].get<float>();
+        else
+            fields.fail("anchor_m", "three numbers");
+    }
+    contact.anchor = {xyz[0], xyz[1], xyz[2]};
+    clip.fail(fields.status());
+    return contact;
+}
+
+Result<Clip> clipOf(const Json& json, std::size_t i, const std::string& folder) {
+    FieldsOf fields(json, "$.clips[" + std::to_string(i) + "]");
+    const RetargetOptions options{fields.text("clip"), fields.text("motion"), fields.flag("cyclic")};
+    const std::string file = fields.text("file");
+    if (!isFileName(options.name)) fields.fail("clip", "letters, digits, \"-\", \"_\" and \".\"");
+    if (!isFileName(file)) fields.fail("file", "the name of a file beside the list");
+    const double entry = fields.number("entry_phase", 0.0, 1.0), exit = fields.number("exit_phase", 0.0, 1.0);
+    FieldsOf obstacle(fields.object("obstacle"), fields.path() + ".obstacle");
+    const double height = obstacle.number("height_m", 0.0, 100.0),
+                 thickness = obstacle.number("thickness_m", 0.0, 100.0);
+    fields.fail(obstacle.status());
+    std::vector<Contact> contacts;
+    for (const Json& contact : fields.list("contacts", 10000))
+        contacts.push_back(contactOf(contact, fields, contacts.size()));
+    if (!fields.status().ok()) return fields.status();
+    const auto motion = readBvh(folder + "/" + file);
+    if (!motion.ok()) return motion.status();
+    auto clip = retarget(*motion, options);
+    if (!clip.ok()) return clip.status().within(folder + "/" + file);
+    clip->entryPhase = entry;
+    clip->exitPhase = exit;
+    clip->obstacle = {static_cast<float>(height), static_cast<float>(thickness)};
+    clip->contacts = std::move(contacts);
+    if (Status s = validate(*clip); !s.ok()) return s;
+    return clip;
+}
+
+}  // namespace
+
+Status writeClips(const ClipLibrary& library, const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return {StatusCode::IoError, folder + ": cannot be made: " + error.message()};
+    const Clip* run = library.find("run");
+    Json json = {{"format", kFormat}, {"version", 1}, {"run_mps", run != nullptr ? run->speed() : kUsualRun}};
+    json["clips"] = Json::array();
+    for (const Clip& clip : library.clips) {
+        if (!isFileName(clip.name))
+            return invalidArgument("clip \"" + clip.name.substr(0, 40) + "\": its name is no file name");
+        if (Status s = writeTextFile(folder + "/" + clip.name + ".bvh", bvhText(clip)); !s.ok()) return s;
+        json["clips"].push_back(clipJson(clip, json["run_mps"].get<double>()));
+    }
+    return writeTextFile(folder + "/" + kClipList,
+                         json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Result<ClipLibrary> loadClips(const std::string& folder) {
+    const std::string path = folder + "/" + kClipList;
+    const auto text = readTextFile(path);
+    if (!text.ok()) return text.status();
+    const Json json = Json::parse(*text, nullptr, false);
+    if (json.is_discarded()) return Status(StatusCode::ParseError, path + ": is not JSON");
+    FieldsOf fields(json, "$");
+    if (fields.text("format") != kFormat) fields.fail("format", std::string("\"") + kFormat + "\"");
+    fields.number("version", 1.0, 1.0);
+    const Json& list = fields.list("clips", kMostClips);
+    if (!fields.status().ok()) return fields.status().within(path);
+    ClipLibrary library;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        auto clip = clipOf(list[i], i, folder);
+        if (!clip.ok()) return clip.status().within(path);
+        if (library.find(clip->name) != nullptr)
+            return Status(StatusCode::ParseError, path + ": $.clips[" + std::to_string(i) +
+                                                      "].clip: found \"" + clip->name + "\" a second time");
+        library.clips.push_back(std::move(*clip));
+    }
+    return library;
+}
+
+}  // namespace muster

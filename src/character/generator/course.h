@@ -1,0 +1,31 @@
+// Where a character goes and how it holds its body, as functions of time.
+#pragma once
+
+#include <functional>
+
+#include "character/generator/figure.h"
+#include "muster/clip.h"
+
+namespace muster::generator {
+
+/// The travelling frame on the ground [m, rad].
+struct Place {
+    double x = 0.0;
+    double y = 0.0;
+    double yaw = 0.0;
+};
+
+/// From the travelling frame at `place` to the ground's frame, and back.
+Vec3 toGround(const Place& place, Vec3 point);
+Vec3 fromGround(const Place& place, Vec3 point);
+
+/// Functions of time [s].
+struct Course {
+    std::function<Place(double)> travel;
+    std::function<Body(double)> body;  ///< In the travelling frame.
+};
+
+/// A straight way: `x` [m] by time.
+std::function<Place(double)> straight(std::function<double(double)> x);
+
+}  // namespace muster::generator

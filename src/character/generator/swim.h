@@ -1,0 +1,17 @@
+// Front crawl at the surface of a pool: the water lies at z = -0.10 m, the rim at 0.
+#pragma once
+
+#include "character/generator/clip_maker.h"
+
+namespace muster::generator {
+
+inline constexpr double kWaterLevel = -0.10;             ///< [m]
+inline constexpr double kSwimCycle = 96.0 / kFrameRate;  ///< One stroke of each arm [s].
+inline constexpr double kSwimSpeed = 0.78;               ///< [m/s]
+
+/// In the travelling frame; phase 0 (the left hand enters the water) at time `start`.
+Figure swimFigure(double time, double start = 0.0);
+/// The clip "swim".
+Clip swimClip();
+
+}  // namespace muster::generator

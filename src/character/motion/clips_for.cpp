@@ -1,0 +1,45 @@
+#include "character/motion/clips_for.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "muster/bvh.h"
+#include "character/clips/retarget.h"
+#include "muster/own_clips.h"
+
+namespace muster {
+namespace {
+
+Result<Clip> clipOf(const ClipFacts& fact, const std::string& folder, const Clip* own) {
+    const auto file = readBvh((std::filesystem::path(folder) / fact.file).string());
+    if (!file.ok()) return file.status();
+    RetargetOptions options;
+    options.name = fact.name;
+    options.motion = own != nullptr ? own->motion : fact.name;
+    options.cyclic = fact.cyclic;
+    return retarget(*file, options);
+}
+
+}  // namespace
+
+bool namesClipFiles(std::span<const ClipFacts> facts) {
+    return std::any_of(facts.begin(), facts.end(), [](const ClipFacts& fact) { return !fact.file.empty(); });
+}
+
+Result<ClipLibrary> clipsFor(std::span<const ClipFacts> facts, const std::string& folder) {
+    ClipLibrary library = ownClips();
+    for (const ClipFacts& fact : facts) {
+        if (fact.file.empty()) continue;
+        const std::int32_t own = library.indexOf(fact.name);
+        auto clip = clipOf(fact, folder, own < 0 ? nullptr : &library.clips[static_cast<std::size_t>(own)]);
+        if (!clip.ok()) return clip.status().within("motion \"" + fact.name + "\"");
+        if (own >= 0) {
+            library.clips[static_cast<std::size_t>(own)] = std::move(clip).value();
+        } else {
+            library.clips.push_back(std::move(clip).value());
+        }
+    }
+    return library;
+}
+
+}  // namespace muster

@@ -1,0 +1,160 @@
+#include "muster/crowd_motion.h"
+
+#include <algorithm>
+
+#include "character/motion/body.h"
+#include "character/motion/player.h"
+
+namespace muster {
+
+struct CrowdMotion::Impl {
+    Impl(const ClipLibrary& clips, const CrowdMotionDef& motionDef)
+        : library(&clips), def(motionDef), table(clips), player(table) {}
+
+    void findNear(const Characters& characters);
+    void matchBodies();
+    void standStill(const Characters& characters);
+
+    const ClipLibrary* library;
+    CrowdMotionDef def;
+    ClipTable table;
+    Player player;
+    std::vector<Playback> playbacks;
+    std::vector<std::uint32_t> wanted;   ///< Ids, ascending.
+    bool named = false;                  ///< setNear() was called.
+    std::vector<std::uint32_t> near;     ///< Indices, ascending.
+    std::vector<std::uint32_t> nearIds;  ///< Their ids.
+    std::vector<Body> bodies;            ///< One per entry of `near`.
+    std::vector<Body> spare;
+    std::vector<PlacesView> places;  ///< By group.
+};
+
+void CrowdMotion::Impl::findNear(const Characters& characters) {
+    near.clear();
+    nearIds.clear();
+    const bool all = !named && def.allNear;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const std::uint32_t id = characters.id[i];
+        while (k < wanted.size() && wanted[k] < id) ++k;
+        if (!all && (k == wanted.size() || wanted[k] != id)) continue;
+        near.push_back(static_cast<std::uint32_t>(i));
+        nearIds.push_back(id);
+    }
+}
+
+// Bodies of those who stay near go on; the others begin.
+void CrowdMotion::Impl::matchBodies() {
+    bool same = bodies.size() == nearIds.size();
+    for (std::size_t k = 0; same && k < bodies.size(); ++k) same = bodies[k].id == nearIds[k];
+    if (same) return;
+    spare.resize(nearIds.size());
+    std::size_t old = 0;
+    for (std::size_t k = 0; k < nearIds.size(); ++k) {
+        while (old < bodies.size() && bodies[old].id < nearIds[k]) ++old;
+        const bool kept = old < bodies.size() && bodies[old].id == nearIds[k];
+        if (kept) {
+            spare[k] = bodies[old];
+        } else {
+            spare[k].id = nearIds[k];
+            spare[k].fresh = true;
+        }
+    }
+    bodies.swap(spare);
+}
+
+// Nothing to play: everybody stands as a statue does.
+void CrowdMotion::Impl::standStill(const Characters& characters) {
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const Vec2 heading = characters.heading[i];
+        playbacks[i] = {};
+        playbacks[i].position = characters.position[i];
+        playbacks[i].yaw = static_cast<float>(arcTangent2(heading.y, heading.x));
+        playbacks[i].size = characterSize(characters.id[i]);
+    }
+    for (Body& body : bodies) body.pose = restPose();
+}
+
+CrowdMotion::CrowdMotion(const ClipLibrary& library, const CrowdMotionDef& def)
+    : impl_(std::make_unique<Impl>(library, def)) {}
+CrowdMotion::~CrowdMotion() = default;
+CrowdMotion::CrowdMotion(CrowdMotion&&) noexcept = default;
+CrowdMotion& CrowdMotion::operator=(CrowdMotion&&) noexcept = default;
+
+void CrowdMotion::restart() {
+    impl_->player.restart();
+    impl_->bodies.clear();
+}
+
+void CrowdMotion::update(const World& world) {
+    impl_->places.clear();
+    for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        const PlaceTracker& places = *world.group(g).places;
+        impl_->places.push_back({places.positions(), places.velocities()});
+    }
+    CrowdView crowd;
+    crowd.characters = &world.characters();
+    crowd.environment = &world.environment();
+    crowd.places = impl_->places;
+    crowd.stepTime = world.parameters().stepTime;
+    crowd.maxSpeed = world.parameters().maxSpeed;
+    crowd.directReach = world.parameters().directReach;
+    update(crowd);
+}
+
+void CrowdMotion::update(const CrowdView& crowd) {
+    Impl& m = *impl_;
+    const Characters& characters = *crowd.characters;
+    m.playbacks.resize(characters.size());
+    m.findNear(characters);
+    m.matchBodies();
+    if (m.table.size() == 0) return m.standStill(characters);
+    m.player.update(crowd);
+    const std::vector<Mover>& movers = m.player.movers();
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        const Mover& v = movers[i];
+        m.playbacks[i] = {v.clip, v.fromClip, v.time, v.fromTime, v.fade, v.position, v.yaw, v.size};
+    }
+    const auto dt = static_cast<float>(crowd.stepTime);
+    const auto decay = static_cast<float>(exponential(static_cast<double>(-kInertiaRate * dt)));
+    for (std::size_t k = 0; k < m.bodies.size(); ++k) {
+        const Mover& mover = movers[m.near[k]];
+        if (mover.fresh) m.bodies[k].fresh = true;
+        holdBody(m.table, mover, dt, decay, m.bodies[k]);
+    }
+}
+
+void CrowdMotion::setNear(std::span<const std::uint32_t> ids) {
+    impl_->wanted.assign(ids.begin(), ids.end());
+    std::sort(impl_->wanted.begin(), impl_->wanted.end());
+    impl_->named = true;
+}
+
+std::span<const Playback> CrowdMotion::playbacks() const {
+    return impl_->playbacks;
+}
+std::span<const std::uint32_t> CrowdMotion::near() const {
+    return impl_->near;
+}
+const BodyPose& CrowdMotion::pose(std::size_t k) const {
+    return impl_->bodies[k].pose;
+}
+
+bool CrowdMotion::held(std::size_t k, Limb limb) const {
+    for (std::size_t h = 0; h < kHeldLimbCount; ++h)
+        if (kHeldLimbs[h] == limb) return impl_->bodies[k].limbs[h].held;
+    return false;
+}
+
+const ClipLibrary& CrowdMotion::library() const {
+    return *impl_->library;
+}
+
+void worldJoints(const Playback& playback, const BodyPose& pose, JointTransforms& joints) {
+    const Quat turn = yawTurn(static_cast<double>(playback.yaw));
+    jointTransforms(pose, {turn, {}}, joints);
+    const Vec3 at{static_cast<float>(playback.position.x), static_cast<float>(playback.position.y), 0.0f};
+    for (Transform& joint : joints) joint.translation = at + joint.translation * playback.size;
+}
+
+}  // namespace muster

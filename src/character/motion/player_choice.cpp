@@ -1,0 +1,210 @@
+// Plain ways to go are chosen by motion matching; jumps and climbs by their patch.
+#include <algorithm>
+#include <limits>
+
+#include "character/motion/player.h"
+#include "geometry/polygon.h"
+
+namespace muster {
+namespace {
+
+constexpr std::uint32_t kSearchPeriod = 6;  // Steps between searches.
+constexpr float kClearlyBetter = 1.0f;  // A frame must be nearer by so much to be taken [squared spreads].
+constexpr float kGoingSpeed = 0.25f;    // Faster than this nobody stands [m/s].
+constexpr float kGoingReach = 0.3f;     // ... nor who will be so far away in a second [m].
+constexpr float kStandingSpeed = 0.1f;  // Slower than this one stands, if one stays [m/s].
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+// Steering's own gains, so that what is foretold comes true (SteeringDef).
+constexpr double kVelocityGain = 12.0, kAcceleration = 10.0, kPositionGain = 3.0, kTurnRate = 8.0;
+
+float unevenness(std::uint32_t id, std::size_t feature) {
+    std::uint32_t h = (id * 31u + static_cast<std::uint32_t>(feature)) * 0x9e3779b9u;
+    h = (h ^ (h >> 15)) * 0x85ebca6bu;
+    h ^= h >> 13;
+    return static_cast<float>(h >> 8) / 8388608.0f - 1.0f;
+}
+
+}  // namespace
+
+Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, float size) {
+    constexpr int kSteps = 8;  // Per horizon.
+    constexpr double dt = 1.0 / 24.0;
+    Trajectory trajectory;
+    Vec2 moved, v = velocity, face{facing.c, facing.s};
+    double time = 0.0;
+    for (std::size_t h = 0; h < kHorizons.size(); ++h) {
+        for (int s = 0; s < kSteps; ++s) {
+            // The place goes on as it goes.
+            const Vec2 left = bound.toPlace + bound.placeVelocity * time - moved;
+            const Vec2 arrive = clampLength(bound.placeVelocity + left * kPositionGain, bound.topSpeed);
+            const Vec2 wish = bound.arriving ? arrive : bound.cruise;
+            v += clampLength((wish - v) * (kVelocityGain * dt), kAcceleration * dt);
+            moved += v * dt;
+            time += dt;
+            if (lengthSquared(v) > 0.0225)
+                face = normalized(face + (normalized(v) - face) * (kTurnRate * dt), face);
+        }
+        const Vec2 at = facing.applyInverse(moved) / static_cast<double>(size),
+                   to = facing.applyInverse(face);
+        trajectory[2 * h] = static_cast<float>(at.x);
+        trajectory[2 * h + 1] = static_cast<float>(at.y);
+        trajectory[6 + 2 * h] = static_cast<float>(to.x);
+        trajectory[7 + 2 * h] = static_cast<float>(to.y);
+    }
+    return trajectory;
+}
+
+Bound Player::boundOf(const Step& step) const {
+    const Characters& characters = *step.crowd->characters;
+    const std::size_t i = step.i;
+    Bound bound;
+    bound.topSpeed =
+        step.crowd->maxSpeed * step.crowd->environment->ground(characters.position[i]).travelSpeed;
+    bound.cruise = characters.direction[i] * bound.topSpeed;
+    const std::int32_t place = characters.place[i];
+    const std::uint32_t group = characters.group[i];
+    const auto places = step.crowd->places;
+    if (place < 0 || group >= places.size()) return bound;
+    const auto p = static_cast<std::size_t>(place);
+    if (p >= places[group].positions.size()) return bound;
+    bound.toPlace = places[group].positions[p] - characters.position[i];
+    bound.placeVelocity = places[group].velocities[p];
+    bound.arriving = length(bound.toPlace) < step.crowd->directReach;
+    return bound;
+}
+
+void Player::playLocomotion(Mover& mover, const Step& step) const {
+    const ClipEntry& now = table_[mover.clip];
+    const bool over = !now.cyclic && mover.time >= now.duration - 1.0e-4f;
+    const bool must = now.use != ClipUse::Locomotion || over || mover.fresh;
+    if (must || (turn_ + mover.id) % kSearchPeriod == 0) searchLocomotion(mover, step, must);
+    const ClipEntry& entry = table_[mover.clip];
+    float wanted = mover.cadence;
+    if (!entry.standing && entry.speed > 0.0f) {
+        const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size;
+        wanted = std::clamp(step.speed / clipSpeed * mover.cadence, 0.7f, 1.3f);
+    }
+    mover.rate += (wanted - mover.rate) * std::min(1.0f, static_cast<float>(step.dt) / 0.08f);
+    mover.rate = std::clamp(mover.rate, 0.7f, 1.3f);
+    advance(mover, step.dt);
+}
+
+// What plays now can be played faster or slower to suit: only what that does not mend speaks for a change.
+float Player::costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int32_t row) const {
+    const ClipEntry& entry = table_[mover.clip];
+    if (!entry.standing && entry.speed > 0.0f) {
+        const auto speed = static_cast<float>(length(mover.velocity)) / mover.size;
+        const float slower =
+            1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)), 0.85f, 1.15f);
+        for (std::size_t f = 0; f < 6; ++f) trajectory[f] *= slower;
+    }
+    return features_.cost(features_.query(trajectory, row), row);
+}
+
+void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
+    const ClipEntry& now = table_[mover.clip];
+    if (!must && mover.fade > 0.0f) return;
+    Trajectory trajectory = predict(mover.velocity, mover.facing, boundOf(step), mover.size);
+    const float reach = std::sqrt(trajectory[4] * trajectory[4] + trajectory[5] * trajectory[5]);
+    const bool going = step.speed > kGoingSpeed || reach > kGoingReach;
+    const bool staying = step.speed < kStandingSpeed && reach < 0.5f * kGoingReach;
+    // A stop that runs out is let run out.
+    if (!must && staying && !now.cyclic && table_.speedAt(mover.clip, mover.time) < 0.5f) return;
+    const ClipFilter filter = going ? ClipFilter::Going : staying ? ClipFilter::Standing : ClipFilter::Any;
+    const float least = 0.7f * table_.slowest();
+    if (going && reach < least) {
+        const float longer = least / std::max(reach, 0.05f);
+        for (std::size_t f = 0; f < 6; ++f) trajectory[f] *= longer;
+    }
+    const std::int32_t row = features_.rowOf(mover.clip, mover.time);
+    Features sought = features_.query(trajectory, row);
+    // Those who stand alike do not all set off with the same foot.
+    if (now.standing)
+        for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f)
+            sought[f] += 0.35f * unevenness(mover.id, f);
+    const bool unfit = filter != ClipFilter::Any && now.standing != (filter == ClipFilter::Standing);
+    const float cost = must || unfit ? kInfinite : costOfGoingOn(mover, trajectory, row);
+    if (cost <= kClearlyBetter) return;
+    Match match = features_.search(sought, filter, cost - kClearlyBetter);
+    if (match.row < 0 && must) match = features_.search(sought, ClipFilter::Any, kInfinite);
+    if (match.row < 0) return;
+    const std::size_t clip = features_.clipOf(match.row);
+    const float time = features_.timeOf(match.row);
+    if (clip == mover.clip && !must && std::fabs(time - mover.time) < 0.1f) return;
+    show(mover, clip, time);
+}
+
+void Player::startAction(Mover& mover, const Step& step) const {
+    const Characters& characters = *step.crowd->characters;
+    const Motion& motion = motions_[static_cast<std::size_t>(characters.motion[step.i])];
+    const std::uint32_t patch = characters.patch[step.i];
+    if (motion.use != ClipUse::Action || patch == 0) return;
+    const PatchDef* def = step.crowd->environment->patch(PatchId{patch});
+    const bool moves = def != nullptr && !def->path.still();
+    const std::int32_t clip = moves ? motion.movingClip : motion.clip;
+    if (clip < 0) return;
+    mover.action = crossing(*step.crowd->environment, patch, mover.position, characters.heading[step.i],
+                            static_cast<double>(table_[static_cast<std::size_t>(clip)].length));
+    mover.action.clip = clip;
+}
+
+void Player::endAction(Mover& mover) {
+    mover.donePatch = mover.action.patch;
+    mover.action = {};
+}
+
+// Over a thing that runs by: as fast as brings the clip to its middle when the thing is nearest.
+float Player::leapRate(const Mover& mover, const Step& step, float middle) const {
+    const Environment& environment = *step.crowd->environment;
+    const PatchDef* patch = environment.patch(PatchId{mover.action.patch});
+    if (patch == nullptr || mover.time >= middle) return 1.0f;
+    const Vec2 centre = centroid(patch->polygon) + patch->path.at(environment.time()).position;
+    const Vec2 nearing = mover.velocity - patch->path.velocity(environment.time());
+    const double left = dot(centre - mover.position, nearing) / std::max(0.01, lengthSquared(nearing));
+    return std::clamp((middle - mover.time) / std::max(0.05f, static_cast<float>(left)), 0.8f, 1.3f);
+}
+
+bool Player::playAction(Mover& mover, const Step& step) {
+    ActionPath& action = mover.action;
+    if (action.patch == 0 && asksForAction(mover, step)) startAction(mover, step);
+    if (action.patch == 0) return false;
+    const bool locked = step.crowd->characters->phase[step.i] == MotionPhase::Locked;
+    const double share = action.timed ? 0.0 : shareBehind(action, mover.position);
+    if (!locked && share < 0.15 && !action.timed) {  // Turned back before it had begun.
+        endAction(mover);
+        return false;
+    }
+    if (share < 0.0) return false;
+    const auto clip = static_cast<std::size_t>(action.clip);
+    if (mover.clip != action.clip) show(mover, clip, 0.0f);
+    if (action.timed) {
+        mover.rate = leapRate(mover, step, ways_[clip].time(0.5f));
+    } else {
+        // Nobody stops in the air, nor half-way once the patch is left.
+        const float least = !locked ? 0.8f : airborne(clip, mover.time) ? 0.7f : 0.0f;
+        const float due = ways_[clip].time(static_cast<float>(share)) - mover.time;
+        mover.rate = std::clamp(due / static_cast<float>(step.dt), least, 1.5f);
+    }
+    advance(mover, step.dt);
+    if (mover.time >= table_[clip].duration - 1.0e-4f) endAction(mover);
+    return true;
+}
+
+// In a single-step patch that was not done just now.
+bool Player::asksForAction(Mover& mover, const Step& step) {
+    const Characters& characters = *step.crowd->characters;
+    if (characters.lastSingle[step.i] == 0) mover.donePatch = 0;
+    if (characters.phase[step.i] != MotionPhase::Locked) return false;
+    if (mover.donePatch == 0) return true;
+    const PatchId patch{characters.patch[step.i]}, done{mover.donePatch};
+    return patch.value != done.value && !step.crowd->environment->onePatch(patch, done);
+}
+
+bool Player::airborne(std::size_t clip, float time) const {
+    for (std::size_t limb = 0; limb < kHeldLimbCount; ++limb)
+        if (table_.contactAt(clip, limb, time) != nullptr) return false;
+    return true;
+}
+
+}  // namespace muster

@@ -1,0 +1,62 @@
+// Density and average velocity of the crowd (SPEC A4; Treuille, Cooper and Popovic 2006, section 4.1).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/grid.h"
+
+namespace muster {
+
+/// How characters are spread over cells.
+struct DensityDef {
+    double cell = 1.0;    ///< Edge of a density cell [m] > 0.
+    double lambda = 1.0;  ///< Exponent of the shares > 0.
+};
+
+/// Density [characters per m^2] and momentum on a grid of its own.
+class DensityField {
+public:
+    DensityField() = default;  ///< Empty.
+    /// An empty field over `box`.
+    DensityField(const Box& box, const DensityDef& def);
+
+    /// Replaces the contents by these characters: each gives the four cells around it shares in the proportion
+    /// min(1-dx,1-dy)^l : min(dx,1-dy)^l : min(dx,dy)^l : min(1-dx,dy)^l that add up to one character. At the rim the
+    /// share of a missing cell goes to its neighbour; characters outside the box, or not finite, give none.
+    void splat(std::span<const Vec2> positions, std::span<const Vec2> velocities);
+
+    const Grid& grid() const { return grid_; }                          ///< The density cells.
+    const std::vector<float>& density() const { return density_; }      ///< Per cell [1/m^2].
+    const std::vector<float>& velocityX() const { return velocityX_; }  ///< Average, per cell [m/s]; 0 where empty.
+    const std::vector<float>& velocityY() const { return velocityY_; }  ///< Average, per cell [m/s]; 0 where empty.
+    /// Cells with density above zero, ascending.
+    const std::vector<std::int32_t>& occupied() const { return occupied_; }
+    /// Density at `p`, bilinear [1/m^2].
+    float densityAt(Vec2 p) const;
+    /// Average velocity at `p`: bilinear momentum over bilinear density [m/s].
+    Vec2 velocityAt(Vec2 p) const;
+
+private:
+    // Where a position lies among the four cells around it.
+    struct Stencil {
+        Cell cell;  // The lower left; off the grid at its rim.
+        double dx;  // From its centre, in cells: 0 to 1.
+        double dy;
+    };
+    Stencil stencilOf(Vec2 position) const;
+    std::array<std::int32_t, 4> cellsOf(Cell lowerLeft) const;
+    void add(const Stencil& stencil, Vec2 velocity);
+    void listOccupied(Cell first, Cell last, std::span<const Vec2> positions);
+
+    DensityDef def_;
+    Grid grid_;
+    std::vector<float> density_;
+    std::vector<float> velocityX_;
+    std::vector<float> velocityY_;
+    std::vector<std::int32_t> occupied_;
+};
+
+}  // namespace muster

@@ -1,0 +1,121 @@
+#include "muster/formation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formation/mesh/layout.h"
+
+namespace muster {
+namespace {
+
+constexpr std::string_view kNames[] = {"square", "line",     "column", "wedge",   "ring",
+                                       "circle", "crescent", "pacman", "outline", "points"};
+constexpr std::int32_t kMostPlaces = 200000;
+
+Status check(const FormationDef& def, std::int32_t count) {
+    if (static_cast<std::size_t>(def.kind) >= std::size(kNames)) return invalidArgument("the formation's kind is unknown");
+    if (count < 1 || count > kMostPlaces)
+        return invalidArgument("found count " + std::to_string(count) + ", expected 1 to " + std::to_string(kMostPlaces));
+    if (!(def.spacing > 1e-6 && def.spacing < 1e6))
+        return invalidArgument("found spacing " + std::to_string(def.spacing) + ", expected more than 0 and less than 1e6 m");
+    if (!(def.opening > 0.0 && def.opening <= 6.0))
+        return invalidArgument("found opening " + std::to_string(def.opening) + ", expected more than 0 and at most 6 rad");
+    return {};
+}
+
+Result<Layout> outlineOf(const FormationDef& def, std::int32_t count) {
+    Result<Polygon> outline = cleanPolygon(def.outline.outline);
+    if (!outline.ok()) return outline.status().within("outline");
+    PolygonWithHoles shape{*outline, {}};
+    for (std::size_t k = 0; k < def.outline.holes.size(); ++k) {
+        Result<Polygon> hole = cleanPolygon(def.outline.holes[k]);
+        if (!hole.ok()) return hole.status().within("hole " + std::to_string(k));
+        std::reverse(hole->begin(), hole->end());
+        shape.holes.push_back(*hole);
+    }
+    // Also says where holes leave the outline or meet each other.
+    const Box box = boundsOf(shape.outline);
+    const Result<TriangleMesh> trial = triangulate(shape, box.width() + box.height());
+    if (!trial.ok()) return trial.status().within("outline");
+    return outlineLayout(count, def.spacing, shape);
+}
+
+Result<Layout> pointsOf(const FormationDef& def, std::int32_t count) {
+    if (static_cast<std::size_t>(count) > def.points.size())
+        return invalidArgument("found " + std::to_string(def.points.size()) + " points for " + std::to_string(count) +
+                               " places");
+    for (std::size_t k = 0; k < def.points.size(); ++k)
+        if (!isFinite(def.points[k]) || std::fmax(std::fabs(def.points[k].x), std::fabs(def.points[k].y)) > 1e7)
+            return invalidArgument("point " + std::to_string(k) + " is not finite or farther than 1e7 m");
+    Layout layout;
+    layout.places.assign(def.points.begin(), def.points.begin() + count);
+    layout.outline.outline = grownHull(layout.places, 0.5 * def.spacing);
+    return layout;
+}
+
+Result<Layout> layoutOf(const FormationDef& def, std::int32_t count) {
+    switch (def.kind) {
+        case FormationKind::Square: return squareLayout(count, def.spacing);
+        case FormationKind::Line: return lineLayout(count, def.spacing);
+        case FormationKind::Column: return columnLayout(count, def.spacing);
+        case FormationKind::Wedge: return wedgeLayout(count, def.spacing);
+        case FormationKind::Ring: return ringLayout(count, def.spacing);
+        case FormationKind::Circle: return circleLayout(count, def.spacing);
+        case FormationKind::Crescent: return crescentLayout(count, def.spacing, def.opening);
+        case FormationKind::Pacman: return pacmanLayout(count, def.spacing, def.opening);
+        case FormationKind::Outline: return outlineOf(def, count);
+        case FormationKind::Points: break;
+    }
+    return pointsOf(def, count);
+}
+
+// Moves the mean of the places to the origin, and orders them front to back, then right to left.
+void centreAndSort(Layout& layout, double spacing) {
+    Vec2 mean;
+    for (const Vec2 p : layout.places) mean += p;
+    mean = mean / static_cast<double>(layout.places.size());
+    for (Vec2& p : layout.places) p = p - mean;
+    for (Vec2& p : layout.outline.outline) p = p - mean;
+    for (Polygon& hole : layout.outline.holes)
+        for (Vec2& p : hole) p = p - mean;
+    // Rounded to a millionth of the spacing, so that a rank counts as one.
+    const auto rank = [&](Vec2 p) { return std::floor(p.x / (1e-6 * spacing) + 0.5); };
+    std::sort(layout.places.begin(), layout.places.end(), [&](Vec2 a, Vec2 b) {
+        if (rank(a) != rank(b)) return rank(a) > rank(b);
+        return a.y != b.y ? a.y < b.y : a.x > b.x;
+    });
+}
+
+}  // namespace
+
+std::string_view formationName(FormationKind kind) {
+    const auto index = static_cast<std::size_t>(kind);
+    return index < std::size(kNames) ? kNames[index] : "unknown";
+}
+
+Result<FormationKind> formationKind(std::string_view name) {
+    std::string all;
+    for (std::size_t k = 0; k < std::size(kNames); ++k) {
+        if (kNames[k] == name) return static_cast<FormationKind>(k);
+        all += (k == 0 ? "" : ", ") + std::string(kNames[k]);
+    }
+    return Status(StatusCode::NotFound, "found formation '" + std::string(name) + "', expected one of " + all);
+}
+
+Result<Formation> makeFormation(const FormationDef& def, std::int32_t count) {
+    const Status checked = check(def, count);
+    if (!checked.ok()) return checked;
+    Result<Layout> layout = layoutOf(def, count);
+    if (!layout.ok()) return layout.status();
+    MUSTER_ASSERT(layout->places.size() == static_cast<std::size_t>(count));
+    if (def.kind != FormationKind::Points) centreAndSort(*layout, def.spacing);
+    Result<TriangleMesh> mesh = meshLayout(*layout, def.spacing);
+    if (!mesh.ok()) return mesh.status().within(std::string(formationName(def.kind)));
+    Formation formation;
+    formation.mesh = std::move(*mesh);
+    for (const Vec2 p : layout->places)
+        formation.places.push_back(locate(formation.mesh.triangles, formation.mesh.vertices, p));
+    return formation;
+}
+
+}  // namespace muster

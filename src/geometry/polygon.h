@@ -1,0 +1,65 @@
+// Polygons in the ground plane.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "muster/status.h"
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// Corners in order, the last joined to the first. Counter-clockwise unless said otherwise.
+using Polygon = std::vector<Vec2>;
+
+/// An outline with holes; the outline counter-clockwise, holes clockwise.
+struct PolygonWithHoles {
+    Polygon outline;             ///< At least three corners.
+    std::vector<Polygon> holes;  ///< Inside the outline, apart from each other.
+
+    /// Lets an archive read or write the shape.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(outline, holes);
+    }
+};
+
+/// A point of a boundary nearest to a query.
+struct ClosestPoint {
+    Vec2 point;             ///< On the boundary [m].
+    double distance = 0.0;  ///< From the query, >= 0 [m].
+};
+
+/// Area [m^2], positive where the corners run counter-clockwise.
+double signedArea(std::span<const Vec2> polygon);
+/// Centre of area; the mean of the corners where the area vanishes.
+Vec2 centroid(std::span<const Vec2> polygon);
+/// The smallest axis-aligned box around the points; at least one.
+Box boundsOf(std::span<const Vec2> points);
+/// True where no corner turns right (collinear corners allowed); expects counter-clockwise order.
+bool isConvex(std::span<const Vec2> polygon);
+/// True where `p` lies inside or on the boundary (within 1e-12 of its size).
+bool containsPoint(std::span<const Vec2> polygon, Vec2 p);
+/// True where `p` lies inside the outline and in no hole.
+bool containsPoint(const PolygonWithHoles& shape, Vec2 p);
+/// The nearest point of the segment from `a` to `b`.
+Vec2 closestOnSegment(Vec2 a, Vec2 b, Vec2 p);
+/// The nearest point of the boundary.
+ClosestPoint closestOnBoundary(std::span<const Vec2> polygon, Vec2 p);
+/// Distance to the boundary [m], negative inside.
+double signedDistance(std::span<const Vec2> polygon, Vec2 p);
+/// Smallest distance between a segment and a polygon's area [m]; 0 where they meet.
+double segmentDistance(std::span<const Vec2> polygon, Vec2 a, Vec2 b);
+/// Smallest distance between two segments [m]; 0 where they cross.
+double segmentDistance(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+/// True where the closed segments share a point.
+bool segmentsCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+/// The convex hull, counter-clockwise, without collinear corners (Andrew's monotone chain).
+Polygon convexHull(std::span<const Vec2> points);
+/// Makes a user's polygon usable: drops repeated corners, turns it counter-clockwise.
+/// Fails with InvalidArgument, naming the edges or the number, where fewer than three distinct
+/// corners remain, the area is under 1e-9 m^2, a coordinate is not finite, or edges cross.
+Result<Polygon> cleanPolygon(std::span<const Vec2> polygon);
+
+}  // namespace muster

@@ -1,0 +1,159 @@
+#include "io/export/exporter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+#include "base/maths.h"
+#include "muster/crowd_motion.h"
+
+namespace muster {
+namespace {
+
+constexpr double kTimeGrain = 1e-7;  // Times so near are the same [s].
+
+/// All characters after one step.
+struct Moment {
+    double time = 0.0;
+    std::vector<ExportCharacter> characters;
+    std::vector<BodyPose> poses;
+};
+
+/// Turns steps into frames.
+class Resampler {
+public:
+    Resampler(const ClipLibrary& library, const ExportDef& def, std::size_t frames, Exporter& exporter)
+        : def_(def), frames_(frames), exporter_(exporter) {
+        if (exporter.wantsPoses()) motion_.emplace(library);
+    }
+
+    /// Takes the next step; false where no more are wanted.
+    bool observe(const World& world) {
+        std::swap(before_, now_);
+        if (motion_) motion_->update(world);
+        // Steps far from any frame are only simulated.
+        const double step = world.parameters().stepTime;
+        if (world.time() + step * 1.5 >= frameTime()) fill(world);
+        while (!done() && frameTime() <= world.time() + kTimeGrain) {
+            status_ = exporter_.frame(make(world));
+            if (!status_.ok()) return false;
+            ++next_;
+        }
+        return !done();
+    }
+
+    bool done() const { return next_ == frames_; }
+    double share() const { return static_cast<double>(next_) / static_cast<double>(frames_); }
+    const Status& status() const { return status_; }
+
+private:
+    double frameTime() const { return def_.from + static_cast<double>(next_) / def_.fps; }
+
+    void fill(const World& world) {
+        const Characters& characters = world.characters();
+        now_.time = world.time();
+        now_.characters.resize(characters.size());
+        if (motion_) now_.poses.resize(characters.size());
+        for (std::size_t i = 0; i < characters.size(); ++i) {
+            ExportCharacter& out = now_.characters[i];
+            out = {characters.id[i], characters.group[i], characters.position[i]};
+            out.yaw = static_cast<float>(arcTangent2(characters.heading[i].y, characters.heading[i].x));
+            out.size = characterSize(out.id);
+            if (motion_) fillPose(i, out);
+        }
+    }
+
+    void fillPose(std::size_t i, ExportCharacter& out) {
+        const Playback& playback = motion_->playbacks()[i];
+        out.position = playback.position;
+        out.yaw = playback.yaw;
+        out.size = playback.size;
+        const auto near = motion_->near();
+        const auto at = std::lower_bound(near.begin(), near.end(), static_cast<std::uint32_t>(i));
+        if (at != near.end() && *at == i)
+            now_.poses[i] = motion_->pose(static_cast<std::size_t>(at - near.begin()));
+    }
+
+    ExportFrame make(const World& world) {
+        const double span = now_.time - before_.time;
+        const double share = span > 0.0 ? std::clamp((frameTime() - before_.time) / span, 0.0, 1.0) : 1.0;
+        frame_ = now_.characters;
+        if (motion_) poses_.resize(frame_.size());
+        std::size_t b = 0;
+        for (std::size_t i = 0; i < frame_.size(); ++i) {
+            if (motion_) poses_[i] = now_.poses[i];
+            while (b < before_.characters.size() && before_.characters[b].id < frame_[i].id) ++b;
+            const bool known = b < before_.characters.size() && before_.characters[b].id == frame_[i].id;
+            if (known && share < 1.0) between(b, share, i);
+            if (motion_) frame_[i].pose = &poses_[i];
+        }
+        return {next_, frameTime(), frame_, &world};
+    }
+
+    void between(std::size_t b, double share, std::size_t i) {
+        const ExportCharacter& before = before_.characters[b];
+        ExportCharacter& out = frame_[i];
+        out.position = before.position + (out.position - before.position) * share;
+        const double turn = static_cast<double>(out.yaw) - before.yaw;
+        out.yaw = static_cast<float>(before.yaw +
+                                     share * (turn - 2.0 * kPi * std::floor(turn / (2.0 * kPi) + 0.5)));
+        if (motion_) blend(before_.poses[b], now_.poses[i], static_cast<float>(share), poses_[i]);
+    }
+
+    ExportDef def_;
+    std::size_t frames_;
+    Exporter& exporter_;
+    std::optional<CrowdMotion> motion_;
+    Moment before_, now_;
+    std::vector<ExportCharacter> frame_;
+    std::vector<BodyPose> poses_;
+    std::size_t next_ = 0;
+    Status status_;
+};
+
+/// How many frames the part has, or why it has none.
+Result<std::size_t> framesOf(const Take& take, ExportDef& def) {
+    const double end = static_cast<double>(take.steps()) * take.def.parameters.stepTime;
+    const auto bad = [end](const char* what, double found, const char* expected) {
+        char text[160];
+        std::snprintf(text, sizeof(text), "%s: found %.6g, expected %s; the take is %.6g s long", what, found,
+                      expected, end);
+        return invalidArgument(text);
+    };
+    if (!(def.fps >= 1.0 && def.fps <= 240.0)) return bad("fps", def.fps, "1 to 240 frames a second");
+    if (!(def.from >= 0.0 && def.from <= end)) return bad("from", def.from, "a time within the take");
+    if (def.to < 0.0) def.to = end;
+    if (!(def.to >= def.from)) return bad("to", def.to, "a time not before from");
+    if (def.to > end + 1e-6) return bad("to", def.to, "a time within the take");
+    def.to = std::min(def.to, end);
+    return static_cast<std::size_t>((def.to - def.from + kTimeGrain) * def.fps) + 1;
+}
+
+}  // namespace
+
+Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef& def, Exporter& exporter,
+                  const std::function<void(double)>& progress) {
+    ExportDef part = def;
+    const auto frames = framesOf(take, part);
+    if (!frames.ok()) return frames.status();
+    auto start = World::create(take.def, part.threads);
+    if (!start.ok()) return start.status();
+    if (Status s = exporter.begin({take.def.name, part.fps, part.from, *frames, &*start}); !s.ok()) return s;
+    Resampler resampler(library, part, *frames, exporter);
+    bool more = resampler.observe(*start);
+    if (more) {
+        const auto report = replayTake(take, part.threads, [&](const World& world) {
+            more = resampler.observe(world);
+            if (progress) progress(resampler.share());
+            return more;
+        });
+        if (!report.ok()) return report.status();
+    }
+    if (!resampler.status().ok()) return resampler.status();
+    if (!resampler.done()) return {StatusCode::Corrupt, "the take ended before its last frame"};
+    return exporter.finish();
+}
+
+}  // namespace muster

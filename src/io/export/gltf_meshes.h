@@ -1,0 +1,50 @@
+// Meshes and materials in a glTF file, each written once.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "io/export/character_look.h"
+#include "io/export/gltf_buffer.h"
+#include "io/export/gltf_document.h"
+#include "io/export/scene_mesh.h"
+
+namespace muster {
+
+/// Writes meshes to a document and its buffer.
+class GltfMeshes {
+public:
+    GltfMeshes(GltfDocument& document, GltfBuffer& buffer) : document_(document), buffer_(buffer) {}
+
+    /// The mesh of a thing; fails as writing does.
+    Result<std::uint32_t> thing(const SceneThing& thing);
+    /// The body of a character, in its colours.
+    Result<std::uint32_t> body(const CharacterLook& look);
+    /// What takes joints back to where they are in the rest pose; one for all skins.
+    Result<std::uint32_t> inverseBinds();
+
+private:
+    /// Accessors of one body's vertices and of each region's triangles.
+    struct BodyParts {
+        std::string attributes;                                ///< As JSON.
+        std::array<std::int64_t, kBodyRegionCount> indices{};  ///< -1 where a region is empty.
+    };
+    std::uint32_t material(const NamedColour& colour);
+    std::uint32_t material(Finish finish);
+    Result<const BodyParts*> bodyParts(BodyKind kind);
+    Status writeBody(const BodyMesh& mesh, BodyParts& parts);
+    /// Writes values and describes them; returns the accessor.
+    Result<std::uint32_t> write(std::string_view bytes, GltfTarget target, const GltfValues& values);
+    Result<std::uint32_t> writePoints(std::span<const Vec3> points, bool bounded);
+    Result<std::uint32_t> writeIndices(std::span<const std::uint32_t> indices);
+
+    GltfDocument& document_;
+    GltfBuffer& buffer_;
+    std::map<std::string, std::uint32_t> materials_;
+    std::map<BodyKind, BodyParts> bodies_;
+    std::map<CharacterLook, std::uint32_t> meshes_;
+    std::int64_t inverseBinds_ = -1;
+};
+
+}  // namespace muster

@@ -1,0 +1,16 @@
+// Where all joints are, as JSON: to compare other files with.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "io/export/exporter.h"
+
+namespace muster {
+
+/// Writes one JSON object: `joints`, their names; `fps`; and `frames`, each with its `time` from the first
+/// frame [s] and `characters`, each with `id` and `positions`: x, y, z of every joint in the world [m], to a
+/// micrometre.
+std::unique_ptr<Exporter> makeJointListExporter(const std::string& path);
+
+}  // namespace muster

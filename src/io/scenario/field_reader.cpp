@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "io/scenario/fields.h"
+
+namespace muster {
+namespace {
+
+std::string numberText(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof(buffer), "%.10g", value);
+    return buffer;
+}
+
+std::string expectation(const NumberRange& range) {
+    std::string text = range.whole ? "a whole number in [" : "a number in [";
+    text += numberText(range.minimum) + ", " + numberText(range.maximum) + "]";
+    if (range.unit != "1") text += " " + std::string(range.unit);
+    return text;
+}
+
+std::string listNames(const std::vector<std::string>& names) {
+    std::string text = "one of";
+    for (const std::string& name : names) text += (&name == &names.front() ? " \"" : ", \"") + name + "\"";
+    return text;
+}
+
+}  // namespace
+
+FieldReader::FieldReader(const Json& object, std::string path, std::string& failure)
+    : object_(&object), path_(std::move(path)), failure_(&failure) {
+    if (!object.is_object()) failAt(path_, describeJson(object), "an object");
+}
+
+std::string FieldReader::pathOf(std::string_view key) const {
+    if (key.empty()) return path_;
+    if (key.find('.') != std::string_view::npos) return path_ + "[\"" + std::string(key) + "\"]";
+    return path_ + "." + std::string(key);
+}
+
+void FieldReader::failAt(const std::string& path, const std::string& found, const std::string& expected) {
+    if (failure_->empty()) *failure_ = path + ": found " + found + ", expected " + expected;
+}
+
+void FieldReader::fail(std::string_view key, const std::string& found, const std::string& expected) {
+    failAt(pathOf(key), found, expected);
+}
+
+const Json* FieldReader::find(std::string_view key, Need need) {
+    known_.push_back(key);
+    if (failed()) return nullptr;
+    const auto item = object_->find(std::string(key));
+    if (item != object_->end()) return &*item;
+    if (need == Need::Required) fail({}, "no \"" + std::string(key) + "\"", "one");
+    return nullptr;
+}
+
+const Json* FieldReader::findArray(std::string_view key, std::size_t most, Need need) {
+    const Json* found = find(key, need);
+    if (found == nullptr) return nullptr;
+    if (!found->is_array()) {
+        fail(key, describeJson(*found), "an array");
+        return nullptr;
+    }
+    if (found->size() <= most) return found;
+    fail(key, describeJson(*found), "at most " + std::to_string(most) + " items");
+    return nullptr;
+}
+
+void FieldReader::finish() {
+    if (failed()) return;
+    for (auto item = object_->begin(); item != object_->end(); ++item) {
+        if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) continue;
+        std::string names;
+        for (std::string_view key : known_) {
+            if (names.size() > 300) break;
+            names += (names.empty() ? "" : ", ") + std::string(key);
+        }
+        return fail({}, "the unknown key \"" + item.key().substr(0, 80) + "\"", "one of " + names);
+    }
+}
+
+void FieldReader::text(std::string_view key, std::string& value, const char*, Need need, std::string_view) {
+    const Json* found = find(key, need);
+    if (found == nullptr) return;
+    if (!found->is_string()) return fail(key, describeJson(*found), "a text");
+    value = found->get<std::string>();
+}
+
+bool FieldReader::readNumber(const Json& value, std::string_view key, const NumberRange& range, double& number) {
+    if (value.is_number()) {
+        const double read = value.get<double>();
+        if (read >= range.minimum && read <= range.maximum && (!range.whole || read == std::floor(read))) {
+            number = read;
+            return true;
+        }
+    }
+    fail(key, describeJson(value), expectation(range));
+    return false;
+}
+
+void FieldReader::number(std::string_view key, double& value, const NumberRange& range, std::string_view, Need need) {
+    if (const Json* found = find(key, need)) readNumber(*found, key, range, value);
+}
+
+void FieldReader::flag(std::string_view key, bool& value, const char*) {
+    const Json* found = find(key);
+    if (found == nullptr) return;
+    if (!found->is_boolean()) return fail(key, describeJson(*found), "true or false");
+    value = found->get<bool>();
+}
+
+bool FieldReader::readPoint(const Json& value, const std::string& path, Vec2& point) {
+    if (value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number()) {
+        point = {value[0].get<double>(), value[1].get<double>()};
+        if (std::fabs(point.x) <= 1e6 && std::fabs(point.y) <= 1e6) return true;
+        failAt(path, value.dump(), "coordinates in [-1e6, 1e6] m");
+        return false;
+    }
+    failAt(path, describeJson(value), "a point [x, y]");
+    return false;
+}
+
+void FieldReader::point(std::string_view key, Vec2& value, const char*, Need need) {
+    if (const Json* found = find(key, need)) readPoint(*found, pathOf(key), value);
+}
+
+void FieldReader::points(std::string_view key, std::vector<Vec2>& value, std::size_t least, std::size_t most,
+                         const char*, Need need) {
+    const Json* found = findArray(key, most, need);
+    if (found == nullptr) return;
+    if (found->size() < least) {
+        return fail(key, describeJson(*found), "at least " + std::to_string(least) + " points");
+    }
+    value.resize(found->size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const Json& item = (*found)[i];
+        const bool good = item.is_array() && item.size() == 2 && item[0].is_number() && item[1].is_number();
+        if (!readPoint(item, good ? pathOf(key) : pathOf(key) + "[" + std::to_string(i) + "]", value[i])) return;
+    }
+}
+
+void FieldReader::choice(std::string_view key, std::string& value, const std::vector<std::string>& names, const char*,
+                         Need need) {
+    const Json* found = find(key, need);
+    if (found == nullptr) return;
+    if (found->is_string() && std::find(names.begin(), names.end(), found->get<std::string>()) != names.end()) {
+        value = found->get<std::string>();
+        return;
+    }
+    fail(key, describeJson(*found), listNames(names));
+}
+
+void FieldReader::nameOrIndex(std::string_view key, std::int32_t& value, const std::vector<std::string>& names,
+                              const char*, Need need) {
+    const Json* found = find(key, need);
+    if (found == nullptr) return;
+    if (found->is_string()) {
+        const auto name = std::find(names.begin(), names.end(), found->get<std::string>());
+        if (name == names.end()) return fail(key, describeJson(*found), listNames(names));
+        value = static_cast<std::int32_t>(name - names.begin());
+        return;
+    }
+    const double most = names.empty() ? 999.0 : static_cast<double>(names.size()) - 1.0;
+    double number = 0.0;
+    if (readNumber(*found, key, {0.0, most, "1", true}, number)) value = static_cast<std::int32_t>(number);
+}
+
+}  // namespace muster

@@ -1,0 +1,59 @@
+#include <cstring>
+
+#include "muster/scenario.h"
+#include "muster/take.h"
+#include "io/take/take_format.h"
+
+namespace muster {
+namespace {
+
+void putWord(std::vector<std::uint8_t>& bytes, std::uint32_t word) {
+    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+}
+
+/// Appends one record: u32 length, u8 kind, u32 checksum of these, payload, u32 checksum of the payload.
+void putRecord(std::vector<std::uint8_t>& bytes, RecordKind kind, std::span<const std::uint8_t> payload) {
+    const std::size_t start = bytes.size();
+    putWord(bytes, static_cast<std::uint32_t>(payload.size()));
+    bytes.push_back(static_cast<std::uint8_t>(kind));
+    putWord(bytes, crc32(std::span(bytes).subspan(start, 5)));
+    bytes.insert(bytes.end(), payload.begin(), payload.end());
+    putWord(bytes, crc32(payload));
+}
+
+std::vector<std::uint8_t> markRecord(RecordKind kind, const HashMark& mark) {
+    Writer writer;
+    writer(mark.step, mark.hash);
+    std::vector<std::uint8_t> bytes;
+    putRecord(bytes, kind, writer.bytes());
+    return bytes;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> TakeEncoder::begin(const WorldDef& def) {
+    std::vector<std::uint8_t> bytes(kTakeMagic.begin(), kTakeMagic.end());
+    putWord(bytes, kTakeVersion);
+    const std::string text = writeScenario(def);
+    std::vector<std::uint8_t> payload(text.begin(), text.end());
+    putRecord(bytes, RecordKind::Scenario, payload);
+    return bytes;
+}
+
+std::vector<std::uint8_t> TakeEncoder::command(const Command& command) {
+    Writer writer;
+    encodeCommand(writer, command);
+    std::vector<std::uint8_t> bytes;
+    putRecord(bytes, RecordKind::Command, writer.bytes());
+    return bytes;
+}
+
+std::vector<std::uint8_t> TakeEncoder::mark(const HashMark& mark) {
+    return markRecord(RecordKind::Mark, mark);
+}
+
+std::vector<std::uint8_t> TakeEncoder::end(const HashMark& mark) {
+    return markRecord(RecordKind::End, mark);
+}
+
+}  // namespace muster

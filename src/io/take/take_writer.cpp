@@ -1,0 +1,48 @@
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "muster/take.h"
+
+namespace muster {
+
+void TakeWriter::CloseFile::operator()(std::FILE* file) const {
+    std::fclose(file);
+}
+
+Result<TakeWriter> TakeWriter::create(const std::string& path, const WorldDef& def, bool overwrite) {
+    std::FILE* file = std::fopen(path.c_str(), overwrite ? "wb" : "wbx");
+    if (file == nullptr) {
+        return Status(StatusCode::IoError, path + ": cannot be written: " + std::strerror(errno));
+    }
+    TakeWriter writer(file, path);
+    if (Status s = writer.append(TakeEncoder::begin(def)); !s.ok()) return s;
+    return writer;
+}
+
+Status TakeWriter::append(const std::vector<std::uint8_t>& bytes) {
+    if (!file_) return {StatusCode::IoError, path_ + ": the take is finished already"};
+    const bool wrote = std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
+    if (wrote && std::fflush(file_.get()) == 0) return {};
+    return {StatusCode::IoError, path_ + ": cannot be written: " + std::strerror(errno)};
+}
+
+Status TakeWriter::command(const Command& command) {
+    return append(TakeEncoder::command(command));
+}
+
+Status TakeWriter::observe(const World& world) {
+    if (world.stepCount() % kTakeMarkSpacing != 0) return {};
+    return append(TakeEncoder::mark({world.stepCount(), world.hash()}));
+}
+
+Status TakeWriter::finish(const World& world) {
+    if (Status s = append(TakeEncoder::end({world.stepCount(), world.hash()})); !s.ok()) return s;
+    const bool synced = fsync(fileno(file_.get())) == 0 || errno == EINVAL || errno == ENOTSUP;
+    const bool closed = std::fclose(file_.release()) == 0;
+    if (synced && closed) return {};
+    return {StatusCode::IoError, path_ + ": cannot be brought to the disk: " + std::strerror(errno)};
+}
+
+}  // namespace muster

@@ -1,0 +1,125 @@
+#include "muster/command.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "world/commands/validation.h"
+
+namespace muster {
+namespace {
+
+constexpr std::size_t kMaxTouches = 64;  // Of one control.
+constexpr std::int32_t kAnyMotion = 1000;  // Whether the world knows the motion shows when it is applied.
+
+constexpr auto kNames = std::to_array<const char*>(
+    {"TouchDown", "TouchMove", "TouchUp", "TouchCancel", "AddControl", "PinControl", "RemoveControl",
+     "ReleaseClient", "SetFormation", "SetCount", "SetPose", "AddGroup", "RemoveGroup", "AddObstacle",
+     "ChangeObstacle", "RemoveObstacle", "AddPatch", "ChangePatch", "RemovePatch", "SetParameter"});
+static_assert(kNames.size() == std::variant_size_v<CommandBody>);
+
+/// Makes the alternative with that index; false where there is none.
+template <std::size_t Index = 0>
+bool emplaceBody(CommandBody& body, std::size_t index) {
+    if constexpr (Index < std::variant_size_v<CommandBody>) {
+        if (index != Index) return emplaceBody<Index + 1>(body, index);
+        body.emplace<Index>();
+        return true;
+    } else {
+        return false;
+    }
+}
+
+Status place(Vec2 p) {
+    if (std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate) return {};
+    return invalidArgument("position is not finite or farther than 1e6 m from the origin");
+}
+
+Status moment(double time) {
+    if (time >= 0.0 && time <= 1e9) return {};
+    return invalidArgument("time is not in [0, 1e9] s");
+}
+
+Status both(Status a, Status b) {
+    return a.ok() ? b : a;
+}
+
+/// One check per kind of command.
+struct Validator {
+    Status operator()(const TouchDown& c) const { return both(place(c.position), moment(c.time)); }
+    Status operator()(const TouchMove& c) const { return both(place(c.position), moment(c.time)); }
+    Status operator()(const TouchUp& c) const { return moment(c.time); }
+    Status operator()(const TouchCancel&) const { return {}; }
+    Status operator()(const AddControl& c) const {
+        const std::size_t n = c.positions.size();
+        if (c.kind > ControlKind::Area) return invalidArgument("control kind is not known");
+        if (c.touches.size() != n) return invalidArgument("touches and positions differ in number");
+        if (n == 0 || n > kMaxTouches) return invalidArgument("a control has 1 to 64 points");
+        if (std::min<std::size_t>(n, 3) != static_cast<std::size_t>(c.kind) + 1) {
+            return invalidArgument("the number of points does not suit the kind of control");
+        }
+        for (Vec2 p : c.positions) {
+            if (Status s = place(p); !s.ok()) return s;
+        }
+        return moment(c.time);
+    }
+    Status operator()(const PinControl&) const { return {}; }
+    Status operator()(const RemoveControl&) const { return {}; }
+    Status operator()(const ReleaseClient&) const { return {}; }
+    Status operator()(const SetFormation& c) const { return validateFormation(c.formation); }
+    Status operator()(const SetCount& c) const {
+        if (c.count >= 1 && c.count <= kMaxCharacters) return {};
+        return invalidArgument("count is " + std::to_string(c.count) + ", expected 1 to " + std::to_string(kMaxCharacters));
+    }
+    Status operator()(const SetPose& c) const {
+        return std::fabs(c.angle) <= 1e6 ? place(c.position) : invalidArgument("angle is not in [-1e6, 1e6] rad");
+    }
+    Status operator()(const AddGroup& c) const { return validateGroup(c.group); }
+    Status operator()(const RemoveGroup&) const { return {}; }
+    Status operator()(const AddObstacle& c) const { return validateObstacle(c.obstacle); }
+    Status operator()(const ChangeObstacle& c) const { return validateObstacle(c.obstacle); }
+    Status operator()(const RemoveObstacle&) const { return {}; }
+    Status operator()(const AddPatch& c) const { return validatePatch(c.patch, kAnyMotion); }
+    Status operator()(const ChangePatch& c) const { return validatePatch(c.patch, kAnyMotion); }
+    Status operator()(const RemovePatch&) const { return {}; }
+    Status operator()(const SetParameter& c) const {
+        if (c.name == "time.step") return invalidArgument("time.step cannot change while a world runs");
+        Parameters scratch;
+        return setParameter(scratch, c.name, c.value);
+    }
+};
+
+}  // namespace
+
+void encodeCommand(Writer& writer, const Command& command) {
+    const auto kind = static_cast<std::uint8_t>(command.body.index());
+    writer(command.step, command.client, command.sequence, kind);
+    std::visit([&](const auto& body) { writer(body); }, command.body);
+}
+
+Result<Command> decodeCommand(Reader& reader) {
+    Command command;
+    std::uint8_t kind = 0;
+    reader(command.step, command.client, command.sequence, kind);
+    if (!reader.ok()) return Status(StatusCode::ParseError, "command is cut short");
+    if (!emplaceBody(command.body, kind)) {
+        return Status(StatusCode::ParseError, "command kind " + std::to_string(kind) + " is not known");
+    }
+    std::visit([&](auto& body) { reader(body); }, command.body);
+    if (!reader.ok()) {
+        return Status(StatusCode::ParseError, std::string(commandName(command)) + " command is cut short");
+    }
+    const Status valid = validateCommand(command);
+    if (!valid.ok()) return Status(StatusCode::ParseError, valid.message());
+    return command;
+}
+
+const char* commandName(const Command& command) {
+    return kNames[command.body.index()];
+}
+
+Status validateCommand(const Command& command) {
+    return std::visit(Validator(), command.body).within(commandName(command));
+}
+
+}  // namespace muster

@@ -1,0 +1,37 @@
+// Range checks of definitions, shared by scenarios and commands; they need no world.
+#pragma once
+
+#include "muster/world_def.h"
+
+namespace muster {
+
+inline constexpr std::int32_t kMaxCharacters = 200000;  ///< Of a world.
+inline constexpr std::int32_t kMaxExact = 5000;         ///< Of a world with exact plans: they keep a cost for every pair.
+inline constexpr std::size_t kMaxGroups = 200;          ///< Of a world: their indices travel as bytes.
+inline constexpr std::size_t kMaxCorners = 10000;       ///< Of one polygon, and waypoints of one path.
+inline constexpr std::size_t kMaxObstacles = 20000;     ///< Of a scenario; patches, items likewise.
+inline constexpr std::size_t kMaxText = 4096;           ///< Bytes of a name or description.
+inline constexpr double kMaxCoordinate = 1e6;           ///< Of any position [m].
+
+/// InvalidArgument where the spacing, the opening or the shape is bad.
+Status validateFormation(const FormationDef& formation);
+/// InvalidArgument where the shape, path or field is bad.
+Status validateObstacle(const ObstacleDef& obstacle);
+/// InvalidArgument where the shape, path, motion or speed is bad. `motions` is the number of known clips.
+Status validatePatch(const PatchDef& patch, std::int32_t motions);
+/// InvalidArgument where a parameter is out of its range or contradicts others, in a world of this box.
+Status validateParameters(const Parameters& parameters, const Box& box);
+/// InvalidArgument where a checkpoint for one of so many groups is bad.
+Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t groups);
+/// InvalidArgument where an item is bad.
+Status validateItem(const ItemDef& item);
+/// InvalidArgument where a clip's text or number is bad.
+Status validateClip(const ClipFacts& clip);
+/// LimitExceeded where a world with these parameters would hold more characters than it can.
+Status validateTotal(std::int64_t characters, const Parameters& parameters);
+/// InvalidArgument where the count, pose, starts or formation is bad.
+Status validateGroup(const GroupDef& group);
+/// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").
+Status validateWorld(const WorldDef& def);
+
+}  // namespace muster

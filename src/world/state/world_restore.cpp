@@ -1,0 +1,156 @@
+// What a snapshot must satisfy before a world goes on from it.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "world/commands/validation.h"
+#include "world/state/world_state.h"
+
+namespace muster {
+namespace {
+
+constexpr double kFastest = 1e6;  // [m/s]
+
+Status wrong(const char* what) { return invalidArgument(std::string("found ") + what); }
+
+bool isPlace(Vec2 p) { return std::fabs(p.x) <= 10.0 * kMaxCoordinate && std::fabs(p.y) <= 10.0 * kMaxCoordinate; }
+
+bool arePlaces(const std::vector<Vec2>& points) { return std::all_of(points.begin(), points.end(), isPlace); }
+
+bool isVelocity(Vec2 v) { return std::fabs(v.x) <= kFastest && std::fabs(v.y) <= kFastest; }
+
+bool isUnitOrNull(Vec2 v) { return std::fabs(v.x) <= 1.001 && std::fabs(v.y) <= 1.001; }
+
+template <class Id>
+bool ascending(const std::vector<Id>& ids, std::uint32_t next) {
+    for (std::size_t k = 0; k < ids.size(); ++k)
+        if (ids[k] == 0 || ids[k] >= next || (k > 0 && ids[k] <= ids[k - 1])) return false;
+    return true;
+}
+
+Status checkGround(const Environment& environment) {
+    if (!(environment.time() >= 0.0 && environment.time() <= 1e9)) return wrong("a clock out of range");
+    const auto motions = static_cast<std::int32_t>(environment.def().clips.size());
+    if (motions == 0) return wrong("no clip");
+    for (const ClipFacts& clip : environment.def().clips)
+        if (Status s = validateClip(clip); !s.ok()) return s;
+    for (const ObstacleId id : environment.obstacleIds())
+        if (Status s = validateObstacle(*environment.obstacle(id)); !s.ok()) return s;
+    for (const PatchId id : environment.patchIds())
+        if (Status s = validatePatch(*environment.patch(id), motions); !s.ok()) return s;
+    return {};
+}
+
+Status checkArrays(const Characters& c) {
+    const std::size_t n = c.size();
+    for (const std::size_t size : {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
+                                   c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(),
+                                   c.motionTime.size(), c.patch.size(), c.lastSingle.size()})
+        if (size != n) return wrong("arrays of different lengths");
+    if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
+        !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||
+        !std::all_of(c.direction.begin(), c.direction.end(), isUnitOrNull))
+        return wrong("a character with a number out of range");
+    for (std::size_t i = 0; i < n; ++i)
+        if (std::isnan(c.cost[i]) || !(c.motionTime[i] >= 0.0 && c.motionTime[i] <= 1e9) ||
+            c.phase[i] > MotionPhase::Locked)
+            return wrong("a character with a number out of range");
+    return {};
+}
+
+bool isPathOf(const ControlPoint& point) {
+    return std::all_of(point.path.begin(), point.path.end(), [](const Checkpoint& c) {
+        return isPlace(c.position) && std::fabs(c.time) <= 1e9;
+    });
+}
+
+bool isOnMesh(const MeshPoint& point, const TriangleMesh& mesh) {
+    return point.triangle >= 0 && static_cast<std::size_t>(point.triangle) < mesh.triangles.size() &&
+           std::all_of(point.weight.begin(), point.weight.end(), [](double w) { return std::fabs(w) <= 1e3; });
+}
+
+bool isControl(const Control& control, const TriangleMesh& mesh) {
+    if (control.kind > ControlKind::Area || control.points.empty() || !(std::fabs(control.began) <= 1e9) ||
+        !(std::fabs(control.clock) <= 1e9) ||
+        control.weights.size() != control.supplementary.size() * control.points.size())
+        return false;
+    for (const ControlPoint& point : control.points)
+        if (point.vertex < 0 || static_cast<std::size_t>(point.vertex) >= mesh.vertices.size() || !isPlace(point.grab) ||
+            !isPlace(point.position) || !isPathOf(point))
+            return false;
+    for (const MeshPoint& point : control.supplementary)
+        if (!isOnMesh(point, mesh)) return false;
+    return std::all_of(control.weights.begin(), control.weights.end(), [](double w) { return std::fabs(w) <= 1e6; });
+}
+
+Status checkControls(const ControlSet& set, const TriangleMesh& mesh) {
+    std::vector<std::int32_t> held;
+    for (const Control& control : set.controls()) {
+        if (!isControl(control, mesh)) return wrong("a control that is not on its mesh");
+        for (const ControlPoint& point : control.points) held.push_back(point.vertex);
+    }
+    std::sort(held.begin(), held.end());
+    if (std::adjacent_find(held.begin(), held.end()) != held.end()) return wrong("a vertex that two controls hold");
+    return {};
+}
+
+Status checkGroup(const Group& group, const Grid& grid) {
+    const std::size_t count = group.members.size();
+    const GroupDef& def = group.def;
+    if (def.count < 1 || static_cast<std::size_t>(def.count) != count) return wrong("a group of another count");
+    if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts)) return wrong("a bad group");
+    if (Status s = validateFormation(def.formation); !s.ok()) return s;
+    const Formation& formation = group.mesh.formation();
+    if (formation.places.size() != count || group.places.positions().size() != count)
+        return wrong("places that do not suit their group");
+    for (const auto* points : {&formation.mesh.vertices, &group.mesh.userMesh(), &group.mesh.finalMesh()})
+        if (!arePlaces(*points)) return wrong("a mesh that is out of range");
+    if (!(group.meanLag >= 0.0 && group.meanLag <= kMaxCoordinate * 100.0)) return wrong("a lag out of range");
+    if (group.slice < 0 || group.slices < 1 || group.slice > group.slices) return wrong("shares of a plan out of range");
+    if (!group.kept.empty() && group.kept.size() != count) return wrong("kept places that do not suit their group");
+    for (const std::int32_t place : group.kept)
+        if (place < -1 || place >= def.count) return wrong("kept places that do not suit their group");
+    if (!group.plan->suits(count, count, grid)) return wrong("a plan for another group");
+    return checkControls(group.controls, formation.mesh);
+}
+
+}  // namespace
+
+Status World::Impl::checkState() {
+    if (Status s = validateParameters(parameters, environment.def().box); !s.ok()) return s;
+    if (Status s = checkGround(environment); !s.ok()) return s;
+    if (Status s = checkArrays(characters); !s.ok()) return s;
+    if (Status s = validateTotal(static_cast<std::int64_t>(characters.size()), parameters); !s.ok()) return s;
+    if (groups.size() > kMaxGroups || !ascending(characters.id, nextCharacter)) return wrong("numbers out of order");
+    const std::size_t motions = environment.def().clips.size();
+    for (std::size_t i = 0; i < characters.size(); ++i)
+        if (characters.group[i] >= groups.size() || characters.motion[i] < 0 ||
+            static_cast<std::size_t>(characters.motion[i]) >= motions)
+            return wrong("a character of no group or motion");
+    refreshMembers();
+    std::vector<std::uint32_t> ids;
+    for (const Group& group : groups) {
+        if (Status s = checkGroup(group, environment.grid()); !s.ok()) return s;
+        ids.push_back(group.id.value);
+    }
+    if (!ascending(ids, nextGroup)) return wrong("numbers out of order");
+    for (std::size_t i = 0; i < characters.size(); ++i)
+        if (characters.place[i] < -1 || characters.place[i] >= groups[characters.group[i]].def.count)
+            return wrong("a character with a place that is none");
+    return checkQueueAndMarks();
+}
+
+Status World::Impl::checkQueueAndMarks() const {
+    if (lastCommandStep > stepCount || collected.size() != items.size() ||
+        checkpointState.size() != groups.size() * checkpoints.size() || checkpointGroups.size() != checkpoints.size())
+        return wrong("lists of different lengths");
+    for (const ItemDef& item : items)
+        if (Status s = validateItem(item); !s.ok()) return s;
+    for (const FormationCheckpointDef& checkpoint : checkpoints)
+        if (Status s = validateCheckpoint(checkpoint, kMaxGroups); !s.ok()) return s;
+    for (std::size_t k = 0; k < queue.size(); ++k)
+        if (queue[k].step < stepCount || (k > 0 && comesBefore(queue[k], queue[k - 1]))) return wrong("commands out of order");
+    return {};
+}
+
+}  // namespace muster

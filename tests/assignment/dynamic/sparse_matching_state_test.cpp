@@ -1,0 +1,93 @@
+// What a sparse matching keeps: saved and restored at any step, the same bits for any number of threads.
+#include <doctest.h>
+
+#include "base/archive.h"
+#include "assignment/dynamic/matching_scene.h"
+
+namespace {
+
+using muster::SparseMatching;
+using muster_test::MatchingScene;
+
+std::uint64_t hashOf(SparseMatching& matching) {
+    muster::Hasher hasher;
+    matching.visit(hasher);
+    return hasher.value();
+}
+
+MatchingScene makeScene() {
+    MatchingScene scene(180, 180, 21);
+    scene.costs.wall = true;
+    scene.usable.assign(180, 1);
+    return scene;
+}
+
+void advance(MatchingScene& scene, SparseMatching& matching, muster::ThreadPool& pool) {
+    scene.usable[scene.random.below(180)] ^= 1;
+    scene.step({1.2, 0.1}, 0.05, matching.placeOf());
+    matching.update({}, scene.input(), scene.costs, pool);
+}
+
+}  // namespace
+
+TEST_CASE("a sparse matching that was saved and restored goes on bit for bit") {
+    for (const int saved : {0, 1, 7, 50}) {
+        MatchingScene scene = makeScene();
+        muster::ThreadPool pool(1);
+        SparseMatching matching;
+        matching.coldStart({}, scene.input(), scene.costs, pool);
+        for (int k = 0; k < saved; ++k) advance(scene, matching, pool);
+        muster::Writer writer;
+        matching.visit(writer);
+        SparseMatching restored;
+        muster::Reader reader(writer.bytes());
+        restored.visit(reader);
+        REQUIRE(reader.ok());
+        REQUIRE(reader.remaining() == 0);
+        CHECK(hashOf(restored) == hashOf(matching));
+        MatchingScene twin = scene;
+        for (int k = 0; k < 80; ++k) {
+            advance(scene, matching, pool);
+            advance(twin, restored, pool);
+            REQUIRE(hashOf(restored) == hashOf(matching));
+        }
+    }
+}
+
+TEST_CASE("a sparse matching is the same for 1, 2, 3 and 8 threads") {
+    std::uint64_t expected = 0;
+    for (const int threads : {1, 2, 3, 8}) {
+        MatchingScene scene = makeScene();
+        muster::ThreadPool pool(threads);
+        SparseMatching matching;
+        matching.coldStart({}, scene.input(), scene.costs, pool);
+        for (int k = 0; k < 120; ++k) advance(scene, matching, pool);
+        if (threads == 1) expected = hashOf(matching);
+        CHECK(hashOf(matching) == expected);
+    }
+}
+
+TEST_CASE("a broken archive is refused") {
+    MatchingScene scene = makeScene();
+    muster::ThreadPool pool(1);
+    SparseMatching matching;
+    matching.coldStart({}, scene.input(), scene.costs, pool);
+    muster::Writer writer;
+    matching.visit(writer);
+    muster::Random random(3);
+    int refused = 0;
+    for (int k = 0; k < 300; ++k) {
+        std::vector<std::uint8_t> bytes = writer.bytes();
+        if (k % 3 == 0) bytes.resize(random.below(static_cast<std::uint32_t>(bytes.size())));
+        else bytes[random.below(k % 3 == 1 ? 2000 : static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<std::uint8_t>(1 + random.below(255));
+        SparseMatching other;
+        muster::Reader reader(bytes);
+        other.visit(reader);
+        refused += reader.ok() ? 0 : 1;
+        if (k % 3 == 0) CHECK(!reader.ok());
+        // Whatever was read, going on neither crashes nor breaks the rules.
+        other.update({}, scene.input(), scene.costs, pool);
+        CHECK(scene.valid(other.placeOf()));
+    }
+    CHECK(refused > 150);
+}

@@ -1,0 +1,170 @@
+// What the crowd and moving things add along a line, against the unit cost of the cells.
+#include <doctest.h>
+
+#include <cmath>
+
+#include "cost/ground_scene.h"
+#include "cost/crowd_excess.h"
+#include "eikonal/eikonal.h"
+
+using namespace muster;
+using namespace muster::test;
+
+namespace {
+
+// 20 x 20 characters, `apart` metres between them, all walking with `velocity`.
+void block(double apart, Vec2 velocity, DensityField& density) {
+    std::vector<Vec2> positions;
+    for (int k = 0; k < 400; ++k) positions.push_back(Vec2{(k % 20 - 9.5) * apart, (k / 20 - 9.5) * apart});
+    density.splat(positions, std::vector<Vec2>(positions.size(), velocity));
+}
+
+// The same by the costs of ground cells, sampled densely.
+double alongCells(const UnitCost& cost, Vec2 a, Vec2 b) {
+    const Vec2 to = (b - a) / distance(a, b);
+    double sum = 0.0;
+    for (int k = 0; k < 400; ++k) {
+        const CellCost& c = cost.cells[cost.grid.index(cost.grid.nearestCell(a + (b - a) * ((k + 0.5) / 400)))];
+        const double x = to.x * (to.x > 0.0 ? c.east : c.west);
+        const double y = to.y * (to.y > 0.0 ? c.north : c.south);
+        sum += std::sqrt(x * x + y * y) - 1.0;
+    }
+    return sum / 400 * distance(a, b);
+}
+
+}  // namespace
+
+TEST_CASE("without a crowd and moving things there is no excess") {
+    const Environment environment = squareWorld(16.0);
+    DensityField density({{-16, -16}, {16, 16}}, {});
+    CrowdExcess excess;
+    excess.update({}, environment, density, 0.25);
+    CHECK(excess.none());
+    CHECK(excess.along({-9, 0}, {9, 3}) == 0.0);
+    block(1.2, {0, 0}, density);  // 0.7 per square metre slows nobody.
+    excess.update({}, environment, density, 0.25);
+    CHECK(excess.along({-9, 0}, {9, 3}) == 0.0);
+}
+
+TEST_CASE("a dense crowd costs along a line what the unit cost of the cells says") {
+    const Environment environment = squareWorld(16.0);
+    DensityField density({{-16, -16}, {16, 16}}, {});
+    const UnitCostDef def;
+    for (const Vec2 velocity : {Vec2{0, 0}, Vec2{1.2, 0}, Vec2{-0.6, 0.8}}) {
+        block(0.6, velocity, density);  // 2.8 per square metre.
+        CrowdExcess excess;
+        excess.update(def, environment, density, 0.25);
+        UnitCostBuilder builder;
+        UnitCost cost;
+        builder.build(def, environment, density, 0.25, cost);
+        Random random(4);
+        double off = 0.0;
+        double whole = 0.0;
+        for (int k = 0; k < 200; ++k) {
+            const Vec2 a{random.uniform(-9, 9), random.uniform(-9, 9)};
+            const Vec2 b = a + Vec2{random.uniform(-3, 3), random.uniform(-3, 3)};
+            off += std::fabs(excess.along(a, b) - alongCells(cost, a, b));
+            whole += alongCells(cost, a, b);
+        }
+        CHECK(whole > 100.0);
+        CAPTURE(off / whole);
+        // Densities are read on their own cells, which are four times as wide as those of the ground.
+        CHECK(off < 0.16 * whole);
+    }
+    // With the stream it costs less than against it.
+    block(0.6, {1.2, 0}, density);
+    CrowdExcess excess;
+    excess.update(def, environment, density, 0.25);
+    CHECK(excess.along({-3, 0}, {3, 0}) < 0.3 * excess.along({3, 0}, {-3, 0}));
+}
+
+TEST_CASE("beside slow ground a crowd slows by what flow is there, on each ground by its own speed") {
+    Environment environment = squareWorld(16.0);
+    REQUIRE(environment.addPatch(slowBox(0.13, -16, 16, 16, 0.2)).ok());
+    const StaticGround ground = groundOf(environment);
+    DensityField density({{-16, -16}, {16, 16}}, {});
+    // Those who crawl flow as fast as one can there, which would be a jam on the ground beside.
+    block(0.7, {0.24, 0}, density);
+    const UnitCostDef def;
+    CrowdExcess excess;
+    excess.update(def, environment, density, 0.25);
+    UnitCostBuilder builder;
+    UnitCost cost;
+    UnitCost empty;
+    builder.build(def, environment, density, 0.25, cost);
+    builder.build(def, environment, DensityField({{-16, -16}, {16, 16}}, {}), 0.25, empty);
+    Random random(9);
+    double off = 0.0;
+    double byOneGround = 0.0;
+    double whole = 0.0;
+    for (int k = 0; k < 300; ++k) {
+        const Vec2 a{random.uniform(-1.5, 1.5), random.uniform(-5, 5)};
+        const Vec2 b = a + Vec2{random.uniform(-1, 1), random.uniform(-1, 1)};
+        const double exact = alongCells(cost, a, b) - alongCells(empty, a, b);
+        off += std::fabs(excess.costAlong(ground, a, b) - exact);
+        byOneGround += std::fabs(ground.unit(a) * excess.along(a, b) - exact);
+        whole += exact;
+    }
+    CAPTURE(off / whole);
+    CAPTURE(byOneGround / whole);
+    CHECK(whole > 30.0);
+    CHECK(off < 0.17 * whole);
+    CHECK(off < 0.85 * byOneGround);
+    // Where the ground is even it is the integral times its unit.
+    const StaticGround even = groundOf(squareWorld(16.0));
+    CHECK(excess.costAlong(even, {-5, 0}, {-2, 1}) == excess.along({-5, 0}, {-2, 1}));
+}
+
+TEST_CASE("ground before a moving obstacle is dear, under it blocked, and what it left is free again") {
+    Environment environment = squareWorld(16.0);
+    ObstacleDef cart = rectangle(-1, -0.5, 1, 0.5);
+    cart.path.waypoints = {{0.0, {0, 0}, 0.0}, {5.0, {10, 0}, 0.0}};
+    REQUIRE(environment.addObstacle(cart).ok());
+    environment.setTime(0.5);
+    DensityField density({{-16, -16}, {16, 16}}, {});
+    const UnitCostDef def;
+    CrowdExcess excess;
+    excess.update(def, environment, density, 0.25);
+    UnitCostBuilder builder;
+    UnitCost cost;
+    builder.build(def, environment, density, 0.25, cost);
+    const Vec2 a{4.0, -3.0};
+    const Vec2 b{4.0, 3.0};
+    CHECK(excess.along(a, b) == doctest::Approx(alongCells(cost, a, b)).epsilon(0.1));
+    CHECK(excess.along({1, -2}, {1, 2}) > 15.0);
+    CHECK(excess.along({-6, -2}, {-6, 2}) == 0.0);
+    environment.setTime(4.5);
+    excess.update(def, environment, density, 0.25);
+    CHECK(excess.along({1, -2}, {1, 2}) == 0.0);
+}
+
+TEST_CASE("no part of a crowd is overlooked, wherever it stands beside a line") {
+    const Environment environment = squareWorld(16.0);
+    Random random(12);
+    double off = 0.0, sum = 0.0;
+    for (int round = 0; round < 20; ++round) {
+        // A knot of people somewhere.
+        std::vector<Vec2> people;
+        const Vec2 middle{random.uniform(-14, 14), random.uniform(-14, 14)};
+        for (int k = 0; k < 12; ++k) people.push_back(middle + Vec2{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)});
+        DensityField density({{-16, -16}, {16, 16}}, {});
+        density.splat(people, std::vector<Vec2>(people.size()));
+        CrowdExcess excess;
+        excess.update({}, environment, density, 0.25);
+        for (int k = 0; k < 200; ++k) {
+            const Vec2 a{random.uniform(-15, 15), random.uniform(-15, 15)};
+            const Vec2 b{random.uniform(-15, 15), random.uniform(-15, 15)};
+            // Short pieces are read where they are, so that nothing near them is left out.
+            double pieces = 0.0;
+            for (int m = 0; m < 400; ++m) pieces += excess.along(lerp(a, b, m / 400.0), lerp(a, b, (m + 1) / 400.0));
+            const double whole = excess.along(a, b);
+            off += std::fabs(whole - pieces);
+            sum += pieces;
+            if (distance(a, b) < 8.0 && pieces > 2.0) REQUIRE(whole > 0.0);
+            if (whole > 0.0) REQUIRE(pieces > 0.0);
+        }
+    }
+    CAPTURE(off / sum);
+    CHECK(sum > 100.0);
+    CHECK(off < 0.25 * sum);  // Long lines are read at few points.
+}

@@ -1,0 +1,137 @@
+// Far fields by themselves: what a stencil says of ways, against the field of the coarse ground from the place itself.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geodesics/far_fields.h"
+#include "cost/ground_scene.h"
+
+using namespace muster;
+using namespace muster::test;
+
+namespace {
+
+struct Far {
+    Environment environment;
+    StaticGround ground;
+    FarFields fields;
+    ThreadPool pool{2};
+
+    explicit Far(Environment made) : environment(std::move(made)) {
+        environment.setTime(0.0);
+        ground.update(environment, 1.0, 0.25);
+        fields.beginStep(ground, 400);
+    }
+    // The stencil once all its fields are there.
+    LandmarkStencil stencil(Vec2 place) {
+        (void)fields.stencil(place);
+        (void)fields.build(100, pool);
+        return fields.stencil(place);
+    }
+    double cost(const LandmarkStencil& stencil, Vec2 from) const { return std::sqrt(std::max(0.0, fields.square(stencil, from))); }
+};
+
+Environment twoPools() {
+    Environment environment = squareWorld(30.0);
+    REQUIRE(environment.addObstacle(rectangle(-1, -12, 1, 30)).ok());
+    REQUIRE(environment.addPatch(slowBox(4, -8, 14, 8, 0.25)).ok());
+    REQUIRE(environment.addPatch(slowBox(-20, 6, -8, 18, 0.5)).ok());
+    return environment;
+}
+
+}  // namespace
+
+TEST_CASE("on plain ground a stencil is exact from anywhere") {
+    Far far(squareWorld(30.0));
+    // A tree far away, so that there are far fields at all.
+    ObstacleDef tree;
+    tree.centre = {28, 28};
+    tree.radius = 0.4;
+    REQUIRE(far.environment.addObstacle(tree).ok());
+    far.ground.update(far.environment, 1.0, 0.25);
+    far.fields.beginStep(far.ground, 400);
+    Random random(3);
+    for (int k = 0; k < 20; ++k) {
+        const Vec2 place{random.uniform(-20, 20), random.uniform(-20, 20)};
+        const LandmarkStencil stencil = far.stencil(place);
+        REQUIRE(stencil.count == 4);
+        double sum = 0.0;
+        for (std::int32_t n = 0; n < 4; ++n) sum += stencil.weight[n];
+        CHECK(sum == doctest::Approx(1.0));
+        const Grid& grid = far.ground.coarse().grid;
+        // At centres of cells, where nothing is read between values.
+        const Vec2 from = grid.centre(grid.nearestCell({random.uniform(-28, 20), random.uniform(-28, 20)}));
+        CHECK(far.cost(stencil, from) == doctest::Approx(distance(from, place)).epsilon(0.02));
+    }
+}
+
+TEST_CASE("landmarks are closer together on slow ground, and tell what a way costs at least and at most") {
+    Far far(twoPools());
+    const LandmarkStencil slow = far.stencil({9.0, 0.0});
+    const LandmarkStencil fast = far.stencil({20.0, 0.0});
+    CHECK(slow.unit == doctest::Approx(4.0));
+    CHECK(fast.unit == 0.0f);
+    const auto apart = [&](const LandmarkStencil& stencil) {
+        double least = 1e9;
+        for (std::int32_t a = 0; a < stencil.count; ++a)
+            for (std::int32_t b = 0; b < a; ++b)
+                least = std::min(least, distance(far.fields.field(stencil.slot[a]).source(), far.fields.field(stencil.slot[b]).source()));
+        return least;
+    };
+    CHECK(apart(slow) < 0.6 * apart(fast));
+    Random random(5);
+    for (int k = 0; k < 40; ++k) {
+        const Vec2 place = freeSpot(far.environment, random, 24.0);
+        const Vec2 from = freeSpot(far.environment, random, 28.0);
+        const LandmarkStencil stencil = far.stencil(place);
+        if (stencil.count == 0) continue;
+        const double cost = far.cost(stencil, from);
+        for (std::int32_t n = 0; n < stencil.count; ++n) {
+            const double there = std::sqrt(far.fields.field(stencil.slot[n]).squareBetween(from));
+            CHECK(cost <= there + stencil.own[n] + 1e-5);
+            CHECK(cost >= std::fabs(there - stencil.own[n]) - 1e-5);
+        }
+    }
+}
+
+TEST_CASE("ways to slow places are near those of a field from the place itself") {
+    Far far(twoPools());
+    EikonalSolver solver;
+    CostField field;
+    Random random(7);
+    std::vector<double> errors;
+    for (int k = 0; k < 25; ++k) {
+        const Vec2 place{random.uniform(4.5, 13.5), random.uniform(-7.5, 7.5)};
+        const LandmarkStencil stencil = far.stencil(place);
+        REQUIRE(stencil.count > 0);
+        solver.solve(far.ground.fine(), place, {}, field);
+        for (int n = 0; n < 20; ++n) {
+            const Vec2 from = freeSpot(far.environment, random, 28.0);
+            if (distance(from, place) < 8.0) continue;
+            errors.push_back(std::fabs(far.cost(stencil, from) / field.cost(from) - 1.0));
+        }
+    }
+    std::sort(errors.begin(), errors.end());
+    MESSAGE("slow places: median " << errors[errors.size() / 2] << ", p95 " << errors[errors.size() * 95 / 100] << ", worst "
+                                   << errors.back());
+    CHECK(errors[errors.size() / 2] < 0.04);
+    CHECK(errors[errors.size() * 95 / 100] < 0.1);
+    CHECK(errors.back() < 0.2);
+}
+
+TEST_CASE("a restored set of fields answers as before") {
+    Far far(twoPools());
+    const LandmarkStencil stencil = far.stencil({9.0, 2.0});
+    const double cost = far.cost(stencil, {-15.0, -3.0});
+    Writer writer;
+    far.fields.visit(writer);
+    Far other(twoPools());
+    Reader reader(writer.bytes());
+    other.fields.visit(reader);
+    REQUIRE(reader.ok());
+    other.fields.rebuild(other.pool);
+    CHECK(other.fields.count() == far.fields.count());
+    CHECK(other.cost(other.fields.stencil({9.0, 2.0}), {-15.0, -3.0}) == cost);
+}

@@ -1,0 +1,306 @@
+// Costs between any two points, against exact geodesics and cost fields of the fine ground.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "eikonal/geodesic_oracle.h"
+#include "cost/ground_scene.h"
+#include "eikonal/eikonal.h"
+#include "geodesics/geodesics.h"
+
+using namespace muster;
+using namespace muster::test;
+
+namespace {
+
+// A ground with places, asked often enough that all fields are there.
+struct Scene {
+    Environment environment;
+    StaticGround ground;
+    CrowdExcess excess;
+    DensityField density;
+    std::vector<Vec2> places;
+    Geodesics geodesics;
+    ThreadPool pool{2};
+
+    explicit Scene(Environment made) : environment(std::move(made)) {
+        environment.setTime(0.0);
+        ground.update(environment, 1.0, 0.25);
+        density = DensityField(environment.def().box, {});
+        excess.update({}, environment, density, 0.25);
+    }
+    void step() { geodesics.update(ground, excess, places, pool); }
+    void warm(const std::vector<std::vector<Vec2>>& from) {
+        for (int round = 0; round < 1500; ++round) {
+            step();
+            for (std::size_t j = 0; j < places.size(); ++j)
+                for (const Vec2 p : from[j]) (void)geodesics.cost(p, static_cast<std::int32_t>(j));
+        }
+        step();
+    }
+};
+
+struct Errors {
+    std::vector<double> all;
+    double mean = 0.0;
+    double at(double share) {
+        std::sort(all.begin(), all.end());
+        return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
+    }
+};
+
+// Walkers within `reach` of each place; relative errors of those whose way is bent.
+Errors errorsOf(Scene& scene, std::size_t count, double half, double reach, std::uint64_t seed) {
+    Random random(seed);
+    for (std::size_t j = 0; j < count; ++j) scene.places.push_back(freeSpot(scene.environment, random, half));
+    std::vector<std::vector<Vec2>> from(count);
+    for (std::size_t j = 0; j < count; ++j)
+        while (from[j].size() < 12) {
+            const Vec2 p = scene.places[j] + Vec2{random.uniform(-reach, reach), random.uniform(-reach, reach)};
+            if (scene.environment.def().box.grown(-0.3).contains(p) && scene.environment.distanceToObstacle(p) >= 0.27)
+                from[j].push_back(p);
+        }
+    scene.warm(from);
+    Errors errors;
+    EikonalSolver solver;
+    CostField field;
+    for (std::size_t j = 0; j < count; ++j) {
+        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
+        for (const Vec2 p : from[j]) {
+            const auto place = static_cast<std::int32_t>(j);
+            const double truth = field.cost(p);
+            const double known = scene.geodesics.cost(p, place);
+            if (scene.geodesics.straight(p, place)) {
+                // The field is a discretisation too.
+                REQUIRE(known == doctest::Approx(truth).epsilon(0.02).scale(1.0));
+                continue;
+            }
+            errors.all.push_back(std::fabs(known - truth) / std::max(truth, 0.5));
+            errors.mean += (known - truth) / std::max(truth, 0.5);
+        }
+    }
+    REQUIRE(errors.all.size() > 20);
+    errors.mean /= static_cast<double>(errors.all.size());
+    return errors;
+}
+
+}  // namespace
+
+TEST_CASE("in the open costs are straight lines") {
+    Scene scene(squareWorld(40.0));
+    scene.places = {{0, 0}, {30, -30}};
+    scene.step();
+    CHECK(scene.geodesics.cost({3, 4}, 0) == doctest::Approx(5.0));
+    CHECK(scene.geodesics.cost({-30, 30}, 1) == doctest::Approx(std::hypot(60.0, 60.0)));
+    WayPoint memory;
+    const WayAhead way = scene.geodesics.ahead({3, 4}, 0, memory);
+    CHECK(distance(way.direction, {-0.6, -0.8}) < 1e-9);
+    CHECK(scene.geodesics.cost({0, 0}, 0) == 0.0f);
+}
+
+TEST_CASE("near ways round a block are those of the fine field") {
+    Environment environment = squareWorld(20.0);
+    REQUIRE(environment.addObstacle(rectangle(-4, -5, 4, 5)).ok());
+    Scene scene(std::move(environment));
+    Errors errors = errorsOf(scene, 250, 9.0, 4.5, 1);
+    MESSAGE("block: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 " << errors.at(0.95));
+    CHECK(errors.at(0.5) < 0.01);
+    CHECK(errors.at(0.95) < 0.06);
+}
+
+TEST_CASE("near ways among trees are those of the fine field") {
+    Environment environment = squareWorld(16.0);
+    Random random(9);
+    for (int k = 0; k < 60; ++k) {
+        ObstacleDef tree;
+        tree.centre = {random.uniform(-14, 14), random.uniform(-14, 14)};
+        tree.radius = random.uniform(0.3, 0.5);
+        REQUIRE(environment.addObstacle(tree).ok());
+    }
+    Scene scene(std::move(environment));
+    Errors errors = errorsOf(scene, 200, 12.0, 3.5, 2);
+    MESSAGE("trees: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 " << errors.at(0.95));
+    CHECK(errors.at(0.5) < 0.01);
+    CHECK(errors.at(0.95) < 0.05);
+}
+
+TEST_CASE("far ways round a block and through a corridor are near the exact ones") {
+    Environment environment = squareWorld(48.0);
+    REQUIRE(environment.addObstacle(rectangle(-6, -48, 6, -3)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-6, 3, 6, 48)).ok());
+    Scene scene(std::move(environment));
+    Random random(3);
+    std::vector<Vec2> from;
+    for (int k = 0; k < 30; ++k) {
+        scene.places.push_back({random.uniform(15, 40), random.uniform(-25, 25)});
+        from.push_back({random.uniform(-40, -15), random.uniform(-25, 25)});
+    }
+    scene.step();
+    scene.geodesics.survey(from, scene.pool);
+    const std::vector<Shape> walls = {{{{-6, -48}, {6, -48}, {6, -3}, {-6, -3}}}, {{{-6, 3}, {6, 3}, {6, 48}, {-6, 48}}}};
+    double worst = 0.0;
+    for (std::size_t j = 0; j < scene.places.size(); ++j) {
+        const GeodesicOracle oracle(walls, 0.25, scene.places[j]);
+        for (const Vec2 p : from) {
+            const double truth = oracle.cost(p);
+            worst = std::max(worst, std::fabs(scene.geodesics.cost(p, static_cast<std::int32_t>(j)) - truth) / truth);
+        }
+    }
+    MESSAGE("far: worst relative error " << worst);
+    CHECK(worst < 0.06);
+}
+
+TEST_CASE("ways to slow ground between walls are near those of the fine field, however far") {
+    Environment environment = squareWorld(32.0);
+    REQUIRE(environment.addObstacle(rectangle(-8, 2.6, 8, 3.4)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-8, 8.6, 8, 32)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-8, -3.4, 8, -2.6)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-8, -32, 8, -8.6)).ok());
+    REQUIRE(environment.addPatch(slowBox(-4.5, 3.4, 4.5, 8.6, 0.4)).ok());
+    REQUIRE(environment.addPatch(slowBox(-4.5, -8.6, 4.5, -3.4, 0.2)).ok());
+    Scene scene(std::move(environment));
+    Errors errors = errorsOf(scene, 220, 12.0, 16.0, 4);
+    MESSAGE("slow ground: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p99 " << errors.at(0.99)
+                            << ", worst " << errors.at(1.0));
+    CHECK(errors.at(0.5) < 0.04);
+    CHECK(errors.at(0.99) < 0.12);
+}
+
+TEST_CASE("a way round mud is found, whether windows reach so far or not") {
+    Environment environment = squareWorld(32.0);
+    REQUIRE(environment.addPatch(slowBox(-3, -2.5, 3, 2.5, 0.1)).ok());
+    Scene scene(std::move(environment));
+    scene.places = {{3.7, 0.4}, {2.2, -0.3}};
+    // The second place is in the mud itself, near its far side.
+    const std::vector<Vec2> from = {{-3.6, 0.2}, {-3.9, -1.0}, {-4.1, 1.2}, {-3.4, -1.9}, {3.9, 1.0}};
+    scene.warm({from, from});
+    EikonalSolver solver;
+    CostField field;
+    for (std::int32_t j = 0; j < 2; ++j) {
+        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
+        for (const Vec2 p : from) {
+            CAPTURE(p);
+            CHECK(scene.geodesics.cost(p, j) == doctest::Approx(field.cost(p)).epsilon(0.15));
+        }
+    }
+}
+
+TEST_CASE("no way costs less than its bound, which knows the slow ground at both ends") {
+    Environment environment = squareWorld(24.0);
+    REQUIRE(environment.addPatch(slowBox(-9, -8, -1, 8, 0.3)).ok());
+    REQUIRE(environment.addPatch(slowBox(2, -8, 8, 8, 0.5)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-1, 8, 2, 24)).ok());
+    Scene scene(std::move(environment));
+    Random random(17);
+    for (int j = 0; j < 40; ++j) scene.places.push_back(freeSpot(scene.environment, random, 12.0));
+    scene.step();
+    EikonalSolver solver;
+    CostField field;
+    int closer = 0;
+    for (std::int32_t j = 0; j < 40; ++j) {
+        solver.solve(scene.ground.fine(), scene.places[static_cast<std::size_t>(j)], {}, field);
+        for (int k = 0; k < 40; ++k) {
+            const Vec2 p = freeSpot(scene.environment, random, 12.0);
+            const double line = scene.geodesics.perMetre() * distance(p, scene.places[static_cast<std::size_t>(j)]);
+            const double bound = scene.geodesics.atLeast(p, j);
+            CAPTURE(p);
+            CHECK(bound >= line - 1e-9);
+            CHECK(bound <= 1.03 * field.cost(p) + 0.2);
+            closer += bound > 1.2 * line ? 1 : 0;
+        }
+    }
+    CHECK(closer > 400);  // Of 1,600: more than half have an end in slow ground.
+}
+
+TEST_CASE("a far way that begins beside a cart costs what it takes to get away from it") {
+    Environment environment = squareWorld(16.0);
+    REQUIRE(environment.addObstacle(rectangle(-1, -9, 1, 9)).ok());
+    ObstacleDef cart;
+    cart.radius = 0.8;
+    cart.centre = {-4, -3};
+    cart.path.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {0, 15}, 0.0}};
+    REQUIRE(environment.addObstacle(cart).ok());
+    Scene scene(std::move(environment));
+    scene.environment.setTime(1.0);
+    scene.excess.update({}, scene.environment, scene.density, 0.25);
+    scene.places = {{3, 0}, {3, 2}, {5, -2}};
+    // Before the cart, and where it drives nobody in the way.
+    const Vec2 before{-4.2, 0.2};
+    const Vec2 aside{-9, 0.2};
+    scene.warm({{before, aside}, {before, aside}, {before, aside}});
+    UnitCostBuilder builder;
+    UnitCost cost;
+    builder.build({}, scene.environment, scene.density, 0.25, cost);
+    EikonalSolver solver;
+    CostField field;
+    CHECK(scene.geodesics.unsteady(before));
+    CHECK_FALSE(scene.geodesics.unsteady(aside));
+    for (std::int32_t j = 0; j < 3; ++j) {
+        solver.solve(cost, scene.places[static_cast<std::size_t>(j)], {}, field);
+        const double exact = field.cost(before);
+        CHECK(scene.geodesics.cost(aside, j) == doctest::Approx(field.cost(aside)).epsilon(0.04));
+        CHECK(scene.geodesics.cost(before, j) == doctest::Approx(exact).epsilon(0.12));
+        solver.solve(scene.ground.fine(), scene.places[static_cast<std::size_t>(j)], {}, field);
+        CHECK(exact > 1.15 * field.cost(before));
+    }
+}
+
+TEST_CASE("who follows the direction step by step comes to the place by nearly the shortest way") {
+    Environment environment = squareWorld(32.0);
+    REQUIRE(environment.addObstacle(rectangle(-3, -12, 3, 10)).ok());
+    const std::vector<Shape> walls = {{{{-3, -12}, {3, -12}, {3, 10}, {-3, 10}}}};
+    Scene scene(std::move(environment));
+    scene.places = {{20, -4}, {6, 2}, {4.5, -11.5}};
+    for (std::int32_t j = 0; j < 3; ++j) {
+        Vec2 at{-20, 3};
+        WayPoint memory;
+        double walked = 0.0;
+        const GeodesicOracle oracle(walls, 0.25, scene.places[j]);
+        const double truth = oracle.cost(at);
+        for (int k = 0; k < 4000 && distance(at, scene.places[j]) > 0.1; ++k) {
+            scene.step();
+            const WayAhead way = scene.geodesics.ahead(at, j, memory);
+            const Vec2 next = scene.environment.pushOut(at + way.direction * 0.05, 0.25);
+            walked += distance(at, next);
+            at = next;
+        }
+        CHECK(distance(at, scene.places[j]) <= 0.1);
+        CHECK(walked < 1.05 * truth);
+    }
+}
+
+TEST_CASE("what was saved goes on bit for bit") {
+    Environment environment = squareWorld(20.0);
+    REQUIRE(environment.addObstacle(rectangle(-4, -5, 4, 5)).ok());
+    Scene scene(std::move(environment));
+    Random random(7);
+    std::vector<Vec2> from;
+    for (int k = 0; k < 40; ++k) {
+        scene.places.push_back(freeSpot(scene.environment, random, 9.0));
+        from.push_back(freeSpot(scene.environment, random, 15.0));
+    }
+    const auto ask = [&](const Geodesics& geodesics) {
+        std::vector<float> costs;
+        for (std::size_t j = 0; j < scene.places.size(); ++j)
+            for (const Vec2 p : from) costs.push_back(geodesics.cost(p, static_cast<std::int32_t>(j)));
+        return costs;
+    };
+    for (int k = 0; k < 25; ++k) {
+        scene.step();
+        (void)ask(scene.geodesics);
+    }
+    Writer writer;
+    scene.geodesics.save(writer);
+    Geodesics copy;
+    Reader reader(writer.bytes());
+    REQUIRE(copy.load(reader));
+    for (int k = 0; k < 30; ++k) {
+        for (Vec2& place : scene.places) place += Vec2{0.01, 0.005};
+        scene.step();
+        copy.update(scene.ground, scene.excess, scene.places, scene.pool);
+        REQUIRE(ask(copy) == ask(scene.geodesics));
+    }
+    Reader cut(std::span(writer.bytes()).first(writer.bytes().size() / 2));
+    CHECK_FALSE(Geodesics().load(cut));
+}

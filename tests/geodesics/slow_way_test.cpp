@@ -1,0 +1,103 @@
+// Ways over ground of two speeds, against the law of refraction.
+#include "geodesics/slow_way.h"
+
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cost/ground_scene.h"
+
+using namespace muster;
+using namespace muster::test;
+
+namespace {
+
+// The cheapest way from (x < 0, unit 1) to (x > 0, `unit` a metre) over the line x = 0: the best of fine steps along it.
+double refracted(Vec2 a, Vec2 b, double unit) {
+    double best = 1e300;
+    const double low = std::min(a.y, b.y) - 1.0;
+    const double high = std::max(a.y, b.y) + 1.0;
+    for (double y = low; y <= high; y += 0.002)
+        best = std::min(best, distance(a, {0.0, y}) + unit * distance({0.0, y}, b));
+    return best;
+}
+
+}  // namespace
+
+TEST_CASE("ways into slow ground are refracted where it begins") {
+    Environment environment = squareWorld(16.0);
+    REQUIRE(environment.addPatch(slowBox(0.0, -16.0, 16.0, 16.0, 0.25)).ok());
+    const StaticGround ground = groundOf(environment);
+    Random random(5);
+    double off = 0.0;
+    double straightOff = 0.0;
+    double whole = 0.0;
+    for (int k = 0; k < 600; ++k) {
+        const Vec2 a{random.uniform(-3.0, -0.1), random.uniform(-3, 3)};
+        const Vec2 b{random.uniform(0.1, 3.0), random.uniform(-3, 3)};
+        const double exact = refracted(a, b, 4.0);
+        const SlowWay way = slowWay(ground, a, b);
+        // Cells tell the border to within half of theirs.
+        REQUIRE(way.cost > exact - 0.5);
+        off += std::fabs(way.cost - exact);
+        straightOff += std::fabs(ground.lineCost(a, b) - exact);
+        whole += exact;
+        // Back it is the same way.
+        REQUIRE(slowWay(ground, b, a).cost == doctest::Approx(way.cost).epsilon(0.08));
+    }
+    CAPTURE(off / whole);
+    CAPTURE(straightOff / whole);
+    CHECK(off < 0.04 * whole);
+    CHECK(off < 0.4 * straightOff);
+}
+
+TEST_CASE("on ground of one speed the way is the line") {
+    Environment environment = squareWorld(16.0);
+    REQUIRE(environment.addPatch(slowBox(0.0, -16.0, 16.0, 16.0, 0.25)).ok());
+    const StaticGround ground = groundOf(environment);
+    const SlowWay fast = slowWay(ground, {-5, -2}, {-1, 1});
+    CHECK(fast.cost == doctest::Approx(5.0));
+    CHECK(fast.aim == Vec2{-1, 1});
+    const SlowWay slow = slowWay(ground, {5, -2}, {1, 1});
+    CHECK(slow.cost == doctest::Approx(20.0));
+    CHECK(slow.aim == Vec2{1, 1});
+}
+
+TEST_CASE("no way over slow ground is bent through a wall") {
+    Environment environment = squareWorld(16.0);
+    // The slow lane lies between walls.
+    REQUIRE(environment.addPatch(slowBox(0.0, -1.0, 8.0, 1.0, 0.2)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-4, 1, 12, 2)).ok());
+    REQUIRE(environment.addObstacle(rectangle(-4, -2, 12, -1)).ok());
+    const StaticGround ground = groundOf(environment);
+    CHECK(ground.clear({-3, 0}, {6, 0}));
+    CHECK_FALSE(ground.straight({-3, 0}, {6, 0}));
+    CHECK_FALSE(ground.clear({-3, 0}, {-3, 3}));
+    CHECK(slowWay(ground, {-3, 0}, {6, 0}).cost > 3.0 + 5.0 * 6.0 - 1.5);
+}
+
+TEST_CASE("clear lines are those without a wall, whatever the ground") {
+    Environment bare = squareWorld(16.0);
+    Environment patched = squareWorld(16.0);
+    Random random(5);
+    for (int k = 0; k < 25; ++k) {
+        ObstacleDef tree;
+        tree.centre = {random.uniform(-13, 13), random.uniform(-13, 13)};
+        tree.radius = random.uniform(0.3, 1.2);
+        REQUIRE(bare.addObstacle(tree).ok());
+        REQUIRE(patched.addObstacle(tree).ok());
+    }
+    REQUIRE(patched.addPatch(slowBox(-8, -9, 3, 6, 0.3)).ok());
+    const StaticGround without = groundOf(bare);
+    const StaticGround with = groundOf(patched);
+    int clear = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const Vec2 a = freeSpot(bare, random, 14.0);
+        const Vec2 b = a + Vec2{random.uniform(-6, 6), random.uniform(-6, 6)};
+        REQUIRE(with.clear(a, b) == without.straight(a, b));
+        clear += with.clear(a, b) ? 1 : 0;
+    }
+    CHECK(clear > 500);
+    CHECK(clear < 2500);
+}

@@ -1,0 +1,360 @@
+#include "muster/scenario.h"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "base/archive.h"
+#include "base/random.h"
+#include "muster/gestures.h"
+
+using namespace muster;
+
+namespace {
+
+const std::string kFolder = std::string(MUSTER_SOURCE_DIR) + "/scenarios";
+
+/// All members of a definition as bytes, for comparisons bit for bit.
+std::vector<std::uint8_t> bytesOf(WorldDef def) {
+    Writer w;
+    w(def.name, def.description, def.credit, def.gestures, def.box.min, def.box.max, def.cell, def.seed, def.clips, def.obstacles,
+      def.patches, def.map, def.groups, def.checkpoints, def.items);
+    for (const ParameterInfo& info : parameterTable()) w(def.parameters.*info.member);
+    return w.take();
+}
+
+/// A definition with something in every member, of numbers that are hard to print.
+WorldDef richDef() {
+    WorldDef def;
+    def.name = "Rich \"quoted\" \\ \n \xc3\xa9";
+    def.description = "All of it.";
+    def.credit = "Nobody";
+    def.gestures = "touches/by hand.json";
+    def.box = {{-1.0 / 3.0, -0.1}, {31.7, 20.000000000000004}};
+    def.cell = 0.1 + 0.2;
+    def.seed = 9007199254740991ull;
+    def.clips[3].file = "crawl.bvh";
+    def.clips[3].length = 1e-3 / 7.0;
+    ObstacleDef box;
+    box.name = "Box";
+    box.polygon = {{1.1, 2.2}, {3.3, 2.2}, {3.3, 4.400000000000001}};
+    box.path.waypoints = {{0.0, {0, 0}, 0.0}, {1.0 / 3.0, {0.7, -0.0}, 0.123456789012345678}};
+    box.path.loop = true;
+    box.strength = 0.0;
+    ObstacleDef disc;
+    disc.centre = {5, 6};
+    disc.radius = 0.30000000000000004;
+    disc.range = 2.5;
+    def.obstacles = {box, disc};
+    PatchDef patch;
+    patch.name = "Net";
+    patch.polygon = {{6, 6}, {8, 6}, {8, 8}};
+    patch.motion = 3;
+    patch.speed = 1.0 / 7.0;
+    def.patches = {patch};
+    GroupDef group;
+    group.name = "A";
+    group.count = 3;
+    group.formation.kind = FormationKind::Points;
+    group.formation.points = {{0, 0}, {1, 0.1}, {0.2, 1}};
+    group.starts = {{2, 9}, {3, 9}, {4, 9}};
+    group.position = {10, 10};
+    group.angle = 1e-9;
+    group.jitter = 0.05;
+    GroupDef other;
+    other.formation.kind = FormationKind::Outline;
+    other.formation.outline.outline = {{0, 0}, {5, 0}, {5, 5}, {0, 5}};
+    other.formation.outline.holes = {{{1, 1}, {1, 2}, {2, 2}}, {{3, 3}, {3, 4}, {4, 4}}};
+    def.groups = {group, other};
+    FormationCheckpointDef checkpoint;
+    checkpoint.position = {12, 3};
+    checkpoint.formation.kind = FormationKind::Pacman;
+    checkpoint.formation.opening = 0.7;
+    checkpoint.group = 1;
+    checkpoint.once = false;
+    def.checkpoints = {checkpoint};
+    def.items = {{{3, 3}, 0.4}};
+    def.parameters.exponent = 1.7;
+    def.parameters.planMode = 2.0;
+    return def;
+}
+
+std::string minimal(const std::string& more) {
+    return R"({"format":"muster-scenario","version":1)" + (more.empty() ? "" : "," + more) + "}";
+}
+
+std::string failureOf(const std::string& text) {
+    const auto def = parseScenario(text, "F.json", "");
+    return def.ok() ? "" : def.status().message();
+}
+
+}  // namespace
+
+TEST_CASE("a definition survives its text bit for bit") {
+    const WorldDef def = richDef();
+    const std::string text = writeScenario(def);
+    const auto back = parseScenario(text, "rich", "");
+    REQUIRE_MESSAGE(back.ok(), back.status().message());
+    CHECK(bytesOf(*back) == bytesOf(def));
+    CHECK(writeScenario(*back) == text);
+}
+
+TEST_CASE("random doubles survive bit for bit") {
+    Random random(11);
+    for (int round = 0; round < 300; ++round) {
+        WorldDef def;
+        def.groups.resize(1);
+        def.groups[0].position = {random.uniform(-9e5, 9e5), random.uniform(-1e-5, 1e-5)};
+        def.groups[0].angle = random.uniform(-7, 7) / 3.0;
+        for (const ParameterInfo& info : parameterTable()) {
+            const double value = info.minimum + (info.maximum - info.minimum) * random.uniform() * random.uniform();
+            (void)setParameter(def.parameters, info.name, value).ok();
+        }
+        // Those that may not contradict each other.
+        Parameters& p = def.parameters;
+        p.densityMax = p.densityMin + 1.0 / 3.0;
+        p.alpha = 0.1 + random.uniform(), p.beta = random.uniform(), p.gamma = random.uniform() / 3.0;
+        p.minSpeed = 0.01 + random.uniform() / 3.0, p.discomfortGain = random.uniform() * 7.0;
+        if (p.densityMax > 100.0) continue;
+        const auto back = parseScenario(writeScenario(def), "random", "");
+        REQUIRE_MESSAGE(back.ok(), back.status().message());
+        CHECK(bytesOf(*back) == bytesOf(def));
+    }
+}
+
+TEST_CASE("random definitions survive bit for bit, also where texts, lists and paths are empty") {
+    Random random(17);
+    const auto coin = [&] { return random.below(2) == 0; };
+    const auto word = [&] { return coin() ? std::string() : "w" + std::to_string(random.below(9)); };
+    const auto path = [&] {
+        TimedPath path;
+        path.loop = coin();
+        const std::uint32_t count = random.below(3);
+        for (std::uint32_t i = 0; i < count; ++i) path.waypoints.push_back({1.0 * i, {random.uniform(), 0.0}, random.uniform()});
+        return path;
+    };
+    const auto formation = [&] {
+        FormationDef formation{coin() ? FormationKind::Square : FormationKind::Outline, 1.0 + random.uniform(), 1.2, {}, {}};
+        if (formation.kind == FormationKind::Outline || coin()) formation.outline.outline = {{0, 0}, {9, 0}, {9, 9}};
+        if (coin()) formation.points = {{0.5, 0.25}};
+        return formation;
+    };
+    for (int round = 0; round < 400; ++round) {
+        WorldDef def;
+        def.name = word(), def.description = word(), def.credit = word(), def.gestures = word();
+        for (std::size_t i = 0; i < def.clips.size(); ++i) def.clips[i].file = word();
+        if (coin()) def.clips[2].name = "";
+        for (std::uint32_t i = random.below(3); i > 0; --i) {
+            ObstacleDef obstacle;
+            obstacle.name = word();
+            if (coin()) obstacle.polygon = {{0, 0}, {1, 0}, {1, 1}};
+            else obstacle.radius = 0.5, obstacle.centre = {coin() ? 0.0 : 2.0, 0.0};
+            obstacle.path = path();
+            if (coin()) obstacle.range = random.uniform();
+            if (coin()) obstacle.strength = coin() ? 0.0 : random.uniform();
+            def.obstacles.push_back(obstacle);
+        }
+        for (std::uint32_t i = random.below(3); i > 0; --i) {
+            PatchDef patch{word(), {{0, 0}, {1, 0}, {1, 1}}, path(), static_cast<std::int32_t>(random.below(8)), -1.0};
+            if (coin()) patch.speed = 0.5;
+            def.patches.push_back(patch);
+        }
+        for (std::uint32_t i = random.below(3); i > 0; --i) {
+            GroupDef group;
+            group.name = word(), group.count = 1, group.formation = formation();
+            if (coin()) group.starts = {{1, 1}};
+            def.groups.push_back(group);
+        }
+        if (coin()) def.checkpoints.push_back({{1, 2}, 1.0, formation(), static_cast<std::int32_t>(def.groups.size()) - 1, coin()});
+        if (coin()) def.items.push_back({{1, 2}, 0.25});
+        const std::string text = writeScenario(def);
+        const auto back = parseScenario(text, "random", "");
+        REQUIRE_MESSAGE(back.ok(), back.status().message(), "\n", text);
+        const bool same = bytesOf(*back) == bytesOf(def);
+        CHECK_MESSAGE(same, text);
+    }
+}
+
+TEST_CASE("defaults stand where a file says nothing, and an embedded map gives the box") {
+    const auto def = parseScenario(minimal(""), "F", "");
+    REQUIRE(def.ok());
+    CHECK(bytesOf(*def) == bytesOf(WorldDef{}));
+    const auto map = parseScenario(
+        minimal(R"("map":{"rows":["..@","..."],"metresPerCell":2,"origin":[1,1]},"groups":[{"formation":"wedge"}])"), "F", "");
+    REQUIRE_MESSAGE(map.ok(), map.status().message());
+    CHECK(map->map->grid.width == 3);
+    CHECK(map->map->grid.cells == "..@...");
+    CHECK(map->box.max == Vec2{7, 5});
+    CHECK(map->groups[0].formation.kind == FormationKind::Wedge);
+    const auto back = parseScenario(writeScenario(*map), "F", "");
+    REQUIRE(back.ok());
+    CHECK(bytesOf(*back) == bytesOf(*map));
+}
+
+TEST_CASE("a preset is where parameters start from") {
+    const auto def = parseScenario(minimal(R"("preset":"paper","parameters":{"plan.period":3})"), "F", "");
+    REQUIRE(def.ok());
+    CHECK(def->parameters.exponent == 1.0);
+    CHECK(def->parameters.planPeriod == 3.0);
+}
+
+TEST_CASE("every failure names file, path, what was found and what was expected") {
+    const auto says = [](const std::string& more, const std::string& path) {
+        const std::string message = failureOf(minimal(more));
+        CAPTURE(message);
+        CHECK(message.rfind("F.json: " + path, 0) == 0);
+        CHECK(message.find("found") != std::string::npos);
+        CHECK(message.find("expected") != std::string::npos);
+        CHECK(message.find('\n') == std::string::npos);
+    };
+    says(R"("cell":"x")", "$.cell:");
+    says(R"("cell":0)", "$.cell:");
+    says(R"("colour":1)", "$:");
+    says(R"("obstacles":{})", "$.obstacles:");
+    says(R"("obstacles":[{"centre":[0,0],"radius":1},{"polygon":[[0,0],[1]]}])", "$.obstacles[1].polygon");
+    says(R"("obstacles":[{"centre":[0,0],"radius":-1}])", "$.obstacles[0].radius:");
+    says(R"("obstacles":[3])", "$.obstacles[0]:");
+    says(R"("obstacles":[{"centre":[0,0],"radius":1,"path":{"waypoints":[{"x":1}]}}])", "$.obstacles[0].path.waypoints[0]:");
+    says(R"("patches":[{"polygon":[[0,0],[1,0],[1,1]],"motion":"fly"}])", "$.patches[0].motion:");
+    says(R"("patches":[{"motion":"run"}])", "$.patches[0]:");
+    says(R"("groups":[{"count":0}])", "$.groups[0].count:");
+    says(R"("groups":[{"count":2.5}])", "$.groups[0].count:");
+    says(R"("groups":[{"count":200001}])", "$.groups[0].count:");
+    says(R"("groups":[{"formation":"blob"}])", "$.groups[0].formation.kind:");
+    says(R"("groups":[{"formation":{"kind":"line","spacing":0}}])", "$.groups[0].formation.spacing:");
+    says(R"("parameters":{"plan.exponent":0.2})", "$.parameters[\"plan.exponent\"]:");
+    says(R"("parameters":{"plan.exp":2})", "$.parameters:");
+    says(R"("preset":"rubens")", "$.preset:");
+    says(R"("map":{})", "$.map:");
+    says(R"("map":{"rows":["..","."]})", "$.map.rows[1]:");
+    says(R"("map":{"file":"nowhere.map"})", "$.map.file:");
+    says(R"("seed":-1)", "$.seed:");
+    says(R"("gestures":7)", "$.gestures:");
+    for (const char* outside : {"/a.json", "../a.json", "a/../../b.json", "a/..", "..", R"(a\\..\\b.json)"})
+        says(std::string(R"("gestures":")") + outside + "\"", "$.gestures:");
+    CHECK(failureOf("[]").find("F.json: $: found an array") == 0);
+    CHECK(failureOf("{}").find("no \"format\"") != std::string::npos);
+    CHECK(failureOf(R"({"format":"muster-scenario","version":2})").find("$.version") != std::string::npos);
+}
+
+TEST_CASE("what single fields cannot show is checked too") {
+    CHECK(failureOf(minimal(R"("obstacles":[{"polygon":[[0,0],[1,1],[1,0],[0,1]]}])")).find("$.obstacles[0]") != std::string::npos);
+    CHECK(failureOf(minimal(R"("obstacles":[{}])")).find("$.obstacles[0]") != std::string::npos);
+    CHECK(failureOf(minimal(R"("groups":[{"count":3,"starts":[[0,0]]}])")).find("$.groups[0]") != std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[1000,1000]],"cell":0.01)")).find("16 million") != std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[0,5]])")).find("empty") != std::string::npos);
+    // Few cells of ground, more of the density's than a whole number counts.
+    CHECK(failureOf(minimal(R"("box":[[0,0],[65536,65536]],"cell":100)")).find("$.parameters: parameter density.cell") != std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[410,410]],"parameters":{"density.cell":0.1})")).find("density.cell") != std::string::npos);
+    CHECK(failureOf(minimal(R"("clips":[{"name":"run"},{"name":"run"}])")).find("$.clips[1].name") != std::string::npos);
+    CHECK(failureOf(minimal(R"("parameters":{"plan.solver":0},"groups":[{"count":3000},{"count":3000}])")).find("at most 5000") != std::string::npos);
+    CHECK(failureOf(minimal(R"("parameters":{"density.min":4})")).find("density.max") != std::string::npos);
+}
+
+TEST_CASE("syntax errors name line and column") {
+    CHECK(failureOf("{\n  \"format\": \"muster-scenario\",\n  \"version\": 1,,\n}").find("F.json:3:") == 0);
+    CHECK(failureOf("").find("F.json:1:1") == 0);
+    CHECK(failureOf("{\"a\":1,\"a\":2}").find("twice") != std::string::npos);
+    CHECK(failureOf(std::string(100000, '[')).find("64 levels") != std::string::npos);
+    CHECK(failureOf("{\"a\":1e999}").find("F.json:1:") == 0);
+    CHECK(failureOf("{\"a\":\"\xff\"}").find("F.json:1:") == 0);
+}
+
+TEST_CASE("too many items are refused") {
+    std::string list;
+    for (int i = 0; i < 20001; ++i) list += std::string(i > 0 ? "," : "") + R"({"position":[0,0]})";
+    CHECK(failureOf(minimal("\"items\":[" + list + "]")).find("at most 20000") != std::string::npos);
+}
+
+TEST_CASE("damaged text never crashes") {
+    const std::string text = writeScenario(richDef());
+    Random random(5);
+    for (int round = 0; round < 3000; ++round) {
+        std::string bad = text;
+        const auto at = random.below(static_cast<std::uint32_t>(bad.size()));
+        if (round % 3 == 0) bad.erase(at, 1 + random.below(20));
+        else bad[at] = static_cast<char>(random.below(256));
+        const auto def = parseScenario(bad, "F.json", "");
+        if (!def.ok()) CHECK(def.status().message().rfind("F.json", 0) == 0);
+    }
+}
+
+TEST_CASE("map files lie beside the scenario") {
+    const auto folder = std::filesystem::temp_directory_path() / "muster_scenario_test";
+    std::filesystem::create_directories(folder);
+    const auto write = [&](const char* name, const std::string& text) {
+        std::FILE* file = std::fopen((folder / name).c_str(), "wb");
+        REQUIRE(file != nullptr);
+        std::fwrite(text.data(), 1, text.size(), file);
+        std::fclose(file);
+    };
+    write("small.map", "type octile\nheight 2\nwidth 4\nmap\n....\n.@T.\n");
+    write("s.json", minimal(R"("map":{"file":"small.map"})"));
+    const auto def = loadScenario((folder / "s.json").string());
+    REQUIRE_MESSAGE(def.ok(), def.status().message());
+    CHECK(def->map->grid.cells == ".....@T.");
+    CHECK(def->box.max == Vec2{4, 2});
+    CHECK(loadScenario((folder / "no.json").string()).status().code() == StatusCode::IoError);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("warnings tell of narrow gaps and bad starts") {
+    WorldDef def;
+    for (double x : {0.0, 1.3}) {
+        ObstacleDef disc;
+        disc.centre = {x, 0.0};
+        disc.radius = 0.5;
+        def.obstacles.push_back(disc);
+    }
+    GroupDef group;
+    group.count = 2;
+    group.starts = {{0.0, 0.1}, {5.0, 5.0}};
+    def.groups = {group};
+    const auto warnings = scenarioWarnings(def);
+    REQUIRE(warnings.size() == 2);
+    CHECK(warnings[0].find("0.30 m") != std::string::npos);
+    CHECK(warnings[1].find("1 characters") != std::string::npos);
+    def.obstacles[1].centre.x = 1.6;
+    def.groups[0].starts[0] = {-3.0, 0.0};
+    CHECK(scenarioWarnings(def).empty());
+}
+
+TEST_CASE("every shipped scenario is good and has no warnings") {
+    int count = 0;
+    std::vector<std::filesystem::directory_entry> files;
+    for (const std::string& folder : {kFolder, kFolder + "/paper"})
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry);
+    for (const auto& entry : files) {
+        if (entry.path().extension() != ".json") continue;
+        CAPTURE(entry.path().string());
+        const auto def = loadScenario(entry.path().string());
+        REQUIRE_MESSAGE(def.ok(), def.status().message());
+        ++count;
+        CHECK(!def->description.empty());
+        CHECK(def->groups.size() >= 1);
+        const auto gestures = loadScenarioGestures(entry.path().string(), *def);
+        REQUIRE_MESSAGE(gestures.ok(), gestures.status().message());
+        CHECK_MESSAGE(!gestures->empty(), "carries no gestures");
+        for (const std::string& warning : scenarioWarnings(*def)) CHECK_MESSAGE(false, warning);
+    }
+    CHECK(count >= 6);
+}
+
+TEST_CASE("single-step patches that do not suit their clips are told by path, found and expected") {
+    WorldDef def;
+    PatchDef wall;
+    wall.motion = 6;  // Climb, 1.2 m.
+    wall.polygon = {{-1, 0}, {3, 4}, {2.2, 4.8}, {-1.8, 0.8}};  // 1.13 m across.
+    def.patches = {wall};
+    CHECK(scenarioWarnings(def).empty());
+    wall.polygon = {{0, -5}, {1.4, -5}, {1.4, 5}, {0, 5}};
+    def.patches.push_back(wall);
+    wall.motion = 3;  // Crawling goes on as long as the patch does.
+    def.patches.push_back(wall);
+    const auto warnings = scenarioWarnings(def);
+    REQUIRE(warnings.size() == 1);
+    for (const char* part : {"$.patches[1].polygon", "found 1.40 m", "expected 1.02 to 1.38 m", "climb", "1.20 m"})
+        CHECK_MESSAGE(warnings[0].find(part) != std::string::npos, warnings[0]);
+}

@@ -1,0 +1,134 @@
+#include <doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "muster/scenario.h"
+#include "io/scenario/json.h"
+#include "io/scenario/schema_validator.h"
+
+using namespace muster;
+
+namespace {
+
+Json schema() {
+    auto parsed = parseJson(scenarioSchema(), "schema");
+    REQUIRE(parsed.ok());
+    return *parsed;
+}
+
+Json example() {
+    WorldDef def;
+    def.groups.resize(1);
+    ObstacleDef disc;
+    disc.radius = 1.0;
+    def.obstacles = {disc};
+    def.checkpoints.resize(1);
+    def.items.resize(1);
+    PatchDef patch;
+    patch.polygon = {{0, 0}, {1, 0}, {1, 1}};
+    def.patches = {patch};
+    return *parseJson(writeScenario(def), "example");
+}
+
+}  // namespace
+
+TEST_CASE("the published schema is the loader's own") {
+    const auto text = readTextFile(std::string(MUSTER_SOURCE_DIR) + "/scenarios/schema/scenario.schema.json");
+    REQUIRE(text.ok());
+    CHECK_MESSAGE(*text == scenarioSchema(), "renew it: muster check --schema > scenarios/schema/scenario.schema.json");
+}
+
+TEST_CASE("every parameter stands in the schema with its default, range and unit") {
+    const Json parameters = schema()["properties"]["parameters"]["properties"];
+    CHECK(parameters.size() == parameterTable().size());
+    const Parameters defaults;
+    for (const ParameterInfo& info : parameterTable()) {
+        CAPTURE(info.name);
+        const auto entry = parameters.find(std::string(info.name));
+        REQUIRE(entry != parameters.end());
+        CHECK((*entry)["default"].get<double>() == defaults.*info.member);
+        CHECK((*entry)["minimum"].get<double>() == info.minimum);
+        CHECK((*entry)["maximum"].get<double>() == info.maximum);
+        const auto about = (*entry)["description"].get<std::string>();
+        CHECK(about.find(info.description) == 0);
+        if (info.unit != "1") CHECK(about.find("[" + std::string(info.unit) + "]") != std::string::npos);
+    }
+}
+
+TEST_CASE("shipped scenarios and written ones keep to the schema") {
+    const Json rules = schema();
+    const std::string folder = std::string(MUSTER_SOURCE_DIR) + "/scenarios";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        const std::string holder = entry.path().parent_path().filename().string();
+        if (entry.path().extension() != ".json" || holder == "gestures" || holder == "schema") continue;
+        const auto json = parseJson(*readTextFile(entry.path().string()), entry.path().string());
+        REQUIRE(json.ok());
+        CHECK(testing::breaks(rules, *json) == "");
+        const auto def = loadScenario(entry.path().string());
+        REQUIRE(def.ok());
+        CHECK(testing::breaks(rules, *parseJson(writeScenario(*def), "written")) == "");
+    }
+}
+
+TEST_CASE("schema and loader refuse the same mistakes") {
+    const Json rules = schema();
+    const Json good = example();
+    REQUIRE(testing::breaks(rules, good) == "");
+    REQUIRE(parseScenario(good.dump(), "good", "").ok());
+    struct Mistake {
+        const char* pointer;
+        Json value;
+    };
+    const Mistake mistakes[] = {{"/format", "other"},
+                                {"/version", 2},
+                                {"/cell", 0},
+                                {"/cell", "wide"},
+                                {"/seed", -1},
+                                {"/box", Json::array({0, 0, 1, 1})},
+                                {"/unknown", 1},
+                                {"/groups/0/count", 0},
+                                {"/groups/0/count", 1.5},
+                                {"/groups/0/formation/kind", "blob"},
+                                {"/groups/0/formation", "blob"},
+                                {"/groups/0/position", Json::array({1})},
+                                {"/obstacles/0/radius", -1},
+                                {"/obstacles/0/height", 0},
+                                {"/obstacles/0/shape", "round"},
+                                {"/patches/0/polygon", Json::array({Json::array({0, 0})})},
+                                {"/items/0/radius", 0},
+                                {"/checkpoints/0/once", "yes"},
+                                {"/parameters/plan.exponent", 99},
+                                {"/parameters/density.enabled", 0.5}};
+    for (const Mistake& mistake : mistakes) {
+        CAPTURE(mistake.pointer);
+        Json bad = good;
+        bad[Json::json_pointer(mistake.pointer)] = mistake.value;
+        CHECK(testing::breaks(rules, bad) != "");
+        CHECK(!parseScenario(bad.dump(), "bad", "").ok());
+    }
+    // Changes that are none: the same pointers with good values.
+    const Mistake changes[] = {{"/cell", 0.5}, {"/groups/0/count", 9}, {"/groups/0/formation", "wedge"}, {"/preset", "paper"}};
+    for (const Mistake& change : changes) {
+        CAPTURE(change.pointer);
+        Json other = good;
+        other[Json::json_pointer(change.pointer)] = change.value;
+        CHECK(testing::breaks(rules, other) == "");
+        CHECK(parseScenario(other.dump(), "other", "").ok());
+    }
+}
+
+TEST_CASE("printed JSON reads back the same, and keeps to lines") {
+    const Json value = {{"points", Json::array()}, {"text", "a\"b"}, {"nested", {{"deep", {{"deeper", 1.5}}}}}};
+    Json filled = value;
+    for (int i = 0; i < 200; ++i) filled["points"].push_back(Json::array({i * 0.1, -i / 3.0}));
+    const std::string text = printJson(filled);
+    CHECK(*parseJson(text, "printed") == filled);
+    std::size_t start = 0;
+    while (start < text.size()) {
+        const std::size_t end = text.find('\n', start);
+        CHECK(end - start <= 120);
+        start = end + 1;
+    }
+}

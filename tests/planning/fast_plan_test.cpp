@@ -1,0 +1,293 @@
+// The fast plan against the exact one, on the same ground.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "cost/ground_scene.h"
+#include "planning/plan.h"
+
+using namespace muster;
+using namespace muster::test;
+
+namespace {
+
+// A crowd that walks to places that move, round a block; no density, so that the exact plan has the same costs.
+struct Walk {
+    Environment environment = squareWorld(24.0);
+    StaticGround ground;
+    CrowdExcess excess;
+    DensityField density;
+    UnitCost cost;
+    std::vector<Vec2> characters;
+    std::vector<Vec2> places;
+    std::vector<std::uint8_t> usable;
+    std::vector<std::int32_t> incumbent;
+    PlanDef def;
+
+    Walk(std::int32_t count, Vec2 from, Vec2 to, std::uint64_t seed) {
+        REQUIRE(environment.addObstacle(rectangle(-3, -6, 3, 5)).ok());
+        environment.setTime(0.0);
+        ground.update(environment, 1.0, 0.25);
+        density = DensityField(environment.def().box, {});
+        excess.update({}, environment, density, 0.25);
+        UnitCostBuilder builder;
+        builder.build({}, environment, density, 0.25, cost);
+        Random random(seed);
+        const auto columns = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+        for (std::int32_t k = 0; k < count; ++k) {
+            const Vec2 spot = Vec2{k % columns - 0.5 * columns, k / columns - 0.5 * columns} * 0.9;
+            characters.push_back(from + spot + Vec2{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)});
+            places.push_back(to + spot);
+        }
+        incumbent.assign(characters.size(), -1);
+    }
+    PlanInput input() const {
+        PlanInput in;
+        in.characters = characters;
+        in.places = places;
+        in.usable = usable;
+        in.incumbent = incumbent;
+        in.cost = &cost;
+        in.ground = &ground;
+        in.excess = &excess;
+        return in;
+    }
+    PlanResult plan(Plan& plan, ThreadPool& pool) const {
+        PlanResult result;
+        REQUIRE(plan.start(def, input()).ok());
+        REQUIRE(plan.finish(pool, result).ok());
+        return result;
+    }
+    void take(const PlanResult& result) {
+        std::fill(incumbent.begin(), incumbent.end(), -1);
+        for (const Flow& flow : result.flows) incumbent[flow.character] = flow.place;
+    }
+    // Everybody goes `step` metres by the plan, and is kept out of the block.
+    void walk(Plan& plan, ThreadPool& pool, double step) {
+        std::vector<Vec2> direction(characters.size());
+        std::vector<double> left(characters.size());
+        plan.steer({characters, incumbent, places, &environment, 1.5, &ground, &excess}, pool, direction, left);
+        for (std::size_t i = 0; i < characters.size(); ++i)
+            characters[i] = environment.pushOut(characters[i] + direction[i] * std::min(step, left[i]), 0.25);
+    }
+    // Objective of what is held, and the optimum, both by the exact plan.
+    double gap(ThreadPool& pool) const {
+        const auto judge = makeExactPlan();
+        PlanDef keep = def;
+        keep.threshold = 1e9;
+        PlanResult result;
+        REQUIRE(judge->start(keep, input()).ok());
+        REQUIRE(judge->finish(pool, result).ok());
+        const double optimum = result.objective - result.gapBound;
+        return result.gapBound / std::max(optimum, 0.0625 * static_cast<double>(characters.size()));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the fast plan stays near the optimum while a crowd walks round a block") {
+    Walk scene(144, {-12, -1}, {11, 2}, 3);
+    const auto plan = makeFastPlan();
+    ThreadPool pool(2);
+    double worst = 0.0;
+    double sum = 0.0;
+    int looks = 0;
+    for (int step = 0; step < 600; ++step) {
+        scene.take(scene.plan(*plan, pool));
+        scene.walk(*plan, pool, 0.05);
+        for (Vec2& p : scene.places) p += Vec2{0.004, 0.006 * std::sin(0.01 * step)};
+        if (step % 60 != 59) continue;
+        const double gap = scene.gap(pool);
+        worst = std::max(worst, gap);
+        sum += gap;
+        ++looks;
+    }
+    MESSAGE("gap mean " << sum / looks << ", worst " << worst);
+    CHECK(worst < 0.01);
+    CHECK(sum / looks < 0.005);
+    double left = 0.0;
+    for (std::size_t i = 0; i < scene.characters.size(); ++i)
+        left = std::max(left, distance(scene.characters[i], scene.places[scene.incumbent[i]]));
+    CHECK(left < 0.6);
+}
+
+TEST_CASE("the first plan takes every place once and reports what it costs") {
+    Walk scene(100, {-12, 0}, {12, 0}, 5);
+    const auto fast = makeFastPlan();
+    const auto exact = makeExactPlan();
+    ThreadPool pool;
+    const PlanResult a = scene.plan(*fast, pool);
+    const PlanResult b = scene.plan(*exact, pool);
+    REQUIRE(a.flows.size() == 100);
+    std::vector<int> taken(100, 0);
+    for (const Flow& flow : a.flows) ++taken[flow.place];
+    CHECK(std::all_of(taken.begin(), taken.end(), [](int n) { return n == 1; }));
+    double sum = 0.0;
+    for (const double c : a.cost) sum += c * c;
+    CHECK(a.objective == doctest::Approx(sum));
+    CHECK(a.changed == 100);
+    // By the exact costs what it took is near the optimum; its own are longer by what the coarse ground adds at corners.
+    scene.take(a);
+    CHECK(scene.gap(pool) < 0.01);
+    CHECK(a.objective == doctest::Approx(b.objective * (1.0 + scene.gap(pool))).epsilon(0.02));
+}
+
+TEST_CASE("the number of threads changes nothing") {
+    std::vector<std::vector<std::int32_t>> held;
+    for (const std::int32_t threads : {1, 2, 3, 8}) {
+        Walk scene(80, {-12, 0}, {10, 3}, 7);
+        const auto plan = makeFastPlan();
+        ThreadPool pool(threads);
+        for (int step = 0; step < 120; ++step) {
+            scene.take(scene.plan(*plan, pool));
+            scene.walk(*plan, pool, 0.05);
+        }
+        Hasher hasher;
+        plan->hash(hasher);
+        held.push_back(scene.incumbent);
+        const std::uint64_t value = hasher.value();
+        held.back().push_back(static_cast<std::int32_t>(value));
+        held.back().push_back(static_cast<std::int32_t>(value >> 32));
+        CHECK(held.back() == held.front());
+    }
+}
+
+TEST_CASE("room made ahead changes no plan") {
+    Walk scene(90, {-12, 0}, {10, 3}, 5);
+    const auto roomy = makeFastPlan();
+    const auto bare = makeFastPlan();
+    roomy->reserve(scene.characters.size(), scene.places.size(), scene.ground);
+    ThreadPool pool(2);
+    CHECK_FALSE(roomy->pending());
+    CHECK(roomy->suits(7, 3, scene.cost.grid));  // It plans for nobody yet.
+    for (int step = 0; step < 40; ++step) {
+        const PlanResult expected = scene.plan(*bare, pool);
+        const PlanResult result = scene.plan(*roomy, pool);
+        REQUIRE(result.cost == expected.cost);
+        scene.take(expected);
+        const std::vector<Vec2> before = scene.characters;
+        scene.walk(*roomy, pool, 0.05);
+        const std::vector<Vec2> after = std::exchange(scene.characters, before);
+        scene.walk(*bare, pool, 0.05);
+        REQUIRE(scene.characters == after);
+        Hasher one;
+        Hasher other;
+        roomy->hash(one);
+        bare->hash(other);
+        REQUIRE(one.value() == other.value());
+    }
+}
+
+TEST_CASE("work aside, with steering beside it, comes to what finish alone does") {
+    Walk scene(80, {-12, 0}, {10, 3}, 12);
+    const auto aside = makeFastPlan();
+    const auto whole = makeFastPlan();
+    ThreadPool pool(2);
+    std::vector<Vec2> direction(80);
+    std::vector<double> left(80);
+    for (int step = 0; step < 60; ++step) {
+        const PlanResult expected = scene.plan(*whole, pool);
+        REQUIRE(aside->start(scene.def, scene.input()).ok());
+        CHECK(aside->worksAside());
+        aside->advance(0, 1, pool);
+        std::thread worker([&] { aside->workAside(); });
+        const SteerInput input{scene.characters, scene.incumbent, scene.places, &scene.environment, 1.5, &scene.ground, &scene.excess};
+        aside->steer(input, pool, direction, left);
+        CHECK(aside->pending());
+        CHECK(aside->waitingPlace(0) >= -1);
+        worker.join();
+        PlanResult result;
+        REQUIRE(aside->finish(pool, result).ok());
+        CHECK_FALSE(aside->pending());
+        CHECK(result.objective == expected.objective);
+        CHECK(result.cost == expected.cost);
+        REQUIRE(result.flows.size() == expected.flows.size());
+        for (std::size_t k = 0; k < result.flows.size(); ++k) REQUIRE(result.flows[k].place == expected.flows[k].place);
+        whole->steer(input, pool, direction, left);
+        scene.take(expected);
+        scene.walk(*whole, pool, 0.05);
+    }
+    aside->workAside();  // Nothing to do.
+    CHECK_FALSE(aside->pending());
+}
+
+TEST_CASE("a saved fast plan goes on bit for bit, a broken one is refused") {
+    Walk scene(60, {-12, 0}, {10, 3}, 8);
+    const auto plan = makeFastPlan();
+    ThreadPool pool;
+    for (int step = 0; step < 70; ++step) {
+        scene.take(scene.plan(*plan, pool));
+        scene.walk(*plan, pool, 0.05);
+    }
+    Writer writer;
+    plan->save(writer);
+    const auto copy = makeFastPlan();
+    Reader reader(writer.bytes());
+    REQUIRE(copy->load(reader, pool));
+    CHECK(copy->suits(60, 60, scene.environment.grid()));
+    CHECK_FALSE(copy->suits(61, 61, scene.environment.grid()));
+    Walk other = Walk(60, {-12, 0}, {10, 3}, 8);
+    other.characters = scene.characters;
+    other.incumbent = scene.incumbent;
+    for (int step = 0; step < 60; ++step) {
+        scene.take(scene.plan(*plan, pool));
+        other.take(other.plan(*copy, pool));
+        REQUIRE(scene.incumbent == other.incumbent);
+        scene.walk(*plan, pool, 0.05);
+        other.walk(*copy, pool, 0.05);
+        REQUIRE(scene.characters == other.characters);
+    }
+    for (const std::size_t size : {std::size_t{3}, writer.bytes().size() / 3, writer.bytes().size() - 2}) {
+        Reader cut(std::span(writer.bytes()).first(size));
+        CHECK_FALSE(makeFastPlan()->load(cut, pool));
+    }
+}
+
+TEST_CASE("fixed places are kept, and who has none waits beside one") {
+    Walk scene(40, {-12, 0}, {10, 3}, 9);
+    for (std::size_t i = 0; i < 40; ++i) scene.incumbent[i] = static_cast<std::int32_t>(39 - i);
+    scene.def.reassign = false;
+    const auto plan = makeFastPlan();
+    ThreadPool pool;
+    const PlanResult kept = scene.plan(*plan, pool);
+    REQUIRE(kept.flows.size() == 40);
+    for (const Flow& flow : kept.flows) CHECK(flow.place == 39 - flow.character);
+    CHECK(kept.changed == 0);
+
+    scene.def.reassign = true;
+    scene.usable.assign(40, 1);
+    for (std::size_t j = 0; j < 12; ++j) scene.usable[j] = 0;
+    const PlanResult fewer = scene.plan(*plan, pool);
+    CHECK(fewer.flows.size() == 28);
+    int waiting = 0;
+    for (std::int32_t i = 0; i < 40; ++i) {
+        if (std::isfinite(fewer.cost[i])) continue;
+        const std::int32_t place = plan->waitingPlace(i);
+        REQUIRE(place >= 0);
+        CHECK(scene.usable[place] == 1);
+        ++waiting;
+    }
+    CHECK(waiting == 12);
+}
+
+TEST_CASE("what a fast plan cannot do is told") {
+    const Walk scene(20, {-12, 0}, {10, 3}, 10);
+    const auto plan = makeFastPlan();
+    PlanInput input = scene.input();
+    const std::vector<double> amounts(20, 1.5);
+    input.supply = amounts;
+    CHECK(plan->start(scene.def, input).message().find("one unit") != std::string::npos);
+    input = scene.input();
+    input.ground = nullptr;
+    CHECK_FALSE(plan->start(scene.def, input).ok());
+    ThreadPool pool;
+    PlanResult result;
+    CHECK_FALSE(plan->finish(pool, result).ok());
+    CHECK(plan->waitingPlace(5) == -1);
+    CHECK_FALSE(std::isfinite(plan->costAt(0, {0, 0})));
+}

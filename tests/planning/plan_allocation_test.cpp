@@ -1,0 +1,46 @@
+// A plan that is made again and again allocates nothing once warm.
+#include <doctest.h>
+
+#include "counting_new.h"
+#include "assignment/dynamic/matching_scene.h"
+#include "planning/plan_scene.h"
+
+TEST_CASE("a warm plan allocates nothing") {
+    muster::Random random(12);
+    auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    muster_test::addWall(ground, {{-1, -6}, {1, 6}});
+    muster_test::addWall(ground, {{5, 5}, {8, 5.3}});
+    muster_test::addWall(ground, {{5, 5}, {5.3, 8}});
+    auto input = muster_test::randomInput(random, ground, 20, {{-7, -7}, {-2, 7}}, {{2, -7}, {7, 7}});
+    const auto plan = muster::makeExactPlan();
+    muster::ThreadPool pool(1);
+    muster::PlanResult result;
+    for (int k = 0; k < 8; ++k) {
+        for (auto& p : input.characters) p.x = -7.0 + 5.0 * ((k % 3) * 0.3 + 0.1);
+        const long before = allocations;
+        REQUIRE(plan->start({}, input.view()).ok());
+        plan->advance(0, 3, pool);
+        REQUIRE(plan->finish(pool, result).ok());
+        // Two generations, and three different positions of the crowd, until all has been seen.
+        if (k >= 6) CHECK(allocations == before);
+        CHECK(allocations > 0);
+    }
+}
+
+TEST_CASE("a warm sparse matching allocates nothing") {
+    muster_test::MatchingScene scene(200, 200, 3);
+    scene.costs.wall = true;
+    scene.usable.assign(200, 1);
+    muster::ThreadPool pool(1);
+    muster::SparseMatching matching;
+    matching.coldStart({}, scene.input(), scene.costs, pool);
+    long inside = 0;
+    for (int k = 0; k < 240; ++k) {
+        if (k % 5 == 0) scene.usable[scene.random.below(8)] ^= 1;
+        scene.step({1.3, 0.2}, 0.05, matching.placeOf());
+        const long before = allocations;
+        matching.update({}, scene.input(), scene.costs, pool);
+        if (k >= 10) inside += allocations - before;
+    }
+    CHECK(inside == 0);
+}
