@@ -22,7 +22,8 @@ Environment makeEnvironment(std::int64_t scene, std::int64_t cells) {
     const double half = 0.125 * static_cast<double>(cells);
     def.box = {{-half, -half}, {half, half}};
     Environment environment = std::move(Environment::create(def)).value();
-    if (scene == Block) (void)environment.addObstacle(rectangle(-0.3 * half, -0.25 * half, 0.3 * half, 0.2 * half));
+    if (scene == Block)
+        (void)environment.addObstacle(rectangle(-0.3 * half, -0.25 * half, 0.3 * half, 0.2 * half));
     if (scene == Corridor) {
         (void)environment.addObstacle(rectangle(-0.1 * half, -half, 0.1 * half, -1.0));
         (void)environment.addObstacle(rectangle(-0.1 * half, 1.0, 0.1 * half, half));
@@ -33,7 +34,8 @@ Environment makeEnvironment(std::int64_t scene, std::int64_t cells) {
 
 // 100 characters in a block round `centre`, 0.7 m apart, walking east.
 void crowdOf100(Vec2 centre, std::vector<Vec2>& positions, std::vector<Vec2>& velocities) {
-    for (int k = 0; k < 100; ++k) positions.push_back(centre + Vec2{0.7 * (k % 10) - 3.15, 0.7 * (k / 10) - 3.15});
+    for (int k = 0; k < 100; ++k)
+        positions.push_back(centre + Vec2{0.7 * (k % 10) - 3.15, 0.7 * (k / 10) - 3.15});
     velocities.assign(positions.size(), Vec2{1.4, 0.0});
 }
 
@@ -64,7 +66,9 @@ void wholeField(benchmark::State& state) {
     state.SetLabel(kNames[state.range(0)]);
     state.counters["cells"] = field.marched();
 }
-BENCHMARK(wholeField)->ArgsProduct({{Open, Block, Corridor, Crowd}, {128, 256}})->Unit(benchmark::kMillisecond);
+BENCHMARK(wholeField)
+    ->ArgsProduct({{Open, Block, Corridor, Crowd}, {128, 256}})
+    ->Unit(benchmark::kMillisecond);
 
 // A plan's work: a field per place of a block of 100, each marched until it meets the 100 characters.
 void hundredFields(benchmark::State& state) {

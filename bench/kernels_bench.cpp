@@ -7,22 +7,23 @@
 #include <memory>
 #include <vector>
 
+#include "assignment/dense/assignment.h"
 #include "base/random.h"
 #include "base/stopwatch.h"
-#include "crowd/neighbours.h"
 #include "cost/crowd_excess.h"
-#include "eikonal/eikonal.h"
 #include "cost/static_ground.h"
+#include "crowd/neighbours.h"
+#include "eikonal/eikonal.h"
 #include "formation/mesh/arap.h"
 #include "muster/formation.h"
-#include "assignment/dense/assignment.h"
 #include "planning/plan.h"
 
 namespace {
 
 using namespace muster;
 
-// Bytes per second of a = b + s c, the best of some rounds: streams of `bytes` in total, once measured and kept.
+// Bytes per second of a = b + s c, the best of some rounds: streams of `bytes` in total, once measured and
+// kept.
 double triad(std::size_t bytes) {
     const std::size_t count = bytes / (3 * sizeof(double));
     std::vector<double> a(count, 0.0);
@@ -49,14 +50,17 @@ double bandwidthFor(double bytes) {
     return bytes <= (1 << 20) ? cache : memory;
 }
 
-/// Times the loop of a benchmark and writes its counters: gigabytes per second measured, megabytes that must be read or
-/// written once, milliseconds of the bound and of the kernel, and how many times the bound that is.
+/// Times the loop of a benchmark and writes its counters: gigabytes per second measured, megabytes that must
+/// be read or written once, milliseconds of the bound and of the kernel, and how many times the bound that
+/// is.
 class Bound {
 public:
-    Bound(benchmark::State& state, double bytes) : state_(state), bytes_(bytes), speed_(bandwidthFor(bytes)), began_(std::clock()) {}
+    Bound(benchmark::State& state, double bytes)
+        : state_(state), bytes_(bytes), speed_(bandwidthFor(bytes)), began_(std::clock()) {}
     ~Bound() {
         const double whole = 1e3 * static_cast<double>(std::clock() - began_) / CLOCKS_PER_SEC;
-        const double each = whole / static_cast<double>(std::max<benchmark::IterationCount>(1, state_.iterations()));
+        const double each = whole /
+                            static_cast<double>(std::max<benchmark::IterationCount>(1, state_.iterations()));
         const double bound = 1e3 * bytes_ / speed_;
         state_.counters["GB_per_s"] = 1e-9 * speed_;
         state_.counters["MB"] = 1e-6 * bytes_;
@@ -92,7 +96,8 @@ std::vector<Vec2> rows(std::int64_t count, Vec2 first, double spacing) {
     const auto across = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(count))));
     std::vector<Vec2> points;
     for (std::int64_t k = 0; k < count; ++k)
-        points.push_back(first + Vec2{spacing * static_cast<double>(k % across), spacing * static_cast<double>(k / across)});
+        points.push_back(first + Vec2{spacing * static_cast<double>(k % across),
+                                      spacing * static_cast<double>(k / across)});
     return points;
 }
 
@@ -109,13 +114,15 @@ void oneField(benchmark::State& state) {
     }
 }
 
-// A field for each of so many places, one after the other: batched, the unit cost need be read only once for all.
+// A field for each of so many places, one after the other: batched, the unit cost need be read only once for
+// all.
 void manyFields(benchmark::State& state) {
     const UnitCost cost = openGround(256);
     const std::vector<Vec2> places = rows(state.range(0), {-8, -8}, 1.0);
     EikonalSolver solver;
     std::vector<CostField> fields(places.size());
-    const Bound bound(state, cost.grid.count() * (sizeof(CellCost) + sizeof(float) * static_cast<double>(places.size())));
+    const Bound bound(
+        state, cost.grid.count() * (sizeof(CellCost) + sizeof(float) * static_cast<double>(places.size())));
     for (auto _ : state)
         for (std::size_t k = 0; k < places.size(); ++k) solver.solve(cost, places[k], {}, fields[k]);
 }
@@ -176,8 +183,8 @@ Following::Following(std::int64_t n) {
     excess.update({}, environment, density, 0.25);
 }
 
-// It plans again, its places 0.02 m to and fro. The bound is one read of the unit cost of the ground that it stands on, of
-// all positions, and of 16 arcs each.
+// It plans again, its places 0.02 m to and fro. The bound is one read of the unit cost of the ground that it
+// stands on, of all positions, and of 16 arcs each.
 void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
     const std::int64_t n = state.range(0);
     Following crowd(n);
@@ -190,7 +197,7 @@ void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
         input.ground = &crowd.ground;
         input.excess = &crowd.excess;
         if (!plan->start({}, input).ok() || !plan->finish(pool, result).ok()) return false;
-        for (const Flow& flow : result.flows) crowd.incumbent[static_cast<std::size_t>(flow.character)] = flow.place;
+        for (const Flow& flow : result.flows) crowd.incumbent[flow.character] = flow.place;
         return true;
     };
     bool well = true;
@@ -201,13 +208,14 @@ void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
     }
     double by = -0.02;
     const double side = std::sqrt(static_cast<double>(n)) + 4.0;
-    const Bound bound(state, side * side * 16.0 * sizeof(CellCost) + static_cast<double>(n) * (2 * sizeof(Vec2) + 16 * sizeof(float)));
+    const Bound bound(state, side * side * 16.0 * sizeof(CellCost) +
+                                 static_cast<double>(n) * (2 * sizeof(Vec2) + 16 * sizeof(float)));
     for (auto _ : state) well = again(by = -by) && well;
     state.counters["changed"] = result.changed;
 }
 
-// One solve of the mesh of a square formation whose two flanks are held: vertices and triangles are read, in each of
-// its iterations, and vertices written.
+// One solve of the mesh of a square formation whose two flanks are held: vertices and triangles are read, in
+// each of its iterations, and vertices written.
 void meshSolve(benchmark::State& state) {
     const Formation formation = makeFormation({}, static_cast<std::int32_t>(state.range(0))).value();
     ArapSolver solver;
@@ -219,8 +227,9 @@ void meshSolve(benchmark::State& state) {
     }
     std::vector<Vec2> moved(rest);
     std::vector<Vec2> targets{rest.front() + Vec2{0.1, 0.0}, rest.back() + Vec2{0.0, 0.1}};
-    const Bound bound(state, static_cast<double>(rest.size()) * 2 * sizeof(Vec2) +
-                                 static_cast<double>(formation.mesh.triangles.size()) * 3 * sizeof(std::int32_t));
+    const Bound bound(state,
+                      static_cast<double>(rest.size()) * 2 * sizeof(Vec2) +
+                          static_cast<double>(formation.mesh.triangles.size()) * 3 * sizeof(std::int32_t));
     for (auto _ : state) {
         targets[0].x = -targets[0].x;
         benchmark::DoNotOptimize(solver.solve(targets, {}, moved).ok());
@@ -249,6 +258,10 @@ BENCHMARK(oneField)->Arg(128)->Arg(256)->Arg(512)->Unit(benchmark::kMillisecond)
 BENCHMARK(manyFields)->Arg(32)->Unit(benchmark::kMillisecond);
 BENCHMARK(assignmentCold)->Arg(160)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(assignmentWarm, exact, makeExactPlan)->Arg(160)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(assignmentWarm, fast, makeFastPlan)->Arg(160)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(assignmentWarm, fast, makeFastPlan)
+    ->Arg(160)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(meshSolve)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(neighbourSearch)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);

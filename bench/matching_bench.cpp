@@ -1,11 +1,12 @@
-// The sparse matching: cold start, and a step while tracking, with straight costs. A row of arcs and the prices of a seat
-// are about 270 bytes; a step reads them a few times, so it is bound by that traffic and by the searches.
+// The sparse matching: cold start, and a step while tracking, with straight costs. A row of arcs and the
+// prices of a seat are about 270 bytes; a step reads them a few times, so it is bound by that traffic and by
+// the searches.
 #include <benchmark/benchmark.h>
 
 #include <vector>
 
-#include "base/random.h"
 #include "assignment/dynamic/sparse_matching.h"
+#include "base/random.h"
 
 namespace {
 
@@ -16,14 +17,16 @@ public:
     std::vector<Vec2> characters;
     std::vector<Vec2> places;
     float cost(std::int32_t i, std::int32_t j) override {
-        return static_cast<float>(distance(characters[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(j)]));
+        return static_cast<float>(distance(characters[i], places[j]));
     }
     void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool&) override {
-        for (std::size_t k = 0; k < pairs.size(); ++k) cost[k] = this->cost(pairs[k].character, pairs[k].place);
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            cost[k] = this->cost(pairs[k].character, pairs[k].place);
     }
 };
 
-// A block of places, 0.8 m apart, and the same block of characters `away` metres behind, each up to 0.3 m off.
+// A block of places, 0.8 m apart, and the same block of characters `away` metres behind, each up to 0.3 m
+// off.
 StraightCosts blocks(std::int32_t n, double away) {
     muster::Random random(1);
     StraightCosts costs;
@@ -57,7 +60,7 @@ void matchingTracking(benchmark::State& state) {
     for (auto _ : state) {
         for (Vec2& p : costs.places) p += Vec2{1.5 / 60.0, 0.0};
         for (std::size_t i = 0; i < costs.characters.size(); ++i) {
-            const Vec2 goal = costs.places[static_cast<std::size_t>(matching.placeOf()[i])];
+            const Vec2 goal = costs.places[matching.placeOf()[i]];
             costs.characters[i] += (goal - costs.characters[i]) * (1.0 / 80.0);
         }
         matching.update({}, {costs.characters, costs.places, {}, {}}, costs, pool);

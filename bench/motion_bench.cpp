@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "character/motion/parade.h"
 #include "base/stopwatch.h"
+#include "character/motion/parade.h"
 #include "muster/own_clips.h"
 
 namespace {

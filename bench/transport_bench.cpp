@@ -27,7 +27,8 @@ std::vector<Vec2> scattered(std::int32_t n, double side) {
     return points;
 }
 
-// Scattered characters, places in a block, squared distances; a share of pairs impossible, amounts 0.5 and 1.5 or 1.
+// Scattered characters, places in a block, squared distances; a share of pairs impossible, amounts 0.5
+// and 1.5 or 1.
 void assignment(benchmark::State& state, double forbidden, bool weighted) {
     const auto n = static_cast<std::int32_t>(state.range(0));
     const std::vector<Vec2> characters = scattered(n, 32.0);
@@ -36,7 +37,8 @@ void assignment(benchmark::State& state, double forbidden, bool weighted) {
     std::vector<double> cost;
     for (const Vec2 a : characters)
         for (const Vec2 b : places)
-            cost.push_back(random.uniform() < forbidden ? std::numeric_limits<double>::infinity() : lengthSquared(b - a));
+            cost.push_back(random.uniform() < forbidden ? std::numeric_limits<double>::infinity()
+                                                        : lengthSquared(b - a));
     std::vector<double> supply;
     for (std::int32_t k = 0; weighted && k < n; ++k) supply.push_back(k % 2 ? 0.5 : 1.5);
     muster::TransportSolver solver;
@@ -48,9 +50,15 @@ void assignment(benchmark::State& state, double forbidden, bool weighted) {
     state.counters["paths"] = solution.augmentations;
 }
 
-void assignmentUnits(benchmark::State& state) { assignment(state, 0.0, false); }
-void assignmentHalfForbidden(benchmark::State& state) { assignment(state, 0.5, false); }
-void assignmentAmounts(benchmark::State& state) { assignment(state, 0.0, true); }
+void assignmentUnits(benchmark::State& state) {
+    assignment(state, 0.0, false);
+}
+void assignmentHalfForbidden(benchmark::State& state) {
+    assignment(state, 0.5, false);
+}
+void assignmentAmounts(benchmark::State& state) {
+    assignment(state, 0.0, true);
+}
 
 // 128 x 128 cells of 0.25 m with a wall of 8 m.
 muster::UnitCost ground() {
@@ -60,16 +68,16 @@ muster::UnitCost ground() {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
     for (std::int32_t y = 48; y < 80; ++y)
         for (std::int32_t x = 63; x < 66; ++x)
-            cost.cells[static_cast<std::size_t>(cost.grid.index({x, y}))] = {kInfinite, kInfinite, kInfinite, kInfinite};
+            cost.cells[cost.grid.index({x, y})] = {kInfinite, kInfinite, kInfinite, kInfinite};
     for (std::int32_t y = 48; y < 80; ++y) {
-        cost.cells[static_cast<std::size_t>(cost.grid.index({62, y}))].east = kInfinite;
-        cost.cells[static_cast<std::size_t>(cost.grid.index({66, y}))].west = kInfinite;
+        cost.cells[cost.grid.index({62, y})].east = kInfinite;
+        cost.cells[cost.grid.index({66, y})].west = kInfinite;
     }
     return cost;
 }
 
-// A block of characters moves to the same block `away` metres farther; one thread. With `incumbents` they hold their
-// places already, else nobody holds one.
+// A block of characters moves to the same block `away` metres farther; one thread. With `incumbents` they
+// hold their places already, else nobody holds one.
 void exactPlan(benchmark::State& state, double away, bool incumbents) {
     const auto n = static_cast<std::int32_t>(state.range(0));
     const muster::UnitCost cost = ground();
@@ -87,9 +95,15 @@ void exactPlan(benchmark::State& state, double away, bool incumbents) {
     state.counters["objective"] = result.objective;
 }
 
-void exactPlanFirst(benchmark::State& state) { exactPlan(state, 12.0, false); }
-void exactPlanFar(benchmark::State& state) { exactPlan(state, 12.0, true); }
-void exactPlanFollowing(benchmark::State& state) { exactPlan(state, 1.0, true); }
+void exactPlanFirst(benchmark::State& state) {
+    exactPlan(state, 12.0, false);
+}
+void exactPlanFar(benchmark::State& state) {
+    exactPlan(state, 12.0, true);
+}
+void exactPlanFollowing(benchmark::State& state) {
+    exactPlan(state, 1.0, true);
+}
 
 }  // namespace
 

@@ -35,8 +35,8 @@ std::int64_t charactersOf(const WorldDef& def) {
 
 void checkScenario(const WorldDef& def, const std::string& path, Finding& finding) {
     finding.summary = "\"" + def.name + "\", " + std::to_string(charactersOf(def)) + " characters, " +
-                      std::to_string(def.obstacles.size()) + " obstacles, " + std::to_string(def.patches.size()) +
-                      " patches";
+                      std::to_string(def.obstacles.size()) + " obstacles, " +
+                      std::to_string(def.patches.size()) + " patches";
     if (def.map) {
         finding.summary += ", a map of " + std::to_string(def.map->grid.width) + " x " +
                            std::to_string(def.map->grid.height) + " cells";
@@ -44,7 +44,8 @@ void checkScenario(const WorldDef& def, const std::string& path, Finding& findin
     const auto gestures = loadScenarioGestures(path, def);
     finding.status = gestures.ok() ? Status() : gestures.status();
     if (!gestures.ok()) return;
-    if (!def.gestures.empty()) finding.summary += ", gestures of " + std::to_string(gestures->size()) + " events";
+    if (!def.gestures.empty())
+        finding.summary += ", gestures of " + std::to_string(gestures->size()) + " events";
     const auto world = World::create(def);
     finding.status = world.ok() ? Status() : world.status().within(path);
     if (world.ok()) finding.warnings = scenarioWarnings(def);
@@ -56,9 +57,11 @@ void checkTake(const std::string& path, Finding& finding) {
     finding.status = take.ok() ? Status() : take.status();
     if (!take.ok()) return;
     finding.summary = "\"" + take->def.name + "\", " + std::to_string(take->commands.size()) + " commands, " +
-                      std::to_string(take->marks.size()) + " hash marks, " + std::to_string(take->steps()) + " steps";
+                      std::to_string(take->marks.size()) + " hash marks, " + std::to_string(take->steps()) +
+                      " steps";
     if (take->tornBytes > 0) {
-        finding.warnings.push_back("the last record is torn; " + std::to_string(take->tornBytes) + " bytes are left out");
+        finding.warnings.push_back("the last record is torn; " + std::to_string(take->tornBytes) +
+                                   " bytes are left out");
     } else if (!take->finished) {
         finding.warnings.push_back("it was never finished: there is no end record");
     }
@@ -96,7 +99,8 @@ void print(const std::string& path, const Finding& finding) {
         return;
     }
     std::printf("%s: a good %s: %s\n", path.c_str(), finding.kind.c_str(), finding.summary.c_str());
-    for (const std::string& warning : finding.warnings) std::printf("%s: warning: %s\n", path.c_str(), warning.c_str());
+    for (const std::string& warning : finding.warnings)
+        std::printf("%s: warning: %s\n", path.c_str(), warning.c_str());
 }
 
 int check(const CheckOptions& options) {
@@ -105,7 +109,8 @@ int check(const CheckOptions& options) {
         return kExitOk;
     }
     if (options.files.empty()) {
-        std::fprintf(stderr, "muster: check: found no file, expected one or --schema (see muster check --help)\n");
+        std::fprintf(stderr,
+                     "muster: check: found no file, expected one or --schema (see muster check --help)\n");
         return kExitUsage;
     }
     int code = kExitOk;
@@ -130,7 +135,8 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void addCheckCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("check", "Says whether scenario, gesture and take files are good.");
+    CLI::App* command = app.add_subcommand("check",
+                                           "Says whether scenario, gesture and take files are good.");
     auto options = std::make_shared<CheckOptions>();
     command->add_option("FILES", options->files, "Files of any of the three kinds.");
     command->add_flag("--schema", options->schema, "Prints the JSON Schema of scenario files instead.");

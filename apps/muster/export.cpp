@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <string>
 
-#include "commands.h"
 #include "character/clips/clip_files.h"
+#include "character/motion/clips_for.h"
+#include "commands.h"
 #include "io/export/formats.h"
 #include "muster/own_clips.h"
-#include "character/motion/clips_for.h"
 #include "options.h"
 #include "report.h"
 
@@ -68,8 +68,8 @@ int exportFile(const ExportOptions& options) {
     const auto clips = clipsOf(options, *take);
     if (!clips.ok()) return reportFailure(clips.status());
     Progress progress("exporting");
-    const Status done =
-        exportTake(*take, *clips, options.part, **exporter, [&](double share) { progress.show(share); });
+    const Status done = exportTake(*take, *clips, options.part, **exporter,
+                                   [&](double share) { progress.show(share); });
     if (!done.ok()) return reportFailure(done);
     std::printf("wrote %s\n", out.c_str());
     return kExitOk;
@@ -85,8 +85,8 @@ std::string formatList() {
 }  // namespace
 
 void addExportCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command =
-        app.add_subcommand("export", "Writes a take for other programs: bodies in motion, or trajectories.");
+    CLI::App* command = app.add_subcommand(
+        "export", "Writes a take for other programs: bodies in motion, or trajectories.");
     auto options = std::make_shared<ExportOptions>();
     command->add_option("TAKE", options->take, "Take file.")->required();
     command->add_option("--format", options->format, "One of those below.")->required();

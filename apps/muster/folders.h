@@ -10,6 +10,8 @@ namespace muster {
 std::string findFolder(const std::vector<std::string>& names);
 
 /// The folder of scenarios that comes with the program.
-inline std::string scenariosFolder() { return findFolder({"scenarios", "../share/muster/scenarios"}); }
+inline std::string scenariosFolder() {
+    return findFolder({"scenarios", "../share/muster/scenarios"});
+}
 
 }  // namespace muster

@@ -7,9 +7,9 @@
 
 #include "commands.h"
 #include "muster/scenario.h"
-#include "world/commands/validation.h"
 #include "options.h"
 #include "report.h"
+#include "world/commands/validation.h"
 
 namespace muster {
 namespace {
@@ -30,12 +30,12 @@ struct Spot {
     double reach = 0.0;  ///< Half the edge of the free square around it [m].
 };
 
-/// For each ground cell its distance to the nearest cell that is not of the region, in cells of a chessboard: half
-/// the edge of the largest free square around it.
+/// For each ground cell its distance to the nearest cell that is not of the region, in cells of a chessboard:
+/// half the edge of the largest free square around it.
 std::vector<std::int32_t> roominess(const Grid& grid, const std::vector<std::uint8_t>& inside) {
     std::vector<std::int32_t> room(inside.size(), 0);
     const auto at = [&](std::int32_t x, std::int32_t y) {
-        return grid.contains({x, y}) ? room[static_cast<std::size_t>(grid.index({x, y}))] : 0;
+        return grid.contains({x, y}) ? room[grid.index({x, y})] : 0;
     };
     for (std::int32_t y = 0; y < grid.height; ++y) {
         for (std::int32_t x = 0; x < grid.width; ++x) {
@@ -47,7 +47,8 @@ std::vector<std::int32_t> roominess(const Grid& grid, const std::vector<std::uin
     for (std::int32_t y = grid.height - 1; y >= 0; --y) {
         for (std::int32_t x = grid.width - 1; x >= 0; --x) {
             const auto i = static_cast<std::size_t>(grid.index({x, y}));
-            room[i] = std::min(room[i], 1 + std::min({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1), at(x - 1, y + 1)}));
+            room[i] = std::min(
+                room[i], 1 + std::min({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1), at(x - 1, y + 1)}));
         }
     }
     return room;
@@ -67,24 +68,27 @@ Result<Spot> roomiestSpot(const WorldDef& def) {
     std::vector<std::int32_t> sizes;
     for (std::int32_t i = 0; i < grid.count(); ++i) {
         const std::int32_t label = environment->region(grid.centre(grid.at(i)), radius);
-        labels[static_cast<std::size_t>(i)] = label;
+        labels[i] = label;
         if (label < 0) continue;
-        if (static_cast<std::size_t>(label) >= sizes.size()) sizes.resize(static_cast<std::size_t>(label) + 1);
-        ++sizes[static_cast<std::size_t>(label)];
+        if (static_cast<std::size_t>(label) >= sizes.size())
+            sizes.resize(static_cast<std::size_t>(label) + 1);
+        ++sizes[label];
     }
     if (sizes.empty()) return invalidArgument("found no free ground, expected room for a character");
-    const auto largest = static_cast<std::int32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    const auto largest = static_cast<std::int32_t>(std::max_element(sizes.begin(), sizes.end()) -
+                                                   sizes.begin());
     std::vector<std::uint8_t> inside(labels.size());
     for (std::size_t i = 0; i < labels.size(); ++i) inside[i] = labels[i] == largest ? 1 : 0;
     const auto room = roominess(grid, inside);
     const Vec2 middle = (def.box.min + def.box.max) * 0.5;
     std::int32_t best = 0;
     for (std::int32_t i = 1; i < grid.count(); ++i) {
-        const auto a = room[static_cast<std::size_t>(i)], b = room[static_cast<std::size_t>(best)];
-        const bool nearer = distance(grid.centre(grid.at(i)), middle) < distance(grid.centre(grid.at(best)), middle);
+        const auto a = room[i], b = room[best];
+        const bool nearer = distance(grid.centre(grid.at(i)), middle) <
+                            distance(grid.centre(grid.at(best)), middle);
         if (a > b || (a == b && nearer)) best = i;
     }
-    return Spot{grid.centre(grid.at(best)), (room[static_cast<std::size_t>(best)] - 0.5) * grid.cell};
+    return Spot{grid.centre(grid.at(best)), (room[best] - 0.5) * grid.cell};
 }
 
 Result<WorldDef> makeScenario(const ImportOptions& options) {
@@ -127,8 +131,9 @@ int import(const ImportOptions& options) {
                         {"characters", group.count},
                         {"position", {group.position.x, group.position.y}}});
     } else {
-        std::printf("%s: %.0f x %.0f m, %zu obstacles, %d characters at (%.2f, %.2f)\n", options.output.c_str(),
-                    def->box.width(), def->box.height(), obstacles, group.count, group.position.x, group.position.y);
+        std::printf("%s: %.0f x %.0f m, %zu obstacles, %d characters at (%.2f, %.2f)\n",
+                    options.output.c_str(), def->box.width(), def->box.height(), obstacles, group.count,
+                    group.position.x, group.position.y);
     }
     return kExitOk;
 }
@@ -139,18 +144,22 @@ void addImportCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("import", "Makes a scenario from a MovingAI .map file.");
     auto options = std::make_shared<ImportOptions>();
     command->add_option("MAP", options->map, "Map file.")->required();
-    command->add_option("-o,--output", options->output, "Scenario file to write; the map is embedded.")->required();
-    command->add_option("--cell", options->metresPerCell, "Metres per map cell.")->check(numberIn(0.01, 1000.0));
+    command->add_option("-o,--output", options->output, "Scenario file to write; the map is embedded.")
+        ->required();
+    command->add_option("--cell", options->metresPerCell, "Metres per map cell.")
+        ->check(numberIn(0.01, 1000.0));
     command->add_option("--count", options->count, "Characters; they start where there is most room.")
         ->check(CLI::Range(1, kMaxCharacters));
-    command->add_option("--ground", options->ground,
-                        "Metres per ground cell; without it half a map cell, 0.25 to 0.5.")
+    command
+        ->add_option("--ground", options->ground,
+                     "Metres per ground cell; without it half a map cell, 0.25 to 0.5.")
         ->check(numberIn(0.01, 100.0));
     command->add_option("--credit", options->credit, "Whose data it is; goes into the scenario.");
     command->add_flag("--json", options->json, "One JSON value on standard output.");
     command->footer(
         "Examples:\n"
-        "  muster import Berlin_0_256.map -o berlin.json --cell 1 --count 100 --credit \"OpenStreetMap contributors\"\n"
+        "  muster import Berlin_0_256.map -o berlin.json --cell 1 --count 100 --credit \"OpenStreetMap "
+        "contributors\"\n"
         "  muster play berlin.json --seconds 5");
     command->callback([options, &exitCode] { exitCode = import(*options); });
 }

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "commands.h"
 #include "character/clips/clip_files.h"
 #include "character/motion/clips_for.h"
 #include "character/motion/motion_report.h"
+#include "commands.h"
 #include "muster/gestures.h"
 #include "muster/scenario.h"
 #include "report.h"
@@ -63,8 +63,8 @@ Result<Measured> measure(const std::string& path, const MeasureOptions& options)
         motion.update(*world);
         report.observe(*world, motion);
         progress.show(world->time() / end);
-        const bool due =
-            options.seconds <= 0.0 && world->time() > lastTouch + 1.0 && world->stepCount() % 30 == 0;
+        const bool due = options.seconds <= 0.0 && world->time() > lastTouch + 1.0 &&
+                         world->stepCount() % 30 == 0;
         if (due && metrics.settled(*world)) break;
     }
     return Measured{path, static_cast<std::int32_t>(world->characters().size()), world->time(),

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "picture/pose_strip.h"
 #include "io/export/output_file.h"
+#include "picture/pose_strip.h"
 
 namespace muster {
 

@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/clip.h"
+#include "muster/status.h"
 
 namespace muster {
 
-/// Draws each clip as a strip of poses into `folder`/NAME.svg, which is made where there is none. Fails with IoError.
+/// Draws each clip as a strip of poses into `folder`/NAME.svg, which is made where there is none. Fails with
+/// IoError.
 Status writeStrips(const std::vector<Clip>& clips, const std::string& folder);
 
 }  // namespace muster

@@ -29,7 +29,8 @@ Status Overrides::apply(WorldDef& def) const {
         if (end == text || *end != '\0') {
             return invalidArgument("--set: found \"" + setting + "\", expected name=number");
         }
-        if (Status s = setParameter(parameters, setting.substr(0, equals), value); !s.ok()) return s.within("--set");
+        if (Status s = setParameter(parameters, setting.substr(0, equals), value); !s.ok())
+            return s.within("--set");
     }
     if (preset.empty() && settings.empty()) return {};
     return validateParameters(parameters, def.box).within(settings.empty() ? "--preset" : "--set");

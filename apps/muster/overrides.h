@@ -17,8 +17,8 @@ struct Overrides {
 
     /// Adds the options to a command.
     void addTo(CLI::App& command);
-    /// Applies preset, then plan, then settings. Only what the presets differ in is set by one. Fails naming the culprit, also
-    /// where the parameters contradict each other at the end.
+    /// Applies preset, then plan, then settings. Only what the presets differ in is set by one. Fails naming
+    /// the culprit, also where the parameters contradict each other at the end.
     Status apply(WorldDef& def) const;
 };
 

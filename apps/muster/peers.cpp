@@ -7,11 +7,11 @@
 
 #include "commands.h"
 #include "muster/scenario.h"
-#include "world/commands/validation.h"
 #include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"
+#include "world/commands/validation.h"
 
 namespace muster {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestExact = 1000;  // Characters that one field per place is practicable for.
-constexpr double kLongest = 1e6;  // [s]
+constexpr double kLongest = 1e6;             // [s]
 
 struct PeersOptions {
     std::string file;
@@ -79,16 +79,21 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     group.formation.kind = FormationKind::Points;
     if (!json.is_object()) return bad("", "an object");
     const Json box = json.value("world", Json());
-    if (!box.is_array() || box.size() != 4 || !std::all_of(box.begin(), box.end(), [](const Json& v) { return v.is_number(); })) {
+    if (!box.is_array() || box.size() != 4 ||
+        !std::all_of(box.begin(), box.end(), [](const Json& v) { return v.is_number(); })) {
         return bad("world", "[x0, y0, x1, y1]");
     }
-    scene.def.box = {{box[0].get<double>(), box[1].get<double>()}, {box[2].get<double>(), box[3].get<double>()}};
+    scene.def.box = {{box[0].get<double>(), box[1].get<double>()},
+                     {box[2].get<double>(), box[3].get<double>()}};
     if (!readPoints(json.value("start", Json()), group.starts)) return bad("start", "points [x, y]");
-    if (!readPoints(json.value("slots", Json()), group.formation.points)) return bad("slots", "points [x, y]");
-    if (!readObstacles(json, scene.def)) return bad("polygons_ccw or circles", "corners [x, y] or [x, y, radius]");
+    if (!readPoints(json.value("slots", Json()), group.formation.points))
+        return bad("slots", "points [x, y]");
+    if (!readObstacles(json, scene.def))
+        return bad("polygons_ccw or circles", "corners [x, y] or [x, y, radius]");
     if (!json.contains("T") || !json["T"].is_number()) return bad("T", "a number of seconds");
     scene.limit = json["T"].get<double>();
-    if (!(scene.limit > 0.0 && scene.limit <= kLongest)) return bad("T", "seconds, more than 0 and at most 1e6");
+    if (!(scene.limit > 0.0 && scene.limit <= kLongest))
+        return bad("T", "seconds, more than 0 and at most 1e6");
     if (group.starts.empty() || group.starts.size() > static_cast<std::size_t>(kMaxCharacters))
         return bad("start", "1 to " + std::to_string(kMaxCharacters) + " points");
     group.count = static_cast<std::int32_t>(group.starts.size());
@@ -108,14 +113,17 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     return scene;
 }
 
-std::size_t countOf(const WorldDef& def) { return static_cast<std::size_t>(def.groups.front().count); }
+std::size_t countOf(const WorldDef& def) {
+    return static_cast<std::size_t>(def.groups.front().count);
+}
 
 Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
     const auto text = readTextFile(options.file);
     if (!text.ok()) return text.status();
     const Json json = Json::parse(*text, nullptr, false);
     if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_object()) {
-        return Status(StatusCode::ParseError, options.file + ": $.scenes: found none, expected an object of scenes");
+        return Status(StatusCode::ParseError,
+                      options.file + ": $.scenes: found none, expected an object of scenes");
     }
     std::vector<Scene> scenes;
     for (const auto& [name, body] : json["scenes"].items()) {
@@ -125,18 +133,21 @@ Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
         const WorldDef& def = scene->def;
         const bool exact = def.parameters.planSolver == static_cast<double>(PlanSolver::Exact);
         if (options.scene.empty() && exact && countOf(def) > kLargestExact) {
-            std::fprintf(stderr, "muster: %s is left out: %zu characters are too many for the exact plan; --plan fast takes them\n",
+            std::fprintf(stderr,
+                         "muster: %s is left out: %zu characters are too many for the exact plan; --plan "
+                         "fast takes them\n",
                          name.c_str(), countOf(def));
             continue;
         }
         scenes.push_back(std::move(scene).value());
     }
     if (!scenes.empty()) return scenes;
-    return Status(StatusCode::NotFound, options.file + ": $.scenes: found no scene \"" + options.scene + "\"");
+    return Status(StatusCode::NotFound,
+                  options.file + ": $.scenes: found no scene \"" + options.scene + "\"");
 }
 
-/// One CSV file per scene: PATH itself for one scene, else PATH-SCENE, its ending kept. What would not do in a file
-/// name becomes "-".
+/// One CSV file per scene: PATH itself for one scene, else PATH-SCENE, its ending kept. What would not do in
+/// a file name becomes "-".
 std::vector<std::string> trajectoryFiles(const std::string& path, const std::vector<Scene>& scenes) {
     if (path.empty() || scenes.size() == 1) return std::vector<std::string>(scenes.size(), path);
     const std::filesystem::path whole(path);
@@ -144,7 +155,8 @@ std::vector<std::string> trajectoryFiles(const std::string& path, const std::vec
     for (const Scene& scene : scenes) {
         std::string name = scene.name.substr(0, 100);
         for (char& c : name) {
-            const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+            const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                               c == '_' || c == '.';
             if (!plain) c = '-';
         }
         const std::string file = whole.stem().string() + "-" + name + whole.extension().string();
@@ -156,9 +168,10 @@ std::vector<std::string> trajectoryFiles(const std::string& path, const std::vec
 void printRow(const Scene& scene, const RunFigures& f) {
     const std::string missing = f.arrived100 < 0.0 && f.stuck > 0 ? " (" + std::to_string(f.stuck) + ")" : "";
     const std::string times = timeText(f.arrived95) + "/" + timeText(f.arrived100) + missing;
-    std::printf("| %-9s | %6d | %-15s | %5d | %8d | %11.2f | %10.4f | %10s | %.2f / %.2f / %.2f |\n", scene.name.c_str(),
-                f.characters, times.c_str(), f.stuck, f.overlapPairsMax, 100.0 * f.worstPenetration,
-                f.swapsPerCharacterPerSecond, timeText(f.pathRatio).c_str(), f.stepP50, f.stepP95, f.stepMax);
+    std::printf("| %-9s | %6d | %-15s | %5d | %8d | %11.2f | %10.4f | %10s | %.2f / %.2f / %.2f |\n",
+                scene.name.c_str(), f.characters, times.c_str(), f.stuck, f.overlapPairsMax,
+                100.0 * f.worstPenetration, f.swapsPerCharacterPerSecond, timeText(f.pathRatio).c_str(),
+                f.stepP50, f.stepP95, f.stepMax);
     std::fflush(stdout);
 }
 
@@ -169,8 +182,10 @@ int peers(const PeersOptions& options) {
     if (Status s = differentFiles({options.file}, files); !s.ok()) return reportFailure(s);
     Json results = Json::array();
     if (!options.json) {
-        std::printf("| scene     |      n | 95 %%/100 %% [s]  | stuck | overlaps | deepest [%%] | swaps/n/s  | path ratio | step ms p50/p95/max |\n"
-                    "|---|---|---|---|---|---|---|---|---|\n");
+        std::printf(
+            "| scene     |      n | 95 %%/100 %% [s]  | stuck | overlaps | deepest [%%] | swaps/n/s  | path "
+            "ratio | step ms p50/p95/max |\n"
+            "|---|---|---|---|---|---|---|---|---|\n");
     }
     for (std::size_t i = 0; i < scenes->size(); ++i) {
         const Scene& scene = (*scenes)[i];
@@ -197,23 +212,31 @@ int peers(const PeersOptions& options) {
 }  // namespace
 
 void addPeersCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("peers", "Runs scenes with explicit starts and slots, as other crowd engines do.");
+    CLI::App* command = app.add_subcommand(
+        "peers", "Runs scenes with explicit starts and slots, as other crowd engines do.");
     auto options = std::make_shared<PeersOptions>();
-    command->add_option("SCENES", options->file, "JSON file: scenes by name, each with world, T, start, slots, "
-                                                 "polygons_ccw and circles.")
+    command
+        ->add_option("SCENES", options->file,
+                     "JSON file: scenes by name, each with world, T, start, slots, "
+                     "polygons_ccw and circles.")
         ->required();
-    command->add_option("--scene", options->scene, "Only this scene. Without it, scenes above 1,000 characters are left out where the "
-                                                 "plan is exact.");
+    command->add_option("--scene", options->scene,
+                        "Only this scene. Without it, scenes above 1,000 characters are left out where the "
+                        "plan is exact.");
     options->overrides.addTo(*command);
-    command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")->check(CLI::Range(0, 256));
-    command->add_option("--trajectory", options->trajectory,
-                        "Writes t,id,x,y,place_x,place_y for every step into this CSV file; where several scenes run, "
-                        "each into a file of its own, whose name ends with that of the scene.");
-    command->add_flag("--inertia", options->inertia,
-                      "With Muster's own inertia; else velocities change at once, as those of other engines' agents do.");
+    command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")
+        ->check(CLI::Range(0, 256));
+    command->add_option(
+        "--trajectory", options->trajectory,
+        "Writes t,id,x,y,place_x,place_y for every step into this CSV file; where several scenes run, "
+        "each into a file of its own, whose name ends with that of the scene.");
+    command->add_flag(
+        "--inertia", options->inertia,
+        "With Muster's own inertia; else velocities change at once, as those of other engines' agents do.");
     command->add_flag("--json", options->json, "One JSON array on standard output, an object per scene.");
     command->footer(
-        "Radius 0.25 m, top speed 2 m/s, 60 steps a second; the potential field is off, since slots are fixed.\n"
+        "Radius 0.25 m, top speed 2 m/s, 60 steps a second; the potential field is off, since slots are "
+        "fixed.\n"
         "The path ratio is left out above 1,000 characters.\n"
         "Times are until 95 % and 100 % stand within 0.5 m of their slots; (k) of them are stuck.\n"
         "Examples:\n"

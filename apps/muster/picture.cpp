@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "commands.h"
-#include "picture/picture.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
-#include "world/commands/validation.h"
 #include "options.h"
 #include "overrides.h"
+#include "picture/picture.h"
 #include "report.h"
 #include "touches.h"
+#include "world/commands/validation.h"
 
 namespace muster {
 namespace {
@@ -42,7 +42,8 @@ Status loadSource(const PictureOptions& options, WorldDef& def, std::vector<Comm
         def = std::move(take->def);
         commands = std::move(take->commands);
         if (options.touches.demo) {
-            return invalidArgument("--demo: " + options.source + " is a take, expected a scenario that carries gestures");
+            return invalidArgument("--demo: " + options.source +
+                                   " is a take, expected a scenario that carries gestures");
         }
     } else {
         auto loaded = loadScenario(options.source);
@@ -97,7 +98,8 @@ int picture(const PictureOptions& options) {
         if (Status s = world->submit(command); !s.ok()) return reportFailure(s.within(options.source));
     }
     const auto steps = static_cast<std::uint32_t>(std::floor(options.at / def.parameters.stepTime + 0.5));
-    const auto every = static_cast<std::uint32_t>(std::max(1.0, std::floor(kTrailPeriod / def.parameters.stepTime)));
+    const auto every = static_cast<std::uint32_t>(
+        std::max(1.0, std::floor(kTrailPeriod / def.parameters.stepTime)));
     Progress progress("simulating");
     addTrail(*world, picture.trails);
     while (world->stepCount() < steps) {
@@ -107,7 +109,8 @@ int picture(const PictureOptions& options) {
     }
     if (Status s = placeExists(*world, picture); !s.ok()) return reportFailure(s);
     if (Status s = writePicture(*world, picture, options.output); !s.ok()) return reportFailure(s);
-    if (options.json) printJsonValue({{"picture", options.output}, {"t", world->time()}, {"width", picture.width}});
+    if (options.json)
+        printJsonValue({{"picture", options.output}, {"t", world->time()}, {"width", picture.width}});
     return kExitOk;
 }
 
@@ -119,17 +122,22 @@ void addPictureCommand(CLI::App& app, int& exitCode) {
     command->add_option("SOURCE", options->source, "Scenario or take file.")->required();
     command->add_option("-o,--output", options->output, "Picture to write: .png or .svg.")->required();
     command->add_option("--at", options->at, "Moment [s].")->check(numberIn(0.0, 1e6));
-    command->add_option("--layers", options->layers,
-                        "Some of patches, field, cost, density, obstacles, mesh, places, paths, characters, separated by "
-                        "commas; without it all but field, cost and density.");
+    command->add_option(
+        "--layers", options->layers,
+        "Some of patches, field, cost, density, obstacles, mesh, places, paths, characters, separated by "
+        "commas; without it all but field, cost and density.");
     options->touches.addTo(*command);
     options->overrides.addTo(*command);
     command->add_option("--width", options->def.width, "Pixels across.")->check(CLI::Range(64, 8192));
-    command->add_option("--view", options->view, "What is shown: X0 Y0 X1 Y1 [m]; without it the whole world.")->expected(4);
+    command
+        ->add_option("--view", options->view, "What is shown: X0 Y0 X1 Y1 [m]; without it the whole world.")
+        ->expected(4);
     command->add_option("--group", options->group, "Group (from 0) whose place the layer cost shows.")
         ->check(CLI::Range(0, static_cast<int>(kMaxGroups)));
-    command->add_option("--place", options->def.place,
-                        "Place (from 0) that the layer cost shows; without it that of the character with the longest way.")
+    command
+        ->add_option("--place", options->def.place,
+                     "Place (from 0) that the layer cost shows; without it that of the character with the "
+                     "longest way.")
         ->check(CLI::Range(0, kMaxCharacters));
     command->add_flag("--dark", options->def.dark, "Colours for dark surroundings.");
     command->add_flag("--json", options->json, "One JSON value on standard output.");

@@ -48,16 +48,21 @@ int play(const PlayOptions& options) {
 }  // namespace
 
 void addPlayCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("play", "Simulates a scenario without a window and reports figures.");
+    CLI::App* command = app.add_subcommand("play",
+                                           "Simulates a scenario without a window and reports figures.");
     auto options = std::make_shared<PlayOptions>();
     command->add_option("SCENARIO", options->scenario, "Scenario file.")->required();
     options->touches.addTo(*command);
-    command->add_option("--seconds", options->run.seconds,
-                        "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
-                        "command.")
+    command
+        ->add_option(
+            "--seconds", options->run.seconds,
+            "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
+            "command.")
         ->check(numberIn(0.0, 1e6));
     options->overrides.addTo(*command);
-    command->add_option("--threads", options->run.threads, "Threads; 0 takes what the machine has. Results are the same.")
+    command
+        ->add_option("--threads", options->run.threads,
+                     "Threads; 0 takes what the machine has. Results are the same.")
         ->check(CLI::Range(0, 256));
     command->add_option("--take", options->run.takePath, "Records a take into this file.");
     command->add_option("--trajectory", options->run.trajectoryPath,

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "commands.h"
-#include "muster/hash.h"
 #include "muster/gestures.h"
+#include "muster/hash.h"
 #include "muster/take.h"
 #include "options.h"
 #include "report.h"
@@ -29,8 +29,8 @@ int replay(const ReplayOptions& options) {
         if (!saved.ok()) return reportFailure(saved);
     }
     if (take->tornBytes > 0) {
-        std::fprintf(stderr, "muster: %s: the last record is torn; %zu bytes are left out\n", options.take.c_str(),
-                     take->tornBytes);
+        std::fprintf(stderr, "muster: %s: the last record is torn; %zu bytes are left out\n",
+                     options.take.c_str(), take->tornBytes);
     }
     Progress progress("replaying");
     const std::uint32_t steps = take->steps();
@@ -62,10 +62,11 @@ int replay(const ReplayOptions& options) {
         if (differs) value["message"] = report.status().message();
         printJsonValue(value);
     } else if (!differs) {
-        std::printf("reproduced: %u steps, %u hashes compared, the last is %s\n", report->steps, report->compared,
-                    toHex(report->hash).c_str());
+        std::printf("reproduced: %u steps, %u hashes compared, the last is %s\n", report->steps,
+                    report->compared, toHex(report->hash).c_str());
         if (report->unmarked > 0)
-            std::printf("unfinished: its last %u steps bear no hash and were compared with nothing\n", report->unmarked);
+            std::printf("unfinished: its last %u steps bear no hash and were compared with nothing\n",
+                        report->unmarked);
     }
     if (!differs) return kExitOk;
     std::fprintf(stderr, "muster: %s: %s\n", options.take.c_str(), report.status().message().c_str());
@@ -78,19 +79,23 @@ void addReplayCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("replay", "Simulates a take again and compares every hash.");
     auto options = std::make_shared<ReplayOptions>();
     command->add_option("TAKE", options->take, "Take file.")->required();
-    command->add_option("--gestures", options->gestures,
-                        "Also writes the take's touches and other commands as a gestures file for muster play.");
+    command->add_option(
+        "--gestures", options->gestures,
+        "Also writes the take's touches and other commands as a gestures file for muster play.");
     command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")
         ->check(CLI::Range(0, 256));
     command->add_flag("--json", options->json, "One JSON value on standard output.");
     command->footer(
-        "Ends with 3 where a hash differs; the message names the first step that does. With --json it also gives the\n"
-        "figures of muster play. A take that was never finished is replayed to its last command; the steps behind its\n"
+        "Ends with 3 where a hash differs; the message names the first step that does. With --json it also "
+        "gives the\n"
+        "figures of muster play. A take that was never finished is replayed to its last command; the steps "
+        "behind its\n"
         "last hash are compared with nothing.\n"
         "Examples:\n"
         "  muster replay cars.take\n"
         "  muster replay cars.take --threads 4 --json\n"
-        "  muster replay cars.take --gestures cars.json && muster play scenarios/cars.json --gestures cars.json");
+        "  muster replay cars.take --gestures cars.json && muster play scenarios/cars.json --gestures "
+        "cars.json");
     command->callback([options, &exitCode] { exitCode = replay(*options); });
 }
 

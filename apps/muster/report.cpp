@@ -23,14 +23,16 @@ Json walkJson(const WalkTotals& walk) {
 }
 
 void printWalk(const char* name, const WalkTotals& walk) {
-    std::printf("%-26s sum %.2f m  squares %.2f m^2  longest %.2f m\n", name, walk.sum, walk.squares, walk.longest);
+    std::printf("%-26s sum %.2f m  squares %.2f m^2  longest %.2f m\n", name, walk.sum, walk.squares,
+                walk.longest);
 }
 
 }  // namespace
 
 Json figuresJson(const RunFigures& f) {
     Json stages = Json::object();
-    for (std::size_t s = 0; s < f.stageMean.size(); ++s) stages[stageName(static_cast<Stage>(s))] = f.stageMean[s];
+    for (std::size_t s = 0; s < f.stageMean.size(); ++s)
+        stages[stageName(static_cast<Stage>(s))] = f.stageMean[s];
     return {{"characters", f.characters},
             {"steps", f.steps},
             {"hash", toHex(f.hash)},
@@ -109,7 +111,8 @@ void Progress::show(double share, const std::string& detail) {
     if (!terminal_ || now < 1000.0 || now - last_ < 250.0) return;
     last_ = now;
     shown_ = true;
-    std::fprintf(stderr, "\r\033[K%s %3.0f %%%s%s", what_.c_str(), 100.0 * share, detail.empty() ? "" : "  ", detail.c_str());
+    std::fprintf(stderr, "\r\033[K%s %3.0f %%%s%s", what_.c_str(), 100.0 * share, detail.empty() ? "" : "  ",
+                 detail.c_str());
 }
 
 }  // namespace muster

@@ -4,14 +4,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "muster/status.h"
 #include "base/stopwatch.h"
 #include "muster/metrics.h"
+#include "muster/status.h"
 #include "muster/world_def.h"
 
 namespace muster {
 
-/// The figures by the names that docs/scenario-format.md and `muster play --help` list; unreached times are null.
+/// The figures by the names that docs/scenario-format.md and `muster play --help` list; unreached times are
+/// null.
 nlohmann::ordered_json figuresJson(const RunFigures& figures);
 /// The same as lines of text on standard output.
 void printFigures(const RunFigures& figures);
@@ -21,10 +22,12 @@ std::string timeText(double seconds);
 void printJsonValue(const nlohmann::ordered_json& value);
 /// One sentence on standard error; returns kExitFailure.
 int reportFailure(const Status& status);
-/// What is likely a mistake in a scenario, on standard error: the first few warnings, and how many more there are.
+/// What is likely a mistake in a scenario, on standard error: the first few warnings, and how many more there
+/// are.
 void printWarnings(const WorldDef& def, const std::string& path);
 
-/// A line on standard error that is rewritten as long work goes on; silent where standard error is no terminal.
+/// A line on standard error that is rewritten as long work goes on; silent where standard error is no
+/// terminal.
 class Progress {
 public:
     /// `what` stands before the percentage.
@@ -32,7 +35,8 @@ public:
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    /// Shows the share that is done and what is done just now, at most a few times a second and not within the first second.
+    /// Shows the share that is done and what is done just now, at most a few times a second and not within
+    /// the first second.
     void show(double share, const std::string& detail = {});
 
 private:

@@ -11,9 +11,9 @@
 
 #include "commands.h"
 #include "folders.h"
-#include "reproduce/reproduce.h"
 #include "options.h"
 #include "report.h"
+#include "reproduce/reproduce.h"
 
 namespace muster {
 namespace {
@@ -66,7 +66,8 @@ Status prepareFolder(const std::string& folder) {
         return {StatusCode::IoError, folder + ": nothing can be written into this folder"};
     for (const char* name : {"index.html", "results.json", "summary.md"}) {
         const std::string path = folder + "/" + name;
-        if (fs::exists(path, error) && (!fs::is_regular_file(path, error) || ::access(path.c_str(), W_OK) != 0))
+        if (fs::exists(path, error) &&
+            (!fs::is_regular_file(path, error) || ::access(path.c_str(), W_OK) != 0))
             return {StatusCode::IoError, path + ": cannot be written"};
     }
     return {};
@@ -76,11 +77,11 @@ Status prepareFolder(const std::string& folder) {
 class ReproduceWatch {
 public:
     void operator()(const ReproduceProgress& p) {
-        bar_.show(static_cast<double>(p.done) / p.of,
-                  std::to_string(p.done) + " of " + std::to_string(p.of) + " runs  " + p.experiment + " " + p.arm);
+        bar_.show(static_cast<double>(p.done) / p.of, std::to_string(p.done) + " of " + std::to_string(p.of) +
+                                                          " runs  " + p.experiment + " " + p.arm);
         if (terminal_ || p.experimentDone < p.experimentOf) return;
-        std::fprintf(stderr, "%-3s  %s: complete, %d of %d runs in all\n", p.experiment.c_str(), p.title.c_str(),
-                     p.done, p.of);
+        std::fprintf(stderr, "%-3s  %s: complete, %d of %d runs in all\n", p.experiment.c_str(),
+                     p.title.c_str(), p.done, p.of);
     }
 
 private:
@@ -119,10 +120,14 @@ void addReproduceCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<ReproduceOptions>();
     command->add_option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.")
         ->check(knownExperiment());
-    command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")->check(CLI::Range(1, 1000));
-    command->add_option("--out", options->out, "Folder for index.html, results.json, summary.md and the film strips.")
+    command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")
+        ->check(CLI::Range(1, 1000));
+    command
+        ->add_option("--out", options->out,
+                     "Folder for index.html, results.json, summary.md and the film strips.")
         ->check(CLI::Validator(
-            [](const std::string& name) { return name.empty() ? "found no name, expected a folder" : ""; }, ""));
+            [](const std::string& name) { return name.empty() ? "found no name, expected a folder" : ""; },
+            ""));
     command
         ->add_option("--threads", options->def.threads,
                      "Runs side by side; 0 takes what the machine has. Results are the same.")

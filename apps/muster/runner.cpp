@@ -45,7 +45,8 @@ struct Recorders {
 
 }  // namespace
 
-Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands, const RunDef& run) {
+Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands,
+                            const RunDef& run) {
     Recorders recorders;
     if (Status s = recorders.open(def, run); !s.ok()) return s;
     std::uint32_t lastCommand = 0;
@@ -59,7 +60,8 @@ Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<
     const double stepTime = def.parameters.stepTime;
     const bool open = run.seconds < 0.0;
     const double wanted = open ? lastCommand * stepTime + run.longest : run.seconds;
-    const auto steps = static_cast<std::uint32_t>(std::clamp(std::floor(wanted / stepTime + 0.5), 0.0, kMostSteps));
+    const auto steps = static_cast<std::uint32_t>(
+        std::clamp(std::floor(wanted / stepTime + 0.5), 0.0, kMostSteps));
     const auto second = static_cast<std::uint32_t>(std::ceil(1.0 / stepTime));
     RunMetrics metrics(world);
     Progress progress(run.label.empty() ? "simulating" : run.label);
@@ -73,7 +75,8 @@ Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<
                          commandName(rejection.command), rejection.status.message().c_str());
         }
         progress.show(static_cast<double>(world.stepCount()) / steps);
-        const bool due = open && world.stepCount() > lastCommand + 2 * second && world.stepCount() % (second / 2) == 0;
+        const bool due = open && world.stepCount() > lastCommand + 2 * second &&
+                         world.stepCount() % (second / 2) == 0;
         if (due && metrics.settled(world)) break;
     }
     if (Status s = recorders.finish(world); !s.ok()) return s;

@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/metrics.h"
+#include "muster/status.h"
 
 namespace muster {
 
 /// How a run goes.
 struct RunDef {
-    double seconds = -1.0;       ///< Simulated [s]; negative: until all have arrived and stand, at most `longest`.
+    /// Simulated [s]; negative: until all have arrived and stand, at most `longest`.
+    double seconds = -1.0;
     double longest = 120.0;      ///< After the last command [s].
     std::int32_t threads = 1;    ///< As for World::create.
     std::string takePath;        ///< Where the take goes; empty for none.
@@ -21,6 +22,7 @@ struct RunDef {
 };
 
 /// Simulates a new world of that definition and reports. Commands are submitted before the first step.
-Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands, const RunDef& run);
+Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands,
+                            const RunDef& run);
 
 }  // namespace muster

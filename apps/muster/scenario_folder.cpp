@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 ScenarioEntry describe(const std::string& name, const WorldDef& def) {
     ScenarioEntry entry{name, def.name, def.description, 0};
-    for (const GroupDef& group : def.groups) entry.characters += static_cast<std::uint32_t>(std::max(0, group.count));
+    for (const GroupDef& group : def.groups)
+        entry.characters += static_cast<std::uint32_t>(std::max(0, group.count));
     return entry;
 }
 
@@ -48,7 +49,8 @@ void ScenarioFolder::addFolder(const std::string& folder, const std::string& pre
     std::vector<std::string> found;
     std::error_code error, ignored;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        if (entry->path().extension() == ".json" && entry->is_regular_file(ignored)) found.push_back(entry->path().string());
+        if (entry->path().extension() == ".json" && entry->is_regular_file(ignored))
+            found.push_back(entry->path().string());
     }
     std::sort(found.begin(), found.end());
     for (const std::string& path : found) {
@@ -73,7 +75,7 @@ Status ScenarioFolder::addAs(const std::string& name, const std::string& path) {
     const auto same = std::find_if(entries_.begin(), entries_.end(),
                                    [&](const ScenarioEntry& other) { return other.name == name; });
     if (same != entries_.end()) {
-        paths_[static_cast<std::size_t>(same - entries_.begin())] = path;
+        paths_[same - entries_.begin()] = path;
         *same = entry;
     } else {
         entries_.push_back(entry);
@@ -87,7 +89,9 @@ std::string ScenarioFolder::first() const {
     return entries_.empty() ? std::string() : entries_.front().name;
 }
 
-bool ScenarioFolder::has(const std::string& name) const { return pathOf(name) != nullptr; }
+bool ScenarioFolder::has(const std::string& name) const {
+    return pathOf(name) != nullptr;
+}
 
 const std::string* ScenarioFolder::pathOf(const std::string& name) const {
     for (std::size_t i = 0; i < entries_.size(); ++i)
@@ -110,7 +114,8 @@ Result<ClipLibrary> ScenarioFolder::clips(const std::string& name, const WorldDe
     if (path != nullptr) return clipsFor(def.clips, fs::path(*path).parent_path().string());
     // A take knows its scenario by the title only.
     for (std::size_t i = 0; i < entries_.size(); ++i)
-        if (entries_[i].title == def.name) return clipsFor(def.clips, fs::path(paths_[i]).parent_path().string());
+        if (entries_[i].title == def.name)
+            return clipsFor(def.clips, fs::path(paths_[i]).parent_path().string());
     // From elsewhere: where its files would lie nobody knows.
     return namesClipFiles(def.clips) ? notFound(name).within("clip files") : clipsFor({}, {});
 }

@@ -11,8 +11,8 @@ namespace muster {
 /// Scenario files of a folder, by file name without ".json"; those of folders in it as FOLDER/NAME.
 class ScenarioFolder {
 public:
-    /// Looks through a folder and those in it, but for `gestures`, `schema` and hidden ones, no deeper. Files that cannot
-    /// be read are told on standard error and left out.
+    /// Looks through a folder and those in it, but for `gestures`, `schema` and hidden ones, no deeper. Files
+    /// that cannot be read are told on standard error and left out.
     static ScenarioFolder scan(const std::string& folder);
 
     /// Adds a file from anywhere and returns the name it got, or has already. Fails as loadScenario does.
@@ -25,11 +25,12 @@ public:
     bool has(const std::string& name) const;
     /// Reads it anew. Fails with NotFound, or as loadScenario does.
     Result<WorldDef> load(const std::string& name) const;
-    /// Reads the touches that it carries, for a world of that definition. Fails as load() and loadScenarioGestures do.
+    /// Reads the touches that it carries, for a world of that definition. Fails as load() and
+    /// loadScenarioGestures do.
     Result<std::vector<Command>> gestures(const std::string& name, const WorldDef& def) const;
-    /// Reads the clips that its characters move by: those of files that it names, else Muster's own. A name that is not
-    /// in the folder is a take's: then the scenario is found by its title. Fails as clipsFor() does, or with NotFound where
-    /// a take from elsewhere names files.
+    /// Reads the clips that its characters move by: those of files that it names, else Muster's own. A name
+    /// that is not in the folder is a take's: then the scenario is found by its title. Fails as clipsFor()
+    /// does, or with NotFound where a take from elsewhere names files.
     Result<ClipLibrary> clips(const std::string& name, const WorldDef& def) const;
 
 private:

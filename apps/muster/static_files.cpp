@@ -43,11 +43,12 @@ std::optional<std::string> plainPath(std::string_view target) {
     target = target.substr(0, target.find_first_of("?#"));
     if (target.empty() || target.front() != '/') return std::nullopt;
     for (const char c : target) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-                           c == '_' || c == '.' || c == '/';
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '-' || c == '_' || c == '.' || c == '/';
         if (!plain) return std::nullopt;
     }
-    if (target.find("/.") != std::string_view::npos || target.find("//") != std::string_view::npos) return std::nullopt;
+    if (target.find("/.") != std::string_view::npos || target.find("//") != std::string_view::npos)
+        return std::nullopt;
     std::string path(target);
     if (path.back() == '/') path += "index.html";
     return path;

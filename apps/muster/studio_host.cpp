@@ -15,10 +15,10 @@
 #include "browser.h"
 #include "mailbox.h"
 #include "motion_bodies.h"
-#include "session/protocol.h"
 #include "muster/session.h"
 #include "report.h"
 #include "scenario_folder.h"
+#include "session/protocol.h"
 #include "studio.h"
 #include "studio_server.h"
 #include "take_file.h"
@@ -68,16 +68,20 @@ HttpAnswer sentence(int status, const std::string& words) {
     return answer;
 }
 
-HttpAnswer failure(const Status& status) { return sentence(httpStatus(status.code()), status.message()); }
+HttpAnswer failure(const Status& status) {
+    return sentence(httpStatus(status.code()), status.message());
+}
 
 bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
     static const auto restart = protocol::encode(protocol::Transport{protocol::TransportAction::Restart});
-    static const auto demonstrate = protocol::encode(protocol::Transport{protocol::TransportAction::Demonstrate});
-    return !bytes.empty() && (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart || bytes == demonstrate);
+    static const auto demonstrate = protocol::encode(
+        protocol::Transport{protocol::TransportAction::Demonstrate});
+    return !bytes.empty() &&
+           (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart || bytes == demonstrate);
 }
 
-// To begin a world costs much and undoes all before it: of equal requests that wait, only the last is heard, so that
-// nobody keeps the simulation busy by repeating one.
+// To begin a world costs much and undoes all before it: of equal requests that wait, only the last is heard,
+// so that nobody keeps the simulation busy by repeating one.
 void dropRepeated(std::vector<Letter>& letters) {
     std::set<std::vector<std::uint8_t>> seen;
     for (auto letter = letters.rbegin(); letter != letters.rend(); ++letter) {
@@ -90,7 +94,8 @@ void dropRepeated(std::vector<Letter>& letters) {
 // Owns the session and does what the letters ask, on the thread that calls run().
 class Simulation {
 public:
-    Simulation(Session session, Mailbox<Letter>& mailbox, StudioServer& server, const std::atomic<bool>& interrupted)
+    Simulation(Session session, Mailbox<Letter>& mailbox, StudioServer& server,
+               const std::atomic<bool>& interrupted)
         : session_(std::move(session)), mailbox_(mailbox), server_(server), interrupted_(interrupted) {}
 
     // Until interrupted.
@@ -99,7 +104,8 @@ public:
         std::vector<Letter> letters;
         auto last = Clock::now();
         while (!interrupted_) {
-            mailbox_.collect(clients_.empty() ? kLongestWait : std::min(kLongestWait, session_.untilNextStep()), letters);
+            mailbox_.collect(
+                clients_.empty() ? kLongestWait : std::min(kLongestWait, session_.untilNextStep()), letters);
             const auto now = Clock::now();
             // The world waits while nobody watches.
             if (!clients_.empty()) session_.elapse(std::chrono::duration<double>(now - last).count());
@@ -237,10 +243,16 @@ Result<Session> makeSession(const StudioOptions& options) {
     def.threads = options.threads;
     def.scenarios = folder.entries();
     def.loadScenario = [folder](const std::string& wanted) { return folder.load(wanted); };
-    def.loadGestures = [folder](const std::string& of, const WorldDef& begun) { return folder.gestures(of, begun); };
-    def.loadClips = [folder](const std::string& of, const WorldDef& begun) { return folder.clips(of, begun); };
+    def.loadGestures = [folder](const std::string& of, const WorldDef& begun) {
+        return folder.gestures(of, begun);
+    };
+    def.loadClips = [folder](const std::string& of, const WorldDef& begun) {
+        return folder.clips(of, begun);
+    };
     if (!options.takesFolder.empty())
-        def.openSink = [takes = options.takesFolder](const std::string& of) { return openTakeFile(takes, of); };
+        def.openSink = [takes = options.takesFolder](const std::string& of) {
+            return openTakeFile(takes, of);
+        };
     Session session(std::move(def));
     const Status status = session.load(name.value(), world.value());
     if (!status.ok()) return status.within(name.value());
@@ -250,14 +262,18 @@ Result<Session> makeSession(const StudioOptions& options) {
 Status pageExists(const std::string& folder) {
     std::error_code error;
     if (std::filesystem::is_regular_file(folder + "/index.html", error)) return {};
-    return {StatusCode::NotFound,
-            folder + ": found no index.html, expected the built page; ./run builds it, --page names another folder"};
+    return {
+        StatusCode::NotFound,
+        folder +
+            ": found no index.html, expected the built page; ./run builds it, --page names another folder"};
 }
 
 std::string tellAddress(int port, bool json) {
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
-    if (json) printJsonValue({{"address", address}, {"port", port}});
-    else std::printf("Muster studio: %s\n", address.c_str());
+    if (json)
+        printJsonValue({{"address", address}, {"port", port}});
+    else
+        std::printf("Muster studio: %s\n", address.c_str());
     std::fflush(stdout);
     return address;
 }

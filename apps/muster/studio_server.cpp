@@ -43,10 +43,14 @@ double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::string text(beast::string_view view) { return {view.data(), view.size()}; }
+std::string text(beast::string_view view) {
+    return {view.data(), view.size()};
+}
 
 // Programs that we start (the browser) get no hold of our sockets.
-void keepToOurselves(int socket) { fcntl(socket, F_SETFD, FD_CLOEXEC); }
+void keepToOurselves(int socket) {
+    fcntl(socket, F_SETFD, FD_CLOEXEC);
+}
 
 }  // namespace
 
@@ -168,12 +172,13 @@ private:
 
     void write() {
         if (queue_.empty()) return;
-        socket_.async_write(asio::buffer(queue_.front()), [self = shared_from_this()](Error error, std::size_t) {
-            if (error) return self->cut();
-            self->queued_ -= self->queue_.front().size();
-            self->queue_.pop_front();
-            self->write();
-        });
+        socket_.async_write(asio::buffer(queue_.front()),
+                            [self = shared_from_this()](Error error, std::size_t) {
+                                if (error) return self->cut();
+                                self->queued_ -= self->queue_.front().size();
+                                self->queue_.pop_front();
+                                self->write();
+                            });
     }
 
     StudioServer::Impl& server_;
@@ -192,7 +197,8 @@ private:
 // A TCP connection while it speaks HTTP; it becomes a SocketConnection where a request upgrades it.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 public:
-    HttpConnection(StudioServer::Impl& server, tcp::socket socket) : server_(server), stream_(std::move(socket)) {
+    HttpConnection(StudioServer::Impl& server, tcp::socket socket)
+        : server_(server), stream_(std::move(socket)) {
         ++server_.connections;
     }
     ~HttpConnection() { --server_.connections; }
@@ -203,11 +209,14 @@ public:
         parser_->header_limit(server_.def.limits.headerBytes);
         parser_->body_limit(server_.def.limits.takeBytes);
         stream_.expires_after(std::chrono::seconds(server_.def.limits.handshakeSeconds));
-        http::async_read_header(stream_, buffer_, *parser_, [self = shared_from_this()](Error error, std::size_t size) {
-            // Beast counts the first line and the fields apart; the limit is for both.
-            if (!error && size > self->server_.def.limits.headerBytes) error = http::error::header_limit;
-            self->headRead(error);
-        });
+        http::async_read_header(stream_, buffer_, *parser_,
+                                [self = shared_from_this()](Error error, std::size_t size) {
+                                    // Beast counts the first line and the fields apart; the limit is for
+                                    // both.
+                                    if (!error && size > self->server_.def.limits.headerBytes)
+                                        error = http::error::header_limit;
+                                    self->headRead(error);
+                                });
     }
 
 private:
@@ -226,7 +235,8 @@ private:
         if (request.method() == http::verb::post) return post();
         if (request.method() != http::verb::get && request.method() != http::verb::head)
             return refuse(405, "Only GET, HEAD and POST are known.");
-        if (parser_->content_length() && *parser_->content_length() > 0) return refuse(413, "No body is expected here.");
+        if (parser_->content_length() && *parser_->content_length() > 0)
+            return refuse(413, "No body is expected here.");
         if (parser_->chunked()) return refuse(413, "No body is expected here.");
         get();
     }
@@ -245,11 +255,12 @@ private:
 
     bool originKnown() const {
         const Request& request = parser_->get();
-        return request.count(http::field::origin) == 1 && server_.knownOrigin(text(request[http::field::origin]));
+        return request.count(http::field::origin) == 1 &&
+               server_.knownOrigin(text(request[http::field::origin]));
     }
 
-    // A take may be large: pages of others must not have it made, though they could not read it. Browsers say where
-    // a request comes from; programs of this machine need not.
+    // A take may be large: pages of others must not have it made, though they could not read it. Browsers say
+    // where a request comes from; programs of this machine need not.
     bool takeKnown() const {
         const Request& request = parser_->get();
         const std::string site = text(request["Sec-Fetch-Site"]);
@@ -273,7 +284,8 @@ private:
 
     void get() {
         const std::string target = text(parser_->get().target());
-        if (target == kTakePath) return takeKnown() ? server_.def.events.takeAsked(reply()) : refuse(403, "Unknown origin.");
+        if (target == kTakePath)
+            return takeKnown() ? server_.def.events.takeAsked(reply()) : refuse(403, "Unknown origin.");
         HttpAnswer answer;
         if (target == kHealthPath) {
             answer.type = "application/json";
@@ -321,7 +333,8 @@ private:
         response_.set(http::field::content_type, answer.type);
         response_.set(http::field::cache_control, cache);
         if (!answer.fileName.empty())
-            response_.set(http::field::content_disposition, "attachment; filename=\"" + answer.fileName + "\"");
+            response_.set(http::field::content_disposition,
+                          "attachment; filename=\"" + answer.fileName + "\"");
         server_.secure(response_);
         response_.keep_alive(keep_ && parser_->is_header_done() && request.keep_alive());
         response_.body() = std::move(answer.body);
@@ -344,10 +357,12 @@ private:
     }
 
     void swallow() {
-        stream_.async_read_some(asio::buffer(swallowed_), [self = shared_from_this()](Error error, std::size_t size) {
-            self->swallowedBytes_ += size;
-            if (!error && self->swallowedBytes_ < self->server_.def.limits.takeBytes) self->swallow();
-        });
+        stream_.async_read_some(asio::buffer(swallowed_),
+                                [self = shared_from_this()](Error error, std::size_t size) {
+                                    self->swallowedBytes_ += size;
+                                    if (!error && self->swallowedBytes_ < self->server_.def.limits.takeBytes)
+                                        self->swallow();
+                                });
     }
 
     StudioServer::Impl& server_;
@@ -366,7 +381,8 @@ Status StudioServer::Impl::open() {
     const int last = def.port == 0 ? 0 : std::min(def.port + kPortsTried - 1, 65535);
     for (int candidate = def.port; candidate <= last; ++candidate) {
         Error error;
-        const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), static_cast<unsigned short>(candidate));
+        const tcp::endpoint endpoint(asio::ip::address_v4::loopback(),
+                                     static_cast<unsigned short>(candidate));
         acceptor.open(endpoint.protocol(), error);
         if (!error) keepToOurselves(acceptor.native_handle());
         if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
@@ -381,7 +397,8 @@ Status StudioServer::Impl::open() {
         if (error != asio::error::address_in_use)
             return {StatusCode::IoError, "port " + std::to_string(candidate) + ": " + error.message()};
     }
-    return {StatusCode::IoError, "ports " + std::to_string(def.port) + " to " + std::to_string(last) + " are all in use"};
+    return {StatusCode::IoError,
+            "ports " + std::to_string(def.port) + " to " + std::to_string(last) + " are all in use"};
 }
 
 void StudioServer::Impl::accept() {
@@ -417,10 +434,12 @@ bool StudioServer::Impl::knownOrigin(const std::string& origin) const {
 
 void StudioServer::Impl::secure(Response& response) const {
     const std::string number = std::to_string(port);
-    response.set("Content-Security-Policy",
-                 "default-src 'self'; script-src 'self'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
-                 "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob: ws://127.0.0.1:" + number +
-                     " ws://localhost:" + number + "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'");
+    response.set(
+        "Content-Security-Policy",
+        "default-src 'self'; script-src 'self'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
+        "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob: ws://127.0.0.1:" +
+            number + " ws://localhost:" + number +
+            "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'");
     response.set("X-Content-Type-Options", "nosniff");
     response.set("X-Frame-Options", "DENY");
     response.set("Referrer-Policy", "no-referrer");
@@ -439,7 +458,9 @@ Result<std::unique_ptr<StudioServer>> StudioServer::listen(ServerDef def) {
     return std::unique_ptr<StudioServer>(new StudioServer(std::move(impl)));
 }
 
-int StudioServer::port() const { return impl_->port; }
+int StudioServer::port() const {
+    return impl_->port;
+}
 
 void StudioServer::run() {
     impl_->accept();
@@ -447,7 +468,9 @@ void StudioServer::run() {
     impl_->context.run();
 }
 
-void StudioServer::stop() { impl_->context.stop(); }
+void StudioServer::stop() {
+    impl_->context.stop();
+}
 
 void StudioServer::send(ConnectionId connection, std::vector<std::vector<std::uint8_t>> messages) {
     asio::post(impl_->context, [impl = impl_.get(), connection, messages = std::move(messages)]() mutable {

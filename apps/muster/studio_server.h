@@ -15,17 +15,18 @@ namespace muster {
 
 /// What the server refuses, at its edge: the limit itself still passes.
 struct ServerLimits {
-    std::size_t messageBytes = 64 * 1024;      ///< Of one message of a client.
-    double messagesPerSecond = 400.0;          ///< Of one client, on average.
-    double messageBurst = 800.0;               ///< ... and at once.
-    std::uint32_t headerBytes = 8 * 1024;      ///< Of an HTTP request: its first line and fields.
-    int handshakeSeconds = 5;                  ///< From connecting to the whole request.
-    int bodySeconds = 60;                      ///< For the body of a take.
-    int idleSeconds = 30;                      ///< A WebSocket is pinged at half of it, closed after it.
-    std::size_t clients = 16;                  ///< WebSockets at once.
-    std::size_t connections = 128;             ///< Of any kind at once.
-    std::size_t takeBytes = std::size_t{64} << 20;     ///< Of a take sent to us.
-    std::size_t queuedBytes = std::size_t{32} << 20;   ///< Waiting for one client that does not read; then it is cut.
+    std::size_t messageBytes = 64 * 1024;           ///< Of one message of a client.
+    double messagesPerSecond = 400.0;               ///< Of one client, on average.
+    double messageBurst = 800.0;                    ///< ... and at once.
+    std::uint32_t headerBytes = 8 * 1024;           ///< Of an HTTP request: its first line and fields.
+    int handshakeSeconds = 5;                       ///< From connecting to the whole request.
+    int bodySeconds = 60;                           ///< For the body of a take.
+    int idleSeconds = 30;                           ///< A WebSocket is pinged at half of it, closed after it.
+    std::size_t clients = 16;                       ///< WebSockets at once.
+    std::size_t connections = 128;                  ///< Of any kind at once.
+    std::size_t takeBytes = std::size_t{64} << 20;  ///< Of a take sent to us.
+    /// Waiting for one client that does not read; then it is cut.
+    std::size_t queuedBytes = std::size_t{32} << 20;
 };
 
 /// An answer to a request that the simulation serves.
@@ -56,10 +57,10 @@ struct ServerEvents {
 
 /// What a server is made from.
 struct ServerDef {
-    int port = 8080;          ///< The next free one is taken where it is in use; 0 for any.
-    std::string pageFolder;   ///< Files served at /.
+    int port = 8080;                          ///< The next free one is taken where it is in use; 0 for any.
+    std::string pageFolder;                   ///< Files served at /.
     std::map<std::string, StaticFile> files;  ///< Served too, by path: "/bodies/body-1.glb".
-    std::string subprotocol;  ///< That WebSockets must ask for.
+    std::string subprotocol;                  ///< That WebSockets must ask for.
     ServerLimits limits;
     ServerEvents events;
 };

@@ -7,8 +7,8 @@
 
 #include "commands.h"
 #include "folders.h"
-#include "reproduce/reproduce.h"
 #include "report.h"
+#include "reproduce/reproduce.h"
 
 namespace muster {
 namespace {
@@ -66,7 +66,8 @@ std::string escaped(const std::string& title) {
 
 /// True where an arm has no such figure, whatever the value.
 bool isEmpty(const Row& row) {
-    return std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell == "-"; });
+    return std::all_of(row.cells.begin(), row.cells.end(),
+                       [](const std::string& cell) { return cell == "-"; });
 }
 
 void printTable(const SweepOptions& options, const std::vector<Row>& rows) {
@@ -101,39 +102,55 @@ int sweep(SweepOptions options) {
     for (std::size_t k = 0; k < options.values.size(); ++k) {
         options.def.settings = {{options.parameter, options.values[k]}};
         const auto reproduction = reproduce(options.def, [&](const ReproduceProgress& p) {
-            bar.show((static_cast<double>(k) + static_cast<double>(p.done) / p.of) / count, p.experiment + " " + p.arm);
+            bar.show((static_cast<double>(k) + static_cast<double>(p.done) / p.of) / count,
+                     p.experiment + " " + p.arm);
         });
         if (!reproduction.ok()) return reportFailure(reproduction.status());
         const std::vector<Row> column = rowsOf(*reproduction);
-        if (k == 0) rows = column;
-        else for (std::size_t i = 0; i < rows.size(); ++i) rows[i].cells.push_back(column[i].cells.front());
+        if (k == 0)
+            rows = column;
+        else
+            for (std::size_t i = 0; i < rows.size(); ++i) rows[i].cells.push_back(column[i].cells.front());
         for (Json entry : Json::parse(resultsJson(*reproduction))) {
             entry[options.parameter] = options.values[k];
             results.push_back(std::move(entry));
         }
     }
-    if (options.json) printJsonValue(results);
-    else printTable(options, rows);
+    if (options.json)
+        printJsonValue(results);
+    else
+        printTable(options, rows);
     return kExitOk;
 }
 
 }  // namespace
 
 void addSweepCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("sweep", "Runs the paper's experiments with several values of a parameter.");
+    CLI::App* command = app.add_subcommand(
+        "sweep", "Runs the paper's experiments with several values of a parameter.");
     auto options = std::make_shared<SweepOptions>();
-    command->add_option("PARAMETER", options->parameter, "Its name, as muster check --schema lists it.")->required();
-    command->add_option("--values", options->values, "Its values, separated by commas.")->required()->delimiter(',');
-    command->add_option("--experiments", options->def.experiments, "Some of X1 to X11 and X13, separated by commas; without it all.")
+    command->add_option("PARAMETER", options->parameter, "Its name, as muster check --schema lists it.")
+        ->required();
+    command->add_option("--values", options->values, "Its values, separated by commas.")
+        ->required()
+        ->delimiter(',');
+    command
+        ->add_option("--experiments", options->def.experiments,
+                     "Some of X1 to X11 and X13, separated by commas; without it all.")
         ->delimiter(',');
     options->def.seeds = 3;
-    command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")->check(CLI::Range(1, 1000));
-    command->add_option("--threads", options->def.threads, "Runs side by side; 0 takes what the machine has. Results are the same.")
+    command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")
+        ->check(CLI::Range(1, 1000));
+    command
+        ->add_option("--threads", options->def.threads,
+                     "Runs side by side; 0 takes what the machine has. Results are the same.")
         ->check(CLI::Range(0, 256));
     command->add_option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
-    command->add_flag("--json", options->json, "One JSON array on standard output: results.json of every value.");
+    command->add_flag("--json", options->json,
+                      "One JSON array on standard output: results.json of every value.");
     command->footer(
-        "A table in Markdown: criteria (value against threshold) and figures (median over the seeds) of the preset muster.\n"
+        "A table in Markdown: criteria (value against threshold) and figures (median over the seeds) of the "
+        "preset muster.\n"
         "What an arm of an experiment sets itself stays as it is.\n"
         "Examples:\n"
         "  muster sweep field.range --values 0.5,1,1.5,2 --experiments X4,X9\n"

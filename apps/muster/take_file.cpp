@@ -56,7 +56,8 @@ Result<std::unique_ptr<TakeSink>> openTakeFile(const std::string& folder, const 
     std::filesystem::create_directories(folder, error);
     std::string safe;
     for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '-' || c == '_';
         safe += plain ? c : '-';
     }
     const std::string stem = folder + "/" + safe.substr(0, 60) + "-" + stampNow();

@@ -7,15 +7,16 @@
 namespace muster {
 
 void Touches::addTo(CLI::App& command) {
-    CLI::Option* file =
-        command.add_option("--gestures", gestures, "Touches to give to the scenario, as JSON; without it nobody touches.");
+    CLI::Option* file = command.add_option(
+        "--gestures", gestures, "Touches to give to the scenario, as JSON; without it nobody touches.");
     command.add_flag("--demo", demo, "Gives the touches that the scenario carries.")->excludes(file);
 }
 
 Result<std::string> Touches::file(const std::string& scenarioPath, const WorldDef& def) const {
     if (!demo) return gestures;
     if (def.gestures.empty()) {
-        return invalidArgument("--demo: " + scenarioPath + " carries no gestures, expected it to name some under \"gestures\"");
+        return invalidArgument("--demo: " + scenarioPath +
+                               " carries no gestures, expected it to name some under \"gestures\"");
     }
     return (std::filesystem::path(scenarioPath).parent_path() / def.gestures).string();
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/command.h"
+#include "muster/status.h"
 #include "muster/world_def.h"
 
 namespace muster {
@@ -18,7 +18,8 @@ struct Touches {
 
     /// Adds the options to a command.
     void addTo(CLI::App& command);
-    /// The file that they come from, empty for none. Fails where the scenario should carry some and carries none.
+    /// The file that they come from, empty for none. Fails where the scenario should carry some and carries
+    /// none.
     Result<std::string> file(const std::string& scenarioPath, const WorldDef& def) const;
     /// The touches, for a world of that definition. Fails as file() and loadGestures() do.
     Result<std::vector<Command>> load(const std::string& scenarioPath, const WorldDef& def) const;

@@ -6,9 +6,9 @@
 #include <mutex>
 #include <optional>
 
-#include "reproduce/report/markup.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {
@@ -28,9 +28,9 @@ Result<Experiments> choose(const std::vector<std::string>& wanted) {
     std::string known;
     for (const auto& experiment : all) known += (known.empty() ? "" : ", ") + experiment->text().id;
     for (const std::string& id : wanted) {
-        const bool found = std::any_of(
-            all.begin(), all.end(),
-            [&](const auto& experiment) { return lowerCase(experiment->text().id) == lowerCase(id); });
+        const bool found = std::any_of(all.begin(), all.end(), [&](const auto& experiment) {
+            return lowerCase(experiment->text().id) == lowerCase(id);
+        });
         if (!found)
             return Status(StatusCode::NotFound,
                           "found the experiment \"" + id.substr(0, 40) + "\", expected some of " + known);
@@ -39,21 +39,23 @@ Result<Experiments> choose(const std::vector<std::string>& wanted) {
     Experiments chosen;
     for (auto& experiment : all) {
         const std::string id = lowerCase(experiment->text().id);
-        if (std::any_of(wanted.begin(), wanted.end(), [&](const std::string& w) { return lowerCase(w) == id; }))
+        if (std::any_of(wanted.begin(), wanted.end(),
+                        [&](const std::string& w) { return lowerCase(w) == id; }))
             chosen.push_back(std::move(experiment));
     }
     return chosen;
 }
 
-/// All runs. The first seed of every experiment goes first, so that what cannot be run is found early; then experiment
-/// by experiment, so that each is complete as soon as can be.
+/// All runs. The first seed of every experiment goes first, so that what cannot be run is found early; then
+/// experiment by experiment, so that each is complete as soon as can be.
 std::vector<Job> jobsOf(const Experiments& experiments, const ReproduceDef& def, bool timed) {
     std::vector<Job> jobs;
     const auto add = [&](std::size_t e, std::int32_t from, std::int32_t to) {
         if (experiments[e]->timed() != timed) return;
         for (std::int32_t seed = from; seed <= to; ++seed)
             for (const Arm& arm : experiments[e]->arms())
-                jobs.push_back({e, {arm, static_cast<std::uint64_t>(seed), seed == 1, def.folder, def.settings}, {}});
+                jobs.push_back(
+                    {e, {arm, static_cast<std::uint64_t>(seed), seed == 1, def.folder, def.settings}, {}});
     };
     for (std::size_t e = 0; e < experiments.size(); ++e) add(e, 1, 1);
     for (std::size_t e = 0; e < experiments.size(); ++e) add(e, 2, def.seeds);
@@ -139,7 +141,8 @@ Status checkReproduce(const ReproduceDef& def) {
     return {};
 }
 
-Result<Reproduction> reproduce(const ReproduceDef& def, const std::function<void(const ReproduceProgress&)>& progress) {
+Result<Reproduction> reproduce(const ReproduceDef& def,
+                               const std::function<void(const ReproduceProgress&)>& progress) {
     if (Status s = checkReproduce(def); !s.ok()) return s;
     const Experiments experiments = std::move(choose(def.experiments)).value();
     const Stopwatch watch;
@@ -147,7 +150,7 @@ Result<Reproduction> reproduce(const ReproduceDef& def, const std::function<void
     Runner runner(experiments, def, progress);
     ThreadPool pool(def.threads);
     pool.run(static_cast<std::int32_t>(jobs.size()),
-             [&](std::int32_t item, std::int32_t) { runner.make(jobs[static_cast<std::size_t>(item)]); });
+             [&](std::int32_t item, std::int32_t) { runner.make(jobs[item]); });
     for (Job& job : timed) runner.make(job);
 
     for (const std::vector<Job>* list : {&jobs, &timed})
@@ -157,7 +160,8 @@ Result<Reproduction> reproduce(const ReproduceDef& def, const std::function<void
     std::vector<Samples> samples(experiments.size());
     for (std::vector<Job>* list : {&jobs, &timed})
         for (Job& job : *list)
-            samples[job.experiment].add(job.request.arm.id, job.request.arm.preset, std::move(*job.sample).value());
+            samples[job.experiment].add(job.request.arm.id, job.request.arm.preset,
+                                        std::move(*job.sample).value());
     Reproduction result;
     result.seeds = def.seeds;
     for (std::size_t e = 0; e < experiments.size(); ++e)

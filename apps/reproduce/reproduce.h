@@ -16,9 +16,11 @@ namespace muster {
 struct ReproduceDef {
     std::vector<std::string> experiments;  ///< "X4"...; empty for all.
     std::int32_t seeds = 10;               ///< Runs of each arm, 1 to 1,000.
-    std::int32_t threads = 0;              ///< Runs side by side; 0 takes what the machine has. Changes no result.
-    std::string folder;                    ///< Of the paper's scenarios.
-    std::vector<std::pair<std::string, double>> settings = {};  ///< Parameters by name; what an arm sets itself stays.
+    /// Runs side by side; 0 takes what the machine has. Changes no result.
+    std::int32_t threads = 0;
+    std::string folder;  ///< Of the paper's scenarios.
+    /// Parameters by name; what an arm sets itself stays.
+    std::vector<std::pair<std::string, double>> settings = {};
 };
 
 /// An experiment as it came out.
@@ -34,10 +36,10 @@ struct ExperimentResult {
 /// All of them, in their order.
 struct Reproduction {
     std::vector<ExperimentResult> experiments;
-    std::int32_t seeds = 0;   ///< Of each arm.
-    double seconds = 0.0;     ///< Wall time it took [s].
-    std::string version;      ///< Of the program, for the report; left empty by reproduce().
-    std::string when;         ///< When it was run, for the report; left empty by reproduce().
+    std::int32_t seeds = 0;  ///< Of each arm.
+    double seconds = 0.0;    ///< Wall time it took [s].
+    std::string version;     ///< Of the program, for the report; left empty by reproduce().
+    std::string when;        ///< When it was run, for the report; left empty by reproduce().
     /// True where no binding criterion failed.
     bool passed() const;
 };
@@ -53,13 +55,14 @@ struct ReproduceProgress {
     std::int32_t experimentOf = 0;    ///< As many it has.
 };
 
-/// What can be told before the first run: fails naming an unknown experiment, the number of seeds, the folder that is
-/// not there, or the scenario that it lacks.
+/// What can be told before the first run: fails naming an unknown experiment, the number of seeds, the folder
+/// that is not there, or the scenario that it lacks.
 Status checkReproduce(const ReproduceDef& def);
 
-/// Runs them. `progress` is called from one thread at a time. Fails as checkReproduce() does, or naming the experiment
-/// and the scenario that cannot be run; then no further run begins.
-Result<Reproduction> reproduce(const ReproduceDef& def, const std::function<void(const ReproduceProgress&)>& progress);
+/// Runs them. `progress` is called from one thread at a time. Fails as checkReproduce() does, or naming the
+/// experiment and the scenario that cannot be run; then no further run begins.
+Result<Reproduction> reproduce(const ReproduceDef& def,
+                               const std::function<void(const ReproduceProgress&)>& progress);
 
 /// DIR/results.json: an array of {experiment, criterion, preset, value, threshold, pass, seeds, low, high}.
 std::string resultsJson(const Reproduction& reproduction);
@@ -69,8 +72,8 @@ std::string reportHtml(const Reproduction& reproduction);
 std::string summaryMarkdown(const Reproduction& reproduction);
 /// The verdicts and how many hold, as lines for a terminal or a log.
 std::string summaryText(const Reproduction& reproduction);
-/// Writes index.html, results.json, summary.md and one SVG document per film strip (DIR/x4-film.svg), into a folder
-/// that is made where it is not there. Fails with IoError.
+/// Writes index.html, results.json, summary.md and one SVG document per film strip (DIR/x4-film.svg), into a
+/// folder that is made where it is not there. Fails with IoError.
 Status writeReport(const Reproduction& reproduction, const std::string& folder);
 
 }  // namespace muster

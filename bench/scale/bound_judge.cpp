@@ -4,9 +4,9 @@
 
 #include "base/maths.h"
 #include "eikonal/eikonal.h"
+#include "planning/exact/ground_regions.h"
 #include "scale/judge.h"
 #include "scale/sparse_assignment.h"
-#include "planning/exact/ground_regions.h"
 
 namespace muster::scale {
 namespace {
@@ -48,13 +48,13 @@ private:
     std::vector<Worker> workers_;
     GroundRegions regions_;
     std::vector<Vec2> standing_;
-    std::vector<std::int32_t> region_;       // Of characters.
-    std::vector<std::int32_t> byX_;          // Characters from left to right.
-    std::vector<std::int32_t> placeOf_;      // Per row.
-    std::vector<std::int32_t> holder_;       // Per row: who holds the place.
-    std::vector<double> reach_;              // Per row: pairs this near have their true costs [m].
-    std::vector<std::vector<Arc>> arcs_;     // Per row.
-    std::vector<double> own_;                // Per row: cost of its holder.
+    std::vector<std::int32_t> region_;    // Of characters.
+    std::vector<std::int32_t> byX_;       // Characters from left to right.
+    std::vector<std::int32_t> placeOf_;   // Per row.
+    std::vector<std::int32_t> holder_;    // Per row: who holds the place.
+    std::vector<double> reach_;           // Per row: pairs this near have their true costs [m].
+    std::vector<std::vector<Arc>> arcs_;  // Per row.
+    std::vector<double> own_;             // Per row: cost of its holder.
     SparseAssignment solver_;
 };
 
@@ -67,11 +67,12 @@ void Judgement::prepare() {
         if (plan_.placeOf[i] < 0) continue;
         placeOf_.push_back(plan_.placeOf[i]);
         holder_.push_back(static_cast<std::int32_t>(i));
-        const Vec2 place = plan_.places[static_cast<std::size_t>(plan_.placeOf[i])];
+        const Vec2 place = plan_.places[plan_.placeOf[i]];
         reach_.push_back(kReachFactor * distance(plan_.characters[i], place) + kReachMore);
     }
     std::sort(byX_.begin(), byX_.end(), [&](std::int32_t a, std::int32_t b) {
-        return plan_.characters[a].x != plan_.characters[b].x ? plan_.characters[a].x < plan_.characters[b].x : a < b;
+        return plan_.characters[a].x != plan_.characters[b].x ? plan_.characters[a].x < plan_.characters[b].x
+                                                              : a < b;
     });
     arcs_.resize(placeOf_.size());
     own_.assign(placeOf_.size(), kInfinite);
@@ -96,7 +97,8 @@ void Judgement::priceRow(std::int32_t row, Worker& worker) {
     if (worker.near.empty() || ground < 0) return;
     worker.solver.solve(cost_, place, worker.targets, worker.field);
     for (const std::int32_t i : worker.near) {
-        const double c = std::max(0.0, worker.field.cost(standing_[i])) + distance(plan_.characters[i], standing_[i]);
+        const double c = std::max(0.0, worker.field.cost(standing_[i])) +
+                         distance(plan_.characters[i], standing_[i]);
         if (!(c < kInfinite)) continue;
         arcs_[row].push_back({i, powered(c)});
         if (i == holder_[row]) own_[row] = arcs_[row].back().cost;
@@ -108,7 +110,8 @@ void Judgement::price(const std::vector<std::int32_t>& rows) {
     pool_.run(static_cast<std::int32_t>(rows.size()), work);
 }
 
-// A place that its holder cannot come to on this ground is out of the question, for the plan and for the bound.
+// A place that its holder cannot come to on this ground is out of the question, for the plan and for the
+// bound.
 void Judgement::dropUnreachable() {
     std::size_t kept = 0;
     for (std::size_t row = 0; row < placeOf_.size(); ++row) {
@@ -127,15 +130,16 @@ void Judgement::dropUnreachable() {
     arcs_.resize(kept);
 }
 
-// A crowd that follows as a whole pays in proportion to where it stands: without this, prices would have to climb
-// from one end of it to the other. Only where every column is taken are first prices free.
+// A crowd that follows as a whole pays in proportion to where it stands: without this, prices would have to
+// climb from one end of it to the other. Only where every column is taken are first prices free.
 std::vector<double> Judgement::startPrices() const {
     if (placeOf_.size() != plan_.characters.size()) return {};
     Vec2 mean;
     for (std::size_t row = 0; row < placeOf_.size(); ++row)
         mean += plan_.places[placeOf_[row]] - plan_.characters[holder_[row]];
     mean = mean / static_cast<double>(std::max<std::size_t>(1, placeOf_.size()));
-    const double slope = length(mean) > 1e-9 ? plan_.exponent * power(length(mean), plan_.exponent - 2.0) : 0.0;
+    const double slope = length(mean) > 1e-9 ? plan_.exponent * power(length(mean), plan_.exponent - 2.0)
+                                             : 0.0;
     std::vector<double> prices;
     for (const Vec2 p : plan_.characters) prices.push_back(-slope * dot(mean, p));
     return prices;
@@ -143,18 +147,18 @@ std::vector<double> Judgement::startPrices() const {
 
 double Judgement::straightBound(std::int32_t row, std::size_t column) const {
     return powered(static_cast<double>(cost_.lowest) *
-                   distance(plan_.characters[column], plan_.places[static_cast<std::size_t>(placeOf_[row])]));
+                   distance(plan_.characters[column], plan_.places[placeOf_[row]]));
 }
 
-// The least that the place can cost anybody at these prices. `reach` tells how far its front ought to go for the bound
-// to be as good as the costs known.
+// The least that the place can cost anybody at these prices. `reach` tells how far its front ought to go for
+// the bound to be as good as the costs known.
 double Judgement::boundOf(std::int32_t row, double& reach) const {
     const std::vector<double>& price = solver_.price();
     double known = kInfinite;
     for (const Arc& arc : arcs_[row]) known = std::min(known, arc.cost - price[arc.column]);
     const double tolerance = kTolerance * std::max(1.0, std::fabs(known));
     double least = known;
-    const Vec2 place = plan_.places[static_cast<std::size_t>(placeOf_[row])];
+    const Vec2 place = plan_.places[placeOf_[row]];
     for (std::size_t i = 0; i < plan_.characters.size(); ++i) {
         const double away = distance(plan_.characters[i], place);
         if (away <= reach_[row]) continue;

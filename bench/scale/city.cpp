@@ -11,8 +11,8 @@ namespace muster::scale {
 namespace {
 
 constexpr const char* kMap = "Berlin_0_256.map";
-constexpr std::int32_t kCells = 48;   // Of the map that are used, each way.
-constexpr double kAway = 40.0;        // From the crowd to the formation, where far [m].
+constexpr std::int32_t kCells = 48;  // Of the map that are used, each way.
+constexpr double kAway = 40.0;       // From the crowd to the formation, where far [m].
 
 // The part of the map with its lower left corner at column x, row y from the bottom.
 MapGrid cutOut(const MapGrid& map, std::int32_t x, std::int32_t y) {
@@ -27,11 +27,13 @@ MapGrid cutOut(const MapGrid& map, std::int32_t x, std::int32_t y) {
 }
 
 double freeShare(const MapGrid& part) {
-    const auto free = std::count_if(part.cells.begin(), part.cells.end(), [](char c) { return c == '.' || c == 'G'; });
+    const auto free = std::count_if(part.cells.begin(), part.cells.end(),
+                                    [](char c) { return c == '.' || c == 'G'; });
     return static_cast<double>(free) / static_cast<double>(part.cells.size());
 }
 
-// A part with streets and blocks: among those on a lattice, the one whose share of free ground is nearest to one half.
+// A part with streets and blocks: among those on a lattice, the one whose share of free ground is nearest to
+// one half.
 MapGrid streets(const MapGrid& map) {
     MapGrid best;
     double off = 2.0;
@@ -73,12 +75,20 @@ Status findWay(const Environment& ground, const SceneDef& def, double side, std:
     Vec2 from;
     Vec2 to;
     const double apart = side + kAway;
-    if (!openest(ground, side, [](Vec2) { return true; }, from) ||
-        !openest(ground, side, [&](Vec2 p) { return distance(p, from) >= apart && ground.region(p, 0.3) == ground.region(from, 0.3); }, to))
-        return Status(StatusCode::LimitExceeded, "scene city: found no two squares " + std::to_string(apart) + " m apart");
+    if (!openest(
+            ground, side, [](Vec2) { return true; }, from) ||
+        !openest(
+            ground, side,
+            [&](Vec2 p) {
+                return distance(p, from) >= apart && ground.region(p, 0.3) == ground.region(from, 0.3);
+            },
+            to))
+        return Status(StatusCode::LimitExceeded,
+                      "scene city: found no two squares " + std::to_string(apart) + " m apart");
     if (def.seed % 2 == 0) std::swap(from, to);
     way = ground.findPath(from, to, 0.4, 16000000);
-    if (way.size() < 2) return Status(StatusCode::LimitExceeded, "scene city: found no way between its squares");
+    if (way.size() < 2)
+        return Status(StatusCode::LimitExceeded, "scene city: found no way between its squares");
     return {};
 }
 
@@ -90,10 +100,12 @@ Status makeCity(const SceneDef& def, Scene& scene) {
     if (!text.ok()) return Status(StatusCode::NotFound, "scene city: found no map " + path);
     const Result<MapGrid> map = parseMap(*text);
     if (!map.ok()) return map.status().within(path);
-    if (map->width < kCells || map->height < kCells) return Status(StatusCode::NotFound, "scene city: the map is too small");
+    if (map->width < kCells || map->height < kCells)
+        return Status(StatusCode::NotFound, "scene city: the map is too small");
     MapGround city;
     city.grid = streets(*map);
-    // Large enough for two formations that far apart; streets of some cells are then about as wide as half a formation.
+    // Large enough for two formations that far apart; streets of some cells are then about as wide as half a
+    // formation.
     city.def.metresPerCell = std::max(2.0 * scene.side + 1.5 * kAway, 4.0 * scene.side) / kCells;
     const double size = kCells * city.def.metresPerCell;
     scene.world.box = {{0.0, 0.0}, {size, size}};

@@ -5,8 +5,8 @@
 
 namespace muster::scale {
 
-/// Fills the world, course and crowd of the scene "city": a part of the map Berlin_0_256 of `def.maps`, scaled so that
-/// its streets suit the crowd. Fails with NotFound where the map is missing.
+/// Fills the world, course and crowd of the scene "city": a part of the map Berlin_0_256 of `def.maps`,
+/// scaled so that its streets suit the crowd. Fails with NotFound where the map is missing.
 Status makeCity(const SceneDef& def, Scene& scene);
 
 }  // namespace muster::scale

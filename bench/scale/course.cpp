@@ -11,7 +11,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 double lengthOf(const Course& course) {
     double sum = 0.0;
-    for (std::size_t k = 1; k < course.points.size(); ++k) sum += distance(course.points[k - 1], course.points[k]);
+    for (std::size_t k = 1; k < course.points.size(); ++k)
+        sum += distance(course.points[k - 1], course.points[k]);
     return sum;
 }
 

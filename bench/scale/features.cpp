@@ -15,7 +15,9 @@ constexpr double kTreeSpacing = 3.2;  // [m]
 constexpr double kTreeSway = 0.7;     // Trees stand off their lattice by up to this [m].
 constexpr double kFieldRange = 0.9;   // Of the fields of trees [m].
 
-Polygon rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Polygon rectangle(double x0, double y0, double x1, double y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
 
 void addBlock(double x0, double y0, double x1, double y1, WorldDef& world) {
     ObstacleDef def;
@@ -67,8 +69,10 @@ void addTrees(const FeatureSize& size, std::uint64_t seed, WorldDef& world) {
             ObstacleDef tree;
             tree.name = "Tree";
             tree.radius = random.uniform(0.3, 0.5);
-            tree.centre.x = -size.halfLength + (c + 0.5) * kTreeSpacing + random.uniform(-kTreeSway, kTreeSway);
-            tree.centre.y = -size.halfWidth + (r + 0.5) * kTreeSpacing + random.uniform(-kTreeSway, kTreeSway);
+            tree.centre.x = -size.halfLength + (c + 0.5) * kTreeSpacing +
+                            random.uniform(-kTreeSway, kTreeSway);
+            tree.centre.y = -size.halfWidth + (r + 0.5) * kTreeSpacing +
+                            random.uniform(-kTreeSway, kTreeSway);
             tree.range = kFieldRange;
             tree.strength = 0.35;
             world.obstacles.push_back(tree);

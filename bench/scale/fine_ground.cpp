@@ -9,7 +9,8 @@ Result<FineGround> FineGround::create(const World& world, double factor) {
     Result<Environment> environment = Environment::create(def);
     if (!environment.ok()) return environment.status().within("judge");
     for (const ObstacleId id : coarse.obstacleIds())
-        if (const auto added = environment->addObstacle(*coarse.obstacle(id)); !added.ok()) return added.status();
+        if (const auto added = environment->addObstacle(*coarse.obstacle(id)); !added.ok())
+            return added.status();
     for (const PatchId id : coarse.patchIds())
         if (const auto added = environment->addPatch(*coarse.patch(id)); !added.ok()) return added.status();
     FineGround ground;

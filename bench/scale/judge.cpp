@@ -13,11 +13,12 @@ double Verdict::gap(double exponent) const {
     return held > 0 ? std::max(0.0, committed - bound) / std::max(bound, least) : 0.0;
 }
 
-// With thresholds that nothing passes, the exact plan commits what is held already, and its bound is the optimum.
+// With thresholds that nothing passes, the exact plan commits what is held already, and its bound is the
+// optimum.
 Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, ThreadPool& pool) {
     std::vector<std::uint8_t> held(plan.places.size(), 0);
     for (const std::int32_t place : plan.placeOf)
-        if (place >= 0) held[static_cast<std::size_t>(place)] = 1;
+        if (place >= 0) held[place] = 1;
     PlanDef def;
     def.exponent = plan.exponent;
     def.threshold = 1e30;
@@ -31,7 +32,8 @@ Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, Thread
     verdict.bound = result.objective - result.gapBound;
     verdict.held = static_cast<std::int32_t>(result.flows.size());
     verdict.rounds = 1;
-    verdict.pairs = static_cast<std::int64_t>(plan.characters.size()) * static_cast<std::int64_t>(plan.places.size());
+    verdict.pairs = static_cast<std::int64_t>(plan.characters.size()) *
+                    static_cast<std::int64_t>(plan.places.size());
     return verdict;
 }
 

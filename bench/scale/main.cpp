@@ -33,7 +33,8 @@ void printGrowth(const Options& options, const std::vector<Row>& rows) {
     }
 }
 
-// The judge gets a run of its own, so that its work leaves no trace in the times; both runs must end in the same state.
+// The judge gets a run of its own, so that its work leaves no trace in the times; both runs must end in the
+// same state.
 Status judge(const Options& options, Row& row, ThreadPool& pool) {
     const SceneDef& scene = row.def.scene;
     const std::string label = scene.name + " " + regimeName(scene.regime) + " " + std::to_string(scene.count);
@@ -41,9 +42,11 @@ Status judge(const Options& options, Row& row, ThreadPool& pool) {
     const Result<Row> again = runCase(row.def, [&](const World& world) { pass.observe(world); });
     if (!again.ok()) return again.status();
     if (!pass.status().ok())
-        std::fprintf(stderr, "muster-bench: %s: not judged: %s\n", label.c_str(), pass.status().message().c_str());
+        std::fprintf(stderr, "muster-bench: %s: not judged: %s\n", label.c_str(),
+                     pass.status().message().c_str());
     row.quality = pass.quality();
-    if (again->hash != row.hash) return Status(StatusCode::Corrupt, label + ": the run that was judged ended in another state");
+    if (again->hash != row.hash)
+        return Status(StatusCode::Corrupt, label + ": the run that was judged ended in another state");
     return {};
 }
 

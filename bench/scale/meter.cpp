@@ -15,10 +15,16 @@ std::atomic<std::int64_t> count{0};
 
 }  // namespace
 
-std::int64_t allocationCount() { return count.load(std::memory_order_relaxed); }
+std::int64_t allocationCount() {
+    return count.load(std::memory_order_relaxed);
+}
 // Before main() something has been allocated for certain.
-bool allocationsCounted() { return allocationCount() > 0; }
-void countAllocation() { count.fetch_add(1, std::memory_order_relaxed); }
+bool allocationsCounted() {
+    return allocationCount() > 0;
+}
+void countAllocation() {
+    count.fetch_add(1, std::memory_order_relaxed);
+}
 
 void resetPeakMemory() {
 #ifdef __GLIBC__

@@ -21,7 +21,8 @@ void describe(CLI::App& scale, Options& o) {
     scale.add_option("--threads", o.threads, "Threads of the world (1)")->delimiter(',');
     scale.add_option("--seed", o.seeds, "Seeds (1,2,3)")->delimiter(',');
     scale.add_option("--seconds", o.seconds, "World time of a run at most [s] (20; far: until all arrived)");
-    scale.add_option("--gap-every", o.gapEvery, "Steps between gaps (30; quick: 120); more for large crowds, see docs/performance.md");
+    scale.add_option("--gap-every", o.gapEvery,
+                     "Steps between gaps (30; quick: 120); more for large crowds, see docs/performance.md");
     scale.add_flag("--exact", o.exact, "The exact plan beside each case of at most 1,000 characters");
     scale.add_flag("--no-gap", o.noGap, "No judge");
     scale.add_option("--maps", o.maps, "Folder with the city's map (../shared/maps)");
@@ -38,21 +39,26 @@ bool hasFastPlan() {
 }
 
 Status check(const Options& o) {
-    const auto among = [](const char* what, const std::vector<std::string>& found, const std::vector<std::string>& known) {
+    const auto among = [](const char* what, const std::vector<std::string>& found,
+                          const std::vector<std::string>& known) {
         std::string all;
         for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
         for (const std::string& name : found)
             if (std::find(known.begin(), known.end(), name) == known.end())
-                return invalidArgument("found " + std::string(what) + " '" + name + "', expected one of " + all);
+                return invalidArgument("found " + std::string(what) + " '" + name + "', expected one of " +
+                                       all);
         return Status();
     };
     if (Status status = among("scene", o.scenes, sceneNames()); !status.ok()) return status;
-    if (Status status = among("regime", o.regimes, {"far", "tracking", "reversing"}); !status.ok()) return status;
+    if (Status status = among("regime", o.regimes, {"far", "tracking", "reversing"}); !status.ok())
+        return status;
     if (Status status = among("plan", o.plans, {"exact", "fast"}); !status.ok()) return status;
     for (const std::int32_t n : o.counts)
-        if (n < 4 || n > 100000) return invalidArgument("found n " + std::to_string(n) + ", expected 4 to 100000");
+        if (n < 4 || n > 100000)
+            return invalidArgument("found n " + std::to_string(n) + ", expected 4 to 100000");
     for (const std::int32_t t : o.threads)
-        if (t < 1 || t > 256) return invalidArgument("found threads " + std::to_string(t) + ", expected 1 to 256");
+        if (t < 1 || t > 256)
+            return invalidArgument("found threads " + std::to_string(t) + ", expected 1 to 256");
     if (!(o.seconds >= 0.0 && o.seconds <= 3600.0)) return invalidArgument("--seconds: expected 0 to 3600");
     if (o.gapEvery < 0) return invalidArgument("--gap-every: expected at least 1");
     if (o.json && o.markdown) return invalidArgument("found --json and --markdown, expected one of them");
@@ -64,7 +70,8 @@ Status check(const Options& o) {
 int readOptions(int argc, const char* const* argv, Options& options) {
     CLI::App app("Measures Muster's steps at scale.", "muster-bench");
     app.require_subcommand(1);
-    CLI::App* scale = app.add_subcommand("scale", "Scenes, regimes and sizes: time of a step, gap, swaps, memory");
+    CLI::App* scale = app.add_subcommand("scale",
+                                         "Scenes, regimes and sizes: time of a step, gap, swaps, memory");
     describe(*scale, options);
     try {
         app.parse(argc, argv);
@@ -87,7 +94,8 @@ Result<std::vector<CaseDef>> casesOf(const Options& asked) {
     if (Status status = check(o); !status.ok()) return status;
     orElse(o.scenes, sceneNames());
     orElse(o.regimes, {"far", "tracking", "reversing"});
-    orElse(o.counts, o.quick ? std::vector<std::int32_t>{160, 1000} : std::vector<std::int32_t>{160, 1000, 10000});
+    orElse(o.counts,
+           o.quick ? std::vector<std::int32_t>{160, 1000} : std::vector<std::int32_t>{160, 1000, 10000});
     orElse(o.plans, {hasFastPlan() ? "fast" : "exact"});
     orElse(o.threads, {1});
     orElse(o.seeds, o.quick ? std::vector<std::uint64_t>{1} : std::vector<std::uint64_t>{1, 2, 3});
@@ -98,7 +106,9 @@ Result<std::vector<CaseDef>> casesOf(const Options& asked) {
                 for (const std::string& plan : o.plans)
                     for (const std::int32_t threads : o.threads)
                         for (const std::uint64_t seed : o.seeds) {
-                            if (std::find(o.regimes.begin(), o.regimes.end(), regimeName(regime)) == o.regimes.end()) continue;
+                            if (std::find(o.regimes.begin(), o.regimes.end(), regimeName(regime)) ==
+                                o.regimes.end())
+                                continue;
                             const double quick = regime == Regime::Far ? 10.0 : 5.0;
                             const double seconds = o.seconds > 0.0 ? o.seconds : (o.quick ? quick : 0.0);
                             cases.push_back({{scene, regime, n, seed, o.maps}, plan, threads, seconds});

@@ -40,7 +40,7 @@ const UnitCost* QualityPass::costFor(const World& world, const Committed& plan) 
     std::int32_t held = 0;
     for (std::size_t i = 0; i < plan.placeOf.size(); ++i) {
         if (plan.placeOf[i] < 0) continue;
-        way += distance(plan.characters[i], plan.places[static_cast<std::size_t>(plan.placeOf[i])]);
+        way += distance(plan.characters[i], plan.places[plan.placeOf[i]]);
         ++held;
     }
     const bool far = way > kFarWay * held;
@@ -77,12 +77,13 @@ void QualityPass::look(const World& world) {
         const double looks = ++quality_.looks;
         quality_.gapMax = std::max(quality_.gapMax, gap);
         quality_.gapMean += (gap - quality_.gapMean) / looks;
-        quality_.objectiveMean += (verdict.committed / std::max(1, verdict.held) - quality_.objectiveMean) / looks;
+        quality_.objectiveMean += (verdict.committed / std::max(1, verdict.held) - quality_.objectiveMean) /
+                                  looks;
     }
     if (label_.empty()) return;
-    std::fprintf(stderr, "%s: step %u: gap %.4f %%, objective %.4f each of %d, %d rounds, %.0f ms\n", label_.c_str(),
-                 world.stepCount(), gap, verdict.committed / std::max(1, verdict.held), verdict.held, verdict.rounds,
-                 watch.milliseconds());
+    std::fprintf(stderr, "%s: step %u: gap %.4f %%, objective %.4f each of %d, %d rounds, %.0f ms\n",
+                 label_.c_str(), world.stepCount(), gap, verdict.committed / std::max(1, verdict.held),
+                 verdict.held, verdict.rounds, watch.milliseconds());
 }
 
 }  // namespace muster::scale

@@ -13,8 +13,8 @@ namespace muster::scale {
 /// Up to so many characters the exact plan judges, beyond a certified bound.
 inline constexpr std::int32_t kMostExact = 2500;
 
-/// From this mean distance to the places on, the judge takes the world's own cells: over such ways second-order fields
-/// are as good there as on half of them over short ones [m].
+/// From this mean distance to the places on, the judge takes the world's own cells: over such ways
+/// second-order fields are as good there as on half of them over short ones [m].
 inline constexpr double kFarWay = 12.0;
 
 /// Steps between looks: `every`, more where many fields have to be marched far.

@@ -10,9 +10,9 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kArrived = 0.5;            // [m]
-constexpr std::int32_t kWarmUp = 120;       // Steps in which memory may grow, at least.
-constexpr std::uint32_t kLookEvery = 30;    // Steps between looks for the end of a walk.
+constexpr double kArrived = 0.5;          // [m]
+constexpr std::int32_t kWarmUp = 120;     // Steps in which memory may grow, at least.
+constexpr std::uint32_t kLookEvery = 30;  // Steps between looks for the end of a walk.
 
 // What is measured while the world runs.
 struct Watch {
@@ -54,7 +54,7 @@ void lags(const World& world, double& mean, double& arrived) {
     std::int32_t matched = 0;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         if (characters.place[i] < 0) continue;
-        const double lag = distance(characters.position[i], places[static_cast<std::size_t>(characters.place[i])]);
+        const double lag = distance(characters.position[i], places[characters.place[i]]);
         sum += lag;
         near += lag <= kArrived ? 1 : 0;
         ++matched;
@@ -80,7 +80,8 @@ void fill(const Watch& watch, Row& row) {
     row.p95 = quantile(rest, 0.95);
     row.max = quantile(rest, 1.0);
     row.wallP95 = quantile({watch.wall.begin() + 1, watch.wall.end()}, 0.95);
-    for (std::size_t k = 0; k < row.stages.size(); ++k) row.stages[k] = watch.stages[k] / std::max(1, row.steps);
+    for (std::size_t k = 0; k < row.stages.size(); ++k)
+        row.stages[k] = watch.stages[k] / std::max(1, row.steps);
     row.allocations = allocationsCounted() ? watch.allocations : -1;
     row.lagMean = watch.lag / static_cast<double>(all.size());
 }
@@ -90,7 +91,8 @@ void fill(const Watch& watch, Row& row) {
 Result<World> makeWorld(const CaseDef& def, const Scene& scene) {
     WorldDef world = scene.world;
     const Status chosen = setParameter(world.parameters, "plan.solver", def.plan == "fast" ? 1.0 : 0.0);
-    if (!chosen.ok() && def.plan != "exact") return invalidArgument("found plan '" + def.plan + "', this build has exact only");
+    if (!chosen.ok() && def.plan != "exact")
+        return invalidArgument("found plan '" + def.plan + "', this build has exact only");
     return World::create(world, def.threads);
 }
 
@@ -116,7 +118,8 @@ Result<Row> runCase(const CaseDef& def, const Observer& observer) {
         double lag = 0.0;
         lags(world, lag, row.arrived);
         watch.lag += lag;
-        if (def.scene.regime == Regime::Far && world.stepCount() % kLookEvery == 0 && row.arrived == 1.0) break;
+        if (def.scene.regime == Regime::Far && world.stepCount() % kLookEvery == 0 && row.arrived == 1.0)
+            break;
     }
     fill(watch, row);
     row.swaps = static_cast<double>(watch.swaps) / (def.scene.count * world.time());

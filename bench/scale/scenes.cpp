@@ -19,7 +19,9 @@ constexpr double kBehind = 2.0;    // The crowd starts so far behind a formation
 constexpr double kMargin = 6.0;    // Of the box [m].
 
 // As wide a turn as the rim can follow.
-double turnOf(double side, double period) { return std::min(0.5, kRimSpeed / (0.7 * side) * period / (2.0 * kPi)); }
+double turnOf(double side, double period) {
+    return std::min(0.5, kRimSpeed / (0.7 * side) * period / (2.0 * kPi));
+}
 
 // Straight ways through the feature; a circle round the middle where there is none.
 Course courseOf(const SceneDef& def, const FeatureSize& features, double side) {
@@ -51,7 +53,8 @@ Course courseOf(const SceneDef& def, const FeatureSize& features, double side) {
 // A box round everything that the formation, the crowd and the feature can come to.
 Box boxOf(const Scene& scene, const FeatureSize& features, Regime regime, double far) {
     const double reach = 0.75 * scene.side + kMargin;
-    Box box{{-features.halfLength - kMargin, -features.halfWidth}, {features.halfLength + kMargin, features.halfWidth}};
+    Box box{{-features.halfLength - kMargin, -features.halfWidth},
+            {features.halfLength + kMargin, features.halfWidth}};
     const auto include = [&](Vec2 p) {
         box.min = {std::min(box.min.x, p.x - reach), std::min(box.min.y, p.y - reach)};
         box.max = {std::max(box.max.x, p.x + reach), std::max(box.max.y, p.y + reach)};
@@ -85,7 +88,8 @@ Status addCrowd(const SceneDef& def, const CoursePose& formation, Vec2 crowd, Sc
 }
 
 Vec2 behind(const CoursePose& formation) {
-    return formation.position - Rotation{cosine(formation.angle), sine(formation.angle)}.apply({kBehind, 0.0});
+    return formation.position -
+           Rotation{cosine(formation.angle), sine(formation.angle)}.apply({kBehind, 0.0});
 }
 
 // With its own 2 m/s the crowd would hang on its places; so it stays behind, and the mesh waits for it.
@@ -106,8 +110,9 @@ const std::vector<std::string>& sceneNames() {
 
 Result<Scene> makeScene(const SceneDef& def) {
     if (std::find(sceneNames().begin(), sceneNames().end(), def.name) == sceneNames().end())
-        return Status(StatusCode::NotFound, "found scene '" + def.name + "', expected one of open, block, corridor, "
-                                            "woodland, paths, city");
+        return Status(StatusCode::NotFound, "found scene '" + def.name +
+                                                "', expected one of open, block, corridor, "
+                                                "woodland, paths, city");
     Scene scene;
     scene.side = std::sqrt(static_cast<double>(def.count));
     scene.seconds = 20.0;

@@ -56,12 +56,13 @@ CoursePose poseAt(const Course& course, double time);
 /// A world with the course that its formation is led along.
 struct Scene {
     WorldDef world;
-    Course course;        ///< Not used where far.
-    double side = 0.0;    ///< Of the square formation [m].
-    double seconds = 0.0; ///< How long a run is worth while [s].
+    Course course;         ///< Not used where far.
+    double side = 0.0;     ///< Of the square formation [m].
+    double seconds = 0.0;  ///< How long a run is worth while [s].
 };
 
-/// Adds the only group: its formation at a pose, its characters on free ground round `crowd`. Fails where they find no room.
+/// Adds the only group: its formation at a pose, its characters on free ground round `crowd`. Fails where
+/// they find no room.
 Status addCrowd(const SceneDef& def, const CoursePose& formation, Vec2 crowd, Scene& scene);
 /// Where a crowd starts that follows a formation at this pose [m].
 Vec2 behind(const CoursePose& formation);

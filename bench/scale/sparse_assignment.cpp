@@ -111,7 +111,8 @@ bool SparseAssignment::augment(std::span<const std::vector<Arc>> rows, std::int3
     return end >= 0;
 }
 
-bool SparseAssignment::solve(std::span<const std::vector<Arc>> rows, std::int32_t columns, std::span<const double> start) {
+bool SparseAssignment::solve(std::span<const std::vector<Arc>> rows, std::int32_t columns,
+                             std::span<const double> start) {
     columnOf_.assign(rows.size(), -1);
     rowOf_.assign(static_cast<std::size_t>(columns), -1);
     price_.assign(static_cast<std::size_t>(columns), 0.0);

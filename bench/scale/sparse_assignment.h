@@ -13,12 +13,13 @@ struct Arc {
     double cost = 0.0;
 };
 
-/// Matches every row to a column of its own at least cost: shortest augmenting paths with prices (Jonker and Volgenant
-/// 1987, for sparse costs), in its own code and apart from the plans' solvers.
+/// Matches every row to a column of its own at least cost: shortest augmenting paths with prices (Jonker and
+/// Volgenant 1987, for sparse costs), in its own code and apart from the plans' solvers.
 class SparseAssignment {
 public:
-    /// `rows` lists each row's arcs. `start` are first prices of the columns: any where there are as many rows as
-    /// columns, else none (empty). Returns false where not all rows can be matched; prices are of use even then.
+    /// `rows` lists each row's arcs. `start` are first prices of the columns: any where there are as many
+    /// rows as columns, else none (empty). Returns false where not all rows can be matched; prices are of use
+    /// even then.
     bool solve(std::span<const std::vector<Arc>> rows, std::int32_t columns, std::span<const double> start);
 
     const std::vector<std::int32_t>& columnOf() const { return columnOf_; }  ///< Per row; -1 for none.
@@ -46,7 +47,7 @@ private:
     std::vector<std::int32_t> before_;  // Row from which a column was reached.
     std::vector<std::uint8_t> settled_;
     std::vector<std::int32_t> touched_;
-    std::vector<std::int32_t> order_;   // Settled columns.
+    std::vector<std::int32_t> order_;  // Settled columns.
     std::vector<Entry> heap_;
     std::vector<std::int32_t> free_;
 };

@@ -27,14 +27,16 @@ Result<Environment> groundOf(const WorldDef& def) {
     if (!environment.ok()) return environment;
     std::vector<ObstacleDef> obstacles = def.obstacles;
     if (def.map)
-        for (const ObstacleDef& obstacle : mapObstacles(def.map->grid, def.map->def)) obstacles.push_back(obstacle);
+        for (const ObstacleDef& obstacle : mapObstacles(def.map->grid, def.map->def))
+            obstacles.push_back(obstacle);
     for (const ObstacleDef& obstacle : obstacles)
         if (const auto added = environment->addObstacle(obstacle); !added.ok()) return added.status();
     environment->setTime(0.0);
     return environment;
 }
 
-Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, double angle, std::int32_t count) {
+Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, double angle,
+                                    std::int32_t count) {
     const Rotation turn{cosine(angle), sine(angle)};
     const std::int32_t home = ground.region(ground.nearestInRegion(centre, kRoom, -1), kRoom);
     const Box room = ground.def().box.grown(-kRoom);
@@ -46,12 +48,13 @@ Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, doub
         forRing(ring, [&](std::int32_t x, std::int32_t y) {
             const Vec2 spot = centre + turn.apply({0.5 * x, 0.5 * y});
             if (static_cast<std::int32_t>(spots.size()) == count || !room.contains(spot)) return;
-            if (ground.distanceToObstacle(spot) >= kRoom && ground.region(spot, kRoom) == home) spots.push_back(spot);
+            if (ground.distanceToObstacle(spot) >= kRoom && ground.region(spot, kRoom) == home)
+                spots.push_back(spot);
         });
         if (static_cast<std::int32_t>(spots.size()) == count) return spots;
     }
-    return Status(StatusCode::LimitExceeded, "found room for " + std::to_string(spots.size()) + " characters, expected " +
-                                                 std::to_string(count));
+    return Status(StatusCode::LimitExceeded, "found room for " + std::to_string(spots.size()) +
+                                                 " characters, expected " + std::to_string(count));
 }
 
 }  // namespace muster::scale

@@ -5,12 +5,12 @@
 #include <cstdlib>
 
 #if !defined(NDEBUG) || defined(MUSTER_ASSERTIONS)
-#define MUSTER_ASSERT(condition)                                                              \
-    do {                                                                                      \
-        if (!(condition)) {                                                                   \
+#define MUSTER_ASSERT(condition)                                                                   \
+    do {                                                                                           \
+        if (!(condition)) {                                                                        \
             std::fprintf(stderr, "%s:%d: assertion failed: %s\n", __FILE__, __LINE__, #condition); \
-            std::abort();                                                                     \
-        }                                                                                     \
+            std::abort();                                                                          \
+        }                                                                                          \
     } while (false)
 #else
 #define MUSTER_ASSERT(condition) ((void)0)

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/clip.h"
+#include "muster/status.h"
 
 namespace muster {
 

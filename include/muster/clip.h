@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/pose.h"
+#include "muster/status.h"
 
 namespace muster {
 
@@ -23,8 +23,10 @@ JointRole limbJoint(Limb limb);
 struct Contact {
     Limb limb = Limb::LeftFoot;
     double begin = 0.0;  ///< [s], in [0, duration).
-    double end = 0.0;    ///< [s] > begin; in a cyclic clip it may lie beyond the duration: it goes on in the next cycle.
-    Vec3 anchor;         ///< Where the joint stands flat, in the clip's ground frame (where the travel starts) [m].
+    /// [s] > begin; in a cyclic clip it may lie beyond the duration: it goes on in the next cycle.
+    double end = 0.0;
+    /// Where the joint stands flat, in the clip's ground frame (where the travel starts) [m].
+    Vec3 anchor;
 };
 
 /// Where the character's own frame is: on the ground, from where the clip began.
@@ -42,16 +44,20 @@ struct ClipObstacle {
 
 /// A motion: poses at a fixed rate, where they travel, and what touches when.
 struct Clip {
-    std::string name;               ///< "run", "crawl-enter"...
-    std::string motion;             ///< The motion it belongs to: "run", "duck", "crawl", "swim", "jump", "climb"...
-    double rate = 60.0;             ///< Frames a second > 0.
-    bool cyclic = true;             ///< The frame after the last is the first again, one travel on.
-    std::vector<BodyPose> poses;        ///< Cyclic: duration * rate of them; else one more. In the travelling frame.
-    std::vector<Travel> travel;     ///< As many as poses, and for cyclic clips one more: where the next cycle begins.
+    std::string name;  ///< "run", "crawl-enter"...
+    /// The motion it belongs to: "run", "duck", "crawl", "swim", "jump", "climb"...
+    std::string motion;
+    double rate = 60.0;  ///< Frames a second > 0.
+    bool cyclic = true;  ///< The frame after the last is the first again, one travel on.
+    /// Cyclic: duration * rate of them; else one more. In the travelling frame.
+    std::vector<BodyPose> poses;
+    /// As many as poses, and for cyclic clips one more: where the next cycle begins.
+    std::vector<Travel> travel;
     std::vector<Contact> contacts;  ///< In order of `begin`.
-    double entryPhase = 0.0;        ///< Share of a following cycle (of the motion entered) at which it continues.
-    double exitPhase = 0.0;         ///< Share of the cycle of the motion before at which it begins.
-    ClipObstacle obstacle;          ///< What it goes over.
+    /// Share of a following cycle (of the motion entered) at which it continues.
+    double entryPhase = 0.0;
+    double exitPhase = 0.0;  ///< Share of the cycle of the motion before at which it begins.
+    ClipObstacle obstacle;   ///< What it goes over.
 
     double duration() const;  ///< Of one play [s].
     double length() const;    ///< Net ground covered by one play [m].
@@ -79,8 +85,8 @@ struct ClipLibrary {
 /// One travel after another: `then` begins where `first` ends, turned as it is.
 Travel operator*(const Travel& first, const Travel& then);
 
-/// Fails with InvalidArgument, naming clip and culprit, where numbers are not finite, counts do not fit or contacts
-/// lie outside the clip.
+/// Fails with InvalidArgument, naming clip and culprit, where numbers are not finite, counts do not fit or
+/// contacts lie outside the clip.
 Status validate(const Clip& clip);
 
 }  // namespace muster

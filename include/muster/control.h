@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "muster/id.h"
 #include "formation/mesh/arap.h"
+#include "muster/id.h"
 
 namespace muster {
 
@@ -49,11 +49,13 @@ struct Control {
     bool pinned = false;       ///< Stays where its path ends.
     bool open = true;          ///< Others may still join, if their stamps lie within the window.
     double closes = -1.0;      ///< When it stops being open [s]; negative until its first step.
-    double began = 0.0;        ///< Stamp of the first touch [s]; ahead of the world's time where it was paused.
-    double clock = 0.0;        ///< Drawing time reached along the paths [s].
+    /// Stamp of the first touch [s]; ahead of the world's time where it was paused.
+    double began = 0.0;
+    double clock = 0.0;  ///< Drawing time reached along the paths [s].
     std::vector<ControlPoint> points;
     std::vector<MeshPoint> supplementary;  ///< Points held softly.
-    std::vector<double> weights;           ///< supplementary x points: rows that sum to 1 (linear, or mean-value).
+    /// Supplementary x points: rows that sum to 1 (linear, or mean-value).
+    std::vector<double> weights;
 
     /// Lets an archive read or write the control.
     template <class Archive>
@@ -76,20 +78,25 @@ struct ControlDef {
 class ControlSet {
 public:
     /// A finger comes down at `position` on the mesh with these vertices (Vf, as people see it): starts a
-    /// point control on the nearest vertex, or joins the same client's open control and upgrades it to line or
-    /// area. `held` are the vertices that controls move (Vu); empty where they are the same. Refused (false): a
-    /// finger that is down already, one whose nearest vertex is held by a finger or a pin (a lifted control
-    /// still on its way gives way), numbers that are not finite, more than 32 fingers of a client or 64 controls.
-    bool touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position, double time,
-                   const TriangleMesh& rest, std::span<const Vec2> vertices, std::span<const Vec2> held = {});
+    /// point control on the nearest vertex, or joins the same client's open control and upgrades it to line
+    /// or area. `held` are the vertices that controls move (Vu); empty where they are the same. Refused
+    /// (false): a finger that is down already, one whose nearest vertex is held by a finger or a pin (a
+    /// lifted control still on its way gives way), numbers that are not finite, more than 32 fingers of a
+    /// client or 64 controls.
+    bool touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
+                   double time, const TriangleMesh& rest, std::span<const Vec2> vertices,
+                   std::span<const Vec2> held = {});
     /// Starts a whole control of a given kind at once (mouse: rubber band, lasso; API): one position
-    /// and touch number per point. False where the number does not suit the kind (1, 2, 3 and more), or as above.
+    /// and touch number per point. False where the number does not suit the kind (1, 2, 3 and more), or as
+    /// above.
     bool addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
                     std::span<const std::uint32_t> touches, std::span<const Vec2> positions, double time,
-                    const TriangleMesh& rest, std::span<const Vec2> vertices, std::span<const Vec2> held = {});
+                    const TriangleMesh& rest, std::span<const Vec2> vertices,
+                    std::span<const Vec2> held = {});
     /// The finger moves: its path grows (at most 4096 checkpoints; then every second goes). False for an
     /// unknown finger or a number that is not finite.
-    bool touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position, double time);
+    bool touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
+                   double time);
     /// The finger lifts: the path stays to be followed. False for an unknown finger.
     bool touchUp(std::uint32_t client, std::uint32_t touch);
     /// Ends the control that this finger belongs to at once, dropping the path still ahead.

@@ -1,4 +1,5 @@
-// Whole bodies for a crowd: which clip each character plays, and its pose with feet on the floor (SPEC C3 to C6).
+// Whole bodies for a crowd: which clip each character plays, and its pose with feet on the floor (SPEC C3 to
+// C6).
 //
 // Reads the world and never changes it.
 #pragma once
@@ -38,12 +39,12 @@ struct PlacesView {
 
 /// What motion reads of a world.
 struct CrowdView {
-    const Characters* characters = nullptr;    ///< In ascending order of ids.
+    const Characters* characters = nullptr;  ///< In ascending order of ids.
     const Environment* environment = nullptr;
-    std::span<const PlacesView> places;        ///< By group; may be fewer.
-    double stepTime = 1.0 / 60.0;              ///< [s] > 0.
-    double maxSpeed = 2.0;                     ///< In the open [m/s].
-    double directReach = 1.5;                  ///< Nearer than this a place is aimed at itself [m].
+    std::span<const PlacesView> places;  ///< By group; may be fewer.
+    double stepTime = 1.0 / 60.0;        ///< [s] > 0.
+    double maxSpeed = 2.0;               ///< In the open [m/s].
+    double directReach = 1.5;            ///< Nearer than this a place is aimed at itself [m].
 };
 
 /// The motion of all characters of a world. Not thread-safe.
@@ -52,7 +53,7 @@ public:
     /// Motion by the clips of `library`, which must outlive this.
     explicit CrowdMotion(const ClipLibrary& library, const CrowdMotionDef& def = {});
     ~CrowdMotion();
-    CrowdMotion(CrowdMotion&&) noexcept;             ///< Moves.
+    CrowdMotion(CrowdMotion&&) noexcept;  ///< Moves.
     CrowdMotion& operator=(CrowdMotion&&) noexcept;
 
     /// Forgets all; the next update begins anew.
@@ -62,16 +63,16 @@ public:
     /// The same for a crowd that is no World.
     void update(const CrowdView& crowd);
 
-    /// Who gets whole poses from the next update on: ids of characters, in any order; others are passed over. Empty:
-    /// nobody.
+    /// Who gets whole poses from the next update on: ids of characters, in any order; others are passed over.
+    /// Empty: nobody.
     void setNear(std::span<const std::uint32_t> ids);
 
     /// One per character, in the world's order.
     std::span<const Playback> playbacks() const;
     /// Indices of characters with whole poses, ascending.
     std::span<const std::uint32_t> near() const;
-    /// The pose of near()[k], feet locked, for a body of size 1: the world holds it scaled by `size`, turned by `yaw`,
-    /// at `position`.
+    /// The pose of near()[k], feet locked, for a body of size 1: the world holds it scaled by `size`, turned
+    /// by `yaw`, at `position`.
     const BodyPose& pose(std::size_t k) const;
     /// True while that limb of near()[k] is held in a contact.
     bool held(std::size_t k, Limb limb) const;

@@ -7,14 +7,21 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/status.h"
 #include "geometry/triangulation.h"
+#include "muster/status.h"
 
 namespace muster {
 
 /// The library of shapes.
 enum class FormationKind : std::uint8_t {
-    Square, Line, Column, Wedge, Ring, Circle, Crescent, Pacman,
+    Square,
+    Line,
+    Column,
+    Wedge,
+    Ring,
+    Circle,
+    Crescent,
+    Pacman,
     Outline,  ///< Any polygon with holes, scaled to hold the count at the spacing.
     Points,   ///< Explicit places; the mesh is made round them.
 };
@@ -27,10 +34,10 @@ Result<FormationKind> formationKind(std::string_view name);
 /// Describes a formation. Local frame: it faces +x, its centre is the origin.
 struct FormationDef {
     FormationKind kind = FormationKind::Square;
-    double spacing = 1.0;        ///< Distance between neighbouring places [m] > 0.
-    double opening = 1.2;        ///< Full angle of Pacman's mouth or the crescent's gap [rad] in (0, 6].
-    PolygonWithHoles outline;    ///< For Outline, any size.
-    std::vector<Vec2> points;    ///< For Points: places in the local frame [m]; kept in order.
+    double spacing = 1.0;      ///< Distance between neighbouring places [m] > 0.
+    double opening = 1.2;      ///< Full angle of Pacman's mouth or the crescent's gap [rad] in (0, 6].
+    PolygonWithHoles outline;  ///< For Outline, any size.
+    std::vector<Vec2> points;  ///< For Points: places in the local frame [m]; kept in order.
 
     /// Lets an archive read or write the definition.
     template <class Archive>

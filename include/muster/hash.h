@@ -24,10 +24,10 @@ public:
     void add(float value) { addWord(bitCast<std::uint32_t>(value == 0.0f ? 0.0f : value)); }
     /// Adds a whole number.
     void add(std::uint64_t value) { addWord(value); }
-    void add(std::uint32_t value) { addWord(value); }  ///< Adds a whole number.
+    void add(std::uint32_t value) { addWord(value); }                             ///< Adds a whole number.
     void add(std::int32_t value) { addWord(static_cast<std::uint32_t>(value)); }  ///< Adds a whole number.
-    void add(std::uint8_t value) { addWord(value); }  ///< Adds a whole number.
-    void add(bool value) { addWord(value ? 1u : 0u); }  ///< Adds a flag.
+    void add(std::uint8_t value) { addWord(value); }                              ///< Adds a whole number.
+    void add(bool value) { addWord(value ? 1u : 0u); }                            ///< Adds a flag.
     /// Adds length and bytes.
     void add(const std::string& text) {
         add(static_cast<std::uint32_t>(text.size()));

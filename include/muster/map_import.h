@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/obstacle.h"
 #include "muster/patch.h"
+#include "muster/status.h"
 
 namespace muster {
 

@@ -16,24 +16,25 @@ inline constexpr double kStuckFor = 5.0;      ///< ... for this long [s].
 
 /// Figures of a run. Times count from the last command.
 struct RunFigures {
-    std::int32_t characters = 0;    ///< At the end.
-    std::uint32_t steps = 0;        ///< Done.
-    std::uint64_t hash = 0;         ///< Of the state at the end.
-    double arrived95 = -1.0;        ///< [s]; -1 where not reached.
-    double arrived100 = -1.0;       ///< [s]; -1 where not reached.
-    std::int32_t stuck = 0;         ///< Not arrived, and within 0.25 m for the last 5 s.
-    double pathRatio = -1.0;        ///< Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
-    std::int32_t overlapPairsMax = 0;  ///< Most pairs at once deeper than 10 % of the mean diameter.
-    double worstPenetration = 0.0;  ///< Share of the mean diameter.
+    std::int32_t characters = 0;  ///< At the end.
+    std::uint32_t steps = 0;      ///< Done.
+    std::uint64_t hash = 0;       ///< Of the state at the end.
+    double arrived95 = -1.0;      ///< [s]; -1 where not reached.
+    double arrived100 = -1.0;     ///< [s]; -1 where not reached.
+    std::int32_t stuck = 0;       ///< Not arrived, and within 0.25 m for the last 5 s.
+    /// Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
+    double pathRatio = -1.0;
+    std::int32_t overlapPairsMax = 0;         ///< Most pairs at once deeper than 10 % of the mean diameter.
+    double worstPenetration = 0.0;            ///< Share of the mean diameter.
     double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
-    WalkTotals planned;             ///< Ways to the places by the last plan, all groups.
-    WalkTotals walked;              ///< Ways walked by those still there.
-    double lagP95 = 0.0;            ///< Distance to the place at the end, p95 [m].
-    std::int32_t unmatched = 0;     ///< At the end.
-    std::int32_t collected = 0;     ///< Items.
-    double stepP50 = 0.0;           ///< [ms]
-    double stepP95 = 0.0;           ///< [ms]
-    double stepMax = 0.0;           ///< [ms]
+    WalkTotals planned;                       ///< Ways to the places by the last plan, all groups.
+    WalkTotals walked;                        ///< Ways walked by those still there.
+    double lagP95 = 0.0;                      ///< Distance to the place at the end, p95 [m].
+    std::int32_t unmatched = 0;               ///< At the end.
+    std::int32_t collected = 0;               ///< Items.
+    double stepP50 = 0.0;                     ///< [ms]
+    double stepP95 = 0.0;                     ///< [ms]
+    double stepMax = 0.0;                     ///< [ms]
     std::array<double, static_cast<std::size_t>(Stage::Count)> stageMean{};  ///< [ms] by Stage.
 };
 
@@ -57,14 +58,14 @@ private:
     double pathRatio(const World& world) const;
 
     std::vector<std::uint32_t> ids_;
-    std::vector<std::uint32_t> reachedAt_;      // Step at which it got within reach; kNever outside.
+    std::vector<std::uint32_t> reachedAt_;  // Step at which it got within reach; kNever outside.
     std::vector<Vec2> start_;
     std::vector<Vec2> last_;
     std::vector<double> walked_;
-    std::vector<std::array<Vec2, 6>> trail_;    // Positions by second, the newest first.
+    std::vector<std::array<Vec2, 6>> trail_;  // Positions by second, the newest first.
     std::uint32_t trailSamples_ = 0;
-    std::uint32_t samplePeriod_ = 60;           // Steps in a second.
-    bool still_ = true;                         // Nothing moved on a path and no command was given.
+    std::uint32_t samplePeriod_ = 60;  // Steps in a second.
+    bool still_ = true;                // Nothing moved on a path and no command was given.
     std::vector<float> stepTimes_;
     std::array<double, static_cast<std::size_t>(Stage::Count)> stageSum_{};
     std::uint64_t swaps_ = 0;

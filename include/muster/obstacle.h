@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/polygon.h"
 #include "muster/id.h"
 #include "muster/timed_path.h"
-#include "geometry/polygon.h"
 
 namespace muster {
 
@@ -31,14 +31,14 @@ struct ObstacleDef {
 
 /// One convex part of an obstacle as it stands now: a polygon, or a disc where it has no corners.
 struct ObstaclePiece {
-    Polygon corners;      ///< Counter-clockwise [m]; empty for a disc.
-    Vec2 centre;          ///< Centre of area [m].
-    double radius = 0.0;  ///< Of the disc, or of the circle round the corners [m].
-    Vec2 velocity;        ///< [m/s]
-    double range = 0.0;   ///< Of the potential field [m].
-    double strength = 0.0;///< Of the potential field.
-    ObstacleId obstacle;  ///< Whose part it is.
-    bool moving = false;  ///< Follows a path.
+    Polygon corners;        ///< Counter-clockwise [m]; empty for a disc.
+    Vec2 centre;            ///< Centre of area [m].
+    double radius = 0.0;    ///< Of the disc, or of the circle round the corners [m].
+    Vec2 velocity;          ///< [m/s]
+    double range = 0.0;     ///< Of the potential field [m].
+    double strength = 0.0;  ///< Of the potential field.
+    ObstacleId obstacle;    ///< Whose part it is.
+    bool moving = false;    ///< Follows a path.
 
     /// Distance from `p` to the surface [m], negative inside.
     double signedDistance(Vec2 p) const;

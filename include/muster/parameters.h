@@ -111,7 +111,8 @@ std::span<const ParameterInfo> parameterTable();
 Status setParameter(Parameters& parameters, std::string_view name, double value);
 /// "muster" (the defaults) or "paper" (p = 1, threshold 0, a plan every step). Fails with NotFound.
 Result<Parameters> parameterPreset(std::string_view name);
-/// Sets what the presets differ in as that preset has it; all else stays. Fails, changing nothing, with NotFound.
+/// Sets what the presets differ in as that preset has it; all else stays. Fails, changing nothing, with
+/// NotFound.
 Status usePreset(Parameters& parameters, std::string_view name);
 
 }  // namespace muster

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/polygon.h"
 #include "muster/id.h"
 #include "muster/timed_path.h"
-#include "geometry/polygon.h"
 
 namespace muster {
 
@@ -36,11 +36,11 @@ std::vector<ClipFacts> defaultClipFacts();
 
 /// Describes a patch.
 struct PatchDef {
-    std::string name;    ///< "Net", "Pool"...; shown on its tag.
-    Polygon polygon;     ///< Simple, convex or not.
-    TimedPath path;      ///< Moves it; empty for one that stands still.
-    MotionId motion = 0; ///< Clip played on it.
-    double speed = -1.0; ///< Travel speed > 0 relative to running; negative: the clip's.
+    std::string name;     ///< "Net", "Pool"...; shown on its tag.
+    Polygon polygon;      ///< Simple, convex or not.
+    TimedPath path;       ///< Moves it; empty for one that stands still.
+    MotionId motion = 0;  ///< Clip played on it.
+    double speed = -1.0;  ///< Travel speed > 0 relative to running; negative: the clip's.
 
     /// Lets an archive read or write the definition.
     template <class Archive>

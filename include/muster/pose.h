@@ -11,8 +11,9 @@ namespace muster {
 
 /// How a body is held, in the character's own frame: on the ground below it, facing +x.
 struct BodyPose {
-    Vec3 hips;                              ///< Where the hips are [m].
-    std::array<Quat, kJointCount> rotation; ///< Of each joint relative to its parent; of the hips to the character.
+    Vec3 hips;  ///< Where the hips are [m].
+    /// Of each joint relative to its parent; of the hips to the character.
+    std::array<Quat, kJointCount> rotation;
 };
 
 /// The rest pose.

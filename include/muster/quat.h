@@ -23,11 +23,17 @@ constexpr Quat operator*(Quat a, Quat b) {
             a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 /// The same numbers with the other sign: the same rotation.
-constexpr Quat operator-(Quat q) { return {-q.x, -q.y, -q.z, -q.w}; }
+constexpr Quat operator-(Quat q) {
+    return {-q.x, -q.y, -q.z, -q.w};
+}
 /// The rotation undone.
-constexpr Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
+constexpr Quat conjugate(Quat q) {
+    return {-q.x, -q.y, -q.z, q.w};
+}
 /// Four-dimensional scalar product: the cosine of half the angle between two rotations, up to sign.
-constexpr float dot(Quat a, Quat b) { return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w; }
+constexpr float dot(Quat a, Quat b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
 /// Of unit length; no rotation where `q` is all zeros.
 inline Quat normalized(Quat q) {
     const float l2 = dot(q, q);
@@ -47,8 +53,11 @@ inline Quat axisAngle(Vec3 axis, double angle) {
     return {axis.x * s, axis.y * s, axis.z * s, static_cast<float>(cosine(0.5 * angle))};
 }
 /// Turn about the vertical: to the left where `angle` [rad] is positive.
-inline Quat yawTurn(double angle) { return axisAngle({0.0f, 0.0f, 1.0f}, angle); }
-/// The smallest turn that takes unit vector `from` to unit vector `to`; half a turn about some axis where opposite.
+inline Quat yawTurn(double angle) {
+    return axisAngle({0.0f, 0.0f, 1.0f}, angle);
+}
+/// The smallest turn that takes unit vector `from` to unit vector `to`; half a turn about some axis where
+/// opposite.
 inline Quat shortestArc(Vec3 from, Vec3 to) {
     const float d = dot(from, to);
     if (d < -0.999999f) {

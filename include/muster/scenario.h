@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/status.h"
 #include "base/text_file.h"
+#include "muster/status.h"
 #include "muster/world_def.h"
 
 namespace muster {
@@ -18,7 +18,8 @@ inline constexpr std::size_t kMaxScenarioBytes = kMaxTextBytes;  ///< Largest fi
 Result<WorldDef> loadScenario(const std::string& path);
 /// The same from text. `sourceName` stands for the file in messages; `baseFolder` is where relative map
 /// files are looked for (empty: files are refused, only embedded maps are allowed).
-Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceName, const std::string& baseFolder);
+Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceName,
+                               const std::string& baseFolder);
 /// The whole definition as text, its map embedded: parsing it gives the same definition, bit for bit.
 std::string writeScenario(const WorldDef& def);
 /// Writes the text to a file. Fails with IoError.

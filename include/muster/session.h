@@ -10,36 +10,37 @@
 #include <string>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/clip.h"
+#include "muster/status.h"
 #include "muster/world.h"
 
 namespace muster {
 
-/// Clients up to this number are those of gestures: a demonstration's touches keep their numbers, so that it gives the
-/// same hashes as a run of its gestures. Who connects gets a higher one.
+/// Clients up to this number are those of gestures: a demonstration's touches keep their numbers, so that it
+/// gives the same hashes as a run of its gestures. Who connects gets a higher one.
 inline constexpr std::uint32_t kLastDemonstrator = 1000;
 
 /// Bounds of what clients may ask for; anything beyond gets a Notice and changes nothing.
 struct SessionLimits {
-    double touchesPerSecond = 5000.0;             ///< Touch events of one client, on average; as many at once.
-    std::size_t touchesPerMessage = 1024;         ///< Events of one Touches message.
-    std::size_t pointsPerControl = 64;            ///< Points of one AddControl message.
-    std::size_t waitingCommands = 20000;          ///< For one step: reached only while paused.
-    std::int32_t charactersPerGroup = 20000;      ///< By SetCount.
-    std::size_t takeBytes = std::size_t{64} << 20;///< Of the log kept since the world began; it ends there.
+    /// Touch events of one client, on average; as many at once.
+    double touchesPerSecond = 5000.0;
+    std::size_t touchesPerMessage = 1024;           ///< Events of one Touches message.
+    std::size_t pointsPerControl = 64;              ///< Points of one AddControl message.
+    std::size_t waitingCommands = 20000;            ///< For one step: reached only while paused.
+    std::int32_t charactersPerGroup = 20000;        ///< By SetCount.
+    std::size_t takeBytes = std::size_t{64} << 20;  ///< Of the log kept since the world began; it ends there.
     std::size_t openTakeBytes = std::size_t{64} << 20;  ///< Of a take to open.
-    std::size_t wholePoses = 500;                 ///< Of the characters a client looks at.
-    double noticesPerSecond = 5.0;                ///< To one client; more are left out.
-    double overlaysPerSecond = 5.0;               ///< To one client.
+    std::size_t wholePoses = 500;                       ///< Of the characters a client looks at.
+    double noticesPerSecond = 5.0;                      ///< To one client; more are left out.
+    double overlaysPerSecond = 5.0;                     ///< To one client.
 };
 
 /// A scenario that clients may load.
 struct ScenarioEntry {
-    std::string name;             ///< What LoadScenario calls it.
-    std::string title;            ///< For people.
-    std::string description;      ///< One or two sentences.
-    std::uint32_t characters = 0; ///< Of all groups.
+    std::string name;              ///< What LoadScenario calls it.
+    std::string title;             ///< For people.
+    std::string description;       ///< One or two sentences.
+    std::uint32_t characters = 0;  ///< Of all groups.
 };
 
 /// Where a recording is kept while it runs.
@@ -58,13 +59,14 @@ struct SessionDef {
     std::vector<ScenarioEntry> scenarios;  ///< In the order of the picker.
     /// Reads one of them. Null where there is nothing to load from.
     std::function<Result<WorldDef>(const std::string& name)> loadScenario;
-    /// Reads the touches that a scenario of that name and definition carries. Null where there are none to watch.
+    /// Reads the touches that a scenario of that name and definition carries. Null where there are none to
+    /// watch.
     std::function<Result<std::vector<Command>>(const std::string& name, const WorldDef& def)> loadGestures;
     /// The clips that characters of a scenario of that name and definition move by. Null: Muster's own.
     std::function<Result<ClipLibrary>(const std::string& name, const WorldDef& def)> loadClips;
     /// Begins a file for a recording of that scenario. Null keeps recordings in memory only.
     std::function<Result<std::unique_ptr<TakeSink>>(const std::string& name)> openSink;
-    std::int32_t threads = 1;              ///< Of the world, as for ThreadPool.
+    std::int32_t threads = 1;  ///< Of the world, as for ThreadPool.
     SessionLimits limits;
 };
 
@@ -102,8 +104,8 @@ public:
     void receive(std::uint32_t client, std::span<const std::uint8_t> bytes);
     /// Tells one client something.
     void notice(std::uint32_t client, bool error, const std::string& code, const std::string& text);
-    /// Moves what there is to send to `messages` (emptied first), in order. While the client has not acknowledged
-    /// a frame it gets no other: then the newest.
+    /// Moves what there is to send to `messages` (emptied first), in order. While the client has not
+    /// acknowledged a frame it gets no other: then the newest.
     void outgoing(std::uint32_t client, std::vector<MessageBytes>& messages);
 
     /// Real time has passed [s] >= 0. What the world cannot keep up with is dropped, so it slows instead.

@@ -1,4 +1,5 @@
-// Takes: a scenario, the commands given to it and hashes of its state, so that it replays bit for bit (SPEC B6).
+// Takes: a scenario, the commands given to it and hashes of its state, so that it replays bit for bit (SPEC
+// B6).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "muster/status.h"
 #include "muster/command.h"
+#include "muster/status.h"
 #include "muster/world.h"
 
 namespace muster {
@@ -19,9 +20,10 @@ inline constexpr std::uint32_t kTakeMarkSpacing = 60;  ///< Steps between hash m
 
 /// The hash of a world's state after that many steps.
 struct HashMark {
-    std::uint32_t step = 0;      ///< Steps done.
-    std::uint64_t hash = 0;      ///< World::hash() then.
-    std::uint32_t commands = 0;  ///< Recorded before it: those were submitted by then (not in the file's mark itself).
+    std::uint32_t step = 0;  ///< Steps done.
+    std::uint64_t hash = 0;  ///< World::hash() then.
+    /// Recorded before it: those were submitted by then (not in the file's mark itself).
+    std::uint32_t commands = 0;
     friend bool operator==(const HashMark&, const HashMark&) = default;
 };
 
@@ -35,7 +37,8 @@ struct Take {
     std::size_t tornBytes = 0;      ///< Bytes of an unfinished last record that were left out.
     /// Steps whose hashes are known: up to the last mark.
     std::uint32_t markedSteps() const { return marks.empty() ? 0 : marks.back().step; }
-    /// Steps that can be replayed: also those behind the last mark of an unfinished take, to its last command.
+    /// Steps that can be replayed: also those behind the last mark of an unfinished take, to its last
+    /// command.
     std::uint32_t steps() const;
 };
 
@@ -78,7 +81,8 @@ private:
 };
 
 /// Reads a take. A torn last record is left out and reported in `tornBytes`. Fails with Corrupt, naming the
-/// offset, where anything before it does not match its checksum; with ParseError or Unsupported on other files.
+/// offset, where anything before it does not match its checksum; with ParseError or Unsupported on other
+/// files.
 Result<Take> readTake(const std::string& path);
 /// The same from bytes.
 Result<Take> parseTake(std::span<const std::uint8_t> bytes, const std::string& sourceName);
@@ -92,7 +96,8 @@ struct ReplayReport {
 };
 
 /// Simulates the take again and compares every mark; then, where the take is unfinished, goes on to its last
-/// command. Fails with Corrupt naming the step of the first mark that differs. `observe` is called after every step; it returns false to stop early.
+/// command. Fails with Corrupt naming the step of the first mark that differs. `observe` is called after
+/// every step; it returns false to stop early.
 Result<ReplayReport> replayTake(const Take& take, std::int32_t threads = 1,
                                 const std::function<bool(const World&)>& observe = {});
 

@@ -10,9 +10,9 @@ namespace muster {
 
 /// A place at a time.
 struct Waypoint {
-    double time = 0.0;  ///< [s] from the start of the world.
-    Vec2 position;      ///< Offset from the thing's defined placement [m].
-    double angle = 0.0; ///< Turn about its centre [rad].
+    double time = 0.0;   ///< [s] from the start of the world.
+    Vec2 position;       ///< Offset from the thing's defined placement [m].
+    double angle = 0.0;  ///< Turn about its centre [rad].
 
     /// Lets an archive read or write the waypoint.
     template <class Archive>

@@ -14,42 +14,76 @@ struct Vec2 {
     friend bool operator==(const Vec2&, const Vec2&) = default;
 };
 
-constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-constexpr Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
-constexpr Vec2 operator*(Vec2 a, double s) { return {a.x * s, a.y * s}; }
-constexpr Vec2 operator*(double s, Vec2 a) { return {a.x * s, a.y * s}; }
-constexpr Vec2 operator/(Vec2 a, double s) { return {a.x / s, a.y / s}; }
-constexpr Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
-constexpr Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
-constexpr Vec2& operator*=(Vec2& a, double s) { return a = a * s; }
+constexpr Vec2 operator+(Vec2 a, Vec2 b) {
+    return {a.x + b.x, a.y + b.y};
+}
+constexpr Vec2 operator-(Vec2 a, Vec2 b) {
+    return {a.x - b.x, a.y - b.y};
+}
+constexpr Vec2 operator-(Vec2 a) {
+    return {-a.x, -a.y};
+}
+constexpr Vec2 operator*(Vec2 a, double s) {
+    return {a.x * s, a.y * s};
+}
+constexpr Vec2 operator*(double s, Vec2 a) {
+    return {a.x * s, a.y * s};
+}
+constexpr Vec2 operator/(Vec2 a, double s) {
+    return {a.x / s, a.y / s};
+}
+constexpr Vec2& operator+=(Vec2& a, Vec2 b) {
+    return a = a + b;
+}
+constexpr Vec2& operator-=(Vec2& a, Vec2 b) {
+    return a = a - b;
+}
+constexpr Vec2& operator*=(Vec2& a, double s) {
+    return a = a * s;
+}
 
 /// Scalar product.
-constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+constexpr double dot(Vec2 a, Vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
 /// The z component of the cross product: positive where `b` lies to the left of `a`.
-constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+constexpr double cross(Vec2 a, Vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
 /// `a` turned left by a quarter.
-constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
+constexpr Vec2 perpendicular(Vec2 a) {
+    return {-a.y, a.x};
+}
 /// Squared length [m^2].
-constexpr double lengthSquared(Vec2 a) { return dot(a, a); }
+constexpr double lengthSquared(Vec2 a) {
+    return dot(a, a);
+}
 /// Length [m].
-inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+inline double length(Vec2 a) {
+    return std::sqrt(dot(a, a));
+}
 /// Distance between two points [m].
-inline double distance(Vec2 a, Vec2 b) { return length(b - a); }
+inline double distance(Vec2 a, Vec2 b) {
+    return length(b - a);
+}
 /// The unit vector along `a`, or `fallback` where `a` is shorter than 1e-12 m.
 inline Vec2 normalized(Vec2 a, Vec2 fallback = {0.0, 0.0}) {
     const double l = length(a);
     return l > 1e-12 ? a / l : fallback;
 }
 /// The point at share `t` of the way from `a` to `b`.
-constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) { return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}; }
+constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {
+    return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+}
 /// `a` shortened to `limit` [m] where it is longer.
 inline Vec2 clampLength(Vec2 a, double limit) {
     const double l2 = dot(a, a);
     return l2 > limit * limit ? a * (limit / std::sqrt(l2)) : a;
 }
 /// True where both coordinates are finite numbers.
-inline bool isFinite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+inline bool isFinite(Vec2 a) {
+    return std::isfinite(a.x) && std::isfinite(a.y);
+}
 
 /// A rotation by an angle, kept as its cosine and sine.
 struct Rotation {
@@ -78,8 +112,8 @@ struct Box {
     Vec2 min;  ///< Lower left corner [m].
     Vec2 max;  ///< Upper right corner [m].
 
-    constexpr double width() const { return max.x - min.x; }    ///< [m]
-    constexpr double height() const { return max.y - min.y; }   ///< [m]
+    constexpr double width() const { return max.x - min.x; }   ///< [m]
+    constexpr double height() const { return max.y - min.y; }  ///< [m]
     /// True where `p` lies inside or on the edge.
     constexpr bool contains(Vec2 p) const {
         return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y;

@@ -9,23 +9,34 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "crowd/characters.h"
-#include "crowd/contacts.h"
 #include "cost/density.h"
 #include "cost/unit_cost.h"
-#include "muster/control.h"
+#include "crowd/characters.h"
+#include "crowd/contacts.h"
 #include "formation/mesh/formation_mesh.h"
 #include "formation/places/place_tracker.h"
-#include "planning/plan.h"
 #include "muster/command.h"
+#include "muster/control.h"
 #include "muster/event.h"
 #include "muster/world_def.h"
+#include "planning/plan.h"
 
 namespace muster {
 
 /// The stages of a step, in order.
 enum class Stage : std::uint8_t {
-    Commands, Controls, UserMesh, FinalMesh, Places, DensityAndCost, Plan, Steering, Contacts, Patches, Events, Count
+    Commands,
+    Controls,
+    UserMesh,
+    FinalMesh,
+    Places,
+    DensityAndCost,
+    Plan,
+    Steering,
+    Contacts,
+    Patches,
+    Events,
+    Count
 };
 /// "commands", "controls", "user mesh"...
 const char* stageName(Stage stage);
@@ -63,16 +74,17 @@ struct WalkTotals {
 /// What can be read of a group.
 struct GroupView {
     GroupId id;
-    const GroupDef* def = nullptr;          ///< Name, count and formation as they are now.
-    const FormationMesh* mesh = nullptr;    ///< Rest shape, Vu, Vf.
+    const GroupDef* def = nullptr;        ///< Name, count and formation as they are now.
+    const FormationMesh* mesh = nullptr;  ///< Rest shape, Vu, Vf.
     const ControlSet* controls = nullptr;
     const PlaceTracker* places = nullptr;
     const Plan* plan = nullptr;
-    double objective = 0.0;                 ///< Of the last plan [cost^p].
-    double gapBound = 0.0;                  ///< Of the last plan [cost^p].
-    WalkTotals walk;                        ///< Of the last plan: what every objective would judge.
-    double meanLag = 0.0;                   ///< Mean distance of characters to where their places are bound [m] (SPEC U6).
-    std::uint32_t formationVersion = 0;     ///< Grows when the mesh is exchanged.
+    double objective = 0.0;  ///< Of the last plan [cost^p].
+    double gapBound = 0.0;   ///< Of the last plan [cost^p].
+    WalkTotals walk;         ///< Of the last plan: what every objective would judge.
+    /// Mean distance of characters to where their places are bound [m] (SPEC U6).
+    double meanLag = 0.0;
+    std::uint32_t formationVersion = 0;  ///< Grows when the mesh is exchanged.
 };
 
 /// Deterministic simulation at a fixed time step. Not thread-safe; threads inside never change results.
@@ -80,7 +92,8 @@ class World {
 public:
     /// Builds a world. `threads` as for ThreadPool. Fails with InvalidArgument naming the culprit.
     static Result<World> create(const WorldDef& def, std::int32_t threads = 1);
-    /// The same, with its work handed to the caller's own task runner, which outlives the world. Results are the same.
+    /// The same, with its work handed to the caller's own task runner, which outlives the world. Results are
+    /// the same.
     static Result<World> create(const WorldDef& def, const TaskRunner& runner);
     /// A world from snapshot(): goes on bit for bit. Fails with ParseError on anything else.
     static Result<World> restore(std::span<const std::uint8_t> snapshot, std::int32_t threads = 1);
@@ -106,13 +119,13 @@ public:
     const DensityField& density() const;       ///< Of the last step.
     /// Unit cost of the last step; null before the first.
     const UnitCost* unitCost() const;
-    std::span<const Event> events() const;         ///< Of the last step.
-    std::span<const Rejection> rejections() const; ///< Of the last step.
+    std::span<const Event> events() const;          ///< Of the last step.
+    std::span<const Rejection> rejections() const;  ///< Of the last step.
     std::span<const ItemDef> items() const;
     std::span<const std::uint8_t> collected() const;  ///< Per item, 1 once collected.
     std::span<const FormationCheckpointDef> checkpoints() const;
-    const StageTimes& stageTimes() const;          ///< Of the last step.
-    const ContactReport& contacts() const;         ///< After the last step.
+    const StageTimes& stageTimes() const;   ///< Of the last step.
+    const ContactReport& contacts() const;  ///< After the last step.
     /// Step of the last applied command (0 for none): the clock of "arrived" starts there.
     std::uint32_t lastCommandStep() const;
 

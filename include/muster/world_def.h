@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "environment/environment.h"
-#include "muster/map_import.h"
 #include "muster/formation.h"
+#include "muster/map_import.h"
 #include "muster/parameters.h"
 
 namespace muster {
@@ -32,11 +32,11 @@ struct GroupDef {
 
 /// A spot that changes the formation of a group whose mesh centre comes within its radius (SPEC M7).
 struct FormationCheckpointDef {
-    Vec2 position;           ///< [m]
-    double radius = 2.0;     ///< [m] > 0
-    FormationDef formation;  ///< What the group becomes.
-    std::int32_t group = -1; ///< Index of the group it concerns; -1 for any.
-    bool once = true;        ///< Works once per group; else each time the group comes anew.
+    Vec2 position;            ///< [m]
+    double radius = 2.0;      ///< [m] > 0
+    FormationDef formation;   ///< What the group becomes.
+    std::int32_t group = -1;  ///< Index of the group it concerns; -1 for any.
+    bool once = true;         ///< Works once per group; else each time the group comes anew.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
@@ -71,15 +71,16 @@ struct MapGround {
 
 /// Everything a world starts from.
 struct WorldDef {
-    std::string name = "Untitled";                    ///< Shown in the studio.
-    std::string description;                          ///< One or two sentences.
-    std::string credit;                               ///< Whose data it uses; may be empty.
-    std::string gestures;                             ///< File of the touches that belong to it, beside the scenario;
-                                                      ///< empty for none. A World takes no notice of it.
-    Box box{{-16, -16}, {16, 16}};                    ///< [m]
-    double cell = 0.25;                               ///< Edge of a ground cell [m] > 0.
-    std::uint64_t seed = 1;                           ///< Of all random numbers.
-    std::vector<ClipFacts> clips = defaultClipFacts();///< Indexed by MotionId.
+    std::string name = "Untitled";  ///< Shown in the studio.
+    std::string description;        ///< One or two sentences.
+    std::string credit;             ///< Whose data it uses; may be empty.
+    /// File of the touches that belong to it, beside the scenario; empty for none. A World takes no notice of
+    /// it.
+    std::string gestures;
+    Box box{{-16, -16}, {16, 16}};                      ///< [m]
+    double cell = 0.25;                                 ///< Edge of a ground cell [m] > 0.
+    std::uint64_t seed = 1;                             ///< Of all random numbers.
+    std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
     std::vector<ObstacleDef> obstacles;
     std::vector<PatchDef> patches;
     std::optional<MapGround> map;

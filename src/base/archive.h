@@ -62,7 +62,8 @@ class Reader {
 public:
     static constexpr bool kReading = true;  ///< Types may branch on this.
 
-    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}  ///< Reads `bytes`, which must outlive it.
+    /// Reads `bytes`, which must outlive it.
+    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
     /// Reads each value in turn.
     template <class... T>

@@ -37,14 +37,14 @@ void CellList::sort(std::span<const Vec2> points, double least) {
     for (std::size_t k = 0; k < points.size(); ++k) {
         const std::int32_t cell = grid.index(grid.nearestCell(points[k]));
         cellOf_[k] = cell;
-        ++start_[static_cast<std::size_t>(cell)];
+        ++start_[cell];
     }
     std::int32_t sum = 0;
     for (std::int32_t& s : start_) s = sum += s;
     // Filled from the back, so that points of one cell stay in ascending order.
     sorted_.resize(points.size());
     for (std::size_t k = points.size(); k-- > 0;) {
-        const auto at = static_cast<std::size_t>(--start_[static_cast<std::size_t>(cellOf_[k])]);
+        const auto at = static_cast<std::size_t>(--start_[cellOf_[k]]);
         item_[at] = static_cast<std::int32_t>(k);
         sorted_[at] = points[k];
     }

@@ -51,9 +51,7 @@ struct Grid {
         return high < raised ? high : raised;
     }
     /// Centre of a cell [m].
-    Vec2 centre(Cell c) const {
-        return {origin.x + (c.x + 0.5) * cell, origin.y + (c.y + 0.5) * cell};
-    }
+    Vec2 centre(Cell c) const { return {origin.x + (c.x + 0.5) * cell, origin.y + (c.y + 0.5) * cell}; }
     /// The four cell centres around `p`, clamped to the grid at its edges.
     BilinearStencil bilinear(Vec2 p) const {
         const double u = bounded((p.x - origin.x) / cell - 0.5, 0.0, width - 1.0);
@@ -65,7 +63,8 @@ struct Grid {
         const std::int32_t low = index({x, y}), high = low + up * width;
         const double fx = u - x;
         const double fy = v - y;
-        return {{low, low + right, high, high + right}, {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
+        return {{low, low + right, high, high + right},
+                {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
     }
     /// The box covered.
     Box box() const { return {origin, {origin.x + width * cell, origin.y + height * cell}}; }

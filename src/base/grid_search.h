@@ -38,7 +38,8 @@ std::optional<Cell> nearestCellWhere(const Grid& grid, Vec2 p, const Accept& acc
             look(x, start.y - k);
             if (k > 0) look(x, start.y + k);
         }
-        const std::int32_t low = std::max(start.y - k + 1, 0), high = std::min(start.y + k - 1, grid.height - 1);
+        const std::int32_t low = std::max(start.y - k + 1, 0),
+                           high = std::min(start.y + k - 1, grid.height - 1);
         for (std::int32_t y = low; y <= high; ++y) {
             look(start.x - k, y);
             look(start.x + k, y);
@@ -51,10 +52,11 @@ std::optional<Cell> nearestCellWhere(const Grid& grid, Vec2 p, const Accept& acc
 /// What labelRegions() is given for cells to be numbered.
 inline constexpr std::int32_t kUnseenRegion = -2;
 
-/// Numbers the connected parts of a grid from 0, in row-major order of their first cells; steps go to the four
-/// neighbours. `labels` holds kUnseenRegion for cells to be numbered and anything else for the others. Returns the
-/// number of parts; `stack` is working memory.
-inline std::int32_t labelRegions(const Grid& grid, std::span<std::int32_t> labels, std::vector<std::int32_t>& stack) {
+/// Numbers the connected parts of a grid from 0, in row-major order of their first cells; steps go to the
+/// four neighbours. `labels` holds kUnseenRegion for cells to be numbered and anything else for the others.
+/// Returns the number of parts; `stack` is working memory.
+inline std::int32_t labelRegions(const Grid& grid, std::span<std::int32_t> labels,
+                                 std::vector<std::int32_t>& stack) {
     std::int32_t count = 0;
     const auto take = [&](std::int32_t k) {
         if (labels[k] != kUnseenRegion) return;

@@ -21,7 +21,7 @@ constexpr auto kCrcTable = makeCrcTable();
 
 std::string toHex(std::uint64_t hash) {
     std::string text(16, '0');
-    for (int i = 15; i >= 0; --i, hash >>= 4) text[static_cast<std::size_t>(i)] = "0123456789abcdef"[hash & 15];
+    for (int i = 15; i >= 0; --i, hash >>= 4) text[i] = "0123456789abcdef"[hash & 15];
     return text;
 }
 

@@ -78,20 +78,28 @@ double arcTangentUnit(double x) {
 double sine(double angle) {
     double rest = 0.0;
     switch (reduce(angle, rest)) {
-        case 0: return sineKernel(rest);
-        case 1: return cosineKernel(rest);
-        case 2: return -sineKernel(rest);
-        default: return -cosineKernel(rest);
+        case 0:
+            return sineKernel(rest);
+        case 1:
+            return cosineKernel(rest);
+        case 2:
+            return -sineKernel(rest);
+        default:
+            return -cosineKernel(rest);
     }
 }
 
 double cosine(double angle) {
     double rest = 0.0;
     switch (reduce(angle, rest)) {
-        case 0: return cosineKernel(rest);
-        case 1: return -sineKernel(rest);
-        case 2: return -cosineKernel(rest);
-        default: return sineKernel(rest);
+        case 0:
+            return cosineKernel(rest);
+        case 1:
+            return -sineKernel(rest);
+        case 2:
+            return -cosineKernel(rest);
+        default:
+            return sineKernel(rest);
     }
 }
 

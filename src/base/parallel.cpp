@@ -10,8 +10,8 @@
 namespace muster {
 namespace {
 
-// How often a thread looks for work, or for the end of it, before it sleeps: about 0.1 ms. A sleeper wakes late by as
-// much as a stage of a step takes.
+// How often a thread looks for work, or for the end of it, before it sleeps: about 0.1 ms. A sleeper wakes
+// late by as much as a stage of a step takes.
 constexpr std::int32_t kSpins = 3000;
 
 void relax() {
@@ -39,15 +39,16 @@ enum class Aside : std::int32_t { None, Offered, Taken, Done };
 
 }  // namespace
 
-// A round lives in one word: its number above, items that nobody has taken below. Who takes an item by exchanging the word
-// knows that the round is still the one it saw, and that the round cannot end before it reports the item: so a worker
-// that wakes late finds nothing to do and nobody waits for it.
+// A round lives in one word: its number above, items that nobody has taken below. Who takes an item by
+// exchanging the word knows that the round is still the one it saw, and that the round cannot end before it
+// reports the item: so a worker that wakes late finds nothing to do and nobody waits for it.
 struct ThreadPool::Impl {
     std::int32_t total = 1;
     TaskRunner runner;
     std::vector<std::thread> workers;
     std::int32_t spins = 0;
-    const TaskRef* work = nullptr;   // Of this round, as is the count: read only by those who hold an item of it.
+    // Of this round, as is the count: read only by those who hold an item of it.
+    const TaskRef* work = nullptr;
     std::uint32_t count = 0;
     std::atomic<std::uint64_t> round{0};
     std::atomic<std::uint32_t> done{0};  // Items reported.
@@ -84,13 +85,16 @@ struct ThreadPool::Impl {
         std::uint32_t all = 0;
         std::uint64_t seen = round.load(std::memory_order_acquire);
         while ((seen & kLeftMask) != 0) {
-            if (!round.compare_exchange_weak(seen, seen - 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+            if (!round.compare_exchange_weak(seen, seen - 1, std::memory_order_acq_rel,
+                                             std::memory_order_acquire))
+                continue;
             all = count;
             (*work)(static_cast<std::int32_t>(all - static_cast<std::uint32_t>(seen & kLeftMask)), worker);
             ++mine;
             seen = round.load(std::memory_order_acquire);
         }
-        // From the last report on the caller may return and begin another round: only the lock is touched then.
+        // From the last report on the caller may return and begin another round: only the lock is touched
+        // then.
         if (mine == 0 || done.fetch_add(mine) + mine != all || !callerSleeps.load()) return;
         const std::lock_guard lock(mutex);
         finished.notify_one();
@@ -109,7 +113,8 @@ struct ThreadPool::Impl {
         }
     }
 
-    // Either a worker about to sleep sees what there is to do, or it is counted and waiting once the lock is had.
+    // Either a worker about to sleep sees what there is to do, or it is counted and waiting once the lock is
+    // had.
     void wakeAll() {
         if (sleepers.load() == 0) return;
         const std::lock_guard lock(mutex);
@@ -168,7 +173,9 @@ ThreadPool::~ThreadPool() {
     for (auto& worker : impl_->workers) worker.join();
 }
 
-std::int32_t ThreadPool::threads() const { return impl_->total; }
+std::int32_t ThreadPool::threads() const {
+    return impl_->total;
+}
 
 void ThreadPool::run(std::int32_t count, TaskRef work) {
     if (count > 1 && impl_->runner.run != nullptr) {
@@ -203,8 +210,10 @@ void ThreadPool::launch(void (*work)(void* context), void* context) {
 void ThreadPool::wait() {
     Impl& s = *impl_;
     if (s.aside.load() == Aside::None) return;
-    if (s.runner.run != nullptr) s.runner.wait(s.runner.context);
-    else if (!s.doAside()) s.await([&] { return s.aside.load() == Aside::Done; });
+    if (s.runner.run != nullptr)
+        s.runner.wait(s.runner.context);
+    else if (!s.doAside())
+        s.await([&] { return s.aside.load() == Aside::Done; });
     s.aside.store(Aside::None);
 }
 

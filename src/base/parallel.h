@@ -9,14 +9,15 @@
 
 namespace muster {
 
-/// A callable `(std::int32_t item, std::int32_t worker)` for the time of one call: a pointer to it, never a copy.
+/// A callable `(std::int32_t item, std::int32_t worker)` for the time of one call: a pointer to it, never a
+/// copy.
 class TaskRef {
 public:
     /// Refers to `callable`, which has to outlive the reference.
     template <class Callable>
-        requires(!std::is_same_v<std::remove_cvref_t<Callable>, TaskRef> &&
-                 std::is_invocable_v<Callable&, std::int32_t, std::int32_t>)
-    TaskRef(Callable&& callable)  // NOLINT: lambdas are handed over as they are.
+    requires(!std::is_same_v<std::remove_cvref_t<Callable>, TaskRef> &&
+             std::is_invocable_v<Callable&, std::int32_t, std::int32_t>)
+        TaskRef(Callable&& callable)  // NOLINT: lambdas are handed over as they are.
         : object_(const_cast<void*>(static_cast<const void*>(&callable))),
           call_([](void* object, std::int32_t item, std::int32_t worker) {
               (*static_cast<std::remove_reference_t<Callable>*>(object))(item, worker);
@@ -30,20 +31,23 @@ private:
     void (*call_)(void* object, std::int32_t item, std::int32_t worker);
 };
 
-/// A task runner of the program that Muster is part of (a game's job system), in place of Muster's own threads.
+/// A task runner of the program that Muster is part of (a game's job system), in place of Muster's own
+/// threads.
 struct TaskRunner {
     /// Most workers that run at a time, the caller counted in where it takes part: 1 to 256.
     std::int32_t threads = 1;
     void* context = nullptr;  ///< Handed to `run` as it is.
-    /// Calls `task(taskContext, item, worker)` once for every item in [0, count), in any order and on any threads, and
-    /// returns when all calls have returned and what they wrote can be seen by the caller. `worker` lies in
-    /// [0, threads), and no two calls at the same time have the same. Not null.
+    /// Calls `task(taskContext, item, worker)` once for every item in [0, count), in any order and on any
+    /// threads, and returns when all calls have returned and what they wrote can be seen by the caller.
+    /// `worker` lies in [0, threads), and no two calls at the same time have the same. Not null.
     void (*run)(void* context, std::int32_t count,
-                void (*task)(void* taskContext, std::int32_t item, std::int32_t worker), void* taskContext) = nullptr;
-    /// Calls `task(taskContext)` on another thread, now or later, and returns at once. Null where the program has none to
-    /// spare: such work is done in the caller then.
+                void (*task)(void* taskContext, std::int32_t item, std::int32_t worker),
+                void* taskContext) = nullptr;
+    /// Calls `task(taskContext)` on another thread, now or later, and returns at once. Null where the program
+    /// has none to spare: such work is done in the caller then.
     void (*launch)(void* context, void (*task)(void* taskContext), void* taskContext) = nullptr;
-    /// Returns when what was launched has returned, and what it wrote can be seen. Not null where `launch` is not.
+    /// Returns when what was launched has returned, and what it wrote can be seen. Not null where `launch` is
+    /// not.
     void (*wait)(void* context) = nullptr;
 };
 
@@ -52,7 +56,8 @@ class ThreadPool {
 public:
     /// `threads` in total, the caller counted in; 0 takes what the machine has.
     explicit ThreadPool(std::int32_t threads = 1);
-    /// No threads of its own: work goes to `runner`. Where it has no function or no thread, all runs in the caller.
+    /// No threads of its own: work goes to `runner`. Where it has no function or no thread, all runs in the
+    /// caller.
     explicit ThreadPool(const TaskRunner& runner);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;  ///< Threads cannot be copied.
@@ -62,11 +67,12 @@ public:
     std::int32_t threads() const;
     /// Calls `work(item, worker)` once for every item in [0, count); returns when all are done.
     /// `worker` in [0, threads()) picks private working memory. Items must not touch each other's
-    /// results: which worker takes which item is not fixed. Allocates nothing. Neither items nor other threads may
-    /// call it meanwhile.
+    /// results: which worker takes which item is not fixed. Allocates nothing. Neither items nor other
+    /// threads may call it meanwhile.
     void run(std::int32_t count, TaskRef work);
-    /// Has `work(context)` done beside whatever the caller does until wait(), run() included: by a worker that has time,
-    /// else by the caller. Waits for what was launched before. The work may not call this pool.
+    /// Has `work(context)` done beside whatever the caller does until wait(), run() included: by a worker
+    /// that has time, else by the caller. Waits for what was launched before. The work may not call this
+    /// pool.
     void launch(void (*work)(void* context), void* context);
     /// Returns when what was launched is done, at once where nothing was.
     void wait();
@@ -76,8 +82,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// Calls `each(i)` for all i in [0, count), `chunk` of them in one piece of work; in the caller where `pool` is null or one
-/// chunk holds them all. Calls must not touch each other's results.
+/// Calls `each(i)` for all i in [0, count), `chunk` of them in one piece of work; in the caller where `pool`
+/// is null or one chunk holds them all. Calls must not touch each other's results.
 template <class Each>
 void forChunks(ThreadPool* pool, std::size_t count, std::size_t chunk, const Each& each) {
     const auto task = [&](std::int32_t item, std::int32_t) {
@@ -86,8 +92,10 @@ void forChunks(ThreadPool* pool, std::size_t count, std::size_t chunk, const Eac
         for (std::size_t i = first; i < last; ++i) each(i);
     };
     const auto chunks = static_cast<std::int32_t>((count + chunk - 1) / chunk);
-    if (pool != nullptr && chunks > 1) pool->run(chunks, task);
-    else for (std::int32_t item = 0; item < chunks; ++item) task(item, 0);
+    if (pool != nullptr && chunks > 1)
+        pool->run(chunks, task);
+    else
+        for (std::int32_t item = 0; item < chunks; ++item) task(item, 0);
 }
 
 }  // namespace muster

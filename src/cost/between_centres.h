@@ -14,12 +14,13 @@ struct BetweenCentres {
     double fy = 0.0;  ///< Share of the way to the next row.
 };
 
-/// The centres around a point told in cells from the grid's corner; the nearest ones beyond the outermost. `most` are the
-/// largest coordinates between centres, `last` is the lower left one of the last four.
+/// The centres around a point told in cells from the grid's corner; the nearest ones beyond the outermost.
+/// `most` are the largest coordinates between centres, `last` is the lower left one of the last four.
 inline BetweenCentres betweenCentresAt(double x, double y, Vec2 most, Cell last) {
     const double u = Grid::bounded(x - 0.5, 0.0, most.x);
     const double v = Grid::bounded(y - 0.5, 0.0, most.y);
-    const Cell low{std::min(static_cast<std::int32_t>(u), last.x), std::min(static_cast<std::int32_t>(v), last.y)};
+    const Cell low{std::min(static_cast<std::int32_t>(u), last.x),
+                   std::min(static_cast<std::int32_t>(v), last.y)};
     return {low, u - low.x, v - low.y};
 }
 

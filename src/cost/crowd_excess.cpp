@@ -11,14 +11,15 @@ namespace muster {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr double kPeak = 0.02;           // Precision of the time at which a moving thing is worst.
-constexpr double kHazardStep = 0.5;      // Between two points at which moving things are read [m].
-constexpr float kSameUnit = 0.01f;       // Grounds whose costs differ by less, relatively, are the same.
-constexpr float kLeastShare = 0.02f;     // Of cells on the same ground that their reading takes.
-constexpr std::int32_t kSamples = 16;    // Along a line, at most: else one per cell.
+constexpr double kPeak = 0.02;         // Precision of the time at which a moving thing is worst.
+constexpr double kHazardStep = 0.5;    // Between two points at which moving things are read [m].
+constexpr float kSameUnit = 0.01f;     // Grounds whose costs differ by less, relatively, are the same.
+constexpr float kLeastShare = 0.02f;   // Of cells on the same ground that their reading takes.
+constexpr std::int32_t kSamples = 16;  // Along a line, at most: else one per cell.
 
 // Speed in the direction of `side`, relative to the free speed of the ground (SPEC A4).
-double crowdSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, Vec2 side, double travelSpeed) {
+double crowdSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, Vec2 side,
+                  double travelSpeed) {
     const Vec2 ahead = p + side * def.lookAhead;
     const double crowd = density.densityAt(ahead);
     if (crowd <= def.densityMin) return 1.0;
@@ -41,7 +42,9 @@ double meanAlong(Vec2 a, Vec2 b, std::int32_t samples, const Read& read) {
     return sum * share;
 }
 
-bool isNone(const CellCost& c) { return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f; }
+bool isNone(const CellCost& c) {
+    return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f;
+}
 
 }  // namespace
 
@@ -52,8 +55,10 @@ struct CrowdExcess::Sides {
     float toY;
 
     explicit Sides(Vec2 to)
-        : x(to.x > 0.0 ? &CellCost::east : &CellCost::west), y(to.y > 0.0 ? &CellCost::north : &CellCost::south),
-          toX(static_cast<float>(to.x)), toY(static_cast<float>(to.y)) {}
+        : x(to.x > 0.0 ? &CellCost::east : &CellCost::west),
+          y(to.y > 0.0 ? &CellCost::north : &CellCost::south),
+          toX(static_cast<float>(to.x)),
+          toY(static_cast<float>(to.y)) {}
     // The excess of going there where a metre to these sides costs so much, relative to empty ground.
     double excess(float costX, float costY) const {
         const float alongX = toX * costX;
@@ -73,7 +78,8 @@ void CrowdExcess::Centres::fit(const Grid& grid) {
 }
 
 inline CrowdExcess::Between CrowdExcess::Centres::between(Vec2 p) const {
-    const BetweenCentres at = betweenCentresAt((p.x - origin.x) * perCell, (p.y - origin.y) * perCell, most, last);
+    const BetweenCentres at = betweenCentresAt((p.x - origin.x) * perCell, (p.y - origin.y) * perCell, most,
+                                               last);
     return {at.low.y * width + at.low.x, static_cast<float>(at.fx), static_cast<float>(at.fy)};
 }
 
@@ -140,7 +146,8 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
 }
 
 // Only cells near dense ones can be slowed.
-void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment) {
+void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density,
+                           const Environment& environment) {
     const auto reach = static_cast<std::int32_t>(std::ceil(def.lookAhead / grid_.cell));
     const double price = def.alpha + def.beta;
     perMetre_ = static_cast<float>(def.alpha / price);
@@ -161,7 +168,8 @@ void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density, 
         if (!(density.density()[dense] > def.densityMin)) continue;
         const Cell c = grid_.at(dense);
         for (std::int32_t y = std::max(0, c.y - reach); y <= std::min(grid_.height - 1, c.y + reach); ++y)
-            for (std::int32_t x = std::max(0, c.x - reach); x <= std::min(grid_.width - 1, c.x + reach); ++x) {
+            for (std::int32_t x = std::max(0, c.x - reach); x <= std::min(grid_.width - 1, c.x + reach);
+                 ++x) {
                 const std::int32_t cell = grid_.index({x, y});
                 if (looked_[cell] != 0) continue;
                 looked_[cell] = 1;
@@ -182,8 +190,10 @@ void CrowdExcess::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& p
     const auto scale = static_cast<float>(def.gamma / (def.alpha + def.beta));
     const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
     const double reach = piece.radius + def.discomfortRange;
-    const Cell low = hazardGrid_.nearestCell({std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach});
-    const Cell high = hazardGrid_.nearestCell({std::max(piece.centre.x, end.x) + reach, std::max(piece.centre.y, end.y) + reach});
+    const Cell low = hazardGrid_.nearestCell(
+        {std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach});
+    const Cell high = hazardGrid_.nearestCell(
+        {std::max(piece.centre.x, end.x) + reach, std::max(piece.centre.y, end.y) + reach});
     for (std::int32_t y = low.y; y <= high.y; ++y)
         for (std::int32_t x = low.x; x <= high.x; ++x) {
             const std::int32_t cell = hazardGrid_.index({x, y});
@@ -226,7 +236,8 @@ void CrowdExcess::addMovedPatches(const Environment& environment, const CellRect
             seenList_.push_back(cell);
             const std::int32_t at = ground_.index(ground_.nearestCell(hazardGrid_.centre({x, y})));
             const float stillSpeed = patch[at] < kInfinite ? patch[at] : 1.0f;
-            if (travel[at] != stillSpeed) setHazard(cell, (1.0f + hazard_[cell]) * (stillSpeed / travel[at]) - 1.0f);
+            if (travel[at] != stillSpeed)
+                setHazard(cell, (1.0f + hazard_[cell]) * (stillSpeed / travel[at]) - 1.0f);
         }
 }
 
@@ -290,15 +301,16 @@ inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides) const {
     return sides.excess(read(sides.x), read(sides.y));
 }
 
-// The same on ground that costs so much, by those of the four cells around whose ground costs as much: beside a patch the
-// flow is much for one of its speeds and little for the other. There single cells are slow by who has just come in or
-// gone out; speeds themselves are interpolated, which gives these least.
+// The same on ground that costs so much, by those of the four cells around whose ground costs as much: beside
+// a patch the flow is much for one of its speeds and little for the other. There single cells are slow by who
+// has just come in or gone out; speeds themselves are interpolated, which gives these least.
 inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides, float unit) const {
     const Between at = centres_.between(p);
     if ((busy_[at.low] | busy_[at.low + centres_.right + centres_.up]) == 0) return 0.0;
     const std::int32_t upper = at.low + centres_.up;
     const std::int32_t cell[] = {at.low, at.low + centres_.right, upper, upper + centres_.right};
-    float share[] = {(1.0f - at.fx) * (1.0f - at.fy), at.fx * (1.0f - at.fy), (1.0f - at.fx) * at.fy, at.fx * at.fy};
+    float share[] = {(1.0f - at.fx) * (1.0f - at.fy), at.fx * (1.0f - at.fy), (1.0f - at.fx) * at.fy,
+                     at.fx * at.fy};
     float sum = 0.0f;
     for (int k = 0; k < 4; ++k) {
         const bool other = looked_[cell[k]] != 0 && std::fabs(unit_[cell[k]] - unit) > kSameUnit * unit;
@@ -315,7 +327,7 @@ inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides, float unit) co
 }
 
 double CrowdExcess::hazardRead(Vec2 p) const {
-    if (takenBounds_.meets(p, p) && taken_[static_cast<std::size_t>(ground_.index(ground_.nearestCell(p)))] != 0) return kBlocked;
+    if (takenBounds_.meets(p, p) && taken_[ground_.index(ground_.nearestCell(p))] != 0) return kBlocked;
     const Between at = hazardCentres_.between(p);
     const float* low = hazard_.data() + at.low;
     const float* high = low + hazardCentres_.up;
@@ -347,10 +359,12 @@ double CrowdExcess::along(Vec2 a, Vec2 b, double length) const {
     double excess = 0.0;
     if (crowd) {
         const Sides sides((b - a) / length);
-        excess += meanAlong(a, b, samplesAlong(length, grid_.cell), [&](Vec2 p, double) { return crowdAlong(p, sides); });
+        excess += meanAlong(a, b, samplesAlong(length, grid_.cell),
+                            [&](Vec2 p, double) { return crowdAlong(p, sides); });
     }
     if (hazard)
-        excess += meanAlong(a, b, samplesAlong(length, kHazardStep), [&](Vec2 p, double) { return hazardAt(p); });
+        excess += meanAlong(a, b, samplesAlong(length, kHazardStep),
+                            [&](Vec2 p, double) { return hazardAt(p); });
     return excess * length;
 }
 

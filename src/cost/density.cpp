@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
-#include "muster/assert.h"
 #include "base/maths.h"
+#include "muster/assert.h"
 
 namespace muster {
 namespace {
@@ -19,7 +19,8 @@ Shares raised(Shares shares, double exponent) {
 
 }  // namespace
 
-DensityField::DensityField(const Box& box, const DensityDef& def) : def_(def), grid_(Grid::covering(box, def.cell)) {
+DensityField::DensityField(const Box& box, const DensityDef& def)
+    : def_(def), grid_(Grid::covering(box, def.cell)) {
     MUSTER_ASSERT(def.cell > 0.0 && def.lambda > 0.0);
     const auto count = static_cast<std::size_t>(grid_.count());
     density_.assign(count, 0.0f);
@@ -87,7 +88,8 @@ void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> 
     }
 }
 
-// Looking at all cells between the first and the last stencil is faster than sorting, unless they lie far apart.
+// Looking at all cells between the first and the last stencil is faster than sorting, unless they lie far
+// apart.
 void DensityField::listOccupied(Cell first, Cell last, std::span<const Vec2> positions) {
     occupied_.clear();
     if (first.x > last.x) return;  // There is nobody.

@@ -23,15 +23,18 @@ public:
     /// An empty field over `box`.
     DensityField(const Box& box, const DensityDef& def);
 
-    /// Replaces the contents by these characters: each gives the four cells around it shares in the proportion
-    /// min(1-dx,1-dy)^l : min(dx,1-dy)^l : min(dx,dy)^l : min(1-dx,dy)^l that add up to one character. At the rim the
-    /// share of a missing cell goes to its neighbour; characters outside the box, or not finite, give none.
+    /// Replaces the contents by these characters: each gives the four cells around it shares in the
+    /// proportion min(1-dx,1-dy)^l : min(dx,1-dy)^l : min(dx,dy)^l : min(1-dx,dy)^l that add up to one
+    /// character. At the rim the share of a missing cell goes to its neighbour; characters outside the box,
+    /// or not finite, give none.
     void splat(std::span<const Vec2> positions, std::span<const Vec2> velocities);
 
-    const Grid& grid() const { return grid_; }                          ///< The density cells.
-    const std::vector<float>& density() const { return density_; }      ///< Per cell [1/m^2].
-    const std::vector<float>& velocityX() const { return velocityX_; }  ///< Average, per cell [m/s]; 0 where empty.
-    const std::vector<float>& velocityY() const { return velocityY_; }  ///< Average, per cell [m/s]; 0 where empty.
+    const Grid& grid() const { return grid_; }                      ///< The density cells.
+    const std::vector<float>& density() const { return density_; }  ///< Per cell [1/m^2].
+    /// Average, per cell [m/s]; 0 where empty.
+    const std::vector<float>& velocityX() const { return velocityX_; }
+    /// Average, per cell [m/s]; 0 where empty.
+    const std::vector<float>& velocityY() const { return velocityY_; }
     /// Cells with density above zero, ascending.
     const std::vector<std::int32_t>& occupied() const { return occupied_; }
     /// Density at `p`, bilinear [1/m^2].

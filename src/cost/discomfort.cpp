@@ -58,8 +58,8 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
     return best;
 }
 
-// The search for the peak of (1 - d / range) (1 - t / time) over t, d the distance from a point to the piece moved by t.
-// Both factors are concave where positive, so that there is one.
+// The search for the peak of (1 - d / range) (1 - t / time) over t, d the distance from a point to the piece
+// moved by t. Both factors are concave where positive, so that there is one.
 class PeakSearch {
 public:
     PeakSearch(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision)
@@ -79,7 +79,9 @@ public:
             const bool found = foreseen && here.isSide == from.isSide && here.number == from.number;
             if (found || high_ - low_ <= precision_ * def_.discomfortTime) break;
             from = here;
-            const double peak = here.inside ? time : here.isSide ? sidePeak(here, time) : cornerPeak(here.corner);
+            const double peak = here.inside   ? time
+                                : here.isSide ? sidePeak(here, time)
+                                              : cornerPeak(here.corner);
             if (here.inside || peak <= time) high_ = std::min(high_, time);
             if (!here.inside && peak >= time) low_ = std::max(low_, time);
             if (time == low && high_ <= low) break;
@@ -109,7 +111,8 @@ private:
         const double aside = lengthSquared(off) - squared * nearest * nearest;
         double before = std::min(low_, nearest);
         double after = std::min(nearest, def_.discomfortTime);
-        if (size > 0.0 && aside < size * size) after = std::min(after, nearest - std::sqrt((size * size - aside) / squared));
+        if (size > 0.0 && aside < size * size)
+            after = std::min(after, nearest - std::sqrt((size * size - aside) / squared));
         const double range = def_.discomfortRange + size;
         // Has the sign of the product's slope where both factors are positive, and rises before that.
         double slope = 0.0;
@@ -118,7 +121,8 @@ private:
             const double until = nearest - t;
             const double away = std::sqrt(std::max(0.0, aside + squared * until * until));
             slope = squared * until * (def_.discomfortTime - t) - (range - away) * away;
-            bend = -squared * (def_.discomfortTime - t + until) - squared * until * (2.0 * away - range) / std::max(away, 1e-12);
+            bend = -squared * (def_.discomfortTime - t + until) -
+                   squared * until * (2.0 * away - range) / std::max(away, 1e-12);
         };
         if (after <= before) return after;
         at(after);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/obstacle.h"
 #include "cost/unit_cost.h"
+#include "muster/obstacle.h"
 
 namespace muster {
 
@@ -13,9 +13,9 @@ namespace muster {
 void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Grid& grid,
                    std::vector<float>& discomfort, std::vector<std::int32_t>& touched);
 
-/// Discomfort of one piece at one point: gain (1 - t / time) (1 - d / range), largest over the predicted times t,
-/// with d the distance to the piece as moved by t; 0 where d exceeds the range throughout. `precision` is that of the
-/// time of the peak, relative to the time predicted.
+/// Discomfort of one piece at one point: gain (1 - t / time) (1 - d / range), largest over the predicted
+/// times t, with d the distance to the piece as moved by t; 0 where d exceeds the range throughout.
+/// `precision` is that of the time of the peak, relative to the time predicted.
 double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision = 1e-9);
 
 }  // namespace muster

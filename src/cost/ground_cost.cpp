@@ -10,7 +10,8 @@ namespace muster {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-// Beside a wall the clearance must rise away from it at least this steeply, or the cell lies between two walls.
+// Beside a wall the clearance must rise away from it at least this steeply, or the cell lies between two
+// walls.
 constexpr double kLeastSlope = 0.7;
 // Slopes fit where they are off by less than this.
 constexpr double kFits = 0.05;
@@ -68,8 +69,8 @@ private:
             {std::clamp(x, 0, ground_.grid.width - 1), std::clamp(y, 0, ground_.grid.height - 1)})];
     }
 
-    // The rise of the clearance per cell away from the wall beside a cell; false where it lies between two. Of a cell
-    // that is free even so the slope towards its own wall counts there.
+    // The rise of the clearance per cell away from the wall beside a cell; false where it lies between two.
+    // Of a cell that is free even so the slope towards its own wall counts there.
     bool riseFromWall(Cell cell, bool free, Vec2& rise) const {
         const double here = at(cell.x, cell.y);
         const double east = at(cell.x + 1, cell.y);
@@ -103,8 +104,9 @@ private:
         return after > 0.0 && before > 0.0 ? 0.5 * (after - before) : uneven;
     }
 
-    // A slope of the clearance [cells per cell] by the value here and at one side, or both: `wall` as before a straight
-    // wall (clearance linear), `corner` as round a corner (its square quadratic); `outer` is the side where it is higher.
+    // A slope of the clearance [cells per cell] by the value here and at one side, or both: `wall` as before
+    // a straight wall (clearance linear), `corner` as round a corner (its square quadratic); `outer` is the
+    // side where it is higher.
     struct Slope {
         double wall = 0.0;
         double corner = 0.0;
@@ -122,8 +124,8 @@ private:
                 (a * a - b * b) / (4.0 * here), a > 0.0 && b > 0.0, a >= b ? 1 : -1};
     }
 
-    // A better direction in which the clearance rises: as before a wall or round a corner, whichever fits, as it rises
-    // by a metre per metre and the cell across is a fourth witness; the coarse one where none fits.
+    // A better direction in which the clearance rises: as before a wall or round a corner, whichever fits, as
+    // it rises by a metre per metre and the cell across is a fourth witness; the coarse one where none fits.
     Vec2 refined(Cell cell, Vec2 coarse) const {
         const double here = at(cell.x, cell.y) / ground_.grid.cell;
         const Slope x = slopeOf(here, {cell.x + 1, cell.y}, {cell.x - 1, cell.y});
@@ -133,8 +135,8 @@ private:
         Vec2 found = coarse;
         const auto offer = [&](Vec2 slope, bool corner) {
             const double rise = slope.x * x.outer + slope.y * y.outer;
-            const double expected =
-                corner ? std::sqrt(std::max(0.0, here * here + 2.0 * here * rise + 2.0)) : here + rise;
+            const double expected = corner ? std::sqrt(std::max(0.0, here * here + 2.0 * here * rise + 2.0))
+                                           : here + rise;
             const double misfit = std::fabs(lengthSquared(slope) - 1.0) + std::fabs(across - expected);
             if (!(misfit < best)) return;
             best = misfit;
@@ -185,14 +187,14 @@ void priceCell(const GroundRasters& ground, const NodeFinder& finder, double pri
 
 }  // namespace
 
-void priceGround(const GroundRasters& ground, double radius, double price, std::int32_t first, std::int32_t last,
-                 const GroundCosts& costs) {
+void priceGround(const GroundRasters& ground, double radius, double price, std::int32_t first,
+                 std::int32_t last, const GroundCosts& costs) {
     const NodeFinder finder(ground, radius);
     for (std::int32_t index = first; index < last; ++index) priceCell(ground, finder, price, index, costs);
 }
 
-void priceGround(const GroundRasters& ground, double radius, double price, std::span<const std::int32_t> cells,
-                 const GroundCosts& costs) {
+void priceGround(const GroundRasters& ground, double radius, double price,
+                 std::span<const std::int32_t> cells, const GroundCosts& costs) {
     const NodeFinder finder(ground, radius);
     for (const std::int32_t index : cells) priceCell(ground, finder, price, index, costs);
 }

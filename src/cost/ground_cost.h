@@ -28,12 +28,13 @@ struct GroundCosts {
     std::vector<WallNode>& nodes;  ///< Cells beside walls are appended here.
 };
 
-/// Prices the cells `first` to `last` - 1: `price` over the travel speed, infinite where a character of `radius` [m]
-/// cannot be and into such cells. Beside walls the cost of an edge holds its true length (see docs/method/unit-cost.md).
-void priceGround(const GroundRasters& ground, double radius, double price, std::int32_t first, std::int32_t last,
-                 const GroundCosts& costs);
+/// Prices the cells `first` to `last` - 1: `price` over the travel speed, infinite where a character of
+/// `radius` [m] cannot be and into such cells. Beside walls the cost of an edge holds its true length (see
+/// docs/method/unit-cost.md).
+void priceGround(const GroundRasters& ground, double radius, double price, std::int32_t first,
+                 std::int32_t last, const GroundCosts& costs);
 /// The same for the cells listed.
-void priceGround(const GroundRasters& ground, double radius, double price, std::span<const std::int32_t> cells,
-                 const GroundCosts& costs);
+void priceGround(const GroundRasters& ground, double radius, double price,
+                 std::span<const std::int32_t> cells, const GroundCosts& costs);
 
 }  // namespace muster

@@ -10,12 +10,14 @@ namespace muster {
 
 /// What a metre costs on each cell, and how far it is from there to the walls.
 struct GroundLevel {
-    UnitCost cost;                ///< Of the still ground.
-    std::vector<float> wallRoom;  ///< Per cell: what a character at its centre has to the walls [m]; negative in them.
-    std::vector<float> room;      ///< The same to walls and to ground that costs something else, a lower bound [m].
+    UnitCost cost;  ///< Of the still ground.
+    /// Per cell: what a character at its centre has to the walls [m]; negative in them.
+    std::vector<float> wallRoom;
+    /// The same to walls and to ground that costs something else, a lower bound [m].
+    std::vector<float> room;
 
     /// True where nobody of the radius can stand at the centre of the cell.
-    bool blocked(std::int32_t cell) const { return wallRoom[static_cast<std::size_t>(cell)] < 0.0f; }
+    bool blocked(std::int32_t cell) const { return wallRoom[cell] < 0.0f; }
     /// The free cell nearest to `p` within two cells, -1 where there is none.
     std::int32_t freeCellNear(Vec2 p) const;
 };

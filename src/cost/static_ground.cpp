@@ -14,10 +14,10 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kHalfDiagonal = 0.70710678118654752;
 // Steps over cells overrate true distances by up to 8 %.
 constexpr float kStepShare = 0.92f;
-constexpr std::int32_t kBlock = 4;         // Cells across a block in which far walls are looked for.
-constexpr double kLeastRoom = -0.02;       // Straight ways may dip this far into walls, for rounding [m].
-constexpr double kLeastStride = 0.12;      // Between two looks along a straight way [m].
-constexpr double kInterpolated = 0.75;     // With less room than this a closer look is worth it [m].
+constexpr std::int32_t kBlock = 4;      // Cells across a block in which far walls are looked for.
+constexpr double kLeastRoom = -0.02;    // Straight ways may dip this far into walls, for rounding [m].
+constexpr double kLeastStride = 0.12;   // Between two looks along a straight way [m].
+constexpr double kInterpolated = 0.75;  // With less room than this a closer look is worth it [m].
 
 // Distances over the eight neighbours from cells that hold 0 (two sweeps of Borgefors 1986) [cells].
 void spreadDistances(std::int32_t width, std::int32_t height, std::vector<float>& value) {
@@ -50,7 +50,9 @@ void spreadDistances(std::int32_t width, std::int32_t height, std::vector<float>
 }  // namespace
 
 void StaticGround::update(const Environment& environment, double price, double radius) {
-    if (seen_ == environment.staticVersion() && price_ == price && radius_ == radius && grid_ == environment.grid()) return;
+    if (seen_ == environment.staticVersion() && price_ == price && radius_ == radius &&
+        grid_ == environment.grid())
+        return;
     seen_ = environment.staticVersion();
     price_ = price;
     radius_ = radius;
@@ -93,7 +95,7 @@ void StaticGround::makeMiddle(std::span<const float> clearance) {
     const Grid grid{grid_.origin, 2.0 * grid_.cell, (grid_.width + 1) / 2, (grid_.height + 1) / 2};
     middle_.cost.grid = grid;
     if (plain_) return;  // Nobody asks.
-    middleClearance_.resize(static_cast<std::size_t>(grid.count()));
+    middleClearance_.resize(grid.count());
     middleSpeed_.resize(middleClearance_.size());
     for (std::int32_t k = 0; k < grid.count(); ++k) {
         const Cell c = grid.at(k);
@@ -128,12 +130,14 @@ void StaticGround::widenRoom() {
     const std::int32_t height = (grid_.height + kBlock - 1) / kBlock;
     far_.assign(static_cast<std::size_t>(width) * height, 1e6f);
     for (std::int32_t k = 0; k < grid_.count(); ++k)
-        if (fine_.room[k] < capped) far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock] = 0.0f;
+        if (fine_.room[k] < capped)
+            far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock] = 0.0f;
     spreadDistances(width, height, far_);
     const auto edge = static_cast<float>(kBlock * grid_.cell);
     for (std::int32_t k = 0; k < grid_.count(); ++k) {
         if (fine_.room[k] < capped) continue;
-        const float blocks = far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock];
+        const float
+            blocks = far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock];
         fine_.room[k] += std::max(0.0f, kStepShare * blocks - 1.5f) * edge;
     }
 }
@@ -158,8 +162,8 @@ void StaticGround::narrowByPatches() {
         fine_.room[k] = std::min(fine_.room[k], (kStepShare * far_[k] - 0.5f) * edge);
 }
 
-// The cheapest of the lanes of cells that lead from the middle of one coarse cell to the middle of the next; infinite
-// where none is free. A wall as thick as a character is wide closes them all.
+// The cheapest of the lanes of cells that lead from the middle of one coarse cell to the middle of the next;
+// infinite where none is free. A wall as thick as a character is wide closes them all.
 float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
     float best = kInfinite;
     const Cell to{from.x + step.x, from.y + step.y};
@@ -170,7 +174,8 @@ float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
         float first = 0.0f;
         for (std::int32_t k = 0; k < ratio && sum < kInfinite; ++k) {
             const std::int32_t along = ratio / 2 + k;
-            const Cell c{from.x * ratio + (step.x != 0 ? along : lane), from.y * ratio + (step.y != 0 ? along : lane)};
+            const Cell c{from.x * ratio + (step.x != 0 ? along : lane),
+                         from.y * ratio + (step.y != 0 ? along : lane)};
             if (!grid_.contains(c) || fine_.blocked(grid_.index(c))) {
                 sum = kInfinite;
                 break;
@@ -185,8 +190,8 @@ float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
     return best;
 }
 
-// The cheapest lane from the middle of the neighbour at `step` over the border into a coarse cell; infinite where none
-// is free so far.
+// The cheapest lane from the middle of the neighbour at `step` over the border into a coarse cell; infinite
+// where none is free so far.
 float StaticGround::nearSide(Cell cell, Cell step, std::int32_t ratio) const {
     float best = kInfinite;
     if (!coarse_.grid.contains({cell.x + step.x, cell.y + step.y})) return best;
@@ -206,7 +211,8 @@ float StaticGround::nearSide(Cell cell, Cell step, std::int32_t ratio) const {
     return best;
 }
 
-// Cells with a wall in the middle. Those that can be entered from opposite sides are left out: they may divide two rooms.
+// Cells with a wall in the middle. Those that can be entered from opposite sides are left out: they may
+// divide two rooms.
 void StaticGround::findBeside(std::int32_t ratio) {
     beside_.clear();
     const Grid& grid = coarse_.grid;
@@ -214,7 +220,7 @@ void StaticGround::findBeside(std::int32_t ratio) {
         const Cell cell = grid.at(k);
         const Cell middle{cell.x * ratio + ratio / 2, cell.y * ratio + ratio / 2};
         if (grid_.contains(middle) && !fine_.blocked(grid_.index(middle))) continue;
-        const CellCost& cost = coarse_.cells[static_cast<std::size_t>(k)];
+        const CellCost& cost = coarse_.cells[k];
         for (const bool across : {false, true}) {
             const Cell up = across ? Cell{1, 0} : Cell{0, 1};
             const Cell down{-up.x, -up.y};
@@ -225,7 +231,8 @@ void StaticGround::findBeside(std::int32_t ratio) {
             const float below = nearSide(cell, down, ratio);
             if ((above < kInfinite) == (below < kInfinite)) continue;
             const Cell step = above < kInfinite ? up : down;
-            beside_.push_back({cell, {cell.x + step.x, cell.y + step.y},
+            beside_.push_back({cell,
+                               {cell.x + step.x, cell.y + step.y},
                                std::min(above, below) * static_cast<float>(grid.cell)});
         }
     }
@@ -236,12 +243,14 @@ void StaticGround::makeCoarse() {
     std::int32_t ratio = 2;
     const auto across = [](std::int32_t cells, std::int32_t by) { return (cells + by - 1) / by; };
     while (across(grid_.width, ratio) * across(grid_.height, ratio) > kCoarseCells) ratio *= 2;
-    coarse_.grid = {grid_.origin, grid_.cell * ratio, across(grid_.width, ratio), across(grid_.height, ratio)};
+    coarse_.grid = {grid_.origin, grid_.cell * ratio, across(grid_.width, ratio),
+                    across(grid_.height, ratio)};
     coarse_.radius = radius_;
     coarse_.lowest = fine_.cost.lowest;
     const Grid& grid = coarse_.grid;
     if (plain_) return;
-    coarse_.cells.assign(static_cast<std::size_t>(grid.count()), {kInfinite, kInfinite, kInfinite, kInfinite});
+    coarse_.cells.assign(static_cast<std::size_t>(grid.count()),
+                         {kInfinite, kInfinite, kInfinite, kInfinite});
     // No nodes beside walls: straight ways would be seen to lead through cells that thin walls divide.
     coarse_.nodes.clear();
     for (std::int32_t k = 0; k < grid.count(); ++k) {
@@ -256,7 +265,9 @@ void StaticGround::makeCoarse() {
     findBeside(ratio);
 }
 
-double StaticGround::roomBetween(Vec2 p) const { return between(fine_.room, p); }
+double StaticGround::roomBetween(Vec2 p) const {
+    return between(fine_.room, p);
+}
 
 double StaticGround::between(const std::vector<float>& room, Vec2 p) const {
     const Vec2 cells = inCells(p);
@@ -289,9 +300,10 @@ bool StaticGround::straight(Vec2 a, Vec2 b, double whole) const {
 bool StaticGround::reaches(const std::vector<float>& rooms, Vec2 a, Vec2 b, double whole) const {
     const auto roomAt = [&](Vec2 p) {
         const std::int32_t cell = cellAt(p);
-        return cell >= 0 ? static_cast<double>(rooms[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
+        return cell >= 0 ? static_cast<double>(rooms[cell]) - slack_ : -1.0;
     };
-    // Nothing fits between two so close together, though they stand in a door too narrow for the cells to show it.
+    // Nothing fits between two so close together, though they stand in a door too narrow for the cells to
+    // show it.
     if (whole <= radius_) return true;
     // As far as the disc round the end.
     const double far = whole - std::max(roomAt(b), 0.0);

@@ -5,33 +5,37 @@
 #include <span>
 #include <vector>
 
-#include "environment/environment.h"
 #include "cost/ground_level.h"
+#include "environment/environment.h"
 
 namespace muster {
 
 struct GroundRasters;
 
-/// What stands still, for characters of one radius: unit cost, room to all sides, and coarser copies for longer ways.
+/// What stands still, for characters of one radius: unit cost, room to all sides, and coarser copies for
+/// longer ways.
 class StaticGround {
 public:
-    /// Makes everything anew where what stands still, the radius [m] or `price`, the cost of a metre in the open, has
-    /// changed since the last call; else does nothing.
+    /// Makes everything anew where what stands still, the radius [m] or `price`, the cost of a metre in the
+    /// open, has changed since the last call; else does nothing.
     void update(const Environment& environment, double price, double radius);
 
     /// Grows by one with every change.
     std::uint32_t version() const { return version_; }
-    const UnitCost& fine() const { return fine_.cost; }      ///< On the ground cells.
-    const GroundLevel& fineLevel() const { return fine_; }   ///< The same with the room to walls.
-    const GroundLevel& middle() const { return middle_; }    ///< On cells twice as wide.
-    const UnitCost& coarse() const { return coarse_; }  ///< On cells 2, 4, 8... times as wide, at most kCoarseCells.
-    /// A cell of coarse() whose middle nobody can stand on, and the neighbour from which its near side is reached.
+    const UnitCost& fine() const { return fine_.cost; }     ///< On the ground cells.
+    const GroundLevel& fineLevel() const { return fine_; }  ///< The same with the room to walls.
+    const GroundLevel& middle() const { return middle_; }   ///< On cells twice as wide.
+    /// On cells 2, 4, 8... times as wide, at most kCoarseCells.
+    const UnitCost& coarse() const { return coarse_; }
+    /// A cell of coarse() whose middle nobody can stand on, and the neighbour from which its near side is
+    /// reached.
     struct Beside {
         Cell cell;
         Cell neighbour;
         float cost;  ///< Of going across.
     };
-    /// All such cells: fields on coarse() do not know them, or only by a way round, though people stand there.
+    /// All such cells: fields on coarse() do not know them, or only by a way round, though people stand
+    /// there.
     std::span<const Beside> beside() const { return beside_; }
     /// True where all ground costs the same.
     bool even() const { return even_; }
@@ -40,7 +44,7 @@ public:
     /// How far round `p` the ground is uniform and free for a character, a lower bound; below 0 in walls [m].
     double room(Vec2 p) const {
         const std::int32_t cell = cellAt(p);
-        return cell >= 0 ? static_cast<double>(fine_.room[static_cast<std::size_t>(cell)]) - slack_ : -1.0;
+        return cell >= 0 ? static_cast<double>(fine_.room[cell]) - slack_ : -1.0;
     }
     /// The same, interpolated between cells: closer, though no bound.
     double roomBetween(Vec2 p) const;
@@ -48,7 +52,7 @@ public:
     float unit(Vec2 p) const {
         if (even_) return fine_.cost.lowest;
         const std::int32_t cell = cellAt(p);
-        return unit_[static_cast<std::size_t>(cell >= 0 ? cell : grid_.index(grid_.nearestCell(p)))];
+        return unit_[cell >= 0 ? cell : grid_.index(grid_.nearestCell(p))];
     }
     /// True where a character can go straight from `a` to `b` and does best to. On slow ground it may say
     /// no though that is so.
@@ -71,7 +75,8 @@ private:
     // Index of the cell that holds `p`, -1 outside.
     std::int32_t cellAt(Vec2 p) const {
         const Vec2 at = inCells(p);
-        return holds(at) ? static_cast<std::int32_t>(at.y) * grid_.width + static_cast<std::int32_t>(at.x) : -1;
+        return holds(at) ? static_cast<std::int32_t>(at.y) * grid_.width + static_cast<std::int32_t>(at.x)
+                         : -1;
     }
     bool reaches(const std::vector<float>& room, Vec2 a, Vec2 b, double whole) const;
     double between(const std::vector<float>& room, Vec2 p) const;
@@ -91,9 +96,9 @@ private:
     std::uint64_t seen_ = ~0ull;  // The environment's version.
     std::uint32_t version_ = 0;
     bool plain_ = true;
-    bool even_ = true;        // No patches.
-    double perCell_ = 1.0;    // [1/m]
-    double slack_ = 0.0;      // From the centre of a cell to its corner [m].
+    bool even_ = true;      // No patches.
+    double perCell_ = 1.0;  // [1/m]
+    double slack_ = 0.0;    // From the centre of a cell to its corner [m].
     GroundLevel fine_;
     GroundLevel middle_;
     UnitCost coarse_;

@@ -5,8 +5,9 @@
 
 namespace muster {
 
-/// True where a step of (dx, dy) from a point at a wall to another leads into the wall of the one and out of that of the
-/// other: they lie at the two sides of a thin wall. Normals are unit vectors away from the walls, null for points at none.
+/// True where a step of (dx, dy) from a point at a wall to another leads into the wall of the one and out of
+/// that of the other: they lie at the two sides of a thin wall. Normals are unit vectors away from the walls,
+/// null for points at none.
 template <class From, class To>
 bool throughThinWall(const From& from, const To& to, float dx, float dy) {
     constexpr float kSteep = 0.5f;

@@ -13,9 +13,9 @@
 namespace muster {
 namespace {
 
-
 // Speed in direction `along`, relative to the free speed of this ground (SPEC A4).
-double relativeSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, Vec2 along, double travelSpeed) {
+double relativeSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p, Vec2 along,
+                     double travelSpeed) {
     const double crowd = density.densityAt(p);
     if (crowd <= def.densityMin) return 1.0;
     const double flow = std::max(0.0, dot(density.velocityAt(p), along)) / (def.freeSpeed * travelSpeed);
@@ -24,7 +24,8 @@ double relativeSpeed(const UnitCostDef& def, const DensityField& density, Vec2 p
     return std::max(def.minSpeed, speed);
 }
 
-// First and last cell of a row or column of `count` cells whose centres lie in [low, high), in cells from the origin.
+// First and last cell of a row or column of `count` cells whose centres lie in [low, high), in cells from the
+// origin.
 void centresWithin(double low, double high, std::int32_t count, std::int32_t& first, std::int32_t& last) {
     first = static_cast<std::int32_t>(std::clamp(std::ceil(low - 0.5), 0.0, static_cast<double>(count)));
     last = static_cast<std::int32_t>(std::clamp(std::ceil(high - 0.5), 0.0, static_cast<double>(count))) - 1;
@@ -32,8 +33,8 @@ void centresWithin(double low, double high, std::int32_t count, std::int32_t& fi
 
 }  // namespace
 
-void UnitCostBuilder::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
-                             double radius) {
+void UnitCostBuilder::update(const UnitCostDef& def, const Environment& environment,
+                             const DensityField& density, double radius) {
     MUSTER_ASSERT(def.alpha >= 0.0 && def.beta >= 0.0 && def.alpha + def.beta > 0.0 && def.gamma >= 0.0);
     MUSTER_ASSERT(def.freeSpeed > 0.0 && def.densityMax > def.densityMin && def.minSpeed > 0.0);
     restoreGround();
@@ -42,8 +43,8 @@ void UnitCostBuilder::update(const UnitCostDef& def, const Environment& environm
     priceCrowd(def, environment, density);
 }
 
-void UnitCostBuilder::build(const UnitCostDef& def, const Environment& environment, const DensityField& density,
-                            double radius, UnitCost& cost) {
+void UnitCostBuilder::build(const UnitCostDef& def, const Environment& environment,
+                            const DensityField& density, double radius, UnitCost& cost) {
     update(def, environment, density, radius);
     cost = cost_;
 }
@@ -59,10 +60,13 @@ void UnitCostBuilder::restoreGround() {
 // Prices anew those cells of the empty ground round which something changed.
 void UnitCostBuilder::updateGround(const UnitCostDef& def, const Environment& environment, double radius) {
     const double price = def.alpha + def.beta;
-    const bool anew = !(environment.grid() == cost_.grid) || ground_.empty() || radius != cost_.radius || price != price_;
+    const bool anew = !(environment.grid() == cost_.grid) || ground_.empty() || radius != cost_.radius ||
+                      price != price_;
     changes_.clear();
-    const std::span<const float> clearance = environment.clearance();  // Brings the version up to date as well.
-    if (!anew && environment.instance() == instance_ && environment.groundVersion() == environmentVersion_) return;
+    // Brings the version up to date as well.
+    const std::span<const float> clearance = environment.clearance();
+    if (!anew && environment.instance() == instance_ && environment.groundVersion() == environmentVersion_)
+        return;
     cost_.radius = radius;
     price_ = price;
     if (anew) {
@@ -107,7 +111,8 @@ void UnitCostBuilder::findLowest() {
 
 void UnitCostBuilder::findChanges(const Environment& environment) {
     areas_.clear();
-    const bool known = environment.instance() == instance_ && environment.changesSince(environmentVersion_, areas_);
+    const bool known = environment.instance() == instance_ &&
+                       environment.changesSince(environmentVersion_, areas_);
     if (!known) areas_.assign(1, {{0, 0}, {cost_.grid.width - 1, cost_.grid.height - 1}});
     for (const CellRect& area : areas_) compareRasters(environment, area);
     std::sort(changes_.begin(), changes_.end());
@@ -124,7 +129,8 @@ void UnitCostBuilder::compareRasters(const Environment& environment, const CellR
     for (std::int32_t y = area.low.y; y <= area.high.y; ++y) {
         for (std::int32_t x = area.low.x; x <= area.high.x; ++x) {
             const std::int32_t index = grid.index({x, y});
-            const bool moved = std::clamp(clearance_[index], least, most) != std::clamp(clearance[index], least, most);
+            const bool moved = std::clamp(clearance_[index], least, most) !=
+                               std::clamp(clearance[index], least, most);
             const bool same = !moved && travelSpeed_[index] == travelSpeed[index];
             clearance_[index] = clearance[index];
             travelSpeed_[index] = travelSpeed[index];
@@ -146,7 +152,8 @@ void UnitCostBuilder::compareRasters(const Environment& environment, const CellR
 void UnitCostBuilder::priceChanges() {
     for (const std::int32_t cell : changes_) lowestCount_ -= unit_[cell] == cost_.lowest ? 1 : 0;
     freshNodes_.clear();
-    priceGround({cost_.grid, clearance_, travelSpeed_}, cost_.radius, price_, changes_, {ground_, unit_, freshNodes_});
+    priceGround({cost_.grid, clearance_, travelSpeed_}, cost_.radius, price_, changes_,
+                {ground_, unit_, freshNodes_});
     for (const std::int32_t cell : changes_) {
         cost_.cells[cell] = ground_[cell];
         if (unit_[cell] < cost_.lowest) lowestCount_ = 0;
@@ -200,7 +207,8 @@ void UnitCostBuilder::markCrowded(const UnitCostDef& def, const DensityField& de
     }
 }
 
-void UnitCostBuilder::priceCrowd(const UnitCostDef& def, const Environment& environment, const DensityField& density) {
+void UnitCostBuilder::priceCrowd(const UnitCostDef& def, const Environment& environment,
+                                 const DensityField& density) {
     const std::span<const float> travelSpeed = environment.travelSpeed();
     const Grid& grid = cost_.grid;
     const bool dense = def.density && !density.density().empty();
@@ -212,8 +220,10 @@ void UnitCostBuilder::priceCrowd(const UnitCostDef& def, const Environment& envi
         for (const std::int32_t cell : crowdedCells_) {
             const Cell c = coarse.at(cell);
             CellRect within;
-            centresWithin(shift.x + c.x * ratio, shift.x + (c.x + 1) * ratio, grid.width, within.low.x, within.high.x);
-            centresWithin(shift.y + c.y * ratio, shift.y + (c.y + 1) * ratio, grid.height, within.low.y, within.high.y);
+            centresWithin(shift.x + c.x * ratio, shift.x + (c.x + 1) * ratio, grid.width, within.low.x,
+                          within.high.x);
+            centresWithin(shift.y + c.y * ratio, shift.y + (c.y + 1) * ratio, grid.height, within.low.y,
+                          within.high.y);
             for (std::int32_t y = within.low.y; y <= within.high.y; ++y) {
                 for (std::int32_t x = within.low.x; x <= within.high.x; ++x) {
                     const std::int32_t index = grid.index({x, y});
@@ -225,7 +235,8 @@ void UnitCostBuilder::priceCrowd(const UnitCostDef& def, const Environment& envi
     if (def.gamma == 0.0) return;
     // Cells with discomfort only.
     for (const std::int32_t index : uneasy_) {
-        if (dense && crowded_[density.grid().index(density.grid().nearestCell(grid.centre(grid.at(index))))] != 0) {
+        if (dense &&
+            crowded_[density.grid().index(density.grid().nearestCell(grid.centre(grid.at(index))))] != 0) {
             continue;
         }
         priceCell(def, density, index, travelSpeed[index]);
@@ -239,13 +250,14 @@ void UnitCostBuilder::priceCell(const UnitCostDef& def, const DensityField& dens
     const double extra = def.gamma * discomfort_[index];
     const bool dense = def.density && !density.density().empty();
     const auto price = [&](float side, Vec2 along) {
-        const double f =
-            dense ? relativeSpeed(def, density, centre + along * def.lookAhead, along, travelSpeed) : 1.0;
+        const double f = dense
+                             ? relativeSpeed(def, density, centre + along * def.lookAhead, along, travelSpeed)
+                             : 1.0;
         // The ground holds (alpha + beta) / TravelSpeed.
         return static_cast<float>(side * ((def.alpha * f + def.beta + extra) / (f * price_)));
     };
-    const CellCost out{price(ground.east, {1.0, 0.0}), price(ground.north, {0.0, 1.0}), price(ground.west, {-1.0, 0.0}),
-                       price(ground.south, {0.0, -1.0})};
+    const CellCost out{price(ground.east, {1.0, 0.0}), price(ground.north, {0.0, 1.0}),
+                       price(ground.west, {-1.0, 0.0}), price(ground.south, {0.0, -1.0})};
     if (std::memcmp(&out, &ground, sizeof(CellCost)) == 0) return;
     cost_.cells[index] = out;
     priced_.push_back(index);

@@ -7,10 +7,10 @@
 namespace muster {
 namespace {
 
-constexpr double kSettled = 1e-4;       // Corrections below this share of a diameter end the rounds.
-constexpr double kPairMargin = 0.2;     // Pairs this much farther apart than a diameter may still meet.
-constexpr double kReported = 0.1;       // Overlap that counts, as a share of the diameter.
-constexpr std::size_t kChunk = 1024;    // Characters a task looks round.
+constexpr double kSettled = 1e-4;     // Corrections below this share of a diameter end the rounds.
+constexpr double kPairMargin = 0.2;   // Pairs this much farther apart than a diameter may still meet.
+constexpr double kReported = 0.1;     // Overlap that counts, as a share of the diameter.
+constexpr std::size_t kChunk = 1024;  // Characters a task looks round.
 
 }  // namespace
 
@@ -18,15 +18,16 @@ double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
     double worst = 0.0;
     const double touching = diameter * diameter;
     for (const NearPair pair : pairs_.pairs) {
-        Vec2& a = positions[static_cast<std::size_t>(pair.a)];
-        Vec2& b = positions[static_cast<std::size_t>(pair.b)];
+        Vec2& a = positions[pair.a];
+        Vec2& b = positions[pair.b];
         const Vec2 between = b - a;
         const double d2 = lengthSquared(between);
         if (d2 >= touching) continue;
         const double d = std::sqrt(d2);
         const double depth = diameter - d;
         // Two in one spot part along a direction that their numbers choose.
-        const Vec2 away = d > 1e-9 ? between / d : (((pair.a + pair.b) & 1) != 0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0});
+        const Vec2 away = d > 1e-9 ? between / d
+                                   : (((pair.a + pair.b) & 1) != 0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0});
         a -= away * (0.5 * depth);
         b += away * (0.5 * depth);
         worst = std::max(worst, depth);
@@ -38,7 +39,7 @@ double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
 double Contacts::leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) {
     double worst = 0.0;
     for (NearObstacle& near : nearObstacle_) {
-        Vec2& p = positions[static_cast<std::size_t>(near.index)];
+        Vec2& p = positions[near.index];
         if (p == near.free) continue;
         const Vec2 free = environment.pushOut(p, radius);
         if (free == p) {
@@ -56,7 +57,7 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
 void Contacts::leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions) {
     const Box inside = environment.def().box.grown(-radius);
     for (const NearObstacle& near : nearObstacle_) {
-        Vec2& p = positions[static_cast<std::size_t>(near.index)];
+        Vec2& p = positions[near.index];
         if (p == near.free) continue;
         if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
         p = environment.pushOut(p, radius);
@@ -69,8 +70,7 @@ ContactReport Contacts::report(double diameter, std::span<const Vec2> positions)
     ContactReport result;
     if (outdatedSince(diameter, positions)) look(diameter, positions);
     for (const NearPair pair : pairs_.pairs) {
-        const double d2 = lengthSquared(positions[static_cast<std::size_t>(pair.a)] -
-                                        positions[static_cast<std::size_t>(pair.b)]);
+        const double d2 = lengthSquared(positions[pair.a] - positions[pair.b]);
         if (d2 >= diameter * diameter) continue;
         const double share = (diameter - std::sqrt(d2)) / diameter;
         result.worstPenetration = std::max(result.worstPenetration, share);
@@ -87,13 +87,15 @@ void Contacts::look(double diameter, std::span<const Vec2> positions) {
     pairs_ = {found_, foundAt_, reach};
 }
 
-// Notes who is near an obstacle or the edge of the world: so near that nobody else comes to one while pairs hold.
+// Notes who is near an obstacle or the edge of the world: so near that nobody else comes to one while pairs
+// hold.
 void Contacts::watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions,
                               ThreadPool* pool) {
     watched_.resize(positions.size());
     forChunks(pool, (positions.size() + kChunk - 1) / kChunk, 1, [&](std::size_t chunk) {
         const std::size_t first = chunk * kChunk, count = std::min(kChunk, positions.size() - first);
-        environment.markClose(positions.subspan(first, count), 3.0 * radius, std::span(watched_).subspan(first, count));
+        environment.markClose(positions.subspan(first, count), 3.0 * radius,
+                              std::span(watched_).subspan(first, count));
     });
     nearObstacle_.clear();
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -118,7 +120,8 @@ bool Contacts::outdated(double diameter, std::span<const Vec2> positions) const 
 // As outdated(), where it was false before and only corrections moved anybody since.
 bool Contacts::outdatedSince(double diameter, std::span<const Vec2> positions) {
     if (!std::exchange(moved_, false)) return false;
-    if (2 * pairs_.pairs.size() + nearObstacle_.size() > positions.size()) return outdated(diameter, positions);
+    if (2 * pairs_.pairs.size() + nearObstacle_.size() > positions.size())
+        return outdated(diameter, positions);
     const double most = roomSquared(diameter);
     const auto left = [&](std::int32_t index) {
         const auto i = static_cast<std::size_t>(index);
@@ -131,8 +134,8 @@ bool Contacts::outdatedSince(double diameter, std::span<const Vec2> positions) {
     return false;
 }
 
-ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
-                                const KnownPairs& known, ThreadPool* pool) {
+ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment,
+                                std::span<Vec2> positions, const KnownPairs& known, ThreadPool* pool) {
     const double diameter = 2.0 * def.radius;
     pairs_ = known;
     if (outdated(diameter, positions)) look(diameter, positions);

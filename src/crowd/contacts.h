@@ -14,8 +14,9 @@ namespace muster {
 
 /// How contacts are resolved.
 struct ContactDef {
-    double radius = 0.25;          ///< Of a character [m] > 0.
-    std::int32_t iterations = 8;   ///< Rounds over all contacts >= 1; ends early once nothing is left to correct.
+    double radius = 0.25;  ///< Of a character [m] > 0.
+    /// Rounds over all contacts >= 1; ends early once nothing is left to correct.
+    std::int32_t iterations = 8;
 };
 
 /// Contacts left after a step.
@@ -27,8 +28,8 @@ struct ContactReport {
 /// Corrects positions in place: pairs by halves in a fixed order, then obstacles, which have the last word.
 class Contacts {
 public:
-    /// Moves `positions` apart and out of obstacles and reports what is left. `known` pairs save a search as long as
-    /// nobody is farther from where they were found than they leave room for.
+    /// Moves `positions` apart and out of obstacles and reports what is left. `known` pairs save a search as
+    /// long as nobody is farther from where they were found than they leave room for.
     ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
                           const KnownPairs& known = {}, ThreadPool* pool = nullptr);
 
@@ -36,7 +37,8 @@ private:
     // Somebody near an obstacle or the edge of the world.
     struct NearObstacle {
         std::int32_t index;
-        Vec2 free{std::numeric_limits<double>::quiet_NaN(), 0.0};  // Known to be left where it is here; nowhere at first.
+        // Known to be left where it is here; nowhere at first.
+        Vec2 free{std::numeric_limits<double>::quiet_NaN(), 0.0};
     };
 
     double separatePairs(double diameter, std::span<Vec2> positions);
@@ -44,7 +46,8 @@ private:
     void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions);
     ContactReport report(double diameter, std::span<const Vec2> positions);
     void look(double diameter, std::span<const Vec2> positions);
-    void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions, ThreadPool* pool);
+    void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions,
+                        ThreadPool* pool);
     double roomSquared(double diameter) const;
     bool outdated(double diameter, std::span<const Vec2> positions) const;
     bool outdatedSince(double diameter, std::span<const Vec2> positions);
@@ -52,7 +55,7 @@ private:
     NeighbourGrid neighbours_;
     std::vector<NearPair> found_;
     std::vector<Vec2> foundAt_;
-    KnownPairs pairs_;  // Found here, or known before.
+    KnownPairs pairs_;    // Found here, or known before.
     bool moved_ = false;  // Somebody was moved since pairs were last held against positions.
     std::vector<NearObstacle> nearObstacle_;
     std::vector<std::uint8_t> watched_;  // Per character: near one.

@@ -8,7 +8,8 @@ namespace {
 // One character's motion state, updated in place.
 class MotionUpdate {
 public:
-    MotionUpdate(const Environment& environment, Characters& characters, std::size_t i, std::vector<MotionEvent>& events)
+    MotionUpdate(const Environment& environment, Characters& characters, std::size_t i,
+                 std::vector<MotionEvent>& events)
         : environment_(environment), characters_(characters), i_(i), events_(events) {}
 
     void run(const GroundSample& ground, double dt) {
@@ -16,8 +17,10 @@ public:
         characters_.motionTime[i_] += dt;
         if (ground.patch.value != before) {
             // From one patch to another of the same motion nothing changes: together they are one patch.
-            if (before == 0 || ground.patch.value == 0 || ground.motion != groundMotion()) change(ground);
-            else if (characters_.phase[i_] == MotionPhase::Locked) characters_.lastSingle[i_] = ground.patch.value;
+            if (before == 0 || ground.patch.value == 0 || ground.motion != groundMotion())
+                change(ground);
+            else if (characters_.phase[i_] == MotionPhase::Locked)
+                characters_.lastSingle[i_] = ground.patch.value;
         }
         characters_.patch[i_] = ground.patch.value;
         endTransition(ground);
@@ -25,9 +28,7 @@ public:
     }
 
 private:
-    const ClipFacts& clip(std::int32_t motion) const {
-        return environment_.def().clips[static_cast<std::size_t>(motion)];
-    }
+    const ClipFacts& clip(std::int32_t motion) const { return environment_.def().clips[motion]; }
 
     // The motion of the patch it was in, even while a transition out of another still plays; 0 in the open.
     std::int32_t groundMotion() const {
@@ -47,7 +48,9 @@ private:
         characters_.motionTime[i_] = 0.0;
     }
 
-    bool hasTransition(std::int32_t motion) const { return clip(motion).cyclic && clip(motion).transitionTime > 0.0; }
+    bool hasTransition(std::int32_t motion) const {
+        return clip(motion).cyclic && clip(motion).transitionTime > 0.0;
+    }
 
     void start(std::int32_t motion, MotionPhase phase) {
         begin(motion, phase);
@@ -60,22 +63,28 @@ private:
         const MotionPhase phase = characters_.phase[i_];
         const std::int32_t motion = characters_.motion[i_];
         const bool single = ground.patch.value != 0 && !clip(ground.motion).cyclic;
-        // A transition out plays to its end before another motion; back in the same it ends, and a single step waits
-        // for nothing.
+        // A transition out plays to its end before another motion; back in the same it ends, and a single
+        // step waits for nothing.
         const bool back = ground.patch.value != 0 && ground.motion == motion;
         if (phase == MotionPhase::Leaving && !back && !single) return;
         if (phase == MotionPhase::Entering || phase == MotionPhase::Leaving)
             tell(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
-        const bool leaves = phase != MotionPhase::Leaving && characters_.patch[i_] != 0 && hasTransition(motion);
-        if (single) step(ground);
-        else if (leaves) start(motion, MotionPhase::Leaving);
-        else arrive(ground);
+        const bool leaves = phase != MotionPhase::Leaving && characters_.patch[i_] != 0 &&
+                            hasTransition(motion);
+        if (single)
+            step(ground);
+        else if (leaves)
+            start(motion, MotionPhase::Leaving);
+        else
+            arrive(ground);
     }
 
     // Takes up the motion of the ground, which is cyclic.
     void arrive(const GroundSample& ground) {
-        if (ground.patch.value != 0 && hasTransition(ground.motion)) start(ground.motion, MotionPhase::Entering);
-        else begin(ground.motion, MotionPhase::Steady);
+        if (ground.patch.value != 0 && hasTransition(ground.motion))
+            start(ground.motion, MotionPhase::Entering);
+        else
+            begin(ground.motion, MotionPhase::Steady);
     }
 
     void step(const GroundSample& ground) {
@@ -92,8 +101,10 @@ private:
         const std::int32_t motion = characters_.motion[i_];
         if (characters_.motionTime[i_] < clip(motion).transitionTime) return;
         tell(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
-        if (phase == MotionPhase::Leaving) arrive(ground);
-        else begin(motion, MotionPhase::Steady);
+        if (phase == MotionPhase::Leaving)
+            arrive(ground);
+        else
+            begin(motion, MotionPhase::Steady);
     }
 
     // motionTime runs from the moment the single-step patch was left.
@@ -125,8 +136,10 @@ void updateMotions(const Environment& environment, double dt, Characters& charac
             continue;
         }
         const GroundSample ground = environment.ground(characters.position[i]);
-        if (steady && ground.patch.value == inPatch[i]) times[i] += dt;
-        else MotionUpdate(environment, characters, i, events).run(ground, dt);
+        if (steady && ground.patch.value == inPatch[i])
+            times[i] += dt;
+        else
+            MotionUpdate(environment, characters, i, events).run(ground, dt);
     }
 }
 

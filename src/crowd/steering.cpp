@@ -12,7 +12,8 @@ constexpr double kLockEnds = 0.6;       // Nearer to its place than this nobody 
 constexpr double kTurnRate = 8.0;       // Share of the turn made up per second.
 constexpr double kTouchGap = 0.04;      // Nearer than this two touch [m].
 constexpr double kBlockedSpeed = 0.15;  // Who touches others and is slower is held up [m/s].
-constexpr double kAhead = 0.5;          // Two are side by side where neither is ahead by this share, twice a cosine.
+// Two are side by side where neither is ahead by this share, twice a cosine.
+constexpr double kAhead = 0.5;
 constexpr double kGiveWay = 0.3;        // At which one steps back from somebody held up [m/s].
 constexpr std::size_t kChunk = 256;     // Characters a task steers.
 constexpr double kStandsBelow = 0.05;   // Below it one does not walk on in a crowd [m/s].
@@ -44,14 +45,15 @@ bool isAhead(const Characters& now, std::size_t a, std::size_t b) {
 }
 
 // The velocity that the way and the place alone ask for.
-Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input, std::size_t i,
-                       double topSpeed) {
+Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input,
+                       std::size_t i, double topSpeed) {
     const Vec2 direction = now.direction[i];
     const bool placed = now.place[i] >= 0;
     if (!placed && direction == Vec2{}) return {};
     const Vec2 toPlace = input.place[i] - now.position[i];
     const double left = length(toPlace);
-    const bool crossing = now.phase[i] == MotionPhase::Locked && left > kLockEnds && lengthSquared(now.velocity[i]) > 0.01;
+    const bool crossing = now.phase[i] == MotionPhase::Locked && left > kLockEnds &&
+                          lengthSquared(now.velocity[i]) > 0.01;
     if (crossing) return withinLock(direction, now.heading[i]) * topSpeed;
     if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left)
         return clampLength(input.placeVelocity[i] + toPlace * def.positionGain, topSpeed);
@@ -87,7 +89,8 @@ void Steering::addSidesteps(const SteeringDef& def, const Characters& now) {
         const Vec2 push = away * (def.separationGain * def.separationReach * std::min(1.0, closeness));
         // Head on, both give way to their right, so that neither waits for the other.
         const double closing = dot(preferred_[a] - preferred_[b], away);
-        const Vec2 aside = closing > 0.0 ? perpendicular(away) * (0.25 * closing * std::min(1.0, closeness)) : Vec2{};
+        const Vec2 aside = closing > 0.0 ? perpendicular(away) * (0.25 * closing * std::min(1.0, closeness))
+                                         : Vec2{};
         preferred_[a] -= push + aside;
         preferred_[b] += push + aside;
     }
@@ -103,7 +106,9 @@ void Steering::holdBack(const SteeringDef& def, const Characters& now) {
         if (isAhead(now, back, front)) std::swap(front, back);
         const Vec2 between = now.position[front] - now.position[back];
         if (lengthSquared(now.velocity[front]) > kBlockedSpeed * kBlockedSpeed) continue;
-        if (lengthSquared(between) > touching * touching || dot(now.direction[front], now.direction[back]) <= 0.0) continue;
+        if (lengthSquared(between) > touching * touching ||
+            dot(now.direction[front], now.direction[back]) <= 0.0)
+            continue;
         const Vec2 ahead = normalized(between, {1.0, 0.0});
         const double pressing = dot(preferred_[back], ahead) - std::max(0.0, dot(now.velocity[front], ahead));
         if (pressing > 0.0) preferred_[back] -= ahead * (pressing + kGiveWay);
@@ -111,27 +116,30 @@ void Steering::holdBack(const SteeringDef& def, const Characters& now) {
 }
 
 void Steering::run(const SteeringDef& def, const Characters& now, const SteeringInput& input,
-                   const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading,
-                   ThreadPool* pool) {
+                   const Environment& environment, double dt, std::span<Vec2> velocity,
+                   std::span<Vec2> heading, ThreadPool* pool) {
     const std::size_t count = now.size();
     preferred_.resize(count);
     topSpeed_.resize(count);
     const bool patches = !environment.patchIds().empty();
     forChunks(pool, count, kChunk, [&](std::size_t i) {
-        topSpeed_[i] = patches ? def.maxSpeed * environment.ground(now.position[i]).travelSpeed : def.maxSpeed;
+        topSpeed_[i] = patches ? def.maxSpeed * environment.ground(now.position[i]).travelSpeed
+                               : def.maxSpeed;
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     });
     reach_ = 2.0 * def.radius + std::max(def.separationReach, kTouchGap);
     neighbours_.findPairs(now.position, reach_, pairs_);
     addSidesteps(def, now);
     holdBack(def, now);
-    const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt, std::min(1.0, kTurnRate * dt)};
+    const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt,
+                            std::min(1.0, kTurnRate * dt)};
     forChunks(pool, count, kChunk, [&, bounds](std::size_t i) {
         const Vec2 next = nextVelocity(bounds, now.velocity[i], preferred_[i], topSpeed_[i]);
         const double speed = length(next);
         const Vec2 towards = speed > kWalkingSpeed ? next / speed : input.facing[i];
         velocity[i] = next;
-        heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i] : turned(now.heading[i], towards, bounds.turn);
+        heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i]
+                                                         : turned(now.heading[i], towards, bounds.turn);
     });
 }
 

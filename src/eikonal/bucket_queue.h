@@ -15,8 +15,8 @@ struct FrontCell {
     std::int32_t node;  ///< Index in the padded arrays.
 };
 
-/// Cells by key; keys are never below the bucket that is being emptied (lower ones are put into it). Cells too
-/// far ahead for the ring wait in a list.
+/// Cells by key; keys are never below the bucket that is being emptied (lower ones are put into it). Cells
+/// too far ahead for the ring wait in a list.
 class BucketQueue {
 public:
     BucketQueue() : buckets_(kRing) {
@@ -94,7 +94,8 @@ private:
             std::uint64_t word = used_[(first / 64 + k) % (kRing / 64)];
             if (k == 0) word &= ~0ull << (first % 64);
             if (k == kRing / 64) word &= ~(~0ull << (first % 64));
-            if (word != 0) return current_ + static_cast<std::int32_t>(64 * k - first % 64) + std::countr_zero(word);
+            if (word != 0)
+                return current_ + static_cast<std::int32_t>(64 * k - first % 64) + std::countr_zero(word);
         }
         return kFarthest;
     }

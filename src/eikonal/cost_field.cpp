@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "cost/between_centres.h"
-#include "eikonal/start_disc.h"
 #include "eikonal/eikonal.h"
+#include "eikonal/start_disc.h"
 
 namespace muster {
 namespace {
@@ -25,7 +25,7 @@ std::int32_t CostField::indexOf(Cell cell) const {
 
 float CostField::value(Cell cell) const {
     const std::int32_t at = indexOf(cell);
-    return at >= 0 ? values_[static_cast<std::size_t>(at)] : kInfiniteCost;
+    return at >= 0 ? values_[at] : kInfiniteCost;
 }
 
 void CostField::lower(Cell cell, float value) {
@@ -60,8 +60,8 @@ double CostField::cost(Vec2 p) const {
     return weights > 0.0 ? sum / weights : kInfiniteCost;
 }
 
-// Value of corner k of the square above and right of `low`. Where it is not reached (a wall), what the slope of the row or
-// column through it says, so that costs rise evenly up to a wall.
+// Value of corner k of the square above and right of `low`. Where it is not reached (a wall), what the slope
+// of the row or column through it says, so that costs rise evenly up to a wall.
 double CostField::cornerValue(Cell low, int k) const {
     const Cell c{low.x + (k & 1), low.y + (k >> 1)};
     const float own = value(c);
@@ -92,7 +92,8 @@ Vec2 CostField::direction(Vec2 p) const {
     // In the open straight to the root.
     if (reached[0] && reached[1] && reached[2] && reached[3]) {
         Vec2 towards;
-        if (straightCostAt(p, towards) < kInfiniteCost && lengthSquared(towards) > kNearRoot) return normalized(towards);
+        if (straightCostAt(p, towards) < kInfiniteCost && lengthSquared(towards) > kNearRoot)
+            return normalized(towards);
     }
     // A slope along one edge of the square of centres, where both its ends have a value.
     const auto slope = [&](int a, int b, int c, int d, double share) {
@@ -115,29 +116,34 @@ Vec2 CostField::direction(Vec2 p) const {
     const bool above = reached[2] || reached[3];
     const bool stoppedX = (down.x < 0.0 && !left) || (down.x > 0.0 && !right);
     const bool stoppedY = (down.y < 0.0 && !below) || (down.y > 0.0 && !above);
-    // Before a wall or dear ground, where both ways round cost the same, the slope leads nowhere: one of them is taken.
+    // Before a wall or dear ground, where both ways round cost the same, the slope leads nowhere: one of them
+    // is taken.
     const bool flatX = std::fabs(down.x) < kRidge * std::fabs(down.y);
     const bool flatY = std::fabs(down.y) < kRidge * std::fabs(down.x);
-    if (flatY && (stoppedX || risesAhead(at.low, down.x, {1, 0}))) down.y = std::fabs(down.x) * sideStep(at.low, {0, 1});
-    if (flatX && (stoppedY || risesAhead(at.low, down.y, {0, 1}))) down.x = std::fabs(down.y) * sideStep(at.low, {1, 0});
+    if (flatY && (stoppedX || risesAhead(at.low, down.x, {1, 0})))
+        down.y = std::fabs(down.x) * sideStep(at.low, {0, 1});
+    if (flatX && (stoppedY || risesAhead(at.low, down.y, {0, 1})))
+        down.x = std::fabs(down.y) * sideStep(at.low, {1, 0});
     if (stoppedX) down.x = 0.0;
     if (stoppedY) down.y = 0.0;
     down = normalized(down);
-    // Who stands nearer to such a side than to the reached cells is too near to a wall: it also leads away from there.
+    // Who stands nearer to such a side than to the reached cells is too near to a wall: it also leads away
+    // from there.
     if (!left || !right) down.x += left ? std::min(0.0, 0.5 - at.fx) : std::max(0.0, 0.5 - at.fx);
     if (!below || !above) down.y += below ? std::min(0.0, 0.5 - at.fy) : std::max(0.0, 0.5 - at.fy);
     down = normalized(down);
     return down == Vec2{} ? towardsReached(p) : down;
 }
 
-// The cheaper of the two cells of a square of centres, or beyond it, that lie `along` cells from its low side on `axis`.
+// The cheaper of the two cells of a square of centres, or beyond it, that lie `along` cells from its low side
+// on `axis`.
 float CostField::cheapestAcross(Cell low, Cell axis, std::int32_t along) const {
     const Cell c{low.x + along * axis.x, low.y + along * axis.y};
     return std::min(value(c), value({c.x + axis.y, c.y + axis.x}));
 }
 
-// True where the cost falls along `axis` (to the side of `sign`) up to the edge of the square of centres only, and grows
-// again beyond it. Only the source is a true minimum, so it is not to be near.
+// True where the cost falls along `axis` (to the side of `sign`) up to the edge of the square of centres
+// only, and grows again beyond it. Only the source is a true minimum, so it is not to be near.
 bool CostField::risesAhead(Cell low, double sign, Cell axis) const {
     const double clear = nearRadius_ + 3.0 * grid_.cell;
     if (lengthSquared(grid_.centre(low) - source_) <= clear * clear) return false;
@@ -146,7 +152,8 @@ bool CostField::risesAhead(Cell low, double sign, Cell axis) const {
     return beyond < kInfiniteCost && beyond > edge;
 }
 
-// Towards the cheaper of the cells beyond the square of centres on either side along `axis`: 1 or -1, 1 where they tie.
+// Towards the cheaper of the cells beyond the square of centres on either side along `axis`: 1 or -1, 1 where
+// they tie.
 double CostField::sideStep(Cell low, Cell axis) const {
     const float ahead = cheapestAcross(low, axis, 2);
     const float behind = cheapestAcross(low, axis, -1);

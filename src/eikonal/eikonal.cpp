@@ -23,7 +23,9 @@ struct EikonalSolver::Impl {
 
 namespace {
 
-bool reachable(const UnitCost& cost, std::int32_t index) { return !cost.wall(index); }
+bool reachable(const UnitCost& cost, std::int32_t index) {
+    return !cost.wall(index);
+}
 
 }  // namespace
 
@@ -93,7 +95,8 @@ EikonalSolver::~EikonalSolver() = default;
 EikonalSolver::EikonalSolver(EikonalSolver&&) noexcept = default;
 EikonalSolver& EikonalSolver::operator=(EikonalSolver&&) noexcept = default;
 
-void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets, CostField& field) {
+void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets,
+                          CostField& field) {
     MUSTER_ASSERT(cost.cells.size() == static_cast<std::size_t>(cost.grid.count()));
     Impl& work = *impl_;
     const Grid& grid = cost.grid;
@@ -102,7 +105,8 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
     work.front.fit(grid);
     work.front.begin(cost, work.def.secondOrder);
     work.watch(cost, targets);
-    work.disc.start(cost, field.source_, work.def.startRadius, work.reach(cost, field.source_, targets), work.front);
+    work.disc.start(cost, field.source_, work.def.startRadius, work.reach(cost, field.source_, targets),
+                    work.front);
     field.nearRadius_ = work.disc.radius();
     field.nearCost_ = cost.cells[grid.index(grid.nearestCell(field.source_))];
     work.march(grid.cell, !targets.empty());
@@ -138,7 +142,8 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
         const Cell c = grid.at(beside.cell);
         const Cell in{c.x - low.x, c.y - low.y};
         if (in.x < 0 || in.y < 0 || in.x >= field.width_ || in.y >= field.height_) continue;
-        field.values_[static_cast<std::size_t>(in.y) * field.width_ + in.x] = work.front.centreValue(beside) * edge;
+        field.values_[static_cast<std::size_t>(in.y) * field.width_ + in.x] = work.front.centreValue(beside) *
+                                                                              edge;
     }
     work.front.end(low, high);
 }

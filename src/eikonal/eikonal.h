@@ -6,37 +6,43 @@
 #include <span>
 #include <vector>
 
-#include "muster/status.h"
-#include "eikonal/root.h"
 #include "cost/unit_cost.h"
+#include "eikonal/root.h"
+#include "muster/status.h"
 
 namespace muster {
 
 /// Options of a solve.
 struct EikonalDef {
-    bool secondOrder = true;    ///< Second-order upwind differences where two accepted neighbours allow it.
-    double startRadius = 1.0;   ///< Straight-line costs are exact within it where the ground is clear and uniform [m] >= 0.
-    double margin = 1.5;        ///< The front goes on this much cost beyond the farthest target >= 0.
+    bool secondOrder = true;  ///< Second-order upwind differences where two accepted neighbours allow it.
+    /// Straight-line costs are exact within it where the ground is clear and uniform [m] >= 0.
+    double startRadius = 1.0;
+    double margin = 1.5;  ///< The front goes on this much cost beyond the farthest target >= 0.
 };
 
 /// The cost to reach `source`, stored for the part of the grid that was marched.
 class CostField {
 public:
-    /// Cost from `p`: where the reached ones among the four cells around know the points their straight ways come
-    /// from, the cheapest way from these; else bilinear. Infinite where none is reached, or `p` is not finite.
+    /// Cost from `p`: where the reached ones among the four cells around know the points their straight ways
+    /// come from, the cheapest way from these; else bilinear. Infinite where none is reached, or `p` is not
+    /// finite.
     double cost(Vec2 p) const;
-    /// The unit direction of the cheapest way at `p`, without any part that leads into cells not reached. Where
-    /// none of the four cells around is reached, it leads to a reached one near by; zero where there is none.
+    /// The unit direction of the cheapest way at `p`, without any part that leads into cells not reached.
+    /// Where none of the four cells around is reached, it leads to a reached one near by; zero where there is
+    /// none.
     Vec2 direction(Vec2 p) const;
     /// Value of a cell; infinite where not reached.
     float value(Cell cell) const;
-    /// Square of the cost at `p`, interpolated between the four centres around it, of which only those reached count;
-    /// infinite where none is. On uniform ground squares are what interpolates well: they have no kink at the source.
+    /// Square of the cost at `p`, interpolated between the four centres around it, of which only those
+    /// reached count; infinite where none is. On uniform ground squares are what interpolates well: they have
+    /// no kink at the source.
     double squareBetween(Vec2 p) const;
-    /// Lowers the value of a cell from outside; where its way comes from is not known any more. Nothing where it is not lower.
+    /// Lowers the value of a cell from outside; where its way comes from is not known any more. Nothing where
+    /// it is not lower.
     void lower(Cell cell, float value);
-    /// Corners of the way from `p` to the source as far as it is known to be made of straight lines, from the first after
-    /// `p` on, the source left out. Returns their number, at most `most`; -1 where the way is not known.
+    /// Corners of the way from `p` to the source as far as it is known to be made of straight lines, from the
+    /// first after `p` on, the source left out. Returns their number, at most `most`; -1 where the way is not
+    /// known.
     std::int32_t corners(Vec2 p, std::span<Vec2> corners) const;
     /// Where the cost is zero [m].
     Vec2 source() const { return source_; }
@@ -44,7 +50,8 @@ public:
     const Grid& grid() const { return grid_; }
     /// Cells marched.
     std::int32_t marched() const { return marched_; }
-    /// Makes room for so many cells and for as many points that straight ways come from, so that solves need none.
+    /// Makes room for so many cells and for as many points that straight ways come from, so that solves need
+    /// none.
     void reserve(std::size_t cells, std::size_t roots) {
         values_.reserve(cells);
         root_.reserve(cells);
@@ -64,8 +71,8 @@ private:
             return -1;
         }
     };
-    // The cheapest of the ways from the roots around a point, exact also where two ways meet, and the vector to that
-    // root [cells]. Infinite where not all that is known around the point comes straight from roots.
+    // The cheapest of the ways from the roots around a point, exact also where two ways meet, and the vector
+    // to that root [cells]. Infinite where not all that is known around the point comes straight from roots.
     double straightCostAt(Vec2 p, Vec2& towards) const;
     double squareOfKnown(Cell low, double fx, double fy) const;
     std::int32_t indexOf(Cell cell) const;
@@ -78,14 +85,14 @@ private:
     bool risesAhead(Cell low, double sign, Cell axis) const;
     double sideStep(Cell low, Cell axis) const;
 
-    Grid grid_;                  // Of the whole ground.
+    Grid grid_;  // Of the whole ground.
     Vec2 source_;
-    Cell low_;                   // Lower left cell of the stored window.
-    std::int32_t width_ = 0;     // Of the window.
+    Cell low_;                // Lower left cell of the stored window.
+    std::int32_t width_ = 0;  // Of the window.
     std::int32_t height_ = 0;
     std::int32_t marched_ = 0;
-    double nearRadius_ = 0.0;    // Straight-line costs hold within it [m].
-    CellCost nearCost_;          // Of the source's cell.
+    double nearRadius_ = 0.0;  // Straight-line costs hold within it [m].
+    CellCost nearCost_;        // Of the source's cell.
     std::vector<float> values_;
     // Straight ways: the number of the root that each value comes from, 0 for none, and the roots.
     std::vector<std::uint16_t> root_;
@@ -100,10 +107,10 @@ public:
     EikonalSolver(EikonalSolver&&) noexcept;  ///< Moves.
     EikonalSolver& operator=(EikonalSolver&&) noexcept;
 
-    /// Marches from `source` until every reachable target's surrounding cells are accepted, and `margin` beyond;
-    /// over the whole reachable ground where `targets` is empty. A source in a wall cell starts from the nearest
-    /// free cells. Unreachable targets end with infinite cost: give only targets of the same region where that
-    /// can be known, or the front floods the region.
+    /// Marches from `source` until every reachable target's surrounding cells are accepted, and `margin`
+    /// beyond; over the whole reachable ground where `targets` is empty. A source in a wall cell starts from
+    /// the nearest free cells. Unreachable targets end with infinite cost: give only targets of the same
+    /// region where that can be known, or the front floods the region.
     void solve(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets, CostField& field);
 
 private:

@@ -5,14 +5,16 @@
 namespace muster {
 namespace {
 
-// A bucket's width in units of the lowest cost of one cell. Within a bucket cells come in order of arrival; what
-// that spoils is mended by visiting a cell again, so a finer width saves visits and a coarser one empty buckets.
+// A bucket's width in units of the lowest cost of one cell. Within a bucket cells come in order of arrival;
+// what that spoils is mended by visiting a cell again, so a finer width saves visits and a coarser one empty
+// buckets.
 constexpr float kBucketShare = 0.125f;
-// Second-order differences need evenly spaced values: they are used where the costs of two steps differ by less.
+// Second-order differences need evenly spaced values: they are used where the costs of two steps differ by
+// less.
 constexpr float kEven = 0.2f;
 
-// The value that follows from those of two neighbours across each other, a step from which costs ca and cb; from a alone
-// where it would lie below one of them.
+// The value that follows from those of two neighbours across each other, a step from which costs ca and cb;
+// from a alone where it would lie below one of them.
 inline float upwind(float a, float ca, float b, float cb) {
     const float alone = a + ca;
     if (!(b < alone && a < b + cb)) return alone;
@@ -90,8 +92,9 @@ inline float Front::towards(const CellCost& c) {
     return c.south;
 }
 
-// Offers the new value of `from` to the neighbour from which `from` lies on side kSide. Only solutions that come
-// through `from` are looked at: those through the opposite neighbour were offered when that one got its value.
+// Offers the new value of `from` to the neighbour from which `from` lies on side kSide. Only solutions that
+// come through `from` are looked at: those through the opposite neighbour were offered when that one got its
+// value.
 template <Front::Side kSide>
 inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* fromCost) {
     constexpr bool kAlong = kSide == Side::East || kSide == Side::West;
@@ -104,7 +107,8 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
     const float old = there->tentative;
     if (!(old > value) || there->root == kGiven) return;
     const auto to = [&] {
-        return FrontCell{from.cell + static_cast<std::int32_t>(cellStep), from.node + static_cast<std::int32_t>(step)};
+        return FrontCell{from.cell + static_cast<std::int32_t>(cellStep),
+                         from.node + static_cast<std::int32_t>(step)};
     };
     if (here->root > 0 && relaxStraight(from, to(), old)) return;
     const CellCost* const cost = fromCost + cellStep;
@@ -135,7 +139,8 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
         const float acrossBehind = there[above ? 2 * across : -2 * across].accepted;
         if (acrossBehind <= b) {
             const CellCost& next = cost[above ? acrossCell : -acrossCell];
-            const float beforeAcross = kAlong ? (above ? next.north : next.south) : (above ? next.east : next.west);
+            const float beforeAcross = kAlong ? (above ? next.north : next.south)
+                                              : (above ? next.east : next.west);
             if (std::fabs(beforeAcross - cb) <= even_ * cb) {
                 b = (4.0f * b - acrossBehind) * (1.0f / 3.0f);
                 cb *= 2.0f / 3.0f;
@@ -170,7 +175,8 @@ bool Front::step() {
     return true;
 }
 
-// The march writes to reached cells and those beside them. The flood, and seeds that were never reached, stand apart.
+// The march writes to reached cells and those beside them. The flood, and seeds that were never reached,
+// stand apart.
 void Front::end(Cell low, Cell high) {
     noteWritten(low, high);
     low = writtenLow_;

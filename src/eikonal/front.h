@@ -6,31 +6,34 @@
 #include <limits>
 #include <vector>
 
+#include "cost/unit_cost.h"
 #include "eikonal/bucket_queue.h"
 #include "eikonal/sight.h"
-#include "cost/unit_cost.h"
 
 namespace muster {
 
 inline constexpr float kInfiniteCost = std::numeric_limits<float>::infinity();
-/// Straight-line values are better than differences: where both meet, a value from differences wins only where it is
-/// lower by more than this [cells], and gives way to a straight one that is higher by less.
+/// Straight-line values are better than differences: where both meet, a value from differences wins only
+/// where it is lower by more than this [cells], and gives way to a straight one that is higher by less.
 inline constexpr float kDoubt = 0.1f;
 /// In place of a root: the value is given and the march leaves it as it is.
 inline constexpr std::int32_t kGiven = -1;
-/// In place of a root: the value comes from cheaper ground, so that no straight way along this ground can be better.
+/// In place of a root: the value comes from cheaper ground, so that no straight way along this ground can be
+/// better.
 inline constexpr std::int32_t kCheaper = -2;
 
-/// What a march knows of a cell. It is kept in one place, as a step of the march needs nearly all of it at once.
+/// What a march knows of a cell. It is kept in one place, as a step of the march needs nearly all of it at
+/// once.
 struct FrontNode {
     float accepted = kInfiniteCost;   ///< Value that neighbours have been told of.
     float tentative = kInfiniteCost;  ///< Lowest value found so far.
-    std::int32_t root = 0;    ///< What the value comes from: number of a root above 0, 0 for none, kGiven or kCheaper.
+    /// What the value comes from: number of a root above 0, 0 for none, kGiven or kCheaper.
+    std::int32_t root = 0;
     std::int32_t hidden = 0;  ///< The root last found hidden from here by a wall; 0 for none.
 };
 
-/// Values of a march in units of cost per metre times the cell's edge. Rows are padded by one cell that ends one
-/// row and begins the next, and by two rows below and above, so that no index needs a check.
+/// Values of a march in units of cost per metre times the cell's edge. Rows are padded by one cell that ends
+/// one row and begins the next, and by two rows below and above, so that no index needs a check.
 class Front {
 public:
     /// Makes ready for a grid; keeps the arrays where its size has not changed.
@@ -39,13 +42,15 @@ public:
     void begin(const UnitCost& cost, bool secondOrder);
     /// Makes a root at the source, of cost 0; cells seeded with its number get straight-line costs.
     std::int32_t addSource(float x, float y, float unit);
-    /// Gives the cells that the source's root sees within `limit` [cost of cells] their values at once, from cell to
-    /// cell, and leaves to the march what lies behind them. False, doing nothing, where
-    /// the ground at `home` is not the root's.
+    /// Gives the cells that the source's root sees within `limit` [cost of cells] their values at once, from
+    /// cell to cell, and leaves to the march what lies behind them. False, doing nothing, where the ground at
+    /// `home` is not the root's.
     bool flood(Cell home, std::int32_t root, float limit);
-    /// Gives a cell a value that the march may still lower; `root` 0 where it comes from no root, kGiven where it may not.
+    /// Gives a cell a value that the march may still lower; `root` 0 where it comes from no root, kGiven
+    /// where it may not.
     void seed(Cell cell, float value, std::int32_t root);
-    /// What lies between a cell and the source's root; `value` is the cost of the straight way where it is clear.
+    /// What lies between a cell and the source's root; `value` is the cost of the straight way where it is
+    /// clear.
     Ray seen(Cell cell, std::int32_t root, float& value) const;
     /// Empties one bucket of the queue; false where nothing is left. Its lowest value is then in level().
     bool step();
@@ -55,7 +60,8 @@ public:
     float centreValue(const WallNode& beside) const;
     /// Value of a node, infinite where not reached.
     float value(std::int32_t node) const { return nodes_[node].accepted; }
-    /// First and last row in which a cell may have been reached; the last lies below the first where there is none.
+    /// First and last row in which a cell may have been reached; the last lies below the first where there is
+    /// none.
     std::int32_t firstRow() const { return lastNode_ < 0 ? 0 : firstNode_ / stride_ - 2; }
     std::int32_t lastRow() const { return lastNode_ < 0 ? -1 : lastNode_ / stride_ - 2; }
     /// The cells of a row, from column 0 on.
@@ -82,7 +88,8 @@ private:
         void take(float cost, std::int32_t at);
     };
 
-    // Of a row of the flood, in columns from the root's: as far as the ground goes, and as the row before was seen.
+    // Of a row of the flood, in columns from the root's: as far as the ground goes, and as the row before was
+    // seen.
     struct FloodSpan {
         std::int32_t width;
         std::int32_t reached;
@@ -138,8 +145,9 @@ private:
     // Straight ways, and the root that stands at each wall node.
     Sight sight_;
     std::vector<Root> roots_;
-    std::vector<std::int32_t> hidingCell_;  // The cell that hid a node's hidden root; -1 where ways bent there were offered.
-    std::int32_t hiding_ = -1;          // The same of the root asked for last.
+    // The cell that hid a node's hidden root; -1 where ways bent there were offered.
+    std::vector<std::int32_t> hidingCell_;
+    std::int32_t hiding_ = -1;  // The same of the root asked for last.
     std::vector<std::int32_t> wallRoot_;
     // The lowest and the highest node reached, so that reading the result need not visit the whole ground.
     std::int32_t firstNode_ = 0;

@@ -39,8 +39,10 @@ void Front::floodAxis(Cell home, std::int32_t right, std::int32_t up, std::int32
         const FrontCell cell = at(c);
         const FrontCell before = at({c.x - right, c.y - up});
         if (nodes_[before.node].root != root) return;
-        const bool rim = right != 0 ? c.y == 0 || c.y == grid_.height - 1 : c.x == 0 || c.x == grid_.width - 1;
-        const bool certain = !rim && sight_.open(before.cell - across, unit) && sight_.open(before.cell + across, unit);
+        const bool rim = right != 0 ? c.y == 0 || c.y == grid_.height - 1
+                                    : c.x == 0 || c.x == grid_.width - 1;
+        const bool certain = !rim && sight_.open(before.cell - across, unit) &&
+                             sight_.open(before.cell + across, unit);
         if (!floodCell(cell, certain, root)) return;
         floodLow_ = {std::min(floodLow_.x, c.x), std::min(floodLow_.y, c.y)};
         floodHigh_ = {std::max(floodHigh_.x, c.x), std::max(floodHigh_.y, c.y)};
@@ -59,12 +61,14 @@ void Front::floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::i
         if (last < 0 && reached < 0) return;
         reached = last;
         floodLow_ = {std::min(floodLow_.x, home.x + right * std::max(0, last)), std::min(floodLow_.y, row)};
-        floodHigh_ = {std::max(floodHigh_.x, home.x + right * std::max(0, last)), std::max(floodHigh_.y, row)};
+        floodHigh_ = {std::max(floodHigh_.x, home.x + right * std::max(0, last)),
+                      std::max(floodHigh_.y, row)};
     }
 }
 
-// A row of a quadrant from the axis on: cells are seen for certain where both cells are between which the way leaves
-// towards the root; looked at where one is. Returns the last column seen, counted from the axis; -1 for none.
+// A row of a quadrant from the axis on: cells are seen for certain where both cells are between which the way
+// leaves towards the root; looked at where one is. Returns the last column seen, counted from the axis; -1
+// for none.
 std::int32_t Front::floodRow(Cell axis, Cell side, FloodSpan span, std::int32_t root) {
     const Root source = roots_[root];
     const std::int32_t right = side.x;
@@ -100,8 +104,8 @@ std::int32_t Front::floodRow(Cell axis, Cell side, FloodSpan span, std::int32_t 
     return last;
 }
 
-// Gives a cell its straight-line value where it is of the root's ground and sees it; `certain` where it does unless a
-// wall of its own stands between. Returns whether it does.
+// Gives a cell its straight-line value where it is of the root's ground and sees it; `certain` where it does
+// unless a wall of its own stands between. Returns whether it does.
 bool Front::floodCell(FrontCell cell, bool certain, std::int32_t root) {
     const Root& source = roots_[root];
     const bool open = sight_.open(cell.cell, source.unit);
@@ -112,7 +116,8 @@ bool Front::floodCell(FrontCell cell, bool certain, std::int32_t root) {
     const float value = source.costAt(x, y);
     if (value > floodLimit_) return false;
     const float rise = open ? 1.0f : sight_.rise(cell.cell, x, y, source);
-    if (rise < kHidden || (!(certain && rise >= kRisen) && look(cell, x, y, root) != Ray::Clear)) return false;
+    if (rise < kHidden || (!(certain && rise >= kRisen) && look(cell, x, y, root) != Ray::Clear))
+        return false;
     FrontNode& at = nodes_[cell.node];
     at = {value, value, root, at.hidden};
     return true;

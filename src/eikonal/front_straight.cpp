@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "eikonal/front.h"
 #include "cost/thin_wall.h"
+#include "eikonal/front.h"
 
 namespace muster {
 namespace {
@@ -19,9 +19,10 @@ constexpr float kFar = 6.0f;
 constexpr std::int32_t kNearHiding = 2;
 constexpr float kBesideBend = 6.0f;
 
-// The middle of a rounded corner between two points at its wall, a root as good as the points themselves; false where
-// the straight way between them runs outside. The corner is an arc that touches the walls' lines through both points,
-// as wide as the nearer one allows: on round obstacles both lie on it, at a polygon one may lie far along its side.
+// The middle of a rounded corner between two points at its wall, a root as good as the points themselves;
+// false where the straight way between them runs outside. The corner is an arc that touches the walls' lines
+// through both points, as wide as the nearer one allows: on round obstacles both lie on it, at a polygon one
+// may lie far along its side.
 bool middleOfArc(const WallNode& a, const WallNode& b, const Root& from, float x, float y, Root& middle) {
     const float dx = x - from.x;
     const float dy = y - from.y;
@@ -66,11 +67,12 @@ inline bool Front::bends(std::int32_t cell) const {
     const WallNode& beside = sight_.node(number);
     if (beside.normalX != 0.0f || beside.normalY != 0.0f) return true;
     const CellCost& c = cells_[cell];
-    return (c.east == kInfiniteCost && c.west == kInfiniteCost) || (c.north == kInfiniteCost && c.south == kInfiniteCost);
+    return (c.east == kInfiniteCost && c.west == kInfiniteCost) ||
+           (c.north == kInfiniteCost && c.south == kInfiniteCost);
 }
 
-// True where a node is known to see the root: its value comes straight from there, or, far off, from another root at
-// the same corner or from the root before it, as at the border between what the two see first.
+// True where a node is known to see the root: its value comes straight from there, or, far off, from another
+// root at the same corner or from the root before it, as at the border between what the two see first.
 inline bool Front::shows(std::int32_t node, std::int32_t number, bool far) const {
     const std::int32_t own = nodes_[node].root;
     if (own == number) return true;
@@ -80,8 +82,9 @@ inline bool Front::shows(std::int32_t node, std::int32_t number, bool far) const
     return own == b.parent || std::fabs(a.x - b.x) + std::fabs(a.y - b.y) < kSameCorner;
 }
 
-// What lies between a cell and a root. Between two cells that the root sees, those between which the way leaves
-// towards it, it sees this one as well, unless a wall hides one from the other; else the way is looked along.
+// What lies between a cell and a root. Between two cells that the root sees, those between which the way
+// leaves towards it, it sees this one as well, unless a wall hides one from the other; else the way is looked
+// along.
 Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
     hiding_ = -1;
     if (nodes_[to.node].hidden == number) {
@@ -106,7 +109,8 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
     const bool level = std::min(ax, ay) <= kNearlyStraight * std::max(ax, ay);
     const bool far = rootRise >= 0.0f && rootRise < 1.0f && ax + ay > kFar;
     const bool own = nodes_[straight].root == number || nodes_[oblique].root == number;
-    if (own && rise >= kRisen && shows(straight, number, far) && (level || shows(oblique, number, far))) return Ray::Clear;
+    if (own && rise >= kRisen && shows(straight, number, far) && (level || shows(oblique, number, far)))
+        return Ray::Clear;
     return look(to, x, y, number);
 }
 
@@ -119,8 +123,8 @@ Ray Front::look(FrontCell to, float x, float y, std::int32_t number) {
     return ray;
 }
 
-// Offers `to` the cost of a straight way from the root of `from`, or from `from` itself where it lies at a wall.
-// Returns false where differences should be tried: on other ground, or where the root is hidden.
+// Offers `to` the cost of a straight way from the root of `from`, or from `from` itself where it lies at a
+// wall. Returns false where differences should be tried: on other ground, or where the root is hidden.
 bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     const std::int32_t number = nodes_[from.node].root;
     if (nodes_[to.node].root == number) return true;
@@ -164,11 +168,13 @@ void Front::Bends::take(float cost, std::int32_t at) {
     cell[k] = at;
 }
 
-// The wall cells near the one that hides a root from a point at which the way to the point is cheapest, and below `limit`.
+// The wall cells near the one that hides a root from a point at which the way to the point is cheapest, and
+// below `limit`.
 Front::Bends Front::bestBends(std::int32_t hiding, const Root& target, float limit) const {
     const Cell middle = grid_.at(hiding);
     const Cell low{std::max(0, middle.x - kNearHiding), std::max(0, middle.y - kNearHiding)};
-    const Cell high{std::min(grid_.width - 1, middle.x + kNearHiding), std::min(grid_.height - 1, middle.y + kNearHiding)};
+    const Cell high{std::min(grid_.width - 1, middle.x + kNearHiding),
+                    std::min(grid_.height - 1, middle.y + kNearHiding)};
     Bends best;
     for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
@@ -186,7 +192,8 @@ Front::Bends Front::bestBends(std::int32_t hiding, const Root& target, float lim
     return best;
 }
 
-// Offers `to`, which lies at (x, y), the cheapest clear way bent at a wall near the cell that hides a root from it.
+// Offers `to`, which lies at (x, y), the cheapest clear way bent at a wall near the cell that hides a root
+// from it.
 bool Front::bendAt(std::int32_t hiding, FrontCell to, float x, float y, float unit, float old) {
     const Root target{x, y, 0.0f, unit};
     hidingCell_[to.node] = -1;
@@ -199,14 +206,17 @@ bool Front::bendAt(std::int32_t hiding, FrontCell to, float x, float y, float un
         const float apart = std::sqrt((x - bent.x) * (x - bent.x) + (y - bent.y) * (y - bent.y));
         const float share = std::min(1.0f, kBesideBend / std::max(apart, 1.0f));
         std::int32_t ignored = 0;
-        if (sight_.look(bent.x + share * (x - bent.x), bent.y + share * (y - bent.y), bent, ignored) != Ray::Clear) continue;
+        if (sight_.look(bent.x + share * (x - bent.x), bent.y + share * (y - bent.y), bent, ignored) !=
+            Ray::Clear)
+            continue;
         put(to, nodes_[to.node].tentative, best.value[k], rootAt(from));
         return true;
     }
     return false;
 }
 
-// Offers `to` the way from `from`, which lies at a wall: straight, or along the arc where a round corner lies between.
+// Offers `to` the way from `from`, which lies at a wall: straight, or along the arc where a round corner lies
+// between.
 void Front::bend(FrontCell from, FrontCell to, float old) {
     std::int32_t number = rootAt(from);
     float x = 0.0f;
@@ -216,7 +226,8 @@ void Front::bend(FrontCell from, FrontCell to, float old) {
     const Root& root = roots_[number];
     if (end != 0 && throughThinWall(root, sight_.node(end), x - root.x, y - root.y)) return;
     Root middle;
-    const bool arc = end != 0 && middleOfArc(sight_.node(sight_.wall(from.cell)), sight_.node(end), roots_[number], x, y, middle);
+    const bool arc = end != 0 && middleOfArc(sight_.node(sight_.wall(from.cell)), sight_.node(end),
+                                             roots_[number], x, y, middle);
     const float value = arc ? middle.costAt(x, y) : roots_[number].costAt(x, y);
     if (!(value < old - tolerance_)) return;
     if (arc) {

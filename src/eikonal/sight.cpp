@@ -5,7 +5,8 @@
 namespace muster {
 namespace {
 
-// A way may dip this far into the forbidden zone beside a wall, so that polylines can follow round discs [cells].
+// A way may dip this far into the forbidden zone beside a wall, so that polylines can follow round discs
+// [cells].
 constexpr float kDip = 0.05f;
 
 }  // namespace
@@ -58,7 +59,8 @@ Ray Sight::look(float x, float y, const Root& root, std::int32_t& stop) const {
         // Beside walls also halfway, as one look per cell would cut the rounded corners of obstacles.
         if (before || here) {
             bool ignored = false;
-            const Ray ray = meets(x + stepX * (away - 0.5f), y + stepY * (away - 0.5f), root.unit, ignored, stop);
+            const Ray ray = meets(x + stepX * (away - 0.5f), y + stepY * (away - 0.5f), root.unit, ignored,
+                                  stop);
             if (ray != Ray::Clear) return ray;
         }
         before = here;

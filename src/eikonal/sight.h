@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "base/bits.h"
-#include "eikonal/root.h"
 #include "cost/unit_cost.h"
+#include "eikonal/root.h"
 
 namespace muster {
 
-/// A root that rises over a wall by more than this is not hidden by it, and one below by more than kHidden is [sine].
+/// A root that rises over a wall by more than this is not hidden by it, and one below by more than kHidden is
+/// [sine].
 inline constexpr float kRisen = -1e-3f;
 inline constexpr float kHidden = -0.35f;
 
@@ -32,7 +33,8 @@ public:
     const WallNode& node(std::int32_t number) const { return cost_->nodes[number - 1]; }
     /// True where all directions of a cell are open and cost `unit`.
     bool open(std::int32_t cell, float unit) const {
-        // Costs are above 0, so that equal ones have equal bits: two comparisons of integers do for four of numbers.
+        // Costs are above 0, so that equal ones have equal bits: two comparisons of integers do for four of
+        // numbers.
         struct Pairs {
             std::uint64_t first, second;
         };
@@ -47,8 +49,8 @@ public:
         const std::int32_t number = wall_[cell];
         return number != 0 && node(number).unit == unit;
     }
-    /// How far the root lies out of the wall beside the cell, whose point is (x, y): the sine of the angle over the
-    /// wall; 1 where there is none.
+    /// How far the root lies out of the wall beside the cell, whose point is (x, y): the sine of the angle
+    /// over the wall; 1 where there is none.
     float rise(std::int32_t cell, float x, float y, const Root& root) const {
         const std::int32_t number = wall_[cell];
         if (number == 0) return 1.0f;
@@ -58,7 +60,8 @@ public:
         const float dy = root.y - y;
         return (dx * beside.normalX + dy * beside.normalY) / std::max(1e-6f, std::sqrt(dx * dx + dy * dy));
     }
-    /// Looks from a point [cells] towards a root, cell by cell; `stop` is the cell where the way is not clear.
+    /// Looks from a point [cells] towards a root, cell by cell; `stop` is the cell where the way is not
+    /// clear.
     Ray look(float x, float y, const Root& root, std::int32_t& stop) const;
 
 private:

@@ -2,14 +2,14 @@
 #include <limits>
 
 #include "cost/between_centres.h"
-#include "eikonal/front.h"
 #include "eikonal/eikonal.h"
+#include "eikonal/front.h"
 
 namespace muster {
 namespace {
 
-// Interpolates between the corners of a unit square (lower left, lower right, upper left, upper right) that are known;
-// of three, the fourth is where their plane puts it.
+// Interpolates between the corners of a unit square (lower left, lower right, upper left, upper right) that
+// are known; of three, the fourth is where their plane puts it.
 double betweenKnown(const double* v, const bool* known, double fx, double fy) {
     double w[4] = {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
     const int count = known[0] + known[1] + known[2] + known[3];
@@ -43,7 +43,8 @@ double CostField::squareBetween(Vec2 p) const {
     const float* low = values_.data() + static_cast<std::size_t>(y) * width_ + x;
     const float* high = low + width_;
     // Nearly always all four are known: squares between them at once.
-    const bool all = low[0] < kInfiniteCost && low[1] < kInfiniteCost && high[0] < kInfiniteCost && high[1] < kInfiniteCost;
+    const bool all = low[0] < kInfiniteCost && low[1] < kInfiniteCost && high[0] < kInfiniteCost &&
+                     high[1] < kInfiniteCost;
     if (!all) return squareOfKnown(at.low, at.fx, at.fy);
     const auto square = [](double value) { return value * value; };
     const double lowLeft = square(low[0]);

@@ -8,7 +8,8 @@ namespace {
 
 // A source in ground that is not uniform has straight-line costs at least this near [cells].
 constexpr double kAlwaysNear = 0.5;
-// Straight-line costs stand within this many cells, and where no way round could be cheaper by a larger factor.
+// Straight-line costs stand within this many cells, and where no way round could be cheaper by a larger
+// factor.
 constexpr double kSingular = 1.6;
 constexpr double kGoodEnough = 1.25;
 
@@ -19,7 +20,8 @@ bool uniform(const CellCost& c, float wanted) {
            std::min({c.east, c.north, c.west, c.south}) == wanted;
 }
 
-// Cost of the straight way from a cell's centre to the source, sampled every half cell; infinite where it meets a wall.
+// Cost of the straight way from a cell's centre to the source, sampled every half cell; infinite where it
+// meets a wall.
 double rayCost(const UnitCost& cost, Vec2 from, Vec2 source) {
     const Vec2 way = source - from;
     const int samples = 1 + static_cast<int>(length(way) / (0.5 * cost.grid.cell));
@@ -88,7 +90,8 @@ void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, double r
     const float unit = beside ? node->unit : std::min({own.east, own.north, own.west, own.south});
     const Vec2 at = (source - grid.centre({0, 0})) / grid.cell;
     const std::int32_t root = front.addSource(static_cast<float>(at.x), static_cast<float>(at.y), unit);
-    const bool flooded = front.flood(grid.nearestCell(source), root, static_cast<float>(unit * reach / grid.cell));
+    const bool flooded = front.flood(grid.nearestCell(source), root,
+                                     static_cast<float>(unit * reach / grid.cell));
     if (flooded && clear >= radius) return;
     const Cell low = grid.nearestCell(source - Vec2{radius, radius});
     const Cell high = grid.nearestCell(source + Vec2{radius, radius});
@@ -101,7 +104,8 @@ void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, double r
             const Ray ray = front.seen({x, y}, root, value);
             if (ray == Ray::Clear) front.seed({x, y}, value, root);
             if (ray == Ray::OtherGround) {
-                // Differences are poor next to a point source, so that straight costs stand where little can be gained.
+                // Differences are poor next to a point source, so that straight costs stand where little can
+                // be gained.
                 const double price = rayCost(cost, centre, source);
                 const double away = distance(centre, source);
                 const bool good = away < kSingular * grid.cell || price <= kGoodEnough * away * least;
@@ -115,11 +119,14 @@ void StartDisc::startFromWall(const UnitCost& cost, Vec2 source, Front& front) {
     const Grid& grid = cost.grid;
     const Cell middle = grid.nearestCell(source);
     double nearest = 1e300;
-    // Rings of cells outwards; one more ring after the first find, as corners of a ring are farther than sides of the next.
+    // Rings of cells outwards; one more ring after the first find, as corners of a ring are farther than
+    // sides of the next.
     const auto visit = [&](bool find, std::int32_t ring) {
-        for (std::int32_t y = std::max(0, middle.y - ring); y <= std::min(grid.height - 1, middle.y + ring); ++y) {
+        for (std::int32_t y = std::max(0, middle.y - ring); y <= std::min(grid.height - 1, middle.y + ring);
+             ++y) {
             const bool edge = y == middle.y - ring || y == middle.y + ring;
-            for (std::int32_t x = middle.x - ring; x <= middle.x + ring; x += edge || ring == 0 ? 1 : 2 * ring) {
+            for (std::int32_t x = middle.x - ring; x <= middle.x + ring;
+                 x += edge || ring == 0 ? 1 : 2 * ring) {
                 if (!grid.contains({x, y}) || cost.wall(grid.index({x, y}))) continue;
                 const double away = distance(grid.centre({x, y}), source);
                 if (find) nearest = std::min(nearest, away);

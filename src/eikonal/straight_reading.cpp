@@ -1,7 +1,7 @@
 // Reading a field where all that is known around a point comes straight from roots.
 #include "cost/between_centres.h"
-#include "eikonal/front.h"
 #include "eikonal/eikonal.h"
+#include "eikonal/front.h"
 
 namespace muster {
 namespace {
@@ -9,7 +9,8 @@ namespace {
 // Right beside a root the one before it is seen as well [cells, squared].
 constexpr double kBeside = 1.0;
 
-// True where the way from root `far` to a point is bent at `near`, a root reached from it: beyond, on the wall's side.
+// True where the way from root `far` to a point is bent at `near`, a root reached from it: beyond, on the
+// wall's side.
 bool inShadow(const Root& far, const Root& near, Vec2 at) {
     const Vec2 way{near.x - far.x, near.y - far.y};
     const Vec2 on{at.x - near.x, at.y - near.y};
@@ -21,10 +22,11 @@ bool inShadow(const Root& far, const Root& near, Vec2 at) {
 
 std::int32_t CostField::rootOf(Cell cell) const {
     const std::int32_t at = indexOf(cell);
-    return at >= 0 ? root_[static_cast<std::size_t>(at)] : 0;
+    return at >= 0 ? root_[at] : 0;
 }
 
-// The roots that the reached ones among the four cells around a point come from; empty where one comes from none.
+// The roots that the reached ones among the four cells around a point come from; empty where one comes from
+// none.
 CostField::Roots CostField::rootsAround(Vec2 p) const {
     const BetweenCentres at = betweenCentres(grid_, p);
     Roots roots;
@@ -38,7 +40,8 @@ CostField::Roots CostField::rootsAround(Vec2 p) const {
     return roots;
 }
 
-// Of the roots from `first` on the way to root `last`, the first whose way to a point is not bent at the next.
+// Of the roots from `first` on the way to root `last`, the first whose way to a point is not bent at the
+// next.
 std::int32_t CostField::seenRoot(std::int32_t first, std::int32_t last, Vec2 at) const {
     std::int32_t seen = last;
     for (std::int32_t near = last; near != first; near = roots_[near].parent) {

@@ -7,9 +7,9 @@
 
 namespace muster {
 
-/// Walks from `from` down to the field's source in steps of `step` [m] > 0 and writes the corner points, both ends
-/// included; the last one is the source where it was reached. Empty where the field does not reach `from`. Always
-/// ends. Returns true where the source was reached.
+/// Walks from `from` down to the field's source in steps of `step` [m] > 0 and writes the corner points, both
+/// ends included; the last one is the source where it was reached. Empty where the field does not reach
+/// `from`. Always ends. Returns true where the source was reached.
 bool tracePath(const CostField& field, Vec2 from, double step, std::vector<Vec2>& path);
 
 /// Length of a chain of points [m].

@@ -5,8 +5,8 @@
 namespace muster {
 namespace {
 
-constexpr double kBinEdge = 2.0;          // [m]
-constexpr double kMostBinsAcross = 512.0; // Larger worlds get larger bins.
+constexpr double kBinEdge = 2.0;           // [m]
+constexpr double kMostBinsAcross = 512.0;  // Larger worlds get larger bins.
 
 }  // namespace
 
@@ -25,7 +25,8 @@ void BoxBins::fill(std::span<const Box> boxes, std::span<const std::int32_t> ite
     const Box world = grid_.box();
     for (std::int32_t item : items) {
         const Box& box = boxes[item];
-        if (box.max.x < world.min.x || box.max.y < world.min.y || box.min.x > world.max.x || box.min.y > world.max.y) {
+        if (box.max.x < world.min.x || box.max.y < world.min.y || box.min.x > world.max.x ||
+            box.min.y > world.max.y) {
             continue;
         }
         const Cell low = grid_.nearestCell(box.min), high = grid_.nearestCell(box.max);

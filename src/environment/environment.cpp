@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "environment/environment_state.h"
 #include "base/archive.h"
+#include "environment/environment_state.h"
 #include "geometry/convex_decomposition.h"
 
 namespace muster {
@@ -13,15 +13,20 @@ namespace {
 constexpr double kFarthest = 1e7;  // [m] Beyond, a double cannot hold a character's radius well.
 constexpr double kMostCells = 16e6;
 
-bool isPlace(Vec2 p) { return isFinite(p) && std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest; }
+bool isPlace(Vec2 p) {
+    return isFinite(p) && std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest;
+}
 
 Status checkWorld(const EnvironmentDef& def) {
-    if (!isPlace(def.box.min) || !isPlace(def.box.max) || !(def.box.width() > 0.0) || !(def.box.height() > 0.0)) {
+    if (!isPlace(def.box.min) || !isPlace(def.box.max) || !(def.box.width() > 0.0) ||
+        !(def.box.height() > 0.0)) {
         return invalidArgument("the world's box is empty or not finite");
     }
-    if (!std::isfinite(def.cell) || def.cell <= 0.0) return invalidArgument("the ground cell must be positive");
+    if (!std::isfinite(def.cell) || def.cell <= 0.0)
+        return invalidArgument("the ground cell must be positive");
     const double cells = std::ceil(def.box.width() / def.cell) * std::ceil(def.box.height() / def.cell);
-    if (!(cells <= kMostCells)) return invalidArgument("the world would have more than 16 million ground cells");
+    if (!(cells <= kMostCells))
+        return invalidArgument("the world would have more than 16 million ground cells");
     if (!std::isfinite(def.defaultRange) || def.defaultRange < 0.0 || def.defaultRange > kFarthest) {
         return invalidArgument("the default range of obstacles must be a number from 0 on");
     }
@@ -36,12 +41,15 @@ Status checkWorld(const EnvironmentDef& def) {
 }
 
 Status checkObstacle(const ObstacleDef& def) {
-    if (!std::isfinite(def.range) || def.range > kFarthest) return invalidArgument("the obstacle's range is not finite");
+    if (!std::isfinite(def.range) || def.range > kFarthest)
+        return invalidArgument("the obstacle's range is not finite");
     if (!std::isfinite(def.strength)) return invalidArgument("the obstacle's strength is not finite");
-    if (!std::isfinite(def.height) || def.height <= 0.0) return invalidArgument("the obstacle's height must be positive");
+    if (!std::isfinite(def.height) || def.height <= 0.0)
+        return invalidArgument("the obstacle's height must be positive");
     if (Status status = def.path.validate(); !status.ok()) return status.within("path of the obstacle");
     if (!def.polygon.empty()) {
-        return def.radius == 0.0 ? Status() : invalidArgument("the obstacle is given both as polygon and as disc");
+        return def.radius == 0.0 ? Status()
+                                 : invalidArgument("the obstacle is given both as polygon and as disc");
     }
     if (!std::isfinite(def.radius) || def.radius <= 0.0 || def.radius > kFarthest) {
         return invalidArgument("the obstacle has neither a polygon nor a positive radius");
@@ -66,9 +74,11 @@ Result<ObstacleEntry> makeObstacle(const ObstacleDef& def, double time) {
 
 Result<PatchEntry> makePatch(const PatchDef& def, const std::vector<ClipFacts>& clips, double time) {
     if (def.motion < 0 || static_cast<std::size_t>(def.motion) >= clips.size()) {
-        return invalidArgument("the patch plays motion " + std::to_string(def.motion) + ", which no clip bears");
+        return invalidArgument("the patch plays motion " + std::to_string(def.motion) +
+                               ", which no clip bears");
     }
-    if (!std::isfinite(def.speed) || def.speed == 0.0) return invalidArgument("the patch's speed must be positive");
+    if (!std::isfinite(def.speed) || def.speed == 0.0)
+        return invalidArgument("the patch's speed must be positive");
     if (Status status = def.path.validate(); !status.ok()) return status.within("path of the patch");
     PatchEntry entry;
     entry.def = def;
@@ -107,14 +117,22 @@ Result<Environment> Environment::create(const EnvironmentDef& def) {
     return made;
 }
 
-Environment::Environment() : impl_(std::make_unique<Impl>()) { impl_->start({}); }
+Environment::Environment() : impl_(std::make_unique<Impl>()) {
+    impl_->start({});
+}
 Environment::~Environment() = default;
 Environment::Environment(Environment&&) noexcept = default;
 Environment& Environment::operator=(Environment&&) noexcept = default;
 
-const EnvironmentDef& Environment::def() const { return impl_->def; }
-const Grid& Environment::grid() const { return impl_->grid; }
-double Environment::time() const { return impl_->time; }
+const EnvironmentDef& Environment::def() const {
+    return impl_->def;
+}
+const Grid& Environment::grid() const {
+    return impl_->grid;
+}
+double Environment::time() const {
+    return impl_->time;
+}
 
 Result<ObstacleId> Environment::addObstacle(const ObstacleDef& def) {
     Impl& s = *impl_;
@@ -197,8 +215,12 @@ Status Environment::removePatch(PatchId id) {
     return {};
 }
 
-std::span<const ObstacleId> Environment::obstacleIds() const { return impl_->obstacleIds; }
-std::span<const PatchId> Environment::patchIds() const { return impl_->patchIds; }
+std::span<const ObstacleId> Environment::obstacleIds() const {
+    return impl_->obstacleIds;
+}
+std::span<const PatchId> Environment::patchIds() const {
+    return impl_->patchIds;
+}
 
 const ObstacleDef* Environment::obstacle(ObstacleId id) const {
     const std::ptrdiff_t at = find(impl_->obstacleIds, id);
@@ -240,9 +262,15 @@ void Environment::setTime(double time) {
     }
 }
 
-std::uint64_t Environment::groundVersion() const { return impl_->groundVersion; }
-std::uint64_t Environment::staticVersion() const { return impl_->staticVersion; }
-std::uint64_t Environment::instance() const { return impl_->instance; }
+std::uint64_t Environment::groundVersion() const {
+    return impl_->groundVersion;
+}
+std::uint64_t Environment::staticVersion() const {
+    return impl_->staticVersion;
+}
+std::uint64_t Environment::instance() const {
+    return impl_->instance;
+}
 
 bool Environment::changesSince(std::uint64_t version, std::vector<CellRect>& areas) const {
     const Impl& s = *impl_;
@@ -315,7 +343,8 @@ bool ascending(const std::vector<T>& ids, std::uint32_t next) {
 }  // namespace
 
 template <class Archive>
-void Environment::Impl::visit(Archive& archive, std::vector<ObstacleDef>& obstacleDefs, std::vector<PatchDef>& patchDefs) {
+void Environment::Impl::visit(Archive& archive, std::vector<ObstacleDef>& obstacleDefs,
+                              std::vector<PatchDef>& patchDefs) {
     archive(def, time, nextObstacle, nextPatch);
     visitThings(archive, obstacleIds, obstacles, obstacleDefs);
     visitThings(archive, patchIds, patches, patchDefs);
@@ -339,8 +368,10 @@ bool Environment::load(Reader& archive) {
     std::vector<PatchDef> patchDefs;
     read->visit(archive, obstacleDefs, patchDefs);
     if (!archive.ok() || !std::isfinite(read->time) || !checkWorld(read->def).ok()) return false;
-    if (obstacleDefs.size() != read->obstacleIds.size() || patchDefs.size() != read->patchIds.size()) return false;
-    if (!ascending(read->obstacleIds, read->nextObstacle) || !ascending(read->patchIds, read->nextPatch)) return false;
+    if (obstacleDefs.size() != read->obstacleIds.size() || patchDefs.size() != read->patchIds.size())
+        return false;
+    if (!ascending(read->obstacleIds, read->nextObstacle) || !ascending(read->patchIds, read->nextPatch))
+        return false;
     for (const ObstacleDef& def : obstacleDefs) {
         Result<ObstacleEntry> entry = makeObstacle(def, read->time);
         if (!entry.ok()) return false;

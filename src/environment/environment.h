@@ -9,18 +9,18 @@
 
 #include "base/cell_rect.h"
 #include "base/grid.h"
-#include "muster/status.h"
 #include "muster/obstacle.h"
 #include "muster/patch.h"
+#include "muster/status.h"
 
 namespace muster {
 
 /// What never changes about an environment.
 struct EnvironmentDef {
-    Box box{{-16, -16}, {16, 16}};  ///< The world; characters and places stay inside [m].
-    double cell = 0.25;             ///< Edge of a ground cell [m] > 0.
-    double defaultRange = 1.5;      ///< Range of obstacles that give none [m].
-    double defaultStrength = 1.0;   ///< Strength of obstacles that give none.
+    Box box{{-16, -16}, {16, 16}};                      ///< The world; characters and places stay inside [m].
+    double cell = 0.25;                                 ///< Edge of a ground cell [m] > 0.
+    double defaultRange = 1.5;                          ///< Range of obstacles that give none [m].
+    double defaultStrength = 1.0;                       ///< Strength of obstacles that give none.
     std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
 
     /// Lets an archive read or write the definition.
@@ -37,10 +37,12 @@ struct GroundSample {
     double travelSpeed = 1.0;  ///< Relative to running > 0.
 };
 
-/// A gap that is too narrow: between two obstacles, two parts of one, or an obstacle and the edge of the world.
+/// A gap that is too narrow: between two obstacles, two parts of one, or an obstacle and the edge of the
+/// world.
 struct NarrowGap {
-    ObstacleId a;        ///< One.
-    ObstacleId b;        ///< The other; the same for a slot within one obstacle, none for the edge of the world.
+    ObstacleId a;  ///< One.
+    /// The other; the same for a slot within one obstacle, none for the edge of the world.
+    ObstacleId b;
     Vec2 where;          ///< Middle of the gap [m].
     double width = 0.0;  ///< [m]
 };
@@ -85,8 +87,8 @@ public:
     /// A patch's polygon where it stands now; empty for an unknown id.
     Polygon patchPolygon(PatchId id) const;
 
-    /// Changes range [m] and strength of the field of obstacles that give none; ignores numbers that are negative
-    /// or not finite.
+    /// Changes range [m] and strength of the field of obstacles that give none; ignores numbers that are
+    /// negative or not finite.
     void setFieldDefaults(double range, double strength);
 
     /// Puts moving things where they are at `time` [s] and brings the rasters up to date.
@@ -95,10 +97,11 @@ public:
     std::uint64_t groundVersion() const;
     /// Grows by one whenever something that stands still is added, changed or removed.
     std::uint64_t staticVersion() const;
-    /// Differs between any two environments of a program and after load(): with a version it tells caches what they hold.
+    /// Differs between any two environments of a program and after load(): with a version it tells caches
+    /// what they hold.
     std::uint64_t instance() const;
-    /// Appends to `areas` the cells whose clearance or travel speed may have changed since groundVersion() was
-    /// `version`. False where that is not known any more: all cells may have.
+    /// Appends to `areas` the cells whose clearance or travel speed may have changed since groundVersion()
+    /// was `version`. False where that is not known any more: all cells may have.
     bool changesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
 
     /// The cells whose clearance moving obstacles change now; some rectangles may be empty.
@@ -122,12 +125,13 @@ public:
 
     /// What lies under `p` (exact polygons, not cells).
     GroundSample ground(Vec2 p) const;
-    /// True where both patches are of one motion and overlap as they stand now, so that they count as one (SPEC C1).
+    /// True where both patches are of one motion and overlap as they stand now, so that they count as one
+    /// (SPEC C1).
     bool onePatch(PatchId a, PatchId b) const;
     /// Distance from `p` to the nearest obstacle surface [m], negative inside, `limit` where farther.
     double distanceToObstacle(Vec2 p, double limit = kClearanceLimit) const;
-    /// Sets `close[i]` to 1 where `points[i]` is nearer than `reach` [m] >= 0 to an obstacle surface or to the edge of the
-    /// box, in an obstacle or out of the box, and to 0 elsewhere.
+    /// Sets `close[i]` to 1 where `points[i]` is nearer than `reach` [m] >= 0 to an obstacle surface or to
+    /// the edge of the box, in an obstacle or out of the box, and to 0 elsewhere.
     void markClose(std::span<const Vec2> points, double reach, std::span<std::uint8_t> close) const;
     /// Calls `visit(piece)` in ascending order for every piece whose surface may be within `radius` of `p`.
     void forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const;
@@ -157,11 +161,12 @@ public:
     /// by the nearest free cell; the way to a goal that is not free ends in that cell.
     std::vector<Vec2> findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells = 200000) const;
     /// The same, written to `way`: reuses its memory, and such of this thread as grows with the ground.
-    void findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way, std::int32_t maxCells = 200000) const;
+    void findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way,
+                  std::int32_t maxCells = 200000) const;
 
-    /// Gaps narrower than `width` [m], at most `most`: for each pair of obstacles the narrowest between convex parts that
-    /// do not touch and have nothing between them, within one obstacle likewise, and to the edge of the world. Ordered by
-    /// obstacles, edges last.
+    /// Gaps narrower than `width` [m], at most `most`: for each pair of obstacles the narrowest between
+    /// convex parts that do not touch and have nothing between them, within one obstacle likewise, and to the
+    /// edge of the world. Ordered by obstacles, edges last.
     std::vector<NarrowGap> narrowGaps(double width, std::int32_t most = 100) const;
 
     /// Writes the definitions, ids and clock.

@@ -8,19 +8,19 @@
 #include <optional>
 
 #include "environment/box_bins.h"
+#include "environment/environment.h"
 #include "environment/raster_layer.h"
 #include "environment/region_labels.h"
-#include "environment/environment.h"
 
 namespace muster {
 
 /// A definition that follows a path, and where it stands now.
 struct Placement {
-    Vec2 pivot;          ///< Turns about here [m].
-    Waypoint now;        ///< Offset and turn now.
-    Vec2 velocity;       ///< [m/s]
-    double spin = 0.0;   ///< [rad/s]
-    Rotation rotation;   ///< Of now.angle.
+    Vec2 pivot;         ///< Turns about here [m].
+    Waypoint now;       ///< Offset and turn now.
+    Vec2 velocity;      ///< [m/s]
+    double spin = 0.0;  ///< [rad/s]
+    Rotation rotation;  ///< Of now.angle.
 
     /// Follows `path` to `time`; true where anything changed.
     bool follow(const TimedPath& path, double time);
@@ -38,7 +38,7 @@ struct ObstacleEntry {
 /// A patch with its convex parts as defined.
 struct PatchEntry {
     PatchDef def;
-    Polygon outline;             ///< Cleaned.
+    Polygon outline;  ///< Cleaned.
     std::vector<Polygon> parts;
     Placement placement;
     double speed = 1.0;
@@ -52,10 +52,10 @@ struct PatchPiece {
 
 /// Boxes of pieces, sorted by whether they move, in bins.
 struct PieceIndex {
-    std::vector<Box> bounds;            ///< Of each piece.
-    std::vector<Box> reach;             ///< Grown by how far a piece acts.
-    std::vector<std::int32_t> still;    ///< Numbers of pieces that never move.
-    std::vector<std::int32_t> moving;   ///< Numbers of those that may.
+    std::vector<Box> bounds;           ///< Of each piece.
+    std::vector<Box> reach;            ///< Grown by how far a piece acts.
+    std::vector<std::int32_t> still;   ///< Numbers of pieces that never move.
+    std::vector<std::int32_t> moving;  ///< Numbers of those that may.
     BoxBins stillBins;
     BoxBins movingBins;
 
@@ -76,7 +76,9 @@ struct PieceIndex {
 };
 
 /// Squared distance from a point to a box; 0 inside.
-inline double squaredDistance(const Box& box, Vec2 p) { return lengthSquared(box.clamp(p) - p); }
+inline double squaredDistance(const Box& box, Vec2 p) {
+    return lengthSquared(box.clamp(p) - p);
+}
 
 /// Edits mark the caches stale; the next query or setTime() brings them up to date.
 struct Environment::Impl {
@@ -86,7 +88,7 @@ struct Environment::Impl {
     std::vector<ObstacleId> obstacleIds;
     std::vector<ObstacleEntry> obstacles;  // In the order of ids.
     std::vector<PatchId> patchIds;
-    std::vector<PatchEntry> patches;       // In the order of ids.
+    std::vector<PatchEntry> patches;  // In the order of ids.
     std::uint32_t nextObstacle = 1;
     std::uint32_t nextPatch = 1;
     std::uint64_t groundVersion = 0;
@@ -99,7 +101,7 @@ struct Environment::Impl {
     std::vector<CellRect> changes;
     std::atomic<bool> stale{true};
     std::mutex mutex;
-    bool freshRasters = true;       // Nothing in the rasters holds yet.
+    bool freshRasters = true;          // Nothing in the rasters holds yet.
     Box dirtyObstacles, dirtyPatches;  // Where what stands still changed since the last refresh.
     bool obstaclesDirty = false, patchesDirty = false;
     std::vector<ObstaclePiece> pieces;
@@ -110,7 +112,7 @@ struct Environment::Impl {
     std::vector<std::int32_t> patchPart;
     PieceIndex patchIndex;
     RasterLayer clearance;
-    RasterLayer slowest;            // Infinity where no patch lies.
+    RasterLayer slowest;  // Infinity where no patch lies.
     std::vector<float> travelSpeed;
     RegionLabels regions;
 
@@ -158,7 +160,9 @@ struct Environment::Impl {
     Box roomFor(double radius) const;
     bool blockedLine(Vec2 a, Vec2 b, double radius) const;
     /// Distance from `p` to the nearest surface [m], negative inside, `limit` where farther.
-    double distanceTo(Vec2 p, double limit) const { return shownFar(p, limit) ? limit : exactDistance(p, limit); }
+    double distanceTo(Vec2 p, double limit) const {
+        return shownFar(p, limit) ? limit : exactDistance(p, limit);
+    }
     double exactDistance(Vec2 p, double limit) const;
     /// A lower bound of the distance from `p` to the nearest surface, from the raster; no bound
     /// (minus infinity) off the grid.

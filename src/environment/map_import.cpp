@@ -61,13 +61,18 @@ Status readHeaderLine(std::string_view line, std::int32_t number, MapGrid& map, 
     line = trimmed(line);
     const std::size_t space = line.find_first_of(" \t");
     const std::string_view key = line.substr(0, space);
-    const std::string_view value = space == std::string_view::npos ? std::string_view() : trimmed(line.substr(space));
+    const std::string_view value = space == std::string_view::npos ? std::string_view()
+                                                                   : trimmed(line.substr(space));
     if (key == "type") {
-        if (value != "octile") return parseError(number, "expected `type octile`, found type `" + std::string(value.substr(0, 40)) + "`");
+        if (value != "octile")
+            return parseError(
+                number, "expected `type octile`, found type `" + std::string(value.substr(0, 40)) + "`");
         typed = true;
     } else if (key == "height" || key == "width") {
         const std::int32_t side = sideLength(value);
-        if (side == 0) return parseError(number, "expected " + std::string(key) + " from 1 to 4096, found `" + std::string(value.substr(0, 40)) + "`");
+        if (side == 0)
+            return parseError(number, "expected " + std::string(key) + " from 1 to 4096, found `" +
+                                          std::string(value.substr(0, 40)) + "`");
         (key == "height" ? map.height : map.width) = side;
     } else if (key == "map" && value.empty()) {
         if (!typed) return parseError(number, "the header gives no type before `map`");
@@ -75,19 +80,24 @@ Status readHeaderLine(std::string_view line, std::int32_t number, MapGrid& map, 
         if (map.width == 0) return parseError(number, "the header gives no width before `map`");
         done = true;
     } else {
-        return parseError(number, "expected type, height, width or map, found `" + std::string(line.substr(0, 40)) + "`");
+        return parseError(
+            number, "expected type, height, width or map, found `" + std::string(line.substr(0, 40)) + "`");
     }
     return {};
 }
 
 Status readRow(std::string_view line, std::int32_t number, MapGrid& map) {
     if (line.size() != static_cast<std::size_t>(map.width)) {
-        return parseError(number, "expected a row of " + std::to_string(map.width) + " cells, found " + std::to_string(line.size()));
+        return parseError(number, "expected a row of " + std::to_string(map.width) + " cells, found " +
+                                      std::to_string(line.size()));
     }
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
-        if (kBlocked.find(c) != std::string_view::npos || kOpen.find(c) != std::string_view::npos || c == kSwamp) continue;
-        return parseError(number, "unknown cell in column " + std::to_string(i + 1) + ": expected one of . G S @ O T W");
+        if (kBlocked.find(c) != std::string_view::npos || kOpen.find(c) != std::string_view::npos ||
+            c == kSwamp)
+            continue;
+        return parseError(
+            number, "unknown cell in column " + std::to_string(i + 1) + ": expected one of . G S @ O T W");
     }
     map.cells.append(line);
     return {};
@@ -96,7 +106,8 @@ Status readRow(std::string_view line, std::int32_t number, MapGrid& map) {
 // Rectangles of cells whose characters are in `kinds`, rows counted from the top.
 std::vector<CellBlock> coverOf(const MapGrid& map, std::string_view kinds) {
     std::vector<char> wanted(map.cells.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = kinds.find(map.cells[i]) != std::string_view::npos;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        wanted[i] = kinds.find(map.cells[i]) != std::string_view::npos;
     return coverByRectangles(wanted, map.width, map.height);
 }
 
@@ -104,7 +115,10 @@ std::vector<CellBlock> coverOf(const MapGrid& map, std::string_view kinds) {
 Polygon outlineOf(const CellBlock& block, const MapGrid& map, const MapDef& def) {
     const auto x = [&](std::int32_t column) { return def.origin.x + column * def.metresPerCell; };
     const auto y = [&](std::int32_t row) { return def.origin.y + (map.height - row) * def.metresPerCell; };
-    return {{x(block.left), y(block.bottom)}, {x(block.right), y(block.bottom)}, {x(block.right), y(block.top)}, {x(block.left), y(block.top)}};
+    return {{x(block.left), y(block.bottom)},
+            {x(block.right), y(block.bottom)},
+            {x(block.right), y(block.top)},
+            {x(block.left), y(block.top)}};
 }
 
 }  // namespace
@@ -116,16 +130,19 @@ Result<MapGrid> parseMap(const std::string& text) {
     bool typed = false;
     for (bool done = false; !done;) {
         if (!lines.next(line)) return parseError(lines.number() + 1, "the file ends before `map`");
-        if (Status status = readHeaderLine(line, lines.number(), map, typed, done); !status.ok()) return status;
+        if (Status status = readHeaderLine(line, lines.number(), map, typed, done); !status.ok())
+            return status;
     }
     for (std::int32_t row = 0; row < map.height; ++row) {
         if (!lines.next(line)) {
-            return parseError(lines.number() + 1, "expected " + std::to_string(map.height) + " rows, found " + std::to_string(row));
+            return parseError(lines.number() + 1, "expected " + std::to_string(map.height) + " rows, found " +
+                                                      std::to_string(row));
         }
         if (Status status = readRow(line, lines.number(), map); !status.ok()) return status;
     }
     while (lines.next(line)) {
-        if (!trimmed(line).empty()) return parseError(lines.number(), "more rows than the height of " + std::to_string(map.height));
+        if (!trimmed(line).empty())
+            return parseError(lines.number(), "more rows than the height of " + std::to_string(map.height));
     }
     return map;
 }

@@ -20,8 +20,10 @@ struct Span {
 
 void offer(Span& span, Vec2 a, Vec2 b, double width) {
     const Vec2 middle = 0.5 * (a + b);
-    if (width < span.width - kTouching) span = {middle, middle, width};
-    else if (width <= span.width + kTouching) span.last = middle;
+    if (width < span.width - kTouching)
+        span = {middle, middle, width};
+    else if (width <= span.width + kTouching)
+        span.last = middle;
 }
 
 // From the disc or the corners of `one` to the surface of `other`; `swapped` keeps a and b apart.
@@ -60,12 +62,16 @@ Span spanToSide(const ObstaclePiece& piece, const Box& bounds, const Box& box, i
     const bool alongX = side < 2;
     const double edge = side == 0 ? box.min.x : side == 1 ? box.max.x : side == 2 ? box.min.y : box.max.y;
     const double outward = side % 2 == 0 ? -1.0 : 1.0;
-    const double reached = side == 0 ? bounds.min.x : side == 1 ? bounds.max.x : side == 2 ? bounds.min.y : bounds.max.y;
+    const double reached = side == 0   ? bounds.min.x
+                           : side == 1 ? bounds.max.x
+                           : side == 2 ? bounds.min.y
+                                       : bounds.max.y;
     Span span;
     const double width = (edge - reached) * outward;
     const auto tip = [&](Vec2 p) { offer(span, p, alongX ? Vec2{edge, p.y} : Vec2{p.x, edge}, width); };
     if (width <= 0.0) return span;
-    if (piece.corners.empty()) tip(piece.centre + (alongX ? Vec2{outward, 0.0} : Vec2{0.0, outward}) * piece.radius);
+    if (piece.corners.empty())
+        tip(piece.centre + (alongX ? Vec2{outward, 0.0} : Vec2{0.0, outward}) * piece.radius);
     for (const Vec2 p : piece.corners)
         if ((alongX ? p.x : p.y) == reached) tip(p);
     return span;
@@ -93,14 +99,15 @@ public:
     }
     void lookAtSides(std::int32_t one) {
         const ObstaclePiece& piece = pieces_[one];
-        for (int side = 0; side < 4; ++side) add(piece.obstacle, {}, spanToSide(piece, bounds_[one], environment_.def().box, side));
+        for (int side = 0; side < 4; ++side)
+            add(piece.obstacle, {}, spanToSide(piece, bounds_[one], environment_.def().box, side));
     }
     // One gap per pair of obstacles.
     std::vector<NarrowGap> take(std::int32_t most) {
         std::sort(gaps_.begin(), gaps_.end(), comesFirst);
         const auto samePair = [](const NarrowGap& x, const NarrowGap& y) { return x.a == y.a && x.b == y.b; };
         gaps_.erase(std::unique(gaps_.begin(), gaps_.end(), samePair), gaps_.end());
-        if (static_cast<std::int64_t>(gaps_.size()) > most) gaps_.resize(static_cast<std::size_t>(std::max(most, 0)));
+        if (static_cast<std::int64_t>(gaps_.size()) > most) gaps_.resize(std::max(most, 0));
         return std::move(gaps_);
     }
 
@@ -109,7 +116,9 @@ private:
         if (!(span.width < width_) || span.width <= kTouching) return;
         const Vec2 middle = span.middle();
         // Where something else fills the space between, there is no gap.
-        if (!environment_.def().box.contains(middle) || environment_.distanceToObstacle(middle, width_) <= kTouching) return;
+        if (!environment_.def().box.contains(middle) ||
+            environment_.distanceToObstacle(middle, width_) <= kTouching)
+            return;
         gaps_.push_back({a, b, middle, span.width});
     }
 

@@ -24,7 +24,9 @@ ConvexNearest nearestOf(const Polygon& corners, Vec2 p) {
         if (cross(along, p - a) < 0.0) best.inside = false;
         // closestOnSegment() of a side, without a call.
         const double whole = lengthSquared(along), part = dot(p - a, along);
-        const Vec2 candidate = part <= 0.0 || whole <= 0.0 ? a : part >= whole ? b : a + along * (part / whole);
+        const Vec2 candidate = part <= 0.0 || whole <= 0.0 ? a
+                               : part >= whole             ? b
+                                                           : a + along * (part / whole);
         const double squared = lengthSquared(candidate - p);
         if (squared >= best.squared) continue;
         best.squared = squared;

@@ -33,8 +33,9 @@ void PathSearch::traceBack(std::int32_t start, std::int32_t goal) {
     std::reverse(path_.begin(), path_.end());
 }
 
-std::span<const std::int32_t> PathSearch::run(const Grid& grid, std::span<const float> clearance, double radius,
-                                              std::int32_t start, std::int32_t goal, std::int32_t maxCells) {
+std::span<const std::int32_t> PathSearch::run(const Grid& grid, std::span<const float> clearance,
+                                              double radius, std::int32_t start, std::int32_t goal,
+                                              std::int32_t maxCells) {
     const auto count = static_cast<std::size_t>(grid.count());
     if (seen_.size() != count || ++run_ == 0) {
         cost_.assign(count, 0.0);

@@ -20,7 +20,7 @@ public:
 
 private:
     struct Open {
-        double total;      // Cost so far and the least cost to come [cells].
+        double total;  // Cost so far and the least cost to come [cells].
         std::int32_t cell;
     };
     void reach(std::int32_t cell, std::int32_t from, double cost, double rest);

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <limits>
 
+#include "base/grid_search.h"
 #include "environment/environment_state.h"
 #include "environment/nearest_surface.h"
-#include "base/grid_search.h"
 
 namespace muster {
 namespace {
 
-constexpr double kExact = 1e-9;     // [m] Contacts are solved to this.
-constexpr int kMostRounds = 12;     // Of sliding; two usually do.
+constexpr double kExact = 1e-9;  // [m] Contacts are solved to this.
+constexpr int kMostRounds = 12;  // Of sliding; two usually do.
 constexpr std::size_t kMostWalls = 12;
 
 // Where the disc's centre may be, seen from one near piece: dot(normal, x) >= offset. As pieces are
@@ -49,7 +49,8 @@ public:
                 const double turn = cross(walls_[i].normal, walls_[j].normal);
                 if (std::fabs(turn) < 1e-6) continue;
                 const double a = walls_[i].offset / turn, b = walls_[j].offset / turn;
-                offer({a * walls_[j].normal.y - b * walls_[i].normal.y, b * walls_[i].normal.x - a * walls_[j].normal.x});
+                offer({a * walls_[j].normal.y - b * walls_[i].normal.y,
+                       b * walls_[i].normal.x - a * walls_[j].normal.x});
             }
         }
         return bestSquared < std::numeric_limits<double>::infinity();

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "environment/environment_state.h"
 #include "base/grid_search.h"
+#include "environment/environment_state.h"
 #include "environment/path_search.h"
 
 namespace muster {
@@ -29,7 +29,9 @@ bool edgeParts(const Polygon& a, const Polygon& b) {
     return false;
 }
 
-bool convexMeet(const Polygon& a, const Polygon& b) { return !edgeParts(a, b) && !edgeParts(b, a); }
+bool convexMeet(const Polygon& a, const Polygon& b) {
+    return !edgeParts(a, b) && !edgeParts(b, a);
+}
 
 // True where a box keeps clear of the box of a segment by more than `far`.
 bool boxApart(const Box& box, Vec2 a, Vec2 b, double far) {
@@ -158,13 +160,17 @@ void Environment::markClose(std::span<const Vec2> points, double reach, std::spa
     const double ample = reach + 0.7072 * grid.cell + 2.0 * Impl::kFloatSlack;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 p = points[i];
-        if (!room.contains(p)) close[i] = 1;
-        else if (clearance[grid.index(grid.nearestCell(p))] >= ample) close[i] = 0;
-        else close[i] = s.distanceTo(p, reach) < reach ? 1 : 0;
+        if (!room.contains(p))
+            close[i] = 1;
+        else if (clearance[grid.index(grid.nearestCell(p))] >= ample)
+            close[i] = 0;
+        else
+            close[i] = s.distanceTo(p, reach) < reach ? 1 : 0;
     }
 }
 
-void Environment::forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const {
+void Environment::forPiecesNear(Vec2 p, double radius,
+                                const std::function<void(const ObstaclePiece&)>& visit) const {
     impl_->ensure();
     impl_->forNear(p, radius, [&](std::int32_t number) { visit(impl_->pieces[number]); });
 }
@@ -242,7 +248,8 @@ std::vector<Vec2> Environment::findPath(Vec2 a, Vec2 b, double radius, std::int3
     return way;
 }
 
-void Environment::findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way, std::int32_t maxCells) const {
+void Environment::findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way,
+                           std::int32_t maxCells) const {
     impl_->ensure();
     const Impl& s = *impl_;
     way.clear();
@@ -257,8 +264,8 @@ void Environment::findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way
     // One per thread: queries may come from several threads at once.
     static thread_local PathSearch search;
     static thread_local std::vector<Vec2> full;
-    const std::span<const std::int32_t> cells =
-        search.run(s.grid, s.clearance.live(), radius, s.grid.index(*start), s.grid.index(*goal), maxCells);
+    const std::span<const std::int32_t> cells = search.run(
+        s.grid, s.clearance.live(), radius, s.grid.index(*start), s.grid.index(*goal), maxCells);
     if (cells.empty()) return;
     full.assign(1, a);
     for (std::int32_t cell : cells) full.push_back(s.grid.centre(s.grid.at(cell)));

@@ -34,7 +34,8 @@ public:
     void copyStill(const CellRect& rect) {
         for (std::int32_t y = rect.low.y; y <= rect.high.y && !rect.empty(); ++y) {
             const auto from = still_.begin() + grid_.index({rect.low.x, y});
-            std::copy(from, from + (rect.high.x - rect.low.x + 1), live_.begin() + grid_.index({rect.low.x, y}));
+            std::copy(from, from + (rect.high.x - rect.low.x + 1),
+                      live_.begin() + grid_.index({rect.low.x, y}));
         }
     }
     /// Takes all moving things off the live storey; returns where they were, until the next call.

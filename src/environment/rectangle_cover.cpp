@@ -131,7 +131,8 @@ private:
 
 }  // namespace
 
-std::vector<CellBlock> coverByRectangles(std::span<const char> marked, std::int32_t width, std::int32_t height) {
+std::vector<CellBlock> coverByRectangles(std::span<const char> marked, std::int32_t width,
+                                         std::int32_t height) {
     Blocks best = mergeRuns(marked, width, height);
     for (Blocks& other : std::vector<Blocks>{mergeColumnRuns(marked, width, height),
                                              LargestFirst(marked, width, height).cover()}) {

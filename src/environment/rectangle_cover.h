@@ -19,6 +19,7 @@ struct CellBlock {
 /// Covers the marked cells (row by row, non-zero = marked) exactly by rectangles that do not overlap:
 /// the best of three ways (runs of rows merged, runs of columns merged, the largest rectangle
 /// first). Sorted by row and column.
-std::vector<CellBlock> coverByRectangles(std::span<const char> marked, std::int32_t width, std::int32_t height);
+std::vector<CellBlock> coverByRectangles(std::span<const char> marked, std::int32_t width,
+                                         std::int32_t height);
 
 }  // namespace muster

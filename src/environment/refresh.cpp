@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "environment/environment_state.h"
 #include "base/maths.h"
+#include "environment/environment_state.h"
 
 namespace muster {
 namespace {
@@ -29,7 +29,8 @@ Box boundsOfEntry(const ObstacleEntry& entry) {
 bool touchesCell(const Polygon& corners, Vec2 centre, double half) {
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
         const Vec2 edge = corners[i] - corners[j];
-        const double inward = cross(edge, centre - corners[j]) + half * (std::fabs(edge.x) + std::fabs(edge.y));
+        const double inward = cross(edge, centre - corners[j]) +
+                              half * (std::fabs(edge.x) + std::fabs(edge.y));
         if (inward <= 1e-9 * length(edge)) return false;
     }
     return true;
@@ -90,7 +91,8 @@ void Environment::Impl::refresh() {
         clearanceArea = speedArea = all;
         freshRasters = false;
     } else {
-        if (obstaclesDirty) clearanceArea = CellRect::touching(grid, dirtyObstacles.grown(kReach + kBinSlack));
+        if (obstaclesDirty)
+            clearanceArea = CellRect::touching(grid, dirtyObstacles.grown(kReach + kBinSlack));
         if (patchesDirty) speedArea = CellRect::touching(grid, dirtyPatches.grown(kBinSlack));
     }
     obstaclesDirty = patchesDirty = false;
@@ -124,7 +126,8 @@ void Environment::Impl::rebuildPieces() {
     }
     index.bounds.resize(pieces.size());
     index.reach.resize(pieces.size());
-    for (std::size_t number = 0; number < pieces.size(); ++number) placePiece(static_cast<std::int32_t>(number));
+    for (std::size_t number = 0; number < pieces.size(); ++number)
+        placePiece(static_cast<std::int32_t>(number));
     index.stillBins.fill(index.reach, index.still);
     index.movingBins.fill(index.reach, index.moving);
 }
@@ -144,7 +147,8 @@ void Environment::Impl::placePiece(std::int32_t number) {
     } else {
         const Polygon& part = entry.parts[piecePart[number]];
         piece.corners.resize(part.size());
-        for (std::size_t i = 0; i < part.size(); ++i) piece.corners[i] = piece.moving ? at.apply(part[i]) : part[i];
+        for (std::size_t i = 0; i < part.size(); ++i)
+            piece.corners[i] = piece.moving ? at.apply(part[i]) : part[i];
         piece.centre = centroid(piece.corners);
         double squared = 0.0;
         for (Vec2 p : piece.corners) squared = std::max(squared, lengthSquared(p - piece.centre));
@@ -163,7 +167,8 @@ void Environment::Impl::rebuildPatchPieces() {
     for (std::size_t e = 0; e < patches.size(); ++e) {
         for (std::size_t k = 0; k < patches[e].parts.size(); ++k) {
             const bool moves = !patches[e].def.path.still();
-            (moves ? patchIndex.moving : patchIndex.still).push_back(static_cast<std::int32_t>(patchPieces.size()));
+            (moves ? patchIndex.moving : patchIndex.still)
+                .push_back(static_cast<std::int32_t>(patchPieces.size()));
             patchPart.push_back(static_cast<std::int32_t>(k));
             patchPieces.push_back({{}, static_cast<std::int32_t>(e)});
         }
@@ -183,7 +188,8 @@ void Environment::Impl::placePatchPiece(std::int32_t number) {
     const Polygon& part = entry.parts[patchPart[number]];
     const bool moves = !entry.def.path.still();
     piece.corners.resize(part.size());
-    for (std::size_t i = 0; i < part.size(); ++i) piece.corners[i] = moves ? entry.placement.apply(part[i]) : part[i];
+    for (std::size_t i = 0; i < part.size(); ++i)
+        piece.corners[i] = moves ? entry.placement.apply(part[i]) : part[i];
     patchIndex.bounds[number] = boundsOf(piece.corners);
     patchIndex.reach[number] = patchIndex.bounds[number].grown(kBinSlack);
 }
@@ -198,8 +204,10 @@ void Environment::Impl::rebuildStillClearance(const CellRect& area) {
         return static_cast<float>(std::min(inside, kClearanceLimit));
     });
     for (std::int32_t number : index.still) {
-        const CellRect rect = CellRect::touching(grid, index.bounds[number].grown(kReach + kBinSlack)).common(area);
-        clearance.lowerStill(rect, [&](Cell c, float now) { return distanceBelow(number, grid.centre(c), now); });
+        const CellRect rect = CellRect::touching(grid, index.bounds[number].grown(kReach + kBinSlack))
+                                  .common(area);
+        clearance.lowerStill(rect,
+                             [&](Cell c, float now) { return distanceBelow(number, grid.centre(c), now); });
     }
     clearance.copyStill(area);
 }
@@ -230,7 +238,8 @@ float Environment::Impl::distanceBelow(std::int32_t number, Vec2 p, float now) c
 void Environment::Impl::coverClearance() {
     for (std::int32_t number : index.moving) {
         const CellRect rect = CellRect::touching(grid, index.bounds[number].grown(kReach + kBinSlack));
-        clearance.lowerLive(rect, [&](Cell c, float now) { return distanceBelow(number, grid.centre(c), now); });
+        clearance.lowerLive(rect,
+                            [&](Cell c, float now) { return distanceBelow(number, grid.centre(c), now); });
     }
 }
 

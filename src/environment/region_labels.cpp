@@ -12,7 +12,8 @@ void RegionLabels::clear() {
 
 const Regions& RegionLabels::regions(const Grid& grid, std::span<const float> clearance, double radius) {
     // Mostly the same radius again, by many threads at once.
-    if (const Entry* last = last_.load(std::memory_order_acquire); last != nullptr && last->radius == radius) return *last;
+    if (const Entry* last = last_.load(std::memory_order_acquire); last != nullptr && last->radius == radius)
+        return *last;
     const std::lock_guard lock(mutex_);
     for (const Entry& entry : entries_) {
         if (!entry.valid || entry.radius != radius) continue;
@@ -31,8 +32,9 @@ const Regions& RegionLabels::regions(const Grid& grid, std::span<const float> cl
 void RegionLabels::flood(const Grid& grid, std::span<const float> clearance, Entry& entry) {
     constexpr std::int32_t kBlocked = -1;
     const std::int32_t count = grid.count();
-    entry.label.resize(static_cast<std::size_t>(count));
-    for (std::int32_t i = 0; i < count; ++i) entry.label[i] = clearance[i] >= entry.radius ? kUnseenRegion : kBlocked;
+    entry.label.resize(count);
+    for (std::int32_t i = 0; i < count; ++i)
+        entry.label[i] = clearance[i] >= entry.radius ? kUnseenRegion : kBlocked;
     entry.count = labelRegions(grid, entry.label, queue_);
 }
 

@@ -14,9 +14,11 @@ namespace muster {
 
 /// The regions for one radius.
 struct Regions {
-    double radius = -1.0;             ///< [m]
-    std::vector<std::int32_t> label;  ///< Per cell: -1 where clearance is under the radius, else numbered from 0 in row-major order of first cells.
-    std::int32_t count = 0;           ///< How many there are.
+    double radius = -1.0;  ///< [m]
+    /// Per cell: -1 where clearance is under the radius, else numbered from 0 in row-major order of first
+    /// cells.
+    std::vector<std::int32_t> label;
+    std::int32_t count = 0;  ///< How many there are.
 };
 
 /// Floods the cells with enough clearance and keeps the labels of the radii asked for last.

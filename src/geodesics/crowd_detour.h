@@ -6,9 +6,9 @@
 
 namespace muster {
 
-/// What crowd and moving things add between two points [m of open ground]: along the straight line, or along a way bent once
-/// round moving things, with what it is longer than the line, where that is less. Never less than the cheapest way has. `line` is
-/// the length of the straight line.
+/// What crowd and moving things add between two points [m of open ground]: along the straight line, or along
+/// a way bent once round moving things, with what it is longer than the line, where that is less. Never less
+/// than the cheapest way has. `line` is the length of the straight line.
 double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b, double line);
 inline double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b) {
     return excessBetween(ground, excess, a, b, distance(a, b));

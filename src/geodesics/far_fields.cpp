@@ -8,8 +8,8 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kCapacity = 1024;
-constexpr double kLeastSpacing = 4.0;    // Between landmarks [m].
-constexpr double kMostLandmarks = 100.0; // Over a formation of a metre per place, about.
+constexpr double kLeastSpacing = 4.0;     // Between landmarks [m].
+constexpr double kMostLandmarks = 100.0;  // Over a formation of a metre per place, about.
 // A landmark counts for a place only where the way between them is not much longer than the straight line.
 constexpr double kInLine = 1.15;
 constexpr double kCellsOff = 1.5;  // ... but for so many cells.
@@ -54,7 +54,8 @@ std::int32_t FarFields::freeNear(Cell point, Lattice& lattice) const {
     for (std::int32_t dy = -reach; dy <= reach; ++dy)
         for (std::int32_t dx = -reach; dx <= reach; ++dx) {
             const Cell c{middle.x + dx, middle.y + dy};
-            if (dx * dx + dy * dy >= nearest || !cost.grid.contains(c) || cost.wall(cost.grid.index(c))) continue;
+            if (dx * dx + dy * dy >= nearest || !cost.grid.contains(c) || cost.wall(cost.grid.index(c)))
+                continue;
             nearest = dx * dx + dy * dy;
             known = cost.grid.index(c);
         }
@@ -97,9 +98,12 @@ LandmarkStencil FarFields::stencil(Vec2 place) {
             continue;
         }
         const double square = lattice_.field(slot).squareBetween(place);
-        const Landmark landmark{slot, grid.centre(grid.at(corners.cell[k])), std::sqrt(std::max(0.0, square))};
-        if (sees(lattice_.field(slot), place, square)) known[count++] = landmark;
-        else unseen[others++] = landmark;
+        const Landmark landmark{slot, grid.centre(grid.at(corners.cell[k])),
+                                std::sqrt(std::max(0.0, square))};
+        if (sees(lattice_.field(slot), place, square))
+            known[count++] = landmark;
+        else
+            unseen[others++] = landmark;
     }
     // Where none sees the place, the one from which the way is shortest must do.
     const auto nearer = [](const Landmark& a, const Landmark& b) { return a.cost < b.cost; };
@@ -123,9 +127,9 @@ double FarFields::square(const LandmarkStencil& stencil, Vec2 from) const {
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-// Squared costs bend where ground becomes slow, so that their mean may be far off: but no way is longer than one by a
-// landmark, nor shorter than the ways to a landmark differ. From outside fronts come to places on slow ground almost
-// plane, so that costs themselves are what interpolates well.
+// Squared costs bend where ground becomes slow, so that their mean may be far off: but no way is longer than
+// one by a landmark, nor shorter than the ways to a landmark differ. From outside fronts come to places on
+// slow ground almost plane, so that costs themselves are what interpolates well.
 double FarFields::squareWithin(const LandmarkStencil& stencil, Vec2 from) const {
     const bool plane = stencil.unit != 0.0f && ground_->unit(from) != stencil.unit;
     double sum = plane ? 0.0 : stencil.shift;
@@ -146,7 +150,8 @@ double FarFields::squareWithin(const LandmarkStencil& stencil, Vec2 from) const 
     }
     const double cost = plane ? sum : std::sqrt(std::max(0.0, sum));
     // One alone may lie on the other side of slow ground.
-    const double between = stencil.weight[0] == 1.0f ? std::max(cost, static_cast<double>(stencil.own[0])) : cost;
+    const double between = stencil.weight[0] == 1.0f ? std::max(cost, static_cast<double>(stencil.own[0]))
+                                                     : cost;
     const double within = std::max(least, std::min(between, most));
     return within * within;
 }

@@ -4,19 +4,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "cost/static_ground.h"
 #include "geodesics/field_lattice.h"
 #include "geodesics/landmark_stencil.h"
-#include "cost/static_ground.h"
 
 namespace muster {
 
-/// Landmarks lie on a square lattice, 4, 8, 16 or 32 m apart and for places on slow ground half as far, or on the free
-/// cells next to it.
+/// Landmarks lie on a square lattice, 4, 8, 16 or 32 m apart and for places on slow ground half as far, or on
+/// the free cells next to it.
 class FarFields {
 public:
     FarFields();  ///< None.
 
-    /// Begins a step on this ground for so many places; forgets all where the ground or the spacing has changed.
+    /// Begins a step on this ground for so many places; forgets all where the ground or the spacing has
+    /// changed.
     void beginStep(const StaticGround& ground, std::size_t places);
     /// Makes at most `most` of those asked for; true where any was made.
     std::int32_t build(std::int32_t most, ThreadPool& pool);
@@ -47,7 +48,8 @@ private:
     struct Lattice {
         std::int32_t spacing = 0;
         std::int32_t width = 0;
-        std::vector<std::int32_t> moved;  // Landmark of each point: a coarse cell, -1 for none, -2 not looked for.
+        // Landmark of each point: a coarse cell, -1 for none, -2 not looked for.
+        std::vector<std::int32_t> moved;
 
         void reset(const Grid& grid, std::int32_t cells);
     };
@@ -63,7 +65,7 @@ private:
     std::uint32_t version_ = 0;
     std::int32_t spacing_ = 0;  // [coarse cells]
     Lattice wide_;
-    Lattice narrow_;            // For places on slow ground.
+    Lattice narrow_;  // For places on slow ground.
     std::vector<EikonalSolver> solvers_;
 };
 

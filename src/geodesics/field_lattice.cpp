@@ -6,9 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kIdle = 240;        // Steps after which a field that nobody used may go.
-constexpr std::size_t kMostWishes = 8192;   // Kept until the next build.
-constexpr std::size_t kFilter = 4096;       // Wishes looked back to for doubles.
+constexpr std::uint32_t kIdle = 240;       // Steps after which a field that nobody used may go.
+constexpr std::size_t kMostWishes = 8192;  // Kept until the next build.
+constexpr std::size_t kFilter = 4096;      // Wishes looked back to for doubles.
 
 }  // namespace
 

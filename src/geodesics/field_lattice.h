@@ -11,8 +11,8 @@
 
 namespace muster {
 
-/// Fields by landmark (the index of a cell). A landmark wished for gets its field in the next build(); those not used for
-/// long make room for others.
+/// Fields by landmark (the index of a cell). A landmark wished for gets its field in the next build(); those
+/// not used for long make room for others.
 class FieldLattice {
 public:
     /// At most `capacity` fields.
@@ -29,9 +29,9 @@ public:
     std::int32_t find(std::int32_t landmark) const;
     /// Asks for a landmark's field.
     void wish(std::int32_t landmark);
-    /// Makes at most `most` of the fields wished for, in the order of the wishes, and forgets the other wishes.
-    /// `solve(landmark, field, worker)` fills one.
-    /// Returns how many. None where `most` is 0: wishes stay then.
+    /// Makes at most `most` of the fields wished for, in the order of the wishes, and forgets the other
+    /// wishes. `solve(landmark, field, worker)` fills one. Returns how many. None where `most` is 0: wishes
+    /// stay then.
     template <class Solve>
     std::int32_t build(std::int32_t most, ThreadPool& pool, const Solve& solve) {
         if (most <= 0) return 0;
@@ -45,7 +45,9 @@ public:
     /// Fills all fields anew, after load() or where the costs have changed.
     template <class Solve>
     void rebuild(ThreadPool& pool, const Solve& solve) {
-        pool.run(count_, [&](std::int32_t slot, std::int32_t worker) { solve(landmark_[slot], fields_[slot], worker); });
+        pool.run(count_, [&](std::int32_t slot, std::int32_t worker) {
+            solve(landmark_[slot], fields_[slot], worker);
+        });
     }
     /// The field in a slot.
     const CostField& field(std::int32_t slot) const { return fields_[slot]; }
@@ -67,7 +69,8 @@ private:
     template <class Archive>
     void restore(Archive& archive) {
         const auto size = static_cast<std::size_t>(std::max(count_, 0));
-        if (count_ < 0 || count_ > capacity_ || landmark_.size() != size || used_.size() != size) return archive.fail();
+        if (count_ < 0 || count_ > capacity_ || landmark_.size() != size || used_.size() != size)
+            return archive.fail();
         fields_.resize(std::max(fields_.size(), size));
         rehash();
         refilter();
@@ -88,7 +91,7 @@ private:
     std::vector<CostField> fields_;       // Of each slot, and memory for later ones.
     std::vector<std::int32_t> table_;     // Slots by landmark, -1 for none: open addressing.
     std::vector<std::int32_t> wishes_;
-    std::vector<std::int32_t> filter_;    // Wishes by landmark, so that few are noted twice.
+    std::vector<std::int32_t> filter_;  // Wishes by landmark, so that few are noted twice.
     std::vector<std::int32_t> fresh_;
 };
 

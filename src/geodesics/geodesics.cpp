@@ -14,11 +14,14 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kFarAway = 20.0;           // Beyond this the far fields tell, whether the line is clear or not [m].
-constexpr double kUnknown = 1.3;            // Ways of unknown length, as a multiple of the straight line.
-constexpr double kDetour = 1.6;             // Times the straight line's cost: a detour that may be cheaper outside a window.
-constexpr double kOverSlow = 8.0;           // Ways over slow ground that are looked at directly [m]...
-constexpr double kShortLine = 5.0;          // ... and from which there may be one round it outside all windows.
+// Beyond this the far fields tell, whether the line is clear or not [m].
+constexpr double kFarAway = 20.0;
+constexpr double kUnknown = 1.3;  // Ways of unknown length, as a multiple of the straight line.
+// Times the straight line's cost: a detour that may be cheaper outside a window.
+constexpr double kDetour = 1.6;
+constexpr double kOverSlow = 8.0;  // Ways over slow ground that are looked at directly [m]...
+// ... and from which there may be one round it outside all windows.
+constexpr double kShortLine = 5.0;
 constexpr double kNearEnds = 3.0;           // Of a long way, from its ends [m].
 constexpr double kMuchLess = 0.6;           // Far fields are off by up to a tenth there.
 constexpr std::size_t kFewPlaces = 500;     // Below, one field is made in a step...
@@ -27,24 +30,29 @@ constexpr std::int32_t kNearHalf = 16;      // Cells from the middle of a window
 constexpr std::int32_t kMiddleHalf = 18;    // ... and of one on cells twice as wide.
 constexpr std::int32_t kTraceSteps = 10;    // Along a far way, to a point in sight ahead...
 constexpr double kTraceStep = 1.0;          // ... each so long [m].
-constexpr std::int32_t kWindowSteps = 3;    // Of these, to the landmark of a window that leads round a corner near by.
-constexpr std::int32_t kSurveyed = 16;      // Times as many windows are made before a first plan as in a step.
-constexpr std::int32_t kMostLost = 5;       // Points out of sight after which no more are looked at.
-constexpr double kWorthAiming = 0.9;        // Points nearer than this are no aim [m].
-constexpr double kTouching = 0.1;           // Room of one who walks along a wall [m].
-constexpr std::uint32_t kServes = 8;        // Steps for which what was found serves, and up to as many more.
-constexpr std::int32_t kLooks = 4;          // Of these one in so many looks whether the point is in sight still.
-constexpr double kReached = 0.6;            // [m]
-constexpr double kLookAhead = 2.0;          // Of headings tried where it is crowded [m].
-constexpr double kCrowded = 0.05;           // Excess of a metre ahead from which other headings are tried.
-constexpr double kKeep = 0.02;              // A turn must save more [m of open ground].
+// Of these, to the landmark of a window that leads round a corner near by.
+constexpr std::int32_t kWindowSteps = 3;
+// Times as many windows are made before a first plan as in a step.
+constexpr std::int32_t kSurveyed = 16;
+constexpr std::int32_t kMostLost = 5;  // Points out of sight after which no more are looked at.
+constexpr double kWorthAiming = 0.9;   // Points nearer than this are no aim [m].
+constexpr double kTouching = 0.1;      // Room of one who walks along a wall [m].
+constexpr std::uint32_t kServes = 8;   // Steps for which what was found serves, and up to as many more.
+// Of these one in so many looks whether the point is in sight still.
+constexpr std::int32_t kLooks = 4;
+constexpr double kReached = 0.6;    // [m]
+constexpr double kLookAhead = 2.0;  // Of headings tried where it is crowded [m].
+constexpr double kCrowded = 0.05;   // Excess of a metre ahead from which other headings are tried.
+constexpr double kKeep = 0.02;      // A turn must save more [m of open ground].
 // 25, 50 and 75 degrees to either side.
-constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944}, {0.64278760968653933, 0.76604444311897804},
+constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944},
+                                  {0.64278760968653933, 0.76604444311897804},
                                   {0.25881904510252074, 0.96592582628906831}};
 // 3, 6 and 12 degrees to either side.
-constexpr Rotation kAside[] = {{0.99862953475457383, 0.05233595624294383}, {0.99452189536827329, 0.10452846326765347},
+constexpr Rotation kAside[] = {{0.99862953475457383, 0.05233595624294383},
+                               {0.99452189536827329, 0.10452846326765347},
                                {0.97814760073380569, 0.20791169081775934}};
-constexpr std::uint32_t kFarPeriod = 8;     // Steps between two looks for the far landmarks of a place.
+constexpr std::uint32_t kFarPeriod = 8;  // Steps between two looks for the far landmarks of a place.
 
 }  // namespace
 
@@ -60,28 +68,32 @@ struct Geodesics::Impl {
     const StaticGround* ground = nullptr;
     const CrowdExcess* excess = nullptr;
     std::vector<Vec2> places;
-    WindowCosts near;    // A few metres round places, on the ground cells.
-    WindowCosts middle;  // Some more, on cells twice as wide.
+    WindowCosts near;                    // A few metres round places, on the ground cells.
+    WindowCosts middle;                  // Some more, on cells twice as wide.
     std::vector<std::uint8_t> askedFar;  // Steps for which a place still wants far fields.
     std::vector<LandmarkStencil> farStencil;
     FarFields far;
-    std::vector<std::uint8_t> farFound;   // The far stencil was looked for since the place was asked for.
+    std::vector<std::uint8_t> farFound;  // The far stencil was looked for since the place was asked for.
     std::uint32_t step = 0;
     bool loaded = false;
 
-    explicit Impl(const GeodesicsDef& d) : def(d), near({d.nearFields, kNearHalf}), middle({d.middleFields, kMiddleHalf}) {}
+    explicit Impl(const GeodesicsDef& d)
+        : def(d), near({d.nearFields, kNearHalf}), middle({d.middleFields, kMiddleHalf}) {}
 
     template <class Archive>
     void visit(Archive& archive) {
         archive(places, askedFar, farFound, farStencil, step, near, middle, far);
         if constexpr (Archive::kReading) {
             const std::size_t n = places.size();
-            if (near.places() != n || middle.places() != n || askedFar.size() != n || farFound.size() != n || farStencil.size() != n) archive.fail();
+            if (near.places() != n || middle.places() != n || askedFar.size() != n || farFound.size() != n ||
+                farStencil.size() != n)
+                archive.fail();
             loaded = true;
         }
     }
     std::int32_t perStep(std::int32_t most) const {
-        return std::max(most, static_cast<std::int32_t>(most * static_cast<std::int64_t>(places.size()) / kManyPlaces));
+        return std::max(
+            most, static_cast<std::int32_t>(most * static_cast<std::int64_t>(places.size()) / kManyPlaces));
     }
     void askFar(std::int32_t place) const { noteAsked(askedFar, place); }
     // A number that differs from place to place and from step to step.
@@ -143,8 +155,8 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
     s.tick(pool);
 }
 
-// True where a far one was made. A field takes a good part of a small crowd's step: few are made in one then, of whatever kind,
-// in every other step from the farthest.
+// True where a far one was made. A field takes a good part of a small crowd's step: few are made in one then,
+// of whatever kind, in every other step from the farthest.
 bool Geodesics::Impl::makeFields(ThreadPool& pool) {
     if (places.size() >= static_cast<std::size_t>(kManyPlaces)) {
         near.build(perStep(def.nearPerStep), pool);
@@ -196,9 +208,12 @@ void Geodesics::Impl::findFarStencils(bool anew) {
 void Geodesics::Impl::askFor(Vec2 from, std::int32_t place) {
     const bool farAway = distance(from, places[place]) >= kFarAway;
     if (!farAway && ground->straight(from, places[place])) return;
-    if (near.reaches(from, place)) near.ask(place, false);
-    else if (middle.reaches(from, place)) middle.ask(place, false);
-    else askFar(place);
+    if (near.reaches(from, place))
+        near.ask(place, false);
+    else if (middle.reaches(from, place))
+        middle.ask(place, false);
+    else
+        askFar(place);
 }
 
 void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
@@ -216,7 +231,9 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
     for (std::int32_t j = 0; j < count; ++j)
         if (s.near.asked(j) || s.middle.asked(j))
             for (const Vec2 p : from)
-                if (s.middle.reaches(p, j) && s.bent(p, j, false, distance(p, s.places[j])).by == Impl::Bent::Unknown) s.askFar(j);
+                if (s.middle.reaches(p, j) &&
+                    s.bent(p, j, false, distance(p, s.places[j])).by == Impl::Bent::Unknown)
+                    s.askFar(j);
     s.findFarStencils(true);
     s.far.build(std::numeric_limits<std::int32_t>::max(), pool);
     s.findFarStencils(true);
@@ -225,27 +242,30 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
 double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) const {
     const LandmarkStencil& stencil = farStencil[place];
     if (stencil.count == 0) return kInfinite;
-    const double square = far.square(stencil, from) - readingShift(ground->coarse().grid, from, ground->unit(from));
+    const double square = far.square(stencil, from) -
+                          readingShift(ground->coarse().grid, from, ground->unit(from));
     if (!(square < kInfinite)) return kInfinite;
     const double least = ground->fine().lowest * line;
     return std::sqrt(std::max(square, least * least));
 }
 
-// Windows know no way that leaves them. Through slow ground there may be one that is much longer than the best: where far
-// fields know a cheaper one, that.
+// Windows know no way that leaves them. Through slow ground there may be one that is much longer than the
+// best: where far fields know a cheaper one, that.
 Geodesics::Impl::Bent Geodesics::Impl::roundOutside(Bent inside, Vec2 from, std::int32_t place) const {
     const Vec2 to = places[place];
     const double line = distance(from, to);
     // Far fields say little of short ways, for which windows are made.
     if (ground->even() || (inside.by == Bent::Line && line < kShortLine)) return inside;
-    const double straight = inside.by == Bent::Line ? ground->fine().lowest * line : ground->lineCost(from, to);
+    const double straight = inside.by == Bent::Line ? ground->fine().lowest * line
+                                                    : ground->lineCost(from, to);
     if (inside.cost <= kDetour * straight) return inside;
     askFar(place);
     const double cost = farCost(from, place, line);
     return cost < kMuchLess * inside.cost ? Bent{cost, Bent::Far} : inside;
 }
 
-// Straight over slow ground and out of it, or bent where it changes, where no wall is in the way; else unknown.
+// Straight over slow ground and out of it, or bent where it changes, where no wall is in the way; else
+// unknown.
 Geodesics::Impl::Bent Geodesics::Impl::overSlow(Vec2 from, std::int32_t place, double line) const {
     const Vec2 to = places[place];
     if (ground->even() || line > kOverSlow || !ground->clear(from, to)) return {kInfinite, Bent::Unknown};
@@ -258,13 +278,15 @@ Geodesics::Impl::Bent Geodesics::Impl::overSlow(Vec2 from, std::int32_t place, d
 Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner, double line) const {
     const Bent direct = overSlow(from, place, line);
     // Into slow ground or out of it that is the way; within it another way may lead out and in again.
-    if (direct.by == Bent::Line && ground->unit(from) != ground->unit(places[place])) return roundOutside(direct, from, place);
+    if (direct.by == Bent::Line && ground->unit(from) != ground->unit(places[place]))
+        return roundOutside(direct, from, place);
     const Bent found = byWindows(from, place, owner, line);
     const bool better = direct.cost < found.cost || found.by == Bent::Far || found.by == Bent::Unknown;
     return direct.by == Bent::Line && better ? roundOutside(direct, from, place) : found;
 }
 
-// Of a long way whose course is not known: what moving things add where it begins and where it ends, as if it led straight there.
+// Of a long way whose course is not known: what moving things add where it begins and where it ends, as if it
+// led straight there.
 double Geodesics::Impl::excessAtEnds(Vec2 from, Vec2 to, double line) const {
     const double part = std::min(1.0, kNearEnds / line);
     const auto standsIn = [&](Vec2 end, Vec2 onward) {
@@ -278,7 +300,8 @@ double Geodesics::Impl::excessAtEnds(Vec2 from, Vec2 to, double line) const {
 }
 
 // The finest windows that reach so far; coarser ones where those do not know the way.
-Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, bool owner, double line) const {
+Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, bool owner,
+                                                 double line) const {
     bool missing = false;  // Windows that will tell.
     if (near.reaches(from, place)) {
         near.ask(place, owner);
@@ -300,7 +323,8 @@ Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, 
     return {kUnknown * ground->lineCost(from, places[place]) + more, Bent::Unknown};
 }
 
-// Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the same.
+// Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the
+// same.
 bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, double line, float& cost) const {
     if (line < kFarAway || ground->plain()) return false;
     askFar(place);
@@ -309,9 +333,13 @@ bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, double line, float
     return there < kInfinite;
 }
 
-bool Geodesics::straight(Vec2 from, std::int32_t place) const { return impl_->ground->straight(from, impl_->places[place]); }
+bool Geodesics::straight(Vec2 from, std::int32_t place) const {
+    return impl_->ground->straight(from, impl_->places[place]);
+}
 
-double Geodesics::perMetre() const { return impl_->ground->fine().lowest; }
+double Geodesics::perMetre() const {
+    return impl_->ground->fine().lowest;
+}
 
 // Whoever comes out of a disc of slow ground crosses its radius.
 double Geodesics::atLeast(Vec2 from, std::int32_t place) const {
@@ -325,9 +353,13 @@ double Geodesics::atLeast(Vec2 from, std::int32_t place) const {
     return lowest * line + (ground.unit(from) - lowest) * before + (ground.unit(to) - lowest) * after;
 }
 
-bool Geodesics::unsteady(Vec2 p) const { return impl_->excess->moves(p); }
+bool Geodesics::unsteady(Vec2 p) const {
+    return impl_->excess->moves(p);
+}
 
-float Geodesics::cost(Vec2 from, std::int32_t place) const { return impl_->costFrom(from, place); }
+float Geodesics::cost(Vec2 from, std::int32_t place) const {
+    return impl_->costFrom(from, place);
+}
 
 float Geodesics::Impl::straightCost(Vec2 from, Vec2 to, double line) const {
     return static_cast<float>(ground->unit(to) * line + excessBetween(*ground, *excess, from, to, line));
@@ -364,8 +396,8 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, WayPoint
     return found;
 }
 
-// Ways down a landmark's field end at the landmark: of points as far off to both sides the one from which it is nearest to
-// the place itself.
+// Ways down a landmark's field end at the landmark: of points as far off to both sides the one from which it
+// is nearest to the place itself.
 Vec2 Geodesics::Impl::towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) const {
     const auto lengthBy = [&](Vec2 p) { return farCost(p, place, distance(p, places[place])); };
     Vec2 best = aim;
@@ -380,16 +412,18 @@ Vec2 Geodesics::Impl::towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) cons
     return best;
 }
 
-// To a point in sight on the way down a field of a landmark of the place. Where there is none, the way is bent near by:
-// down the window of a landmark some metres on.
-Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const {
+// To a point in sight on the way down a field of a landmark of the place. Where there is none, the way is
+// bent near by: down the window of a landmark some metres on.
+Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, Vec2 from,
+                                    WayPoint& memory) const {
     // Who walks towards a point keeps it in sight, unless pushed aside.
     const bool looks = memory.steps % kLooks == 0;
     const bool aims = memory.inSight && distance(from, memory.point) > kReached &&
                       (!looks || ground->straight(from, memory.point));
     if (memory.steps <= 0 || (memory.inSight && !aims)) {
         memory.inSight = findPointAhead(field, from, memory);
-        if (memory.inSight && farStencil[place].count > 0) memory.point = towardsPlace(from, place, memory.point);
+        if (memory.inSight && farStencil[place].count > 0)
+            memory.point = towardsPlace(from, place, memory.point);
         // Not for all equally long, nor always, so that not all look again in one step.
         memory.steps = kServes + static_cast<std::int32_t>(mixed(place) % kServes);
     }
@@ -404,8 +438,9 @@ Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, 
 Vec2 Geodesics::Impl::alongWall(Vec2 from, Vec2 way) const {
     if (ground->roomBetween(from) > kTouching) return way;
     const double edge = ground->fine().grid.cell;
-    const Vec2 rise{ground->roomBetween(from + Vec2{edge, 0.0}) - ground->roomBetween(from - Vec2{edge, 0.0}),
-                    ground->roomBetween(from + Vec2{0.0, edge}) - ground->roomBetween(from - Vec2{0.0, edge})};
+    const Vec2 rise{
+        ground->roomBetween(from + Vec2{edge, 0.0}) - ground->roomBetween(from - Vec2{edge, 0.0}),
+        ground->roomBetween(from + Vec2{0.0, edge}) - ground->roomBetween(from - Vec2{0.0, edge})};
     const Vec2 out = normalized(rise);
     const double into = dot(way, out);
     return into < 0.0 ? normalized(way - out * into, perpendicular(out)) : way;
@@ -413,7 +448,8 @@ Vec2 Geodesics::Impl::alongWall(Vec2 from, Vec2 way) const {
 
 void Geodesics::remember(std::span<const WayPoint> walkers) {
     for (const WayPoint& walker : walkers)
-        if (walker.place >= 0 && walker.window >= 0 && !walker.inSight) impl_->near.windows().keep(walker.window);
+        if (walker.place >= 0 && walker.window >= 0 && !walker.inSight)
+            impl_->near.windows().keep(walker.window);
 }
 
 WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const {
@@ -422,7 +458,8 @@ WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const
     return way;
 }
 
-// Where the crowd ahead is dense, the best of a few headings: what the first metres cost in it, and the way on from there.
+// Where the crowd ahead is dense, the best of a few headings: what the first metres cost in it, and the way
+// on from there.
 Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const {
     if (excess->none() || way.direction == Vec2{} || way.cost < 2.0 * kLookAhead) return way.direction;
     const double unit = ground->unit(from);
@@ -446,8 +483,10 @@ Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhea
 
 WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const {
     const Vec2 to = places[place];
-    // Where many get other places at once not all look for a point in one step: the field itself leads them until then.
-    if (memory.place != place) memory = {from, place, static_cast<std::int32_t>(mixed(place) % kServes), -1, false};
+    // Where many get other places at once not all look for a point in one step: the field itself leads them
+    // until then.
+    if (memory.place != place)
+        memory = {from, place, static_cast<std::int32_t>(mixed(place) % kServes), -1, false};
     const double line = distance(from, to);
     const auto farField = [&]() -> const CostField& { return far.field(farStencil[place].nearest); };
     WayAhead way;
@@ -470,13 +509,17 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
     return way;
 }
 
-void Geodesics::save(Writer& archive) const { impl_->visit(archive); }
+void Geodesics::save(Writer& archive) const {
+    impl_->visit(archive);
+}
 
 bool Geodesics::load(Reader& archive) {
     impl_->visit(archive);
     return archive.ok();
 }
 
-void Geodesics::hash(Hasher& archive) const { impl_->visit(archive); }
+void Geodesics::hash(Hasher& archive) const {
+    impl_->visit(archive);
+}
 
 }  // namespace muster

@@ -18,11 +18,11 @@ struct Landmark {
 
 /// Fields and their weights.
 struct LandmarkStencil {
-    std::int32_t count = 0;   ///< 0 where nothing is known.
+    std::int32_t count = 0;  ///< 0 where nothing is known.
     std::array<std::int32_t, 4> slot = {};
     std::array<float, 4> weight = {};
-    std::int32_t nearest = 0; ///< Slot of the field whose landmark weighs most.
-    float shift = 0.0f;       ///< Added to the weighted sum of squares: exact on uniform ground.
+    std::int32_t nearest = 0;       ///< Slot of the field whose landmark weighs most.
+    float shift = 0.0f;             ///< Added to the weighted sum of squares: exact on uniform ground.
     std::array<float, 4> own = {};  ///< Cost from each landmark to the place.
     float unit = 0.0f;              ///< Cost of a metre at the place where that is slow ground, else 0.
 
@@ -41,9 +41,10 @@ struct LandmarkStencil {
     }
 };
 
-/// Weights that add up to 1 and put the landmarks' weighted mean on `place`: bilinear where `square` says that the four
-/// are the corners of a square (lower left, lower right, upper left, upper right), else the smallest such weights;
-/// landmarks that lie in a line or alone put it as near as they can. `unit` is the cost of a metre round the place.
+/// Weights that add up to 1 and put the landmarks' weighted mean on `place`: bilinear where `square` says
+/// that the four are the corners of a square (lower left, lower right, upper left, upper right), else the
+/// smallest such weights; landmarks that lie in a line or alone put it as near as they can. `unit` is the
+/// cost of a metre round the place.
 LandmarkStencil weighLandmarks(std::span<const Landmark> landmarks, bool square, Vec2 place, float unit);
 
 }  // namespace muster

@@ -8,9 +8,9 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kStep = 0.25;           // Between two looks at the ground [m].
-constexpr std::int32_t kMostLooks = 32;  // Along a line.
-constexpr std::int32_t kHalvings = 3;    // Where the ground changes between two looks.
+constexpr double kStep = 0.25;                     // Between two looks at the ground [m].
+constexpr std::int32_t kMostLooks = 32;            // Along a line.
+constexpr std::int32_t kHalvings = 3;              // Where the ground changes between two looks.
 constexpr double kBends[] = {0.3, 0.7, 1.3, 2.2};  // From the line, to both sides [m].
 
 struct Line {

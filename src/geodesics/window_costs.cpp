@@ -4,16 +4,16 @@
 #include <cmath>
 #include <limits>
 
-#include "geodesics/asked.h"
 #include "cost/between_centres.h"
+#include "geodesics/asked.h"
 #include "geodesics/crowd_detour.h"
 
 namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kLookPeriod = 4;    // Steps between two looks for the landmarks of a place.
-constexpr std::int32_t kMostCorners = 8;    // Of a way through a window.
+constexpr std::uint32_t kLookPeriod = 4;  // Steps between two looks for the landmarks of a place.
+constexpr std::int32_t kMostCorners = 8;  // Of a way through a window.
 
 }  // namespace
 
@@ -39,7 +39,8 @@ void WindowCosts::beginStep(const StaticGround& ground, const GroundLevel& level
 
 // Places move little from step to step: those that have windows look again in turn.
 bool WindowCosts::looks(std::size_t place) const {
-    return seen_[place].count == 0 || (mixed_[place] > 0 && stencil_[place].count < 4) || (step_ + place) % kLookPeriod == 0;
+    return seen_[place].count == 0 || (mixed_[place] > 0 && stencil_[place].count < 4) ||
+           (step_ + place) % kLookPeriod == 0;
 }
 
 void WindowCosts::tick() {
@@ -61,9 +62,12 @@ void WindowCosts::findStencils(bool ticks) {
     // First for those whom somebody walks to.
     bool others = false;
     for (std::size_t j = 0; j < places_.size(); ++j) {
-        if (asked_[j] == 0) seen_[j].count = stencil_[j].count = 0;
-        else if (owned_[j] > 0) look(j, anew);
-        else others = true;
+        if (asked_[j] == 0)
+            seen_[j].count = stencil_[j].count = 0;
+        else if (owned_[j] > 0)
+            look(j, anew);
+        else
+            others = true;
     }
     for (std::size_t j = 0; others && j < places_.size(); ++j)
         if (asked_[j] > 0 && owned_[j] == 0) look(j, anew);
@@ -73,16 +77,18 @@ void WindowCosts::findStencils(bool ticks) {
 // What an archive told of must be there.
 bool WindowCosts::slotsFit() const {
     const auto fits = [&](std::int32_t count, const std::array<std::int32_t, 4>& slots) {
-        return count >= 0 && count <= 4 && std::all_of(slots.begin(), slots.begin() + count, [&](std::int32_t slot) {
-            return slot >= 0 && slot < windows_.count();
-        });
+        return count >= 0 && count <= 4 &&
+               std::all_of(slots.begin(), slots.begin() + count,
+                           [&](std::int32_t slot) { return slot >= 0 && slot < windows_.count(); });
     };
-    return std::all_of(seen_.begin(), seen_.end(), [&](const SeenWindows& s) { return fits(s.count, s.slot); }) &&
-           std::all_of(stencil_.begin(), stencil_.end(), [&](const LandmarkStencil& s) { return fits(s.count, s.slot); });
+    return std::all_of(seen_.begin(), seen_.end(),
+                       [&](const SeenWindows& s) { return fits(s.count, s.slot); }) &&
+           std::all_of(stencil_.begin(), stencil_.end(),
+                       [&](const LandmarkStencil& s) { return fits(s.count, s.slot); });
 }
 
 bool WindowCosts::reaches(Vec2 from, std::int32_t place) const {
-    const Vec2 off = from - places_[static_cast<std::size_t>(place)];
+    const Vec2 off = from - places_[place];
     const double reach = windows_.reach();
     return std::fabs(off.x) < reach && std::fabs(off.y) < reach;
 }
@@ -93,7 +99,7 @@ void WindowCosts::ask(std::int32_t place, bool owner) const {
 }
 
 const CostField& WindowCosts::field(std::int32_t place) const {
-    return windows_.field(seen_[static_cast<std::size_t>(place)].slot[0]);
+    return windows_.field(seen_[place].slot[0]);
 }
 
 // The excess along the corners of a way through the field, and on to the place.
@@ -115,18 +121,19 @@ double WindowCosts::cost(Vec2 from, std::int32_t place, double line) const {
     double still = stillCost(from, place);
     if (!(still < kInfinite)) return kInfinite;
     still = std::max(still, windows_.ground().cost.lowest * line);
-    return still + excessAlong(field(place), from, places_[static_cast<std::size_t>(place)]);
+    return still + excessAlong(field(place), from, places_[place]);
 }
 
-// By the best of the landmarks in sight. Whoever stands in a door too narrow for the cells to show it goes by the free
-// cell beside it.
+// By the best of the landmarks in sight. Whoever stands in a door too narrow for the cells to show it goes by
+// the free cell beside it.
 double WindowCosts::stillCost(Vec2 from, std::int32_t place) const {
-    const SeenWindows& seen = seen_[static_cast<std::size_t>(place)];
+    const SeenWindows& seen = seen_[place];
     const GroundLevel& level = windows_.ground();
     const Grid& grid = level.cost.grid;
     double more = 0.0;
     if (!(field(place).squareBetween(from) < kInfinite)) {
-        const std::int32_t cell = level.blocked(grid.index(grid.nearestCell(from))) ? level.freeCellNear(from) : -1;
+        const std::int32_t cell = level.blocked(grid.index(grid.nearestCell(from))) ? level.freeCellNear(from)
+                                                                                    : -1;
         if (cell < 0) return kInfinite;
         const Vec2 out = grid.centre(grid.at(cell));
         more = ground_->unit(out) * distance(from, out);
@@ -134,7 +141,7 @@ double WindowCosts::stillCost(Vec2 from, std::int32_t place) const {
     }
     double best = kInfinite;
     for (std::int32_t k = 0; k < seen.count; ++k)
-        best = std::min(best, through(windows_.field(seen.slot[k]), from, places_[static_cast<std::size_t>(place)]));
+        best = std::min(best, through(windows_.field(seen.slot[k]), from, places_[place]));
     if (!(best < kInfinite)) best = interpolated(from, place);
     return best + more;
 }
@@ -149,7 +156,8 @@ Vec2 WindowCosts::lastSeen(Vec2 from, Vec2 near, Vec2 far) const {
     return lerp(near, far, seen);
 }
 
-// Length of the way between two points that both see the mark but not each other: it bends close to where that ends.
+// Length of the way between two points that both see the mark but not each other: it bends close to where
+// that ends.
 double WindowCosts::aroundCorner(Vec2 from, Vec2 mark, Vec2 to) const {
     const Vec2 shown = lastSeen(from, mark, to);
     const Vec2 bend = lastSeen(to, shown, from);
@@ -164,7 +172,8 @@ double WindowCosts::through(const CostField& field, Vec2 from, Vec2 to) const {
     if (count < 0 || count == kMostCorners) return kInfinite;
     const Vec2 mark = field.source();
     const float unit = windows_.ground().cost.lowest;
-    if (ground_->unit(to) != unit || ground_->unit(mark) != unit || ground_->unit(from) != unit) return kInfinite;
+    if (ground_->unit(to) != unit || ground_->unit(mark) != unit || ground_->unit(from) != unit)
+        return kInfinite;
     if (count == 0) return unit * aroundCorner(from, mark, to);
     const Vec2 last = corners[count - 1];
     return field.cost(from) + unit * (distance(last, to) - distance(last, mark));
@@ -173,9 +182,10 @@ double WindowCosts::through(const CostField& field, Vec2 from, Vec2 to) const {
 // Where ways bend at other ground there are no corners: squares between landmarks round the place.
 double WindowCosts::interpolated(Vec2 from, std::int32_t place) const {
     noteAsked(mixed_, place);
-    const LandmarkStencil& stencil = stencil_[static_cast<std::size_t>(place)];
-    const Vec2 to = places_[static_cast<std::size_t>(place)];
-    if (stencil.count == 0) return field(place).cost(from) + ground_->unit(to) * distance(field(place).source(), to);
+    const LandmarkStencil& stencil = stencil_[place];
+    const Vec2 to = places_[place];
+    if (stencil.count == 0)
+        return field(place).cost(from) + ground_->unit(to) * distance(field(place).source(), to);
     const double square = windows_.square(stencil, from) -
                           readingShift(windows_.ground().cost.grid, from, ground_->unit(from));
     return square < kInfinite ? std::sqrt(std::max(0.0, square)) : kInfinite;
@@ -183,7 +193,7 @@ double WindowCosts::interpolated(Vec2 from, std::int32_t place) const {
 
 Vec2 WindowCosts::direction(Vec2 from, std::int32_t place) const {
     const CostField& down = field(place);
-    const Vec2 to = places_[static_cast<std::size_t>(place)];
+    const Vec2 to = places_[place];
     // Beside the landmark the way to it says nothing of the way to the place.
     if (distance(from, down.source()) < 1.5 * distance(down.source(), to)) return normalized(to - from);
     const GroundLevel& level = windows_.ground();

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "geodesics/windows.h"
 #include "cost/crowd_excess.h"
 #include "cost/static_ground.h"
+#include "geodesics/windows.h"
 
 namespace muster {
 
@@ -28,14 +28,15 @@ public:
 
     /// True where the place's windows reach `from`, if there are any.
     bool reaches(Vec2 from, std::int32_t place) const;
-    /// Asks for the windows of a place for some time; they are made sooner where its `owner` needs them. May be called from
-    /// several threads.
+    /// Asks for the windows of a place for some time; they are made sooner where its `owner` needs them. May
+    /// be called from several threads.
     void ask(std::int32_t place, bool owner) const;
     /// True where a place was asked for in the last steps.
-    bool asked(std::int32_t place) const { return asked_[static_cast<std::size_t>(place)] > 0; }
+    bool asked(std::int32_t place) const { return asked_[place] > 0; }
     /// True where there are windows for the place.
-    bool known(std::int32_t place) const { return seen_[static_cast<std::size_t>(place)].count > 0; }
-    /// Cost of the way with the excess on it, `line` [m] long as the crow flies; infinite where the windows do not know.
+    bool known(std::int32_t place) const { return seen_[place].count > 0; }
+    /// Cost of the way with the excess on it, `line` [m] long as the crow flies; infinite where the windows
+    /// do not know.
     double cost(Vec2 from, std::int32_t place, double line) const;
     /// The way down the field of the nearest landmark, straight to the place beside it.
     Vec2 direction(Vec2 from, std::int32_t place) const;
@@ -50,7 +51,8 @@ public:
     void visit(Archive& archive) {
         archive(step_, generation_, asked_, owned_, mixed_, seen_, stencil_, windows_);
         if constexpr (Archive::kReading)
-            if (owned_.size() != asked_.size() || mixed_.size() != asked_.size() || seen_.size() != asked_.size() || stencil_.size() != asked_.size() || !slotsFit())
+            if (owned_.size() != asked_.size() || mixed_.size() != asked_.size() ||
+                seen_.size() != asked_.size() || stencil_.size() != asked_.size() || !slotsFit())
                 archive.fail();
     }
     /// Places that an archive told of.
@@ -73,7 +75,7 @@ private:
     const CrowdExcess* excess_ = nullptr;
     std::span<const Vec2> places_;
     std::uint32_t step_ = 0;
-    std::uint32_t generation_ = 0;  // Of the windows that slots tell of.
+    std::uint32_t generation_ = 0;     // Of the windows that slots tell of.
     std::vector<std::uint8_t> asked_;  // Steps for which a place still wants windows...
     std::vector<std::uint8_t> owned_;  // ... because somebody walks there...
     std::vector<std::uint8_t> mixed_;  // ... and stencils, as ways to it lead over ground of several kinds.

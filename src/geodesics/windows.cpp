@@ -8,13 +8,15 @@ namespace muster {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr float kRoomPerSpacing = 1.45f;  // What landmarks that are so many cells apart need to the walls.
-constexpr std::size_t kLeastReserved = 96;    // Windows for which there is room from the start...
+constexpr float kRoomPerSpacing = 1.45f;     // What landmarks that are so many cells apart need to the walls.
+constexpr std::size_t kLeastReserved = 96;   // Windows for which there is room from the start...
 constexpr std::size_t kPlacesPerWindow = 2;  // ... with one more for so many places...
 constexpr std::size_t kMostReserved = 1024;  // ... up to so many.
 constexpr std::size_t kRoots = 256;          // Points that straight ways come from, in most windows at most.
 
-bool before(const WallNode& node, std::int32_t cell) { return node.cell < cell; }
+bool before(const WallNode& node, std::int32_t cell) {
+    return node.cell < cell;
+}
 
 }  // namespace
 
@@ -30,7 +32,8 @@ void Windows::beginStep(const GroundLevel& ground, std::uint32_t version) {
 
 void Windows::reserve(std::size_t places) {
     const auto size = static_cast<std::size_t>(2 * def_.half + 1);
-    lattice_.reserve(std::min(kMostReserved, kLeastReserved + places / kPlacesPerWindow), size * size, kRoots);
+    lattice_.reserve(std::min(kMostReserved, kLeastReserved + places / kPlacesPerWindow), size * size,
+                     kRoots);
 }
 
 // The less room there is to walls and to other ground, the closer they lie.
@@ -57,12 +60,15 @@ Windows::Corners Windows::cornersOf(Vec2 place, std::int32_t spacing) const {
     Corners corners{{}, 0, true};
     for (std::int32_t k = 0; k < 4; ++k) {
         const Cell c{left + (k & 1) * spacing, low + (k >> 1) * spacing};
-        if (!grid.contains(c) || ground_->blocked(grid.index(c))) corners.square = false;
-        else corners.cell[corners.count++] = grid.index(c);
+        if (!grid.contains(c) || ground_->blocked(grid.index(c)))
+            corners.square = false;
+        else
+            corners.cell[corners.count++] = grid.index(c);
     }
     // A place in a door too narrow for the cells to show it has the free cell beside it.
     if (corners.count == 0)
-        if (const std::int32_t beside = ground_->freeCellNear(place); beside >= 0) corners.cell[corners.count++] = beside;
+        if (const std::int32_t beside = ground_->freeCellNear(place); beside >= 0)
+            corners.cell[corners.count++] = beside;
     return corners;
 }
 
@@ -86,8 +92,10 @@ SeenWindows Windows::seen(const StaticGround& still, Vec2 place) {
         if (count == 0) continue;
         SeenWindows seen;
         for (std::int32_t k = 0; k < count; ++k)
-            if (const std::int32_t slot = lattice_.use(order[k].second); slot >= 0) seen.slot[seen.count++] = slot;
-            else if (k == 0) lattice_.wish(order[k].second);
+            if (const std::int32_t slot = lattice_.use(order[k].second); slot >= 0)
+                seen.slot[seen.count++] = slot;
+            else if (k == 0)
+                lattice_.wish(order[k].second);
         return seen;
     }
     return {};
@@ -100,8 +108,10 @@ LandmarkStencil Windows::stencil(Vec2 place, float unit) {
     std::size_t count = 0;
     for (std::int32_t k = 0; k < corners.count; ++k) {
         const std::int32_t slot = lattice_.use(corners.cell[k]);
-        if (slot >= 0) known[count++] = {slot, grid.centre(grid.at(corners.cell[k]))};
-        else lattice_.wish(corners.cell[k]);
+        if (slot >= 0)
+            known[count++] = {slot, grid.centre(grid.at(corners.cell[k]))};
+        else
+            lattice_.wish(corners.cell[k]);
     }
     return weighLandmarks({known, count}, corners.square, place, unit);
 }
@@ -112,7 +122,8 @@ double Windows::square(const LandmarkStencil& stencil, Vec2 from) const {
         const CostField& field = lattice_.field(stencil.slot[k]);
         const double reach = def_.half * field.grid().cell;
         const Vec2 off = from - field.source();
-        if (std::fabs(off.x) > reach || std::fabs(off.y) > reach) return std::numeric_limits<double>::infinity();
+        if (std::fabs(off.x) > reach || std::fabs(off.y) > reach)
+            return std::numeric_limits<double>::infinity();
         sum += static_cast<double>(stencil.weight[k]) * field.squareBetween(from);
     }
     return sum;

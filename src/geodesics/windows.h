@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "cost/static_ground.h"
 #include "geodesics/field_lattice.h"
 #include "geodesics/landmark_stencil.h"
-#include "cost/static_ground.h"
 
 namespace muster {
 
@@ -29,13 +29,14 @@ struct SeenWindows {
     }
 };
 
-/// Landmarks are centres of cells of one level of the ground, spaced by four, two or one cell: the less, the less room there is, so that those
-/// round a place see each other.
+/// Landmarks are centres of cells of one level of the ground, spaced by four, two or one cell: the less, the
+/// less room there is, so that those round a place see each other.
 class Windows {
 public:
     explicit Windows(const WindowsDef& def);  ///< None yet.
 
-    /// Begins a step on this ground, which must live until the next; forgets all windows where its version is another.
+    /// Begins a step on this ground, which must live until the next; forgets all windows where its version is
+    /// another.
     void beginStep(const GroundLevel& ground, std::uint32_t version);
     /// Makes room for the windows that so many places may need while they are led about.
     void reserve(std::size_t places);
@@ -43,9 +44,11 @@ public:
     std::int32_t build(std::int32_t most, ThreadPool& pool);
     /// Makes those named by an archive.
     void rebuild(ThreadPool& pool);
-    /// The windows there are of landmarks in sight of a place, the nearest first; asks for that of the nearest landmark.
+    /// The windows there are of landmarks in sight of a place, the nearest first; asks for that of the
+    /// nearest landmark.
     SeenWindows seen(const StaticGround& still, Vec2 place);
-    /// The stencil of a place, where a metre costs `unit`, from the windows there are; asks for those that are missing.
+    /// The stencil of a place, where a metre costs `unit`, from the windows there are; asks for those that
+    /// are missing.
     LandmarkStencil stencil(Vec2 place, float unit);
     /// The squared cost by a stencil; infinite where `from` lies outside one of the windows.
     double square(const LandmarkStencil& stencil, Vec2 from) const;

@@ -107,10 +107,12 @@ void BowyerWatson::collectCavity(std::int32_t start, Vec2 p) {
     }
 }
 
-void BowyerWatson::replaceNeighbour(std::int32_t face, std::int32_t from, std::int32_t to, std::int32_t neighbour) {
+void BowyerWatson::replaceNeighbour(std::int32_t face, std::int32_t from, std::int32_t to,
+                                    std::int32_t neighbour) {
     Face& changed = faces_[face];
     for (std::size_t i = 0; i < 3; ++i) {
-        if (changed.vertex[(i + 1) % 3] == from && changed.vertex[(i + 2) % 3] == to) changed.neighbour[i] = neighbour;
+        if (changed.vertex[(i + 1) % 3] == from && changed.vertex[(i + 2) % 3] == to)
+            changed.neighbour[i] = neighbour;
     }
 }
 

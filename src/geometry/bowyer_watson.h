@@ -56,10 +56,10 @@ private:
     std::vector<Vec2> points_;
     std::vector<Face> faces_;
     std::vector<std::int32_t> free_;
-    std::vector<std::int32_t> faceOf_;   // Some face at each point, -1 where not inserted.
+    std::vector<std::int32_t> faceOf_;  // Some face at each point, -1 where not inserted.
     std::vector<std::int32_t> cavity_;
     std::vector<RimEdge> rim_;
-    std::int32_t last_ = 0;              // Where the next walk starts.
+    std::int32_t last_ = 0;  // Where the next walk starts.
 };
 
 }  // namespace muster

@@ -2,14 +2,14 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/predicates.h"
 #include "geometry/polygon.h"
+#include "geometry/predicates.h"
 
 namespace muster {
 namespace {
 
-constexpr double kSameCorner = 1e-9;   // [m] Corners nearer than this count as one.
-constexpr double kSmallestArea = 1e-9; // [m^2]
+constexpr double kSameCorner = 1e-9;    // [m] Corners nearer than this count as one.
+constexpr double kSmallestArea = 1e-9;  // [m^2]
 
 // Drops corners that repeat the one before; `from` remembers the user's numbering.
 void dropRepeats(std::span<const Vec2> polygon, Polygon& kept, std::vector<std::size_t>& from) {
@@ -58,14 +58,16 @@ Result<Polygon> cleanPolygon(std::span<const Vec2> polygon) {
     std::vector<std::size_t> from;
     dropRepeats(polygon, kept, from);
     if (kept.size() < 3) {
-        return invalidArgument("a polygon needs three distinct corners, found " + std::to_string(kept.size()));
+        return invalidArgument("a polygon needs three distinct corners, found " +
+                               std::to_string(kept.size()));
     }
     if (kept.size() > 10000) {
         return invalidArgument("a polygon may have 10,000 corners, found " + std::to_string(kept.size()));
     }
     if (Status status = checkCrossings(kept, from); !status.ok()) return status;
     const double area = signedArea(kept);
-    if (std::fabs(area) < kSmallestArea) return invalidArgument("the polygon's area is under 1e-9 square metres");
+    if (std::fabs(area) < kSmallestArea)
+        return invalidArgument("the polygon's area is under 1e-9 square metres");
     // The first corner stays first.
     if (area < 0.0) std::reverse(kept.begin() + 1, kept.end());
     return kept;

@@ -54,7 +54,8 @@ private:
         const std::size_t count = rest_.size();
         for (std::size_t step = 2; step + 1 < count; ++step) {
             const Vec2 p = corner(place + step);
-            if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0) return false;
+            if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0)
+                return false;
         }
         return true;
     }
@@ -77,7 +78,8 @@ private:
 
     void clip(std::size_t place) {
         const std::size_t count = rest_.size();
-        const std::int32_t a = rest_[(place + count - 1) % count], b = rest_[place], c = rest_[(place + 1) % count];
+        const std::int32_t a = rest_[(place + count - 1) % count], b = rest_[place],
+                           c = rest_[(place + 1) % count];
         triangles.push_back({a, b, c});
         if (count > 3) diagonals.push_back({a, c});
         rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(place));
@@ -109,7 +111,8 @@ Loop joinLoops(const Loop& first, std::size_t i, const Loop& second, std::size_t
 bool loopIsConvex(const Polygon& corners, const Loop& loop) {
     const std::size_t count = loop.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (orientation(corners[loop[i]], corners[loop[(i + 1) % count]], corners[loop[(i + 2) % count]]) < 0) {
+        if (orientation(corners[loop[i]], corners[loop[(i + 1) % count]], corners[loop[(i + 2) % count]]) <
+            0) {
             return false;
         }
     }
@@ -124,7 +127,8 @@ void tryMerge(const Polygon& corners, std::vector<Loop>& parts, Diagonal cut) {
         for (std::size_t q = 0; q < parts.size(); ++q) {
             const std::ptrdiff_t j = q == p ? -1 : findEdge(parts[q], cut.to, cut.from);
             if (j < 0) continue;
-            Loop joined = joinLoops(parts[p], static_cast<std::size_t>(i), parts[q], static_cast<std::size_t>(j));
+            Loop joined = joinLoops(parts[p], static_cast<std::size_t>(i), parts[q],
+                                    static_cast<std::size_t>(j));
             if (!loopIsConvex(corners, joined)) return;
             parts[std::min(p, q)] = std::move(joined);
             parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(std::max(p, q)));
@@ -137,7 +141,8 @@ Polygon toPolygon(const Polygon& corners, const Loop& loop) {
     Polygon polygon;
     const std::size_t count = loop.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec2 a = corners[loop[(i + count - 1) % count]], b = corners[loop[i]], c = corners[loop[(i + 1) % count]];
+        const Vec2 a = corners[loop[(i + count - 1) % count]], b = corners[loop[i]],
+                   c = corners[loop[(i + 1) % count]];
         if (orientation(a, b, c) != 0) polygon.push_back(b);
     }
     return polygon;
@@ -154,7 +159,8 @@ Result<std::vector<Polygon>> decomposeConvex(std::span<const Vec2> polygon) {
     clipper.run();
     // Long cuts first: taking these out leaves the compact parts.
     std::stable_sort(clipper.diagonals.begin(), clipper.diagonals.end(), [&](Diagonal a, Diagonal b) {
-        return lengthSquared(corners[a.to] - corners[a.from]) > lengthSquared(corners[b.to] - corners[b.from]);
+        return lengthSquared(corners[a.to] - corners[a.from]) >
+               lengthSquared(corners[b.to] - corners[b.from]);
     });
     std::vector<Loop> parts = std::move(clipper.triangles);
     for (Diagonal cut : clipper.diagonals) tryMerge(corners, parts, cut);

@@ -105,7 +105,8 @@ MeshPoint locate(const std::vector<Triangle>& triangles, const std::vector<Vec2>
     MeshPoint best;
     double bestSquared = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const std::array<Vec2, 3> corner{vertices[triangles[i][0]], vertices[triangles[i][1]], vertices[triangles[i][2]]};
+        const std::array<Vec2, 3> corner{vertices[triangles[i][0]], vertices[triangles[i][1]],
+                                         vertices[triangles[i][2]]};
         std::array<double, 3> weight = barycentric(corner[0], corner[1], corner[2], p);
         const bool inside = weight[0] >= 0.0 && weight[1] >= 0.0 && weight[2] >= 0.0 &&
                             cross(corner[1] - corner[0], corner[2] - corner[0]) != 0.0;

@@ -130,10 +130,10 @@ double segmentDistance(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
 
 double segmentDistance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     if (segmentsCross(a, b, c, d)) return 0.0;
-    return std::sqrt(std::min(std::min(lengthSquared(closestOnSegment(a, b, c) - c),
-                                       lengthSquared(closestOnSegment(a, b, d) - d)),
-                              std::min(lengthSquared(closestOnSegment(c, d, a) - a),
-                                       lengthSquared(closestOnSegment(c, d, b) - b))));
+    return std::sqrt(std::min(
+        std::min(lengthSquared(closestOnSegment(a, b, c) - c), lengthSquared(closestOnSegment(a, b, d) - d)),
+        std::min(lengthSquared(closestOnSegment(c, d, a) - a),
+                 lengthSquared(closestOnSegment(c, d, b) - b))));
 }
 
 bool segmentsCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {

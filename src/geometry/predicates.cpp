@@ -85,8 +85,8 @@ Expansion squareOf(const Expansion& x, const Expansion& y) {
 }
 
 int exactOrientation(Vec2 a, Vec2 b, Vec2 c) {
-    return signOf(crossOf(difference(a.x, c.x), difference(a.y, c.y), difference(b.x, c.x),
-                          difference(b.y, c.y)));
+    return signOf(
+        crossOf(difference(a.x, c.x), difference(a.y, c.y), difference(b.x, c.x), difference(b.y, c.y)));
 }
 
 int exactInCircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {

@@ -79,7 +79,9 @@ public:
     }
 
 private:
-    static Status closeSamples() { return invalidArgument("two parts of the outline are too near to each other"); }
+    static Status closeSamples() {
+        return invalidArgument("two parts of the outline are too near to each other");
+    }
 
     Status sampleBoundary() {
         for (const Polygon& loop : loops_) {
@@ -99,8 +101,9 @@ private:
 
     bool farFromBoundary(Vec2 p) const {
         const double margin = kBoundaryMargin * spacing_;
-        return std::all_of(loops_.begin(), loops_.end(),
-                           [&](const Polygon& loop) { return closestOnBoundary(loop, p).distance >= margin; });
+        return std::all_of(loops_.begin(), loops_.end(), [&](const Polygon& loop) {
+            return closestOnBoundary(loop, p).distance >= margin;
+        });
     }
 
     bool insideShape(Vec2 p) const {
@@ -147,7 +150,8 @@ private:
                 const BoundaryEdge edge = edges_[i];
                 if (mesh.hasEdge(edge.from, edge.to)) continue;
                 if (mesh.points().size() >= kMostVertices) return tooManyVertices();
-                const std::int32_t middle = mesh.addPoint(lerp(mesh.points()[edge.from], mesh.points()[edge.to], 0.5));
+                const std::int32_t middle = mesh.addPoint(
+                    lerp(mesh.points()[edge.from], mesh.points()[edge.to], 0.5));
                 if (!mesh.insert(middle)) return closeSamples();
                 edges_[i] = {edge.from, middle};
                 edges_.push_back({middle, edge.to});
@@ -180,7 +184,8 @@ private:
                 const std::int32_t across = face.neighbour[i];
                 if (inside[across] >= 0) continue;
                 const bool flips = isBoundary(face.vertex[(i + 1) % 3], face.vertex[(i + 2) % 3]);
-                inside[across] = static_cast<std::int8_t>(flips ? 1 - inside[queue[next]] : inside[queue[next]]);
+                inside[across] = static_cast<std::int8_t>(flips ? 1 - inside[queue[next]]
+                                                                : inside[queue[next]]);
                 queue.push_back(across);
             }
         }
@@ -223,7 +228,8 @@ private:
 }  // namespace
 
 Result<TriangleMesh> triangulate(const PolygonWithHoles& shape, double spacing) {
-    if (!std::isfinite(spacing) || spacing <= 0.0) return invalidArgument("the spacing of a mesh must be positive");
+    if (!std::isfinite(spacing) || spacing <= 0.0)
+        return invalidArgument("the spacing of a mesh must be positive");
     Result<std::vector<Polygon>> loops = cleanLoops(shape);
     if (!loops.ok()) return loops.status();
     if (Status status = checkLoops(*loops); !status.ok()) return status;

@@ -31,10 +31,8 @@ struct MeshPoint {
 
     /// Where the point lies for these vertex positions.
     Vec2 position(const std::vector<Triangle>& triangles, const std::vector<Vec2>& vertices) const {
-        const Triangle& t = triangles[static_cast<std::size_t>(triangle)];
-        return vertices[static_cast<std::size_t>(t[0])] * weight[0] +
-               vertices[static_cast<std::size_t>(t[1])] * weight[1] +
-               vertices[static_cast<std::size_t>(t[2])] * weight[2];
+        const Triangle& t = triangles[triangle];
+        return vertices[t[0]] * weight[0] + vertices[t[1]] * weight[1] + vertices[t[2]] * weight[2];
     }
     /// Lets an archive read or write the point.
     template <class Archive>

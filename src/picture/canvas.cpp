@@ -25,7 +25,9 @@ Canvas::Canvas(std::int32_t width, std::int32_t height, Colour ground)
 void Canvas::blend(std::int32_t x, std::int32_t y, Colour colour, double coverage) {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
     const auto share = static_cast<float>(std::min(1.0, coverage) * colour.opacity);
-    float* pixel = &pixels_[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * 3];
+    float* pixel = &pixels_[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                             static_cast<std::size_t>(x)) *
+                            3];
     pixel[0] += (static_cast<float>(colour.red) - pixel[0]) * share;
     pixel[1] += (static_cast<float>(colour.green) - pixel[1]) * share;
     pixel[2] += (static_cast<float>(colour.blue) - pixel[2]) * share;
@@ -53,7 +55,8 @@ void Canvas::sampleRow(double y, double weight) {
         if (y < e.y0 || y >= e.y1) continue;
         crossings_.push_back({e.x0 + (e.x1 - e.x0) * (y - e.y0) / (e.y1 - e.y0), e.winding});
     }
-    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+    std::sort(crossings_.begin(), crossings_.end(),
+              [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
     int winding = 0;
     for (std::size_t i = 0; i + 1 < crossings_.size(); ++i) {
         winding += crossings_[i].winding;
@@ -83,9 +86,10 @@ void Canvas::fill(std::span<const std::vector<Vec2>> loops, Colour colour) {
         while (next < all.size() && all[next].y0 < y + 1) edges_.push_back(all[next++]);
         std::erase_if(edges_, [&](const Edge& e) { return e.y1 <= y; });
         std::fill(coverage_.begin(), coverage_.end(), 0.0);
-        for (int row = 0; row < kRowsPerPixel; ++row) sampleRow(y + (row + 0.5) / kRowsPerPixel, 1.0 / kRowsPerPixel);
+        for (int row = 0; row < kRowsPerPixel; ++row)
+            sampleRow(y + (row + 0.5) / kRowsPerPixel, 1.0 / kRowsPerPixel);
         for (std::int32_t x = 0; x < width_; ++x) {
-            if (const double c = coverage_[static_cast<std::size_t>(x)]; c > 0.0) blend(x, y, colour, c);
+            if (const double c = coverage_[x]; c > 0.0) blend(x, y, colour, c);
         }
     }
 }
@@ -146,7 +150,8 @@ void strokeLoops(std::span<const Vec2> points, bool closed, double width, double
     }
 }
 
-Colour sampleRaster(std::int32_t width, std::int32_t height, std::span<const Colour> colours, double u, double v) {
+Colour sampleRaster(std::int32_t width, std::int32_t height, std::span<const Colour> colours, double u,
+                    double v) {
     const auto at = [&](double x, double y) {
         const auto column = static_cast<std::size_t>(std::clamp<double>(x, 0.0, width - 1));
         const auto row = static_cast<std::size_t>(std::clamp<double>(y, 0.0, height - 1));

@@ -38,8 +38,8 @@ private:
 
     std::int32_t width_;
     std::int32_t height_;
-    std::vector<float> pixels_;     // Three per pixel, 0 to 255.
-    std::vector<Edge> edges_;       // Working memory.
+    std::vector<float> pixels_;  // Three per pixel, 0 to 255.
+    std::vector<Edge> edges_;    // Working memory.
     std::vector<Crossing> crossings_;
     std::vector<double> coverage_;  // Of one row.
 };
@@ -54,6 +54,7 @@ std::vector<Vec2> discLoop(Vec2 centre, double radius);
 std::vector<std::uint8_t> encodePng(std::int32_t width, std::int32_t height, std::int32_t channels,
                                     std::span<const std::uint8_t> bytes);
 /// Smoothly scaled colour of a raster at (u, v) in samples; edges repeat.
-Colour sampleRaster(std::int32_t width, std::int32_t height, std::span<const Colour> colours, double u, double v);
+Colour sampleRaster(std::int32_t width, std::int32_t height, std::span<const Colour> colours, double u,
+                    double v);
 
 }  // namespace muster

@@ -52,7 +52,8 @@ public:
     /// A disc of `radius` [m].
     virtual void disc(Vec2 centre, double radius, Colour fill, const Stroke& stroke) = 0;
     /// A picture of width x height colours over `box`, row-major from the lower left, smoothly scaled.
-    virtual void raster(const Box& box, std::int32_t width, std::int32_t height, std::span<const Colour> colours) = 0;
+    virtual void raster(const Box& box, std::int32_t width, std::int32_t height,
+                        std::span<const Colour> colours) = 0;
     /// A line of text (UTF-8; PNG knows plain Latin letters only) of `size` [px], vertically centred on `at`.
     virtual void text(Vec2 at, std::string_view words, double size, Colour colour, TextAnchor anchor) = 0;
 

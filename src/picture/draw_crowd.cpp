@@ -8,7 +8,7 @@ namespace {
 
 std::vector<Vec2> loopPoints(const std::vector<std::int32_t>& loop, const std::vector<Vec2>& vertices) {
     std::vector<Vec2> points;
-    for (std::int32_t v : loop) points.push_back(vertices[static_cast<std::size_t>(v)]);
+    for (std::int32_t v : loop) points.push_back(vertices[v]);
     return points;
 }
 
@@ -16,8 +16,8 @@ void drawHandle(const Pen& pen, ControlKind kind, Vec2 at, Colour accent) {
     const Stroke casing = pen.stroke(Colour::of(0xFFFFFF), 2.5);
     if (kind == ControlKind::Area) {
         const double half = pen.metres(8.0);
-        pen.draw.polygon(std::vector<Vec2>{at + Vec2{-half, -half}, at + Vec2{half, -half}, at + Vec2{half, half},
-                                           at + Vec2{-half, half}},
+        pen.draw.polygon(std::vector<Vec2>{at + Vec2{-half, -half}, at + Vec2{half, -half},
+                                           at + Vec2{half, half}, at + Vec2{-half, half}},
                          accent, casing);
         return;
     }
@@ -55,7 +55,7 @@ void drawMeshes(const Pen& pen) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t a = t[k], b = t[(k + 1) % 3];
                 if (a > b) continue;  // Each inner edge has two triangles, of opposite turn.
-                edges.push_back({vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)]});
+                edges.push_back({vertices[a], vertices[b]});
             }
         }
         pen.draw.lines(edges, inner);
@@ -96,7 +96,8 @@ void drawPaths(const Pen& pen) {
                 pen.draw.line(way, pen.stroke(pen.accent(g), 2.2));
                 for (std::size_t k = 1; k < way.size(); ++k) {
                     const bool next = k == 1;
-                    pen.draw.disc(way[k], pen.metres(next ? 5.5 : 3.0), next ? pen.accent(g) : Colour::of(0xFFFFFF),
+                    pen.draw.disc(way[k], pen.metres(next ? 5.5 : 3.0),
+                                  next ? pen.accent(g) : Colour::of(0xFFFFFF),
                                   pen.stroke(pen.accent(g), 1.4));
                 }
             }
@@ -106,7 +107,8 @@ void drawPaths(const Pen& pen) {
 
 void drawControls(const Pen& pen) {
     for (std::size_t g = 0; g < pen.world.groupCount(); ++g) {
-        for (const Control& control : pen.world.group(g).controls->controls()) drawControl(pen, control, pen.accent(g));
+        for (const Control& control : pen.world.group(g).controls->controls())
+            drawControl(pen, control, pen.accent(g));
     }
 }
 
@@ -123,7 +125,8 @@ void drawCharacters(const Pen& pen) {
         // Shoulders, then the head a little ahead of their middle.
         pen.draw.disc(at, radius, accent, pen.stroke(Colour::of(0xFFFFFF, 0.85), 1.2));
         const Vec2 side = perpendicular(ahead);
-        const std::vector<Vec2> nose{at + ahead * radius * 0.95, at + ahead * radius * 0.25 + side * radius * 0.5,
+        const std::vector<Vec2> nose{at + ahead * radius * 0.95,
+                                     at + ahead * radius * 0.25 + side * radius * 0.5,
                                      at + ahead * radius * 0.25 - side * radius * 0.5};
         pen.draw.polygon(nose, Colour::of(0xFFFFFF, 0.92), {});
     }

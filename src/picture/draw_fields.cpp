@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "picture/theme.h"
 #include "eikonal/eikonal.h"
+#include "picture/theme.h"
 
 namespace muster {
 namespace {
@@ -21,9 +21,9 @@ Samples sample(const Pen& pen, const std::function<double(Vec2)>& value) {
     const Environment& environment = pen.world.environment();
     const double cell = std::max(environment.grid().cell, environment.grid().box().width() / 1024.0);
     Samples samples{Grid::covering(environment.def().box, cell), {}};
-    samples.values.resize(static_cast<std::size_t>(samples.grid.count()));
+    samples.values.resize(samples.grid.count());
     for (std::int32_t i = 0; i < samples.grid.count(); ++i) {
-        samples.values[static_cast<std::size_t>(i)] = value(samples.grid.centre(samples.grid.at(i)));
+        samples.values[i] = value(samples.grid.centre(samples.grid.at(i)));
     }
     return samples;
 }
@@ -32,19 +32,19 @@ Samples sample(const Pen& pen, const std::function<double(Vec2)>& value) {
 void growKnown(const Grid& grid, std::vector<double>& values) {
     const std::vector<double> old = values;
     for (std::int32_t i = 0; i < grid.count(); ++i) {
-        if (std::isfinite(old[static_cast<std::size_t>(i)])) continue;
+        if (std::isfinite(old[i])) continue;
         double sum = 0.0;
         int known = 0;
         const Cell cell = grid.at(i);
         for (int k = 0; k < 9; ++k) {
             const Cell near{cell.x + k % 3 - 1, cell.y + k / 3 - 1};
             if (!grid.contains(near)) continue;
-            const double value = old[static_cast<std::size_t>(grid.index(near))];
+            const double value = old[grid.index(near)];
             if (!std::isfinite(value)) continue;
             sum += value;
             ++known;
         }
-        if (known > 0) values[static_cast<std::size_t>(i)] = sum / known;
+        if (known > 0) values[i] = sum / known;
     }
 }
 
@@ -63,7 +63,8 @@ void drawContours(const Pen& pen, const Samples& samples, double step, double hi
     const Grid& grid = samples.grid;
     int index = 1;
     for (double level = step; level < highest; level += step, ++index) {
-        const Stroke stroke = pen.stroke(faded(pen.theme.ink, index % 5 == 0 ? 0.55 : 0.22), index % 5 == 0 ? 1.5 : 1.0);
+        const Stroke stroke = pen.stroke(faded(pen.theme.ink, index % 5 == 0 ? 0.55 : 0.22),
+                                         index % 5 == 0 ? 1.5 : 1.0);
         const auto world = [&](Vec2 p) { return grid.origin + (p + Vec2{0.5, 0.5}) * grid.cell; };
         std::vector<std::vector<Vec2>> lines;
         for (const auto& [a, b] : contourSegments(grid.width, grid.height, samples.values, level))
@@ -78,7 +79,8 @@ void drawLegend(const Pen& pen, const std::string& title, double highest, const 
     const double px = pen.metres(1.0);
     const Vec2 at{view.min.x + 20 * px, view.min.y + 18 * px};
     const auto panel = [&](Vec2 a, Vec2 b) { return std::vector<Vec2>{a, {b.x, a.y}, b, {a.x, b.y}}; };
-    pen.draw.polygon(panel(at, at + Vec2{236 * px, 58 * px}), pen.theme.panel, pen.stroke(faded(pen.theme.ink, 0.12), 1.0));
+    pen.draw.polygon(panel(at, at + Vec2{236 * px, 58 * px}), pen.theme.panel,
+                     pen.stroke(faded(pen.theme.ink, 0.12), 1.0));
     std::vector<Colour> bar;
     for (int i = 0; i < 64; ++i) bar.push_back(pen.theme.shade(i / 63.0));
     pen.draw.raster({at + Vec2{12 * px, 22 * px}, at + Vec2{224 * px, 32 * px}}, 64, 1, bar);
@@ -157,7 +159,8 @@ void drawPotentialField(const Pen& pen) {
             const Stroke stroke = pen.stroke(faded(pen.theme.ink, 0.7), 1.3);
             pen.draw.line(std::vector<Vec2>{p, tip}, stroke);
             pen.draw.line(std::vector<Vec2>{tip - along * head + side * head * 0.6, tip,
-                                            tip - along * head - side * head * 0.6}, stroke);
+                                            tip - along * head - side * head * 0.6},
+                          stroke);
         }
     }
     drawLegend(pen, "Potential field", highest, "");
@@ -170,7 +173,7 @@ void drawCostField(const Pen& pen) {
     if (static_cast<std::size_t>(place) >= places.size()) return;
     EikonalSolver solver;
     CostField field;
-    solver.solve(costNow(pen.world), places[static_cast<std::size_t>(place)], {}, field);
+    solver.solve(costNow(pen.world), places[place], {}, field);
     const Samples samples = sample(pen, [&](Vec2 p) { return field.cost(p); });
     double highest = 0.0;
     for (double v : samples.values) {
@@ -189,7 +192,8 @@ void drawCostField(const Pen& pen) {
         pen.draw.line(way, pen.stroke(Colour::of(0xFFFFFF), 5.5));
         pen.draw.line(way, pen.stroke(pen.accent(pen.def.group), 2.6));
     }
-    pen.draw.disc(field.source(), pen.metres(8.0), pen.accent(pen.def.group), pen.stroke(Colour::of(0xFFFFFF), 2.5));
+    pen.draw.disc(field.source(), pen.metres(8.0), pen.accent(pen.def.group),
+                  pen.stroke(Colour::of(0xFFFFFF), 2.5));
 }
 
 void drawDensity(const Pen& pen) {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon.h"
 #include "picture/letters.h"
 #include "picture/theme.h"
-#include "geometry/polygon.h"
 
 namespace muster {
 namespace {
@@ -52,7 +52,8 @@ void patchTexture(const Pen& pen, const Polygon& corners, const std::string& mot
             for (double x = box.min.x + (row % 2 == 0 ? 0.3 : 1.1); x + 0.8 < box.max.x; x += 1.6) {
                 std::vector<Vec2> wave;
                 for (int k = 0; k <= 8; ++k) wave.push_back({x + 0.1 * k, y + 0.09 * std::sin(k * 0.785398)});
-                if (containsPoint(corners, wave.front()) && containsPoint(corners, wave.back())) lines.push_back(std::move(wave));
+                if (containsPoint(corners, wave.front()) && containsPoint(corners, wave.back()))
+                    lines.push_back(std::move(wave));
             }
         }
     } else if (motion == "climb") {
@@ -75,12 +76,16 @@ void drawGroundLines(const Pen& pen) {
     const bool fine = pen.draw.pixel() * 12.0 < 1.0;
     std::vector<std::vector<Vec2>> thin, thick;
     const auto add = [&](double value, Vec2 from, Vec2 to) {
-        if (std::fmod(value, step) == 0.0) thick.push_back({from, to});
-        else if (fine) thin.push_back({from, to});
+        if (std::fmod(value, step) == 0.0)
+            thick.push_back({from, to});
+        else if (fine)
+            thin.push_back({from, to});
     };
     const double each = fine ? 1.0 : step;
-    for (double x = std::ceil(box.min.x / each) * each; x <= box.max.x; x += each) add(x, {x, box.min.y}, {x, box.max.y});
-    for (double y = std::ceil(box.min.y / each) * each; y <= box.max.y; y += each) add(y, {box.min.x, y}, {box.max.x, y});
+    for (double x = std::ceil(box.min.x / each) * each; x <= box.max.x; x += each)
+        add(x, {x, box.min.y}, {x, box.max.y});
+    for (double y = std::ceil(box.min.y / each) * each; y <= box.max.y; y += each)
+        add(y, {box.min.x, y}, {box.max.x, y});
     pen.draw.lines(thin, pen.stroke(pen.theme.gridFine, 1.0));
     pen.draw.lines(thick, pen.stroke(pen.theme.gridCoarse, 1.0));
 }
@@ -121,7 +126,7 @@ void drawPatches(const Pen& pen) {
     for (PatchId id : environment.patchIds()) {
         const PatchDef& def = *environment.patch(id);
         const Polygon corners = environment.patchPolygon(id);
-        const std::string& motion = clips[static_cast<std::size_t>(def.motion)].name;
+        const std::string& motion = clips[def.motion].name;
         const Colour colour = patchColour(pen.theme, motion);
         pen.draw.polygon(corners, faded(colour, 0.20), {});
         patchTexture(pen, corners, motion, colour);
@@ -150,11 +155,15 @@ void drawPatchTags(const Pen& pen) {
         const std::string& name = environment.patch(id)->name;
         const Box box = boundsOf(environment.patchPolygon(id));
         const bool again = std::find(named.begin(), named.end(), name) != named.end();
-        const double half = pen.metres(4.2 * static_cast<double>(plainLetters(name).size()) + 9.0), high = pen.metres(10.0);
+        const double half = pen.metres(4.2 * static_cast<double>(plainLetters(name).size()) + 9.0),
+                     high = pen.metres(10.0);
         if (again || name.empty() || box.width() < 2.0 * half) continue;
         named.push_back(name);
-        const Vec2 at{(box.min.x + box.max.x) * 0.5, std::min(box.max.y, pen.draw.view().max.y - 2.0 * high) - high * 0.2};
-        const Polygon tag{{at.x - half, at.y - high}, {at.x + half, at.y - high}, {at.x + half, at.y + high},
+        const Vec2 at{(box.min.x + box.max.x) * 0.5,
+                      std::min(box.max.y, pen.draw.view().max.y - 2.0 * high) - high * 0.2};
+        const Polygon tag{{at.x - half, at.y - high},
+                          {at.x + half, at.y - high},
+                          {at.x + half, at.y + high},
                           {at.x - half, at.y + high}};
         pen.draw.polygon(tag, pen.theme.panel, pen.stroke(faded(pen.theme.ink, 0.12), 1.0));
         pen.draw.text(at, name, 12.0 * pen.unit, pen.theme.ink, TextAnchor::Centre);

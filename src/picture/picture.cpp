@@ -13,19 +13,20 @@ struct LayerName {
 };
 
 constexpr LayerName kLayers[] = {
-    {"patches", Layer::Patches}, {"field", Layer::Field},   {"cost", Layer::Cost},
+    {"patches", Layer::Patches}, {"field", Layer::Field},         {"cost", Layer::Cost},
     {"density", Layer::Density}, {"obstacles", Layer::Obstacles}, {"mesh", Layer::Mesh},
-    {"places", Layer::Places},   {"paths", Layer::Paths},   {"characters", Layer::Characters}};
+    {"places", Layer::Places},   {"paths", Layer::Paths},         {"characters", Layer::Characters}};
 
 constexpr std::uint32_t bit(Layer layer) {
     return static_cast<std::uint32_t>(layer);
 }
 
-constexpr std::uint32_t kPlain = bit(Layer::Obstacles) | bit(Layer::Patches) | bit(Layer::Mesh) | bit(Layer::Places) |
-                                 bit(Layer::Paths) | bit(Layer::Characters);
+constexpr std::uint32_t kPlain = bit(Layer::Obstacles) | bit(Layer::Patches) | bit(Layer::Mesh) |
+                                 bit(Layer::Places) | bit(Layer::Paths) | bit(Layer::Characters);
 
 bool endsWith(const std::string& text, std::string_view ending) {
-    return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+    return text.size() >= ending.size() &&
+           text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 }  // namespace
@@ -47,7 +48,8 @@ Result<std::uint32_t> parseLayers(std::string_view names) {
         if (found == std::end(kLayers)) {
             std::string list;
             for (const std::string& known : layerNames()) list += (list.empty() ? "" : ", ") + known;
-            return invalidArgument("found the layer \"" + std::string(name.substr(0, 40)) + "\", expected some of " + list);
+            return invalidArgument("found the layer \"" + std::string(name.substr(0, 40)) +
+                                   "\", expected some of " + list);
         }
         bits |= bit(found->layer);
     }
@@ -79,7 +81,8 @@ namespace {
 /// What is to be seen, or why it cannot be.
 Result<Box> viewOf(const World& world, const PictureDef& def) {
     if (def.width < 64 || def.width > 8192) {
-        return invalidArgument("found a width of " + std::to_string(def.width) + " pixels, expected 64 to 8192");
+        return invalidArgument("found a width of " + std::to_string(def.width) +
+                               " pixels, expected 64 to 8192");
     }
     const Box view = def.view.value_or(world.environment().def().box);
     if (!(view.width() > 0.0 && view.height() > 0.0 && view.height() * def.width < 8192.0 * view.width())) {

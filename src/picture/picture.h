@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "muster/status.h"
-#include "picture/debug_draw.h"
 #include "muster/world.h"
+#include "picture/debug_draw.h"
 
 namespace muster {
 
@@ -19,9 +19,9 @@ enum class Layer : std::uint32_t {
     Patches = 1u << 1,
     Mesh = 1u << 2,
     Places = 1u << 3,
-    Paths = 1u << 4,    ///< Drawn trajectories, and where characters came from.
-    Field = 1u << 5,    ///< Potential field of obstacles.
-    Cost = 1u << 6,     ///< Cost field of one place (the paper's figure 6).
+    Paths = 1u << 4,  ///< Drawn trajectories, and where characters came from.
+    Field = 1u << 5,  ///< Potential field of obstacles.
+    Cost = 1u << 6,   ///< Cost field of one place (the paper's figure 6).
     Density = 1u << 7,
     Characters = 1u << 8,
 };
@@ -33,13 +33,14 @@ std::vector<std::string> layerNames();
 
 /// What to draw.
 struct PictureDef {
-    std::uint32_t layers = 0;                 ///< Layer bits; 0 for all but the three coloured grounds.
-    std::int32_t width = 1280;                ///< [px] 64 to 8192.
-    std::optional<Box> view;                  ///< What is shown [m]; the whole world where empty.
-    bool dark = false;                        ///< Colours for dark surroundings.
-    std::int32_t place = -1;                  ///< Whose cost field; -1: of the character with the longest way.
-    std::size_t group = 0;                    ///< Index of the group whose place it is.
-    std::vector<std::vector<Vec2>> trails;    ///< By character: where it came from; may be empty.
+    std::uint32_t layers = 0;   ///< Layer bits; 0 for all but the three coloured grounds.
+    std::int32_t width = 1280;  ///< [px] 64 to 8192.
+    std::optional<Box> view;    ///< What is shown [m]; the whole world where empty.
+    bool dark = false;          ///< Colours for dark surroundings.
+    /// Whose cost field; -1: of the character with the longest way.
+    std::int32_t place = -1;
+    std::size_t group = 0;                  ///< Index of the group whose place it is.
+    std::vector<std::vector<Vec2>> trails;  ///< By character: where it came from; may be empty.
 };
 
 /// Draws a world.
@@ -49,8 +50,8 @@ Result<std::string> svgPicture(const World& world, const PictureDef& def);
 /// Draws a world into a .png or .svg file, by the ending of its name. Fails with InvalidArgument or IoError.
 Status writePicture(const World& world, const PictureDef& def, const std::string& path);
 
-/// Lines of equal value through a grid of samples (marching squares), row-major from the lower left. Samples that
-/// are not finite break the lines. Each segment is a pair of points in sample coordinates.
+/// Lines of equal value through a grid of samples (marching squares), row-major from the lower left. Samples
+/// that are not finite break the lines. Each segment is a pair of points in sample coordinates.
 std::vector<std::pair<Vec2, Vec2>> contourSegments(std::int32_t width, std::int32_t height,
                                                    std::span<const double> samples, double level);
 

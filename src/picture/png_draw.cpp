@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "picture/canvas.h"
-#include "picture/letters.h"
 #include "picture/debug_draw.h"
+#include "picture/letters.h"
 
 namespace muster {
 namespace {
@@ -14,7 +14,8 @@ public:
     PngDraw(const Box& view, std::int32_t width, Colour ground)
         : view_(view),
           scale_(width / view.width()),
-          canvas_(width, std::max(1, static_cast<std::int32_t>(std::lround(view.height() * scale_))), ground) {}
+          canvas_(width, std::max(1, static_cast<std::int32_t>(std::lround(view.height() * scale_))),
+                  ground) {}
 
     void area(std::span<const std::vector<Vec2>> loops, Colour fill, const Stroke& stroke) override {
         std::vector<std::vector<Vec2>> pixels;
@@ -36,9 +37,11 @@ public:
         strokeLoops(loop[0], true, stroke.width, stroke.dash, pen);
         fillUnion(pen, stroke.colour);
     }
-    void raster(const Box& box, std::int32_t width, std::int32_t height, std::span<const Colour> colours) override {
+    void raster(const Box& box, std::int32_t width, std::int32_t height,
+                std::span<const Colour> colours) override {
         const Vec2 a = toPixel({box.min.x, box.max.y}), b = toPixel({box.max.x, box.min.y});
-        const auto x0 = static_cast<std::int32_t>(std::max(0.0, a.x)), y0 = static_cast<std::int32_t>(std::max(0.0, a.y));
+        const auto x0 = static_cast<std::int32_t>(std::max(0.0, a.x)),
+                   y0 = static_cast<std::int32_t>(std::max(0.0, a.y));
         for (std::int32_t y = y0; y < std::min<double>(canvas_.height(), b.y); ++y) {
             for (std::int32_t x = x0; x < std::min<double>(canvas_.width(), b.x); ++x) {
                 const double u = (x + 0.5 - a.x) / (b.x - a.x) * width - 0.5;

@@ -50,8 +50,8 @@ std::vector<Vec2> outline(Vec2 a, Vec2 b, double ra, double rb) {
     std::vector<Vec2> loop;
     const bool apart = d > std::fabs(ra - rb) + 1e-6;
     const double heading = apart ? arcTangent2(way.y, way.x) : 0.0;
-    const double tilt =
-        apart ? arcTangent2(std::sqrt(std::max(0.0, d * d - (ra - rb) * (ra - rb))), ra - rb) : kPi;
+    const double tilt = apart ? arcTangent2(std::sqrt(std::max(0.0, d * d - (ra - rb) * (ra - rb))), ra - rb)
+                              : kPi;
     const auto arc = [&](Vec2 centre, double radius, double from, double to) {
         for (int i = 0; i <= 12; ++i) {
             const double angle = from + (to - from) * i / 12.0;
@@ -84,9 +84,7 @@ std::vector<Part> partsOf(const JointTransforms& joints) {
         {off(Head, {0.10f, 0.0f, 0.055f}), off(Head, {0.112f, 0.0f, 0.045f}), 0.014f, 0.016f, skin},
     };
     for (std::size_t side = 0; side < 2; ++side) {
-        const auto of = [&](JointRole left) {
-            return static_cast<JointRole>(index(left) + 4 * side);
-        };
+        const auto of = [&](JointRole left) { return static_cast<JointRole>(index(left) + 4 * side); };
         const Colour leg = sides[side], sleeve = sleeves[side],
                      bare = mixed(skin, sleeve, side == 0 ? 0.35 : 0.0);
         const float out = side == 0 ? 1.0f : -1.0f;

@@ -10,8 +10,8 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
 #include <stb/stb_easy_font.h>
+#include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
 #include <algorithm>
@@ -49,7 +49,7 @@ double letterLoops(std::string_view words, double size, std::vector<std::vector<
     for (int q = 0; q < quads; ++q) {
         std::vector<Vec2> loop;
         for (int k = 0; k < 4; ++k) {
-            const Corner& c = corners[static_cast<std::size_t>(4 * q + k)];
+            const Corner& c = corners[4 * q + k];
             loop.push_back({static_cast<double>(c.x) * scale, (static_cast<double>(c.y) - 4.0) * scale});
         }
         if (signedArea(loop) < 0.0) std::reverse(loop.begin(), loop.end());

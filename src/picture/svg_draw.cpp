@@ -32,10 +32,14 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 std::string escaped(std::string_view words) {
     std::string text;
     for (char c : words) {
-        if (c == '<') text += "&lt;";
-        else if (c == '&') text += "&amp;";
-        else if (c == '"') text += "&quot;";
-        else if (static_cast<unsigned char>(c) >= 32) text += c;
+        if (c == '<')
+            text += "&lt;";
+        else if (c == '&')
+            text += "&amp;";
+        else if (c == '"')
+            text += "&quot;";
+        else if (static_cast<unsigned char>(c) >= 32)
+            text += c;
     }
     return text;
 }
@@ -50,7 +54,10 @@ std::string hex(Colour c) {
 class SvgDraw final : public DebugDraw {
 public:
     SvgDraw(const Box& view, std::int32_t width, Colour ground)
-        : view_(view), scale_(width / view.width()), width_(width), height_(std::ceil(view.height() * scale_)) {
+        : view_(view),
+          scale_(width / view.width()),
+          width_(width),
+          height_(std::ceil(view.height() * scale_)) {
         body_ = "<rect width=\"100%\" height=\"100%\" fill=\"" + hex(ground) + "\"/>\n";
     }
 
@@ -70,16 +77,18 @@ public:
     }
     void disc(Vec2 centre, double radius, Colour fill, const Stroke& stroke) override {
         const Vec2 c = toPixel(centre);
-        body_ += "<circle cx=\"" + number(c.x) + "\" cy=\"" + number(c.y) + "\" r=\"" + number(radius * scale_) + "\"" +
-                 fillOf(fill) + strokeOf(stroke) + "/>\n";
+        body_ += "<circle cx=\"" + number(c.x) + "\" cy=\"" + number(c.y) + "\" r=\"" +
+                 number(radius * scale_) + "\"" + fillOf(fill) + strokeOf(stroke) + "/>\n";
     }
-    void raster(const Box& box, std::int32_t width, std::int32_t height, std::span<const Colour> colours) override {
+    void raster(const Box& box, std::int32_t width, std::int32_t height,
+                std::span<const Colour> colours) override {
         std::vector<std::uint8_t> bytes;
         for (std::int32_t y = height - 1; y >= 0; --y) {
             for (std::int32_t x = 0; x < width; ++x) {
                 const Colour c = colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                          static_cast<std::size_t>(x)];
-                bytes.insert(bytes.end(), {c.red, c.green, c.blue, static_cast<std::uint8_t>(c.opacity * 255.0 + 0.5)});
+                bytes.insert(bytes.end(),
+                             {c.red, c.green, c.blue, static_cast<std::uint8_t>(c.opacity * 255.0 + 0.5)});
             }
         }
         const Vec2 corner = toPixel({box.min.x, box.max.y});
@@ -90,17 +99,18 @@ public:
     }
     void text(Vec2 at, std::string_view words, double size, Colour colour, TextAnchor anchor) override {
         const Vec2 p = toPixel(at);
-        const char* side = anchor == TextAnchor::Left ? "start" : (anchor == TextAnchor::Centre ? "middle" : "end");
+        const char* side = anchor == TextAnchor::Left ? "start"
+                                                      : (anchor == TextAnchor::Centre ? "middle" : "end");
         body_ += "<text x=\"" + number(p.x) + "\" y=\"" + number(p.y) + "\" font-size=\"" + number(size) +
-                 "\" font-weight=\"500\" text-anchor=\"" + side + "\" dominant-baseline=\"central\"" + fillOf(colour) +
-                 ">" + escaped(words) + "</text>\n";
+                 "\" font-weight=\"500\" text-anchor=\"" + side + "\" dominant-baseline=\"central\"" +
+                 fillOf(colour) + ">" + escaped(words) + "</text>\n";
     }
     double pixel() const override { return 1.0 / scale_; }
     Box view() const override { return view_; }
     std::string document() const override {
         const std::string size = number(width_) + "\" height=\"" + number(height_);
-        return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " + number(width_) + " " +
-               number(height_) +
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " +
+               number(width_) + " " + number(height_) +
                "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" stroke-linecap=\"round\" "
                "stroke-linejoin=\"round\">\n" +
                body_ + "</svg>\n";
@@ -118,14 +128,17 @@ private:
     }
     static std::string fillOf(Colour c) {
         if (c.opacity <= 0.0) return " fill=\"none\"";
-        return " fill=\"" + hex(c) + "\"" + (c.opacity < 1.0 ? " fill-opacity=\"" + number(c.opacity) + "\"" : "");
+        return " fill=\"" + hex(c) + "\"" +
+               (c.opacity < 1.0 ? " fill-opacity=\"" + number(c.opacity) + "\"" : "");
     }
     static std::string strokeOf(const Stroke& stroke) {
         if (stroke.width <= 0.0 || stroke.colour.opacity <= 0.0) return "";
-        std::string text = " stroke=\"" + hex(stroke.colour) + "\" stroke-width=\"" + number(stroke.width) + "\"";
+        std::string text = " stroke=\"" + hex(stroke.colour) + "\" stroke-width=\"" + number(stroke.width) +
+                           "\"";
         if (stroke.colour.opacity < 1.0) text += " stroke-opacity=\"" + number(stroke.colour.opacity) + "\"";
         if (stroke.dash > 0.0) {
-            text += " stroke-dasharray=\"" + number(stroke.dash) + " " + number(stroke.dash + stroke.width) + "\"";
+            text += " stroke-dasharray=\"" + number(stroke.dash) + " " + number(stroke.dash + stroke.width) +
+                    "\"";
         }
         return text;
     }

@@ -8,7 +8,8 @@ namespace muster {
 namespace {
 
 Status checkDef(const PlanDef& def) {
-    if (!(def.exponent >= 1.0 && def.exponent <= 16.0)) return invalidArgument("plan exponent is not in [1, 16]");
+    if (!(def.exponent >= 1.0 && def.exponent <= 16.0))
+        return invalidArgument("plan exponent is not in [1, 16]");
     if (!(def.threshold >= 0.0) || !std::isfinite(def.threshold))
         return invalidArgument("plan threshold is not a finite number >= 0");
     if (!(def.thresholdShare >= 0.0) || !std::isfinite(def.thresholdShare))
@@ -18,28 +19,31 @@ Status checkDef(const PlanDef& def) {
 
 Status checkSize(const char* what, std::size_t size, std::size_t expected, bool mayBeEmpty) {
     if (size == expected || (mayBeEmpty && size == 0)) return {};
-    return invalidArgument("plan " + std::string(what) + " has " + std::to_string(size) + " values, expected " +
-                           std::to_string(expected));
+    return invalidArgument("plan " + std::string(what) + " has " + std::to_string(size) +
+                           " values, expected " + std::to_string(expected));
 }
 
 Status checkPoints(const char* what, std::span<const Vec2> points) {
     for (std::size_t k = 0; k < points.size(); ++k)
         if (!isFinite(points[k]))
-            return invalidArgument("plan " + std::string(what) + " " + std::to_string(k) + " is not at a finite position");
+            return invalidArgument("plan " + std::string(what) + " " + std::to_string(k) +
+                                   " is not at a finite position");
     return {};
 }
 
 Status checkAmounts(const char* what, std::span<const double> amounts) {
     for (std::size_t k = 0; k < amounts.size(); ++k)
         if (!(amounts[k] >= 0.0) || !std::isfinite(amounts[k]))
-            return invalidArgument("plan " + std::string(what) + " " + std::to_string(k) + " is not a finite number >= 0");
+            return invalidArgument("plan " + std::string(what) + " " + std::to_string(k) +
+                                   " is not a finite number >= 0");
     return {};
 }
 
 Status checkCost(const UnitCost* cost) {
     if (cost == nullptr) return invalidArgument("plan has no unit cost");
     if (cost->grid.width <= 0 || cost->grid.height <= 0 || !(cost->grid.cell > 0.0) ||
-        cost->cells.size() != static_cast<std::size_t>(cost->grid.width) * static_cast<std::size_t>(cost->grid.height))
+        cost->cells.size() !=
+            static_cast<std::size_t>(cost->grid.width) * static_cast<std::size_t>(cost->grid.height))
         return invalidArgument("plan unit cost does not fill its grid");
     return {};
 }
@@ -47,8 +51,8 @@ Status checkCost(const UnitCost* cost) {
 Status checkIncumbents(std::span<const std::int32_t> incumbent, std::size_t places) {
     for (std::size_t k = 0; k < incumbent.size(); ++k)
         if (incumbent[k] < -1 || incumbent[k] >= static_cast<std::int64_t>(places))
-            return invalidArgument("plan incumbent " + std::to_string(k) + " is place " + std::to_string(incumbent[k]) +
-                                   " of " + std::to_string(places));
+            return invalidArgument("plan incumbent " + std::to_string(k) + " is place " +
+                                   std::to_string(incumbent[k]) + " of " + std::to_string(places));
     return {};
 }
 
@@ -57,18 +61,19 @@ Status checkIncumbents(std::span<const std::int32_t> incumbent, std::size_t plac
 Status checkPlan(const PlanDef& def, const PlanInput& input) {
     const std::size_t characters = input.characters.size();
     const std::size_t places = input.places.size();
-    const Status checks[] = {checkDef(def),
-                             input.cost == nullptr && input.ground != nullptr ? Status{} : checkCost(input.cost),
-                             checkSize("supply", input.supply.size(), characters, true),
-                             checkSize("demand", input.demand.size(), places, true),
-                             checkSize("usable", input.usable.size(), places, true),
-                             checkSize("presence", input.present.size(), characters, true),
-                             checkSize("incumbent", input.incumbent.size(), characters, false),
-                             checkPoints("character", input.characters),
-                             checkPoints("place", input.places),
-                             checkAmounts("supply", input.supply),
-                             checkAmounts("demand", input.demand),
-                             checkIncumbents(input.incumbent, places)};
+    const Status checks[] = {
+        checkDef(def),
+        input.cost == nullptr && input.ground != nullptr ? Status{} : checkCost(input.cost),
+        checkSize("supply", input.supply.size(), characters, true),
+        checkSize("demand", input.demand.size(), places, true),
+        checkSize("usable", input.usable.size(), places, true),
+        checkSize("presence", input.present.size(), characters, true),
+        checkSize("incumbent", input.incumbent.size(), characters, false),
+        checkPoints("character", input.characters),
+        checkPoints("place", input.places),
+        checkAmounts("supply", input.supply),
+        checkAmounts("demand", input.demand),
+        checkIncumbents(input.incumbent, places)};
     for (const Status& status : checks)
         if (!status.ok()) return status;
     return {};

@@ -3,8 +3,8 @@
 namespace muster {
 namespace {
 
-constexpr int kLongestStep = 127;     // In quanta.
-constexpr std::size_t kJumpers = 4;   // Where one in so many jumped, whole places are shorter.
+constexpr int kLongestStep = 127;    // In quanta.
+constexpr std::size_t kJumpers = 4;  // Where one in so many jumped, whole places are shorter.
 
 void clearLists(protocol::CrowdFrame& frame) {
     for (auto* list : {&frame.x, &frame.y, &frame.jumpedX, &frame.jumpedY}) list->clear();

@@ -9,8 +9,9 @@ namespace {
 constexpr double kSteps = 65535.0;
 constexpr double kFinest = 1.0 / 1024.0;      // Quantum of small crowds [m].
 constexpr double kFinestLarge = 1.0 / 512.0;  // Of large ones: who runs is still told of in single bytes [m].
-constexpr double kRoom = 0.75;                // Share of the numbers that a new lattice uses: the crowd walks on.
-constexpr double kTooCoarse = 4.0;            // A quantum is kept until it is so many times what it need be.
+// Share of the numbers that a new lattice uses: the crowd walks on.
+constexpr double kRoom = 0.75;
+constexpr double kTooCoarse = 4.0;  // A quantum is kept until it is so many times what it need be.
 
 struct Bounds {
     Vec2 min{0.0, 0.0};
@@ -40,17 +41,23 @@ void PlaceLattice::cover(const std::vector<Vec2>& positions) {
     double needed = positions.size() > kFineCrowd ? kFinestLarge : kFinest;
     while (bounds.span() > needed * kSteps * kRoom) needed *= 2.0;
     const double reach = quantum_ * kSteps;
-    const bool inside = bounds.min.x >= corner_.x && bounds.min.y >= corner_.y && bounds.max.x <= corner_.x + reach &&
-                        bounds.max.y <= corner_.y + reach;
+    const bool inside = bounds.min.x >= corner_.x && bounds.min.y >= corner_.y &&
+                        bounds.max.x <= corner_.x + reach && bounds.max.y <= corner_.y + reach;
     if (inside && quantum_ >= 0.5 * needed && quantum_ < kTooCoarse * needed) return;
     quantum_ = needed;
     const Vec2 middle = (bounds.min + bounds.max) / 2.0;
-    const auto snapped = [&](double value) { return std::floor(value / quantum_) * quantum_ - 32768.0 * quantum_; };
+    const auto snapped = [&](double value) {
+        return std::floor(value / quantum_) * quantum_ - 32768.0 * quantum_;
+    };
     corner_ = {snapped(middle.x), snapped(middle.y)};
 }
 
-std::uint16_t PlaceLattice::x(Vec2 p) const { return number(p.x - corner_.x, quantum_); }
-std::uint16_t PlaceLattice::y(Vec2 p) const { return number(p.y - corner_.y, quantum_); }
+std::uint16_t PlaceLattice::x(Vec2 p) const {
+    return number(p.x - corner_.x, quantum_);
+}
+std::uint16_t PlaceLattice::y(Vec2 p) const {
+    return number(p.y - corner_.y, quantum_);
+}
 
 void CrowdPicture::resize(std::size_t count) {
     for (auto* list : {&x, &y, &heading, &phase}) list->resize(count, 0);

@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::size_t kSwapWindow = 120;  // Steps that the rate of swaps looks back.
 
-float narrow(double value) { return static_cast<float>(value); }
+float narrow(double value) {
+    return static_cast<float>(value);
+}
 
 void appendPoint(std::vector<float>& list, Vec2 p) {
     list.push_back(narrow(p.x));
@@ -65,11 +67,13 @@ void fillMoving(const Environment& environment, std::vector<protocol::MovingFram
     const double time = environment.time();
     for (const ObstacleId id : environment.obstacleIds()) {
         const TimedPath& path = environment.obstacle(id)->path;
-        if (!path.still()) moving.push_back(movingFrame(protocol::MovingKind::Obstacle, id.value, path.at(time)));
+        if (!path.still())
+            moving.push_back(movingFrame(protocol::MovingKind::Obstacle, id.value, path.at(time)));
     }
     for (const PatchId id : environment.patchIds()) {
         const TimedPath& path = environment.patch(id)->path;
-        if (!path.still()) moving.push_back(movingFrame(protocol::MovingKind::Patch, id.value, path.at(time)));
+        if (!path.still())
+            moving.push_back(movingFrame(protocol::MovingKind::Patch, id.value, path.at(time)));
     }
 }
 
@@ -138,7 +142,8 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     frame.stepMs = narrow(slowestStep_);
     stepsTold_ = true;
     frame.lagP95 = narrow(lagP95(world));
-    const double seconds = static_cast<double>(std::min(observed_, kSwapWindow)) * world.parameters().stepTime;
+    const double seconds = static_cast<double>(std::min(observed_, kSwapWindow)) *
+                           world.parameters().stepTime;
     const double shares = seconds * static_cast<double>(world.characters().size());
     frame.swapsPerSecond = shares > 0.0 ? narrow(static_cast<double>(swapSum_) / shares) : 0.0f;
 }
@@ -155,7 +160,8 @@ protocol::GroupMesh buildGroupMesh(const GroupView& group) {
         message.placeWeights.push_back(narrow(place.weight[1]));
     }
     for (const Triangle& triangle : mesh.triangles)
-        for (const std::int32_t vertex : triangle) message.triangles.push_back(static_cast<std::uint32_t>(vertex));
+        for (const std::int32_t vertex : triangle)
+            message.triangles.push_back(static_cast<std::uint32_t>(vertex));
     for (const auto& loop : boundaryLoops(mesh)) {
         message.boundary.push_back(static_cast<std::uint32_t>(loop.size()));
         for (const std::int32_t vertex : loop) message.boundary.push_back(static_cast<std::uint32_t>(vertex));

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "session/protocol.h"
 #include "muster/world.h"
 #include "session/crowd_picture.h"
 #include "session/places_encoder.h"
+#include "session/protocol.h"
 
 namespace muster {
 
@@ -32,15 +32,15 @@ private:
 
     std::vector<std::uint32_t> swaps_;  // Of the last steps, a ring.
     std::uint64_t swapSum_ = 0;
-    std::size_t observed_ = 0;          // Steps.
-    std::vector<std::uint32_t> ids_;    // Of the last build.
+    std::size_t observed_ = 0;        // Steps.
+    std::vector<std::uint32_t> ids_;  // Of the last build.
     std::vector<std::uint8_t> groups_;
     std::uint32_t idsVersion_ = 0;
     CrowdPicture crowd_;
     std::vector<PlacesPicture> places_;
-    std::vector<float> lags_;           // Working memory.
-    double slowestStep_ = 0.0;   // Of the steps that the next frame tells of, or the last told of [ms].
-    bool stepsTold_ = true;      // A frame has told of them.
+    std::vector<float> lags_;   // Working memory.
+    double slowestStep_ = 0.0;  // Of the steps that the next frame tells of, or the last told of [ms].
+    bool stepsTold_ = true;     // A frame has told of them.
 };
 
 /// Topology of a group's mesh.

@@ -13,9 +13,10 @@ constexpr std::size_t kMostClips = 256;  // Their indices are single bytes.
 constexpr double kLongestClip = 65.0;    // Phases in them are 16 bits: a millisecond each [s].
 constexpr float kCoarseClip = 5.0f;      // Phases of 8 bits do for clips up to this length [s].
 constexpr std::size_t kLargeCrowd = 2000;
-constexpr std::size_t kNearOfLarge = 100;  // Whole poses for each client then: frames stay within 8 bytes for each.
-constexpr std::size_t kMostPoses =
-    50'000;                         // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
+// Whole poses for each client then: frames stay within 8 bytes for each.
+constexpr std::size_t kNearOfLarge = 100;
+constexpr std::size_t
+    kMostPoses = 50'000;            // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
 constexpr float kWhole = 32767.0f;  // What 1 is in the numbers of a rotation.
 
 std::int16_t share(float value) {
@@ -28,7 +29,8 @@ std::int16_t millimetres(float metres) {
 
 std::uint16_t turn65536(float angle) {
     const double turns = static_cast<double>(angle) / 6.283185307179586;
-    return static_cast<std::uint16_t>(static_cast<std::uint32_t>((turns - std::floor(turns)) * 65536.0 + 0.5) & 65535u);
+    return static_cast<std::uint16_t>(
+        static_cast<std::uint32_t>((turns - std::floor(turns)) * 65536.0 + 0.5) & 65535u);
 }
 
 std::uint16_t phase65536(float time, float duration) {
@@ -41,8 +43,8 @@ void appendRotations(const BodyPose& pose, std::vector<std::int16_t>& list) {
         for (const float value : {q.x, q.y, q.z, q.w}) list.push_back(share(value));
 }
 
-// Three numbers of 16 bits: of a unit quaternion the largest component follows from the others, which are at most
-// sqrt(1/2). Which it is, is told by the lowest bits of the first two.
+// Three numbers of 16 bits: of a unit quaternion the largest component follows from the others, which are at
+// most sqrt(1/2). Which it is, is told by the lowest bits of the first two.
 void appendTurn(const Quat& q, std::vector<std::int16_t>& list) {
     constexpr float kMost = 0.70710678f, kUnits = 16383.0f;
     const float parts[4] = {q.x, q.y, q.z, q.w};
@@ -111,7 +113,8 @@ void MotionFrames::encodeMotions() {
     protocol::Motions message;
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const Joint& joint = skeleton()[j];
-        const auto parent = joint.parent < 0 ? static_cast<std::uint32_t>(j) : static_cast<std::uint32_t>(joint.parent);
+        const auto parent = joint.parent < 0 ? static_cast<std::uint32_t>(j)
+                                             : static_cast<std::uint32_t>(joint.parent);
         message.joints.push_back({joint.name, parent, joint.offset.x, joint.offset.y, joint.offset.z});
     }
     durations_.clear();
@@ -119,7 +122,8 @@ void MotionFrames::encodeMotions() {
         message.clips.push_back(clipFrames(clip));
         durations_.push_back(static_cast<float>(clip.duration()));
     }
-    longClips_ = std::any_of(durations_.begin(), durations_.end(), [](float seconds) { return seconds > kCoarseClip; });
+    longClips_ = std::any_of(durations_.begin(), durations_.end(),
+                             [](float seconds) { return seconds > kCoarseClip; });
     std::vector<std::uint8_t> bytes = protocol::encode(message);
     if (bytes == motions_) return;
     motions_ = std::move(bytes);
@@ -136,7 +140,8 @@ void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& 
         if (count == 0) continue;
         byDistance_.clear();
         for (std::size_t i = 0; i < characters.size(); ++i)
-            byDistance_.emplace_back(lengthSquared(characters.position[i] - attention.centre), characters.id[i]);
+            byDistance_.emplace_back(lengthSquared(characters.position[i] - attention.centre),
+                                     characters.id[i]);
         const auto last = byDistance_.begin() + static_cast<std::ptrdiff_t>(count);
         if (last != byDistance_.end()) std::nth_element(byDistance_.begin(), last, byDistance_.end());
         for (auto at = byDistance_.begin(); at != last; ++at) near_.push_back(at->second);
@@ -173,7 +178,8 @@ void MotionFrames::build(CrowdPicture& picture) const {
     picture.nearPoses.clear();
     for (std::size_t k = 0; k < picture.near.size(); ++k) {
         const Playback& playback = playbacks[picture.near[k]];
-        for (const double value : {playback.position.x, playback.position.y, static_cast<double>(playback.yaw)})
+        for (const double value :
+             {playback.position.x, playback.position.y, static_cast<double>(playback.yaw)})
             picture.nearPlaces.push_back(static_cast<float>(value));
         appendPose(motion_->pose(k), picture.nearPoses);
     }

@@ -13,8 +13,8 @@ namespace muster {
 
 /// Where a client looks: it wants whole poses of the `count` characters nearest to `centre`.
 struct Attention {
-    Vec2 centre;              ///< [m]
-    std::size_t count = 0;    ///< 0 for none.
+    Vec2 centre;            ///< [m]
+    std::size_t count = 0;  ///< 0 for none.
 };
 
 /// Plays the crowd's motion beside a world, for all clients together.
@@ -39,14 +39,14 @@ private:
     void chooseNear(const World& world, const std::vector<Attention>& attentions);
     void encodeMotions();
 
-    std::unique_ptr<ClipLibrary> library_;   // Where it stands CrowdMotion looks.
+    std::unique_ptr<ClipLibrary> library_;  // Where it stands CrowdMotion looks.
     std::unique_ptr<CrowdMotion> motion_;
     std::vector<std::uint8_t> motions_;
-    std::vector<float> durations_;           // Of clips [s].
-    bool longClips_ = false;                 // Some are too long for phases of 8 bits.
+    std::vector<float> durations_;  // Of clips [s].
+    bool longClips_ = false;        // Some are too long for phases of 8 bits.
     std::uint32_t revision_ = 0;
-    std::uint32_t untilChoice_ = 0;          // Steps until whose poses are whole is chosen anew.
-    std::size_t attended_ = 0;               // Asked for at the last choice.
+    std::uint32_t untilChoice_ = 0;  // Steps until whose poses are whole is chosen anew.
+    std::size_t attended_ = 0;       // Asked for at the last choice.
     std::vector<std::pair<double, std::uint32_t>> byDistance_;  // Working memory.
     std::vector<std::uint32_t> near_;
 };

@@ -6,7 +6,9 @@
 namespace muster {
 namespace {
 
-std::optional<Vec2> finite(Vec2 place) { return isFinite(place) ? std::optional<Vec2>(place) : std::nullopt; }
+std::optional<Vec2> finite(Vec2 place) {
+    return isFinite(place) ? std::optional<Vec2>(place) : std::nullopt;
+}
 
 // The mean of pointAt(0) to pointAt(count - 1).
 template <class PointAt>
@@ -28,7 +30,9 @@ std::optional<Vec2> placeOf(const CommandBody& command) {
 
 std::optional<Vec2> placeOf(const protocol::ClientMessage& message) {
     if (const auto* add = std::get_if<protocol::AddControl>(&message)) {
-        return middle(std::min(add->xs.size(), add->ys.size()), [&](std::size_t i) { return Vec2{add->xs[i], add->ys[i]}; });
+        return middle(std::min(add->xs.size(), add->ys.size()), [&](std::size_t i) {
+            return Vec2{add->xs[i], add->ys[i]};
+        });
     }
     const auto* touches = std::get_if<protocol::Touches>(&message);
     if (touches == nullptr) return std::nullopt;

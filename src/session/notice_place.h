@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "muster/command.h"
 #include "muster/vec2.h"
 #include "session/protocol.h"
-#include "muster/command.h"
 
 namespace muster {
 

@@ -45,9 +45,9 @@ void fill(protocol::Overlay& overlay, const Grid& grid, Value value) {
     overlay.cell = static_cast<float>(grid.cell);
     overlay.width = static_cast<std::uint32_t>(grid.width);
     overlay.height = static_cast<std::uint32_t>(grid.height);
-    overlay.values.resize(static_cast<std::size_t>(grid.count()));
+    overlay.values.resize(grid.count());
     for (std::int32_t i = 0; i < grid.count(); ++i)
-        overlay.values[static_cast<std::size_t>(i)] = static_cast<float>(value(grid.centre(grid.at(i))));
+        overlay.values[i] = static_cast<float>(value(grid.centre(grid.at(i))));
 }
 
 std::optional<Destination> destinationOf(const World& world, std::uint32_t character) {
@@ -58,7 +58,7 @@ std::optional<Destination> destinationOf(const World& world, std::uint32_t chara
     const GroupView group = world.group(all.group[i]);
     const std::int32_t place = all.place[i];
     if (place < 0 || static_cast<std::size_t>(place) >= group.places->positions().size()) return std::nullopt;
-    return Destination{group.plan, place, all.position[i], group.places->positions()[static_cast<std::size_t>(place)]};
+    return Destination{group.plan, place, all.position[i], group.places->positions()[place]};
 }
 
 Box boundsOfGroup(const World& world, const Destination& destination) {
@@ -124,8 +124,10 @@ std::optional<protocol::Overlay> buildOverlay(const World& world, protocol::Over
     protocol::Overlay overlay;
     overlay.kind = kind;
     switch (kind) {
-        case protocol::OverlayKind::None: return std::nullopt;
-        case protocol::OverlayKind::Cost: return costOverlay(world, character);
+        case protocol::OverlayKind::None:
+            return std::nullopt;
+        case protocol::OverlayKind::Cost:
+            return costOverlay(world, character);
         case protocol::OverlayKind::Field: {
             const Environment& environment = world.environment();
             fill(overlay, overlayGrid(environment.grid(), environment.grid().box()),

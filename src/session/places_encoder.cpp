@@ -26,7 +26,8 @@ void PlacesPicture::take(const GroupView& group) {
         const Vec2 from = formation.places[k].position(formation.mesh.triangles, group.mesh->finalMesh());
         offsets[2 * k] = centimetres(positions[k].x - from.x);
         offsets[2 * k + 1] = centimetres(positions[k].y - from.y);
-        if (k < fit.size() && fit[k] == 0) unfit[k / 8] = static_cast<std::uint8_t>(unfit[k / 8] | (1u << (k % 8)));
+        if (k < fit.size() && fit[k] == 0)
+            unfit[k / 8] = static_cast<std::uint8_t>(unfit[k / 8] | (1u << (k % 8)));
     }
 }
 
@@ -47,7 +48,8 @@ void PlacesEncoder::encode(const PlacesPicture& picture, protocol::GroupFrame& f
     std::size_t looked = 0;
     for (; looked < count && frame.moved.size() < most; ++looked) {
         const std::size_t k = (turn_ + looked) % count;
-        if (offsets_[2 * k] == picture.offsets[2 * k] && offsets_[2 * k + 1] == picture.offsets[2 * k + 1]) continue;
+        if (offsets_[2 * k] == picture.offsets[2 * k] && offsets_[2 * k + 1] == picture.offsets[2 * k + 1])
+            continue;
         frame.moved.push_back(static_cast<std::uint32_t>(k));
         for (const std::size_t n : {2 * k, 2 * k + 1}) {
             offsets_[n] = picture.offsets[n];

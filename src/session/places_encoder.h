@@ -1,11 +1,12 @@
-// What one client is told of a group's places: how far each lies from its point of the mesh, where that changed.
+// What one client is told of a group's places: how far each lies from its point of the mesh, where that
+// changed.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "session/protocol.h"
 #include "muster/world.h"
+#include "session/protocol.h"
 
 namespace muster {
 

@@ -22,11 +22,12 @@ Status Replayer::compare(World& world) {
         // Commands still waiting are state too: those recorded before the mark were given before it was made.
         for (; nextCommand_ < mark.commands; ++nextCommand_) {
             const Status status = world.submit(take_.commands[nextCommand_]);
-            if (!status.ok()) return status.within("command " + std::to_string(nextCommand_) + " of the take");
+            if (!status.ok())
+                return status.within("command " + std::to_string(nextCommand_) + " of the take");
         }
         if (const std::uint64_t hash = world.hash(); hash != mark.hash) {
-            return {StatusCode::Corrupt, "step " + std::to_string(mark.step) + ": found the hash " + toHex(hash) +
-                                             ", expected " + toHex(mark.hash)};
+            return {StatusCode::Corrupt, "step " + std::to_string(mark.step) + ": found the hash " +
+                                             toHex(hash) + ", expected " + toHex(mark.hash)};
         }
     }
     return {};

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "muster/hash.h"
 #include "muster/formation.h"
+#include "muster/hash.h"
 
 namespace muster {
 namespace {
@@ -12,7 +12,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kColours = 6;  // Accents that the page knows.
 
-Json point(Vec2 p) { return Json::array({p.x, p.y}); }
+Json point(Vec2 p) {
+    return Json::array({p.x, p.y});
+}
 
 Json points(const Polygon& polygon) {
     Json list = Json::array();
@@ -108,7 +110,8 @@ Json parameters(const World& world) {
 
 }  // namespace
 
-std::string buildSceneJson(const std::string& name, const WorldDef& def, const World& world, bool demonstration) {
+std::string buildSceneJson(const std::string& name, const WorldDef& def, const World& world,
+                           bool demonstration) {
     const Environment& environment = world.environment();
     Json scene;
     scene["name"] = name;

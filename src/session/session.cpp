@@ -9,8 +9,8 @@
 namespace muster {
 namespace {
 
-constexpr double kLongWait = 1.0;          // Told as the time to the next step while paused [s].
-constexpr std::size_t kMaxEvents = 4096;   // Kept for a client that takes no frames; the oldest go.
+constexpr double kLongWait = 1.0;         // Told as the time to the next step while paused [s].
+constexpr std::size_t kMaxEvents = 4096;  // Kept for a client that takes no frames; the oldest go.
 
 }  // namespace
 
@@ -29,8 +29,10 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     if (&worldDef != &newDef) worldDef = newDef, warn();
     name = worldName;
     replay.reset();
-    if (take) replay.emplace(std::move(*take));
-    else log.begin(worldDef, def.limits.takeBytes);
+    if (take)
+        replay.emplace(std::move(*take));
+    else
+        log.begin(worldDef, def.limits.takeBytes);
     toldFull = false;
     demonstratedUntil = 0;
     waitingCommands = 0;
@@ -84,10 +86,13 @@ Status Session::Impl::restart() {
     return begin(name, worldDef, std::move(take));
 }
 
-// All touches are given before the first step, as a run of the gestures gives them: what waits is part of the hash.
+// All touches are given before the first step, as a run of the gestures gives them: what waits is part of the
+// hash.
 Status Session::Impl::demonstrate() {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
-    if (replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to watch its demonstration"};
+    if (replay)
+        return {StatusCode::Unsupported,
+                "a take is being replayed; load a scenario to watch its demonstration"};
     if (!canDemonstrate()) return {StatusCode::NotFound, "the scenario carries no touches to watch"};
     const auto commands = def.loadGestures(name, worldDef);
     if (!commands.ok()) return commands.status();
@@ -105,7 +110,9 @@ Status Session::Impl::demonstrate() {
     return {};
 }
 
-Status Session::load(const std::string& name, const WorldDef& def) { return impl_->begin(name, def, std::nullopt); }
+Status Session::load(const std::string& name, const WorldDef& def) {
+    return impl_->begin(name, def, std::nullopt);
+}
 
 Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName) {
     if (bytes.size() > impl_->def.limits.openTakeBytes) {
@@ -131,7 +138,8 @@ Result<std::vector<std::uint8_t>> Session::take() const {
     std::size_t next = 0;
     for (const HashMark& mark : take.marks) {
         for (; next < mark.commands; ++next) append(TakeEncoder::command(take.commands[next]));
-        append(take.finished && &mark == &take.marks.back() ? TakeEncoder::end(mark) : TakeEncoder::mark(mark));
+        append(take.finished && &mark == &take.marks.back() ? TakeEncoder::end(mark)
+                                                            : TakeEncoder::mark(mark));
     }
     for (; next < take.commands.size(); ++next) append(TakeEncoder::command(take.commands[next]));
     return bytes;
@@ -146,12 +154,22 @@ std::string Session::takeName() const {
     return (name.empty() ? "muster" : name.substr(0, 60)) + ".take";
 }
 
-void Session::finish() { impl_->stopRecording(); }
+void Session::finish() {
+    impl_->stopRecording();
+}
 
-const World* Session::world() const { return impl_->world ? &*impl_->world : nullptr; }
-bool Session::playing() const { return impl_->playing; }
-bool Session::replaying() const { return impl_->replay.has_value(); }
-bool Session::demonstrating() const { return impl_->demonstrating(); }
+const World* Session::world() const {
+    return impl_->world ? &*impl_->world : nullptr;
+}
+bool Session::playing() const {
+    return impl_->playing;
+}
+bool Session::replaying() const {
+    return impl_->replay.has_value();
+}
+bool Session::demonstrating() const {
+    return impl_->demonstrating();
+}
 
 // ---- Recording ----
 
@@ -183,7 +201,8 @@ void Session::Impl::stopRecording() {
 void Session::Impl::reportLostFile() {
     const Status status = log.takeFailure();
     if (status.ok()) return;
-    noticeAll(protocol::NoticeLevel::Warning, "record", "Recording in memory only: " + status.message() + ".");
+    noticeAll(protocol::NoticeLevel::Warning, "record",
+              "Recording in memory only: " + status.message() + ".");
 }
 
 // ---- Steps ----
@@ -209,8 +228,10 @@ double Session::untilNextStep() const {
 void Session::step() {
     const std::int32_t batch = impl_->playing ? Pacer::batch(impl_->speed) : 1;
     for (std::int32_t i = 0; i < batch && stepDue(); ++i) {
-        if (impl_->playing) impl_->pacer.pay(impl_->world->parameters().stepTime);
-        else --impl_->singleSteps;
+        if (impl_->playing)
+            impl_->pacer.pay(impl_->world->parameters().stepTime);
+        else
+            --impl_->singleSteps;
         impl_->stepOnce();
     }
 }
@@ -227,17 +248,21 @@ void Session::Impl::stepOnce() {
     touchState();
     frames.observe(*world);
     observeMotion();
-    if (!replay) log.observe(*world);
-    else if (replayed.ok()) replayed = replay->compare(*world);
+    if (!replay)
+        log.observe(*world);
+    else if (replayed.ok())
+        replayed = replay->compare(*world);
     if (!replayed.ok()) {
         playing = false;
-        noticeAll(protocol::NoticeLevel::Error, "replay", "The replay differs from the take: " + replayed.message());
+        noticeAll(protocol::NoticeLevel::Error, "replay",
+                  "The replay differs from the take: " + replayed.message());
     } else if (replay && replay->atEnd(*world)) {
         replayEnded();
     }
     if (log.full() && !toldFull && !replay) {
         toldFull = true;
-        noticeAll(protocol::NoticeLevel::Warning, "take-full", "The take is full; restart to record a new one.");
+        noticeAll(protocol::NoticeLevel::Warning, "take-full",
+                  "The take is full; restart to record a new one.");
     }
     stepEvents.clear();
     appendEvents(*world, stepEvents);
@@ -257,7 +282,8 @@ void Session::Impl::stepOnce() {
 void Session::Impl::replayEnded() {
     playing = false;
     touchState();
-    std::string words = replay->take().marks.empty() ? "The take ends here." : "The take ends here; every hash matched.";
+    std::string words = replay->take().marks.empty() ? "The take ends here."
+                                                     : "The take ends here; every hash matched.";
     if (const std::uint32_t steps = replay->unmarked(); steps > 0)
         words += " It was never finished: its last " + std::to_string(steps) + " steps bear no hash.";
     noticeAll(protocol::NoticeLevel::Info, "replay-end", words);
@@ -272,7 +298,8 @@ void Session::Impl::reportRejections() {
             continue;
         const auto found = clients.find(rejection.command.client);
         if (found != clients.end() && !replay)
-            notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(), placeOf(body));
+            notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(),
+                   placeOf(body));
     }
 }
 

@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-// A display that blends between frames needs no more of them where they are large [s]. A little less than the rate
-// promises: what comes with a step is not to wait for the next.
+// A display that blends between frames needs no more of them where they are large [s]. A little less than the
+// rate promises: what comes with a step is not to wait for the next.
 double frameSpacing(std::size_t characters) {
     constexpr double kSlack = 0.004;
     if (characters > 20'000) return 1.0 / 20.0 - kSlack;
@@ -36,7 +36,8 @@ void Session::disconnect(std::uint32_t client) {
 void Session::notice(std::uint32_t client, bool error, const std::string& code, const std::string& text) {
     const auto found = impl_->clients.find(client);
     if (found == impl_->clients.end()) return;
-    impl_->notice(found->second, error ? protocol::NoticeLevel::Error : protocol::NoticeLevel::Info, code, text);
+    impl_->notice(found->second, error ? protocol::NoticeLevel::Error : protocol::NoticeLevel::Info, code,
+                  text);
 }
 
 void Session::Impl::notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/commands/validation.h"
 #include "session/notice_place.h"
 #include "session/session_state.h"
+#include "world/commands/validation.h"
 
 namespace muster {
 namespace {
@@ -14,10 +14,14 @@ constexpr std::int32_t kMaxSingleSteps = 60;  // Waiting at once.
 CommandBody touchCommand(const protocol::TouchEvent& event, double time) {
     const Vec2 position{event.x, event.y};
     switch (event.phase) {
-        case protocol::TouchPhase::Down: return TouchDown{event.touch, position, time, GroupId{event.group}};
-        case protocol::TouchPhase::Move: return TouchMove{event.touch, position, time};
-        case protocol::TouchPhase::Up: return TouchUp{event.touch, time};
-        case protocol::TouchPhase::Cancel: break;
+        case protocol::TouchPhase::Down:
+            return TouchDown{event.touch, position, time, GroupId{event.group}};
+        case protocol::TouchPhase::Move:
+            return TouchMove{event.touch, position, time};
+        case protocol::TouchPhase::Up:
+            return TouchUp{event.touch, time};
+        case protocol::TouchPhase::Cancel:
+            break;
     }
     return TouchCancel{event.touch};
 }
@@ -70,7 +74,8 @@ public:
         const std::size_t most = session_.def.limits.pointsPerControl;
         if (count > most) return limitExceeded("points", count, most);
         if (message.xs.size() != count || message.ys.size() != count)
-            return invalidArgument("found lists of different lengths, expected one x and one y for each touch");
+            return invalidArgument(
+                "found lists of different lengths, expected one x and one y for each touch");
         if (!std::isfinite(message.time)) return invalidArgument("a time that is not finite");
         AddControl add;
         add.group = GroupId{message.group};
@@ -87,7 +92,8 @@ public:
     }
 
     Status operator()(const protocol::PinControl& message) {
-        return submit(CommandBody{PinControl{GroupId{message.group}, ControlId{message.control}, message.pinned}});
+        return submit(
+            CommandBody{PinControl{GroupId{message.group}, ControlId{message.control}, message.pinned}});
     }
 
     Status operator()(const protocol::RemoveControl& message) {
@@ -111,7 +117,8 @@ public:
                                    std::to_string(most));
         }
         if (groupDef(message.group) == nullptr) return noGroup(message.group);
-        return submit(CommandBody{SetCount{GroupId{message.group}, static_cast<std::int32_t>(message.count)}});
+        return submit(
+            CommandBody{SetCount{GroupId{message.group}, static_cast<std::int32_t>(message.count)}});
     }
 
     Status operator()(const protocol::SetParameter& message) {
@@ -130,13 +137,17 @@ public:
                 if (session_.replay && session_.replay->atEnd(*session_.world)) return session_.restart();
                 session_.playing = true;
                 break;
-            case protocol::TransportAction::Pause: session_.playing = false; break;
+            case protocol::TransportAction::Pause:
+                session_.playing = false;
+                break;
             case protocol::TransportAction::SingleStep:
                 session_.playing = false;
                 session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
                 break;
-            case protocol::TransportAction::Restart: return session_.restart();
-            case protocol::TransportAction::Demonstrate: return session_.demonstrate();
+            case protocol::TransportAction::Restart:
+                return session_.restart();
+            case protocol::TransportAction::Demonstrate:
+                return session_.demonstrate();
         }
         session_.pacer.reset();
         session_.touchState();
@@ -145,7 +156,8 @@ public:
 
     Status operator()(const protocol::SetSpeed& message) {
         if (!(message.factor >= 0.1f && message.factor <= 8.0f)) {
-            return invalidArgument("found a speed of " + std::to_string(message.factor) + ", expected 0.1 to 8");
+            return invalidArgument("found a speed of " + std::to_string(message.factor) +
+                                   ", expected 0.1 to 8");
         }
         session_.speed = message.factor;
         session_.touchState();
@@ -154,8 +166,8 @@ public:
 
     Status operator()(const protocol::LoadScenario& message) {
         const auto& all = session_.def.scenarios;
-        const auto found = std::find_if(all.begin(), all.end(),
-                                        [&](const ScenarioEntry& entry) { return entry.name == message.name; });
+        const auto found = std::find_if(
+            all.begin(), all.end(), [&](const ScenarioEntry& entry) { return entry.name == message.name; });
         if (found == all.end() || !session_.def.loadScenario)
             return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
         const auto def = session_.def.loadScenario(found->name);
@@ -165,7 +177,8 @@ public:
 
     Status operator()(const protocol::Record& message) {
         if (!session_.world) return noWorld();
-        if (session_.replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to record"};
+        if (session_.replay)
+            return {StatusCode::Unsupported, "a take is being replayed; load a scenario to record"};
         session_.setRecording(message.on, id_);
         return {};
     }
@@ -255,7 +268,8 @@ void Session::receive(std::uint32_t client, std::span<const std::uint8_t> bytes)
                   status.message(), placeOf(message.value()));
 }
 
-Status Session::Impl::handle(std::uint32_t id, SessionClient& client, const protocol::ClientMessage& message) {
+Status Session::Impl::handle(std::uint32_t id, SessionClient& client,
+                             const protocol::ClientMessage& message) {
     if (!client.greeted && !std::holds_alternative<protocol::Hello>(message))
         return invalidArgument("found no Hello yet, expected it first");
     return std::visit(Handler(*this, id, client), message);

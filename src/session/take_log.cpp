@@ -30,9 +30,13 @@ void TakeLog::append(const std::vector<std::uint8_t>& record) {
     if (!failure_.ok()) sink_.reset();
 }
 
-Status TakeLog::takeFailure() { return std::exchange(failure_, Status()); }
+Status TakeLog::takeFailure() {
+    return std::exchange(failure_, Status());
+}
 
-void TakeLog::command(const Command& command) { append(TakeEncoder::command(command)); }
+void TakeLog::command(const Command& command) {
+    append(TakeEncoder::command(command));
+}
 
 void TakeLog::observe(const World& world) {
     if (world.stepCount() % kTakeMarkSpacing != 0 || full_) return;

@@ -8,8 +8,8 @@
 
 namespace muster {
 
-/// A take in memory, copied to a file while one is attached. A log that grows beyond its limit ends at its last
-/// mark: what it holds still replays.
+/// A take in memory, copied to a file while one is attached. A log that grows beyond its limit ends at its
+/// last mark: what it holds still replays.
 class TakeLog {
 public:
     /// The log of a new world.

@@ -10,7 +10,7 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
-constexpr double kStill = 0.03;      // Places between a wall and each other tremble by less [m/s].
+constexpr double kStill = 0.03;  // Places between a wall and each other tremble by less [m/s].
 
 /// Distance of a character to its place; infinite without one.
 double lagOf(const World& world, std::size_t i) {
@@ -44,7 +44,8 @@ bool anythingMoves(const Environment& environment) {
 }  // namespace
 
 RunMetrics::RunMetrics(const World& world) {
-    samplePeriod_ = static_cast<std::uint32_t>(std::max(1.0, std::floor(1.0 / world.parameters().stepTime + 0.5)));
+    samplePeriod_ = static_cast<std::uint32_t>(
+        std::max(1.0, std::floor(1.0 / world.parameters().stepTime + 0.5)));
     follow(world.characters());
     still_ = world.stepCount() == 0 && !anythingMoves(world.environment());
 }
@@ -148,7 +149,8 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
     arrivals(world, figures);
     figures.overlapPairsMax = overlapPairsMax_;
     figures.worstPenetration = worstPenetration_;
-    if (characterSeconds_ > 0.0) figures.swapsPerCharacterPerSecond = static_cast<double>(swaps_) / characterSeconds_;
+    if (characterSeconds_ > 0.0)
+        figures.swapsPerCharacterPerSecond = static_cast<double>(swaps_) / characterSeconds_;
     for (std::size_t g = 0; g < world.groupCount(); ++g) figures.planned.add(world.group(g).walk);
     for (const double walk : walked_) figures.walked.add(walk);
     std::vector<double> lags;

@@ -12,8 +12,12 @@ namespace {
 
 constexpr std::uint32_t kSnapshotMagic = 0x4d535032;  // "MSP2"
 
-void archive(Writer& writer, Environment& environment) { environment.save(writer); }
-void archive(Hasher& hasher, Environment& environment) { environment.hash(hasher); }
+void archive(Writer& writer, Environment& environment) {
+    environment.save(writer);
+}
+void archive(Hasher& hasher, Environment& environment) {
+    environment.hash(hasher);
+}
 void archive(Reader& reader, Environment& environment) {
     if (!environment.load(reader)) reader.fail();
 }
@@ -45,8 +49,12 @@ void archive(Hasher& hasher, std::vector<Command>& queue) {
     }
 }
 
-void archivePlan(Writer& writer, World::Impl&, Group& group) { group.plan->save(writer); }
-void archivePlan(Hasher& hasher, World::Impl&, Group& group) { group.plan->hash(hasher); }
+void archivePlan(Writer& writer, World::Impl&, Group& group) {
+    group.plan->save(writer);
+}
+void archivePlan(Hasher& hasher, World::Impl&, Group& group) {
+    group.plan->hash(hasher);
+}
 void archivePlan(Reader& reader, World::Impl& world, Group& group) {
     group.plan = world.makePlan();
     if (reader.ok() && !group.plan->load(reader, *world.pool)) reader.fail();
@@ -71,9 +79,11 @@ void archiveGroups(auto& ar, World::Impl& world) {
 }
 
 Status checkRunner(const TaskRunner& runner) {
-    if (runner.run == nullptr) return invalidArgument("runner: found no function, expected one that runs tasks");
+    if (runner.run == nullptr)
+        return invalidArgument("runner: found no function, expected one that runs tasks");
     if (runner.threads < 1 || runner.threads > 256)
-        return invalidArgument("runner: found " + std::to_string(runner.threads) + " threads, expected 1 to 256");
+        return invalidArgument("runner: found " + std::to_string(runner.threads) +
+                               " threads, expected 1 to 256");
     return {};
 }
 
@@ -106,15 +116,17 @@ void World::Impl::visit(Archive& ar) {
     archive(ar, environment);
     ar(characters);
     archive(ar, queue);
-    ar(checkpoints, checkpointGroups, checkpointState, items, collected, random, stepCount, lastCommandStep, nextCharacter, nextGroup);
+    ar(checkpoints, checkpointGroups, checkpointState, items, collected, random, stepCount, lastCommandStep,
+       nextCharacter, nextGroup);
     if constexpr (Archive::kReading)
         if (!ar.ok()) return;
     archiveGroups(ar, *this);
 }
 
 const char* stageName(Stage stage) {
-    constexpr const char* kNames[] = {"commands", "controls", "user mesh", "final mesh", "places", "density and cost",
-                                      "plan",     "steering", "contacts",  "patches",    "events"};
+    constexpr const char* kNames[] = {"commands", "controls",         "user mesh", "final mesh",
+                                      "places",   "density and cost", "plan",      "steering",
+                                      "contacts", "patches",          "events"};
     return stage < Stage::Count ? kNames[static_cast<std::size_t>(stage)] : "none";
 }
 
@@ -184,8 +196,9 @@ Status World::submit(const Command& command) {
     const Status valid = validateCommand(command);
     if (!valid.ok()) return valid;
     if (command.step < impl_->stepCount)
-        return invalidArgument(std::string(commandName(command)) + ": found step " + std::to_string(command.step) +
-                               ", expected " + std::to_string(impl_->stepCount) + " or later");
+        return invalidArgument(std::string(commandName(command)) + ": found step " +
+                               std::to_string(command.step) + ", expected " +
+                               std::to_string(impl_->stepCount) + " or later");
     const auto at = std::upper_bound(impl_->queue.begin(), impl_->queue.end(), command, comesBefore);
     impl_->queue.insert(at, command);
     return {};
@@ -220,35 +233,69 @@ Result<World> World::restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const
     Reader reader(snapshot);
     std::uint32_t magic = 0;
     reader(magic);
-    if (magic != kSnapshotMagic) return Status(StatusCode::ParseError, "snapshot: found another kind of file, expected a world");
+    if (magic != kSnapshotMagic)
+        return Status(StatusCode::ParseError, "snapshot: found another kind of file, expected a world");
     auto impl = std::make_unique<Impl>();
     impl->pool = std::move(pool);
     impl->visit(reader);
     if (!reader.ok() || reader.remaining() != 0)
         return Status(StatusCode::ParseError, "snapshot: found torn or foreign data, expected a whole world");
     if (const Status fits = impl->checkState(); !fits.ok())
-        return Status(StatusCode::ParseError, "snapshot: " + fits.message() + ", expected a world as it was saved");
+        return Status(StatusCode::ParseError,
+                      "snapshot: " + fits.message() + ", expected a world as it was saved");
     impl->makeDensity();
     impl->prepareGround();
     return World(std::move(impl));
 }
 
-std::uint32_t World::stepCount() const { return impl_->stepCount; }
-double World::time() const { return impl_->time(); }
-const Parameters& World::parameters() const { return impl_->parameters; }
-const Environment& World::environment() const { return impl_->environment; }
-const Characters& World::characters() const { return impl_->characters; }
-std::size_t World::groupCount() const { return impl_->groups.size(); }
-const DensityField& World::density() const { return impl_->density; }
-const UnitCost* World::unitCost() const { return impl_->unitCostNow(); }
-std::span<const Event> World::events() const { return impl_->events; }
-std::span<const Rejection> World::rejections() const { return impl_->rejections; }
-std::span<const ItemDef> World::items() const { return impl_->items; }
-std::span<const std::uint8_t> World::collected() const { return impl_->collected; }
-std::span<const FormationCheckpointDef> World::checkpoints() const { return impl_->checkpoints; }
-const StageTimes& World::stageTimes() const { return impl_->times; }
-const ContactReport& World::contacts() const { return impl_->contacts; }
-std::uint32_t World::lastCommandStep() const { return impl_->lastCommandStep; }
+std::uint32_t World::stepCount() const {
+    return impl_->stepCount;
+}
+double World::time() const {
+    return impl_->time();
+}
+const Parameters& World::parameters() const {
+    return impl_->parameters;
+}
+const Environment& World::environment() const {
+    return impl_->environment;
+}
+const Characters& World::characters() const {
+    return impl_->characters;
+}
+std::size_t World::groupCount() const {
+    return impl_->groups.size();
+}
+const DensityField& World::density() const {
+    return impl_->density;
+}
+const UnitCost* World::unitCost() const {
+    return impl_->unitCostNow();
+}
+std::span<const Event> World::events() const {
+    return impl_->events;
+}
+std::span<const Rejection> World::rejections() const {
+    return impl_->rejections;
+}
+std::span<const ItemDef> World::items() const {
+    return impl_->items;
+}
+std::span<const std::uint8_t> World::collected() const {
+    return impl_->collected;
+}
+std::span<const FormationCheckpointDef> World::checkpoints() const {
+    return impl_->checkpoints;
+}
+const StageTimes& World::stageTimes() const {
+    return impl_->times;
+}
+const ContactReport& World::contacts() const {
+    return impl_->contacts;
+}
+std::uint32_t World::lastCommandStep() const {
+    return impl_->lastCommandStep;
+}
 
 GroupView World::group(std::size_t index) const {
     const Group& group = impl_->groups[index];

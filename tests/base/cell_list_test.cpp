@@ -26,7 +26,7 @@ TEST_CASE("every point is in its cell once, in ascending order; cells are few an
             CHECK(std::is_sorted(here.begin(), here.end()));
             for (const std::int32_t k : here) {
                 CHECK(cells.cellOf(static_cast<std::size_t>(k)) == c);
-                CHECK(grid.index(grid.cellOf(points[static_cast<std::size_t>(k)])) == c);
+                CHECK(grid.index(grid.cellOf(points[k])) == c);
             }
         }
         CHECK(seen == points.size());

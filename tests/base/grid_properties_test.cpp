@@ -26,7 +26,7 @@ Vec2 pointIn(const Box& box, Random& random) {
 double interpolate(const Grid& grid, const std::vector<double>& values, Vec2 p) {
     const BilinearStencil stencil = grid.bilinear(p);
     double sum = 0.0;
-    for (int k = 0; k < 4; ++k) sum += stencil.weight[k] * values[static_cast<std::size_t>(stencil.cell[k])];
+    for (int k = 0; k < 4; ++k) sum += stencil.weight[k] * values[stencil.cell[k]];
     return sum;
 }
 
@@ -82,7 +82,9 @@ TEST_CASE("the nearest cell is that of the point moved into the grid, on edges t
         const Grid grid = randomGrid(random);
         Vec2 p = pointIn(grid.box().grown(3.0), random);
         // Some lie just on the edge of a cell, or far away.
-        if (i % 3 == 0) p = grid.centre({static_cast<std::int32_t>(random.uniform(-2, 9)), 1}) - Vec2{0.5, 0.5} * grid.cell;
+        if (i % 3 == 0)
+            p = grid.centre({static_cast<std::int32_t>(random.uniform(-2, 9)), 1}) -
+                Vec2{0.5, 0.5} * grid.cell;
         if (i % 7 == 0) p = p * 1e12;
         const Cell of = grid.cellOf(p);
         const Cell inside{std::clamp(of.x, 0, grid.width - 1), std::clamp(of.y, 0, grid.height - 1)};
@@ -126,7 +128,7 @@ TEST_CASE("interpolation is exact at centres, bounded by its samples and continu
     std::vector<double> values;
     for (std::int32_t i = 0; i < grid.count(); ++i) values.push_back(random.uniform(-5, 5));
     for (std::int32_t i = 0; i < grid.count(); ++i)
-        CHECK(interpolate(grid, values, grid.centre(grid.at(i))) == doctest::Approx(values[static_cast<std::size_t>(i)]));
+        CHECK(interpolate(grid, values, grid.centre(grid.at(i))) == doctest::Approx(values[i]));
     const double low = *std::min_element(values.begin(), values.end());
     const double high = *std::max_element(values.begin(), values.end());
     for (int i = 0; i < 1000; ++i) {

@@ -54,7 +54,7 @@ TEST_CASE("a pool runs every item once, with any number of threads") {
             std::vector<std::atomic<int>> hits(97);
             pool.run(97, [&](std::int32_t item, std::int32_t worker) {
                 CHECK(worker < threads);
-                ++hits[static_cast<std::size_t>(item)];
+                ++hits[item];
             });
             for (const auto& hit : hits) REQUIRE(hit.load() == 1);
         }

@@ -119,10 +119,12 @@ TEST_CASE("powers obey their laws and rise with base and exponent") {
 TEST_CASE("vectors: products, turns, limits and boxes") {
     Random random(22);
     for (int i = 0; i < 1000; ++i) {
-        const Vec2 a{random.uniform(-9, 9), random.uniform(-9, 9)}, b{random.uniform(-9, 9), random.uniform(-9, 9)};
+        const Vec2 a{random.uniform(-9, 9), random.uniform(-9, 9)},
+            b{random.uniform(-9, 9), random.uniform(-9, 9)};
         CHECK(cross(a, b) == -cross(b, a));
         CHECK(dot(a, perpendicular(a)) == 0.0);
-        CHECK(dot(a, b) * dot(a, b) + cross(a, b) * cross(a, b) == doctest::Approx(lengthSquared(a) * lengthSquared(b)));
+        CHECK(dot(a, b) * dot(a, b) + cross(a, b) * cross(a, b) ==
+              doctest::Approx(lengthSquared(a) * lengthSquared(b)));
         CHECK(length(clampLength(a, 2.0)) <= 2.0 + 1e-12);
         CHECK(std::fabs(cross(clampLength(a, 2.0), a)) < 1e-12);
         const double angle = random.uniform(-4, 4);

@@ -15,8 +15,10 @@ TEST_CASE("sine and cosine agree with the long double library functions") {
     for (int i = 0; i < 20000; ++i) {
         const double scale = i % 2 == 0 ? 10.0 : 1e5;
         const double angle = random.uniform(-scale, scale);
-        worst = std::fmax(worst, std::fabs(sine(angle) - static_cast<double>(std::sin(static_cast<long double>(angle)))));
-        worst = std::fmax(worst, std::fabs(cosine(angle) - static_cast<double>(std::cos(static_cast<long double>(angle)))));
+        worst = std::fmax(
+            worst, std::fabs(sine(angle) - static_cast<double>(std::sin(static_cast<long double>(angle)))));
+        worst = std::fmax(
+            worst, std::fabs(cosine(angle) - static_cast<double>(std::cos(static_cast<long double>(angle)))));
     }
     CHECK(worst < 1e-15);
     CHECK(sine(0.0) == 0.0);
@@ -30,7 +32,8 @@ TEST_CASE("the arc tangent covers all quadrants and the axes") {
     for (int i = 0; i < 20000; ++i) {
         const double x = random.uniform(-3.0, 3.0);
         const double y = random.uniform(-3.0, 3.0);
-        const auto exact = static_cast<double>(std::atan2(static_cast<long double>(y), static_cast<long double>(x)));
+        const auto exact = static_cast<double>(
+            std::atan2(static_cast<long double>(y), static_cast<long double>(x)));
         worst = std::fmax(worst, std::fabs(arcTangent2(y, x) - exact));
     }
     CHECK(worst < 1e-15);

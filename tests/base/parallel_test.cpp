@@ -55,10 +55,10 @@ TEST_CASE("private memory by worker needs no lock") {
     std::vector<std::vector<std::int32_t>> took(4);
     for (int round = 0; round < 100; ++round) {
         for (auto& items : took) items.clear();
-        pool.run(301, [&](std::int32_t item, std::int32_t worker) { took[static_cast<std::size_t>(worker)].push_back(item); });
+        pool.run(301, [&](std::int32_t item, std::int32_t worker) { took[worker].push_back(item); });
         std::vector<int> hits(301, 0);
         for (const auto& items : took) {
-            for (const std::int32_t item : items) ++hits[static_cast<std::size_t>(item)];
+            for (const std::int32_t item : items) ++hits[item];
         }
         for (const int hit : hits) REQUIRE(hit == 1);
     }
@@ -68,10 +68,10 @@ TEST_CASE("what the items wrote is seen by the caller when run returns") {
     ThreadPool pool(3);
     std::vector<std::int64_t> results(500, 0);
     for (std::int64_t round = 1; round <= 300; ++round) {
-        pool.run(500, [&](std::int32_t item, std::int32_t) { results[static_cast<std::size_t>(item)] += item * round; });
+        pool.run(500, [&](std::int32_t item, std::int32_t) { results[item] += item * round; });
     }
     const std::int64_t rounds = 300 * 301 / 2;
-    for (std::int64_t i = 0; i < 500; ++i) REQUIRE(results[static_cast<std::size_t>(i)] == i * rounds);
+    for (std::int64_t i = 0; i < 500; ++i) REQUIRE(results[i] == i * rounds);
 }
 
 TEST_CASE("rounds of very different size follow each other") {
@@ -103,7 +103,7 @@ TEST_CASE("pools in several threads do not disturb each other") {
             ThreadPool pool(2);
             std::vector<std::int64_t> squares(100);
             for (int round = 0; round < 50; ++round) {
-                pool.run(100, [&](std::int32_t i, std::int32_t) { squares[static_cast<std::size_t>(i)] = std::int64_t{i} * i; });
+                pool.run(100, [&](std::int32_t i, std::int32_t) { squares[i] = std::int64_t{i} * i; });
             }
             sums[t] = std::accumulate(squares.begin(), squares.end(), std::int64_t{0});
         });
@@ -124,7 +124,9 @@ TEST_CASE("any callable can be handed over, and none is copied") {
     pool.run(4, std::ref(counter));
     CHECK(counter.calls == 9);
     std::int32_t sum = 0;
-    const std::function<void(std::int32_t, std::int32_t)> add = [&](std::int32_t item, std::int32_t) { sum += item; };
+    const std::function<void(std::int32_t, std::int32_t)> add = [&](std::int32_t item, std::int32_t) {
+        sum += item;
+    };
     pool.run(4, add);
     CHECK(sum == 6);
     const TaskRef again = add;
@@ -171,11 +173,12 @@ TEST_CASE("work goes to a foreign runner, but for single items") {
     struct Log {
         std::vector<std::int32_t> counts;
     } log;
-    const TaskRunner runner{4, &log,
-                            [](void* context, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
-                                static_cast<Log*>(context)->counts.push_back(count);
-                                for (std::int32_t i = count; i-- > 0;) task(of, i, i % 4);
-                            }};
+    const TaskRunner runner{
+        4, &log,
+        [](void* context, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
+            static_cast<Log*>(context)->counts.push_back(count);
+            for (std::int32_t i = count; i-- > 0;) task(of, i, i % 4);
+        }};
     ThreadPool pool(runner);
     CHECK(pool.threads() == 4);
     std::vector<std::int32_t> order;
@@ -190,7 +193,10 @@ TEST_CASE("work goes to a foreign runner, but for single items") {
 }
 
 TEST_CASE("a runner without a function or threads leaves all to the caller") {
-    for (const TaskRunner& runner : {TaskRunner{}, TaskRunner{0, nullptr, [](void*, std::int32_t, void (*)(void*, std::int32_t, std::int32_t), void*) {}}}) {
+    for (const TaskRunner& runner :
+         {TaskRunner{},
+          TaskRunner{0, nullptr,
+                     [](void*, std::int32_t, void (*)(void*, std::int32_t, std::int32_t), void*) {}}}) {
         ThreadPool pool(runner);
         CHECK(pool.threads() == 1);
         std::int32_t calls = 0;
@@ -226,9 +232,11 @@ TEST_CASE("launched work is done when wait returns, with rounds beside it") {
         std::atomic<std::int64_t> sum{0};
         for (int k = 1; k <= 300; ++k) {
             launched.slow = k % 100 == 0;
-            if (k % 50 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // Workers fall asleep.
+            // Workers fall asleep.
+            if (k % 50 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
             pool.launch(&Launched::work, &launched);
-            for (int r = 0; r < k % 3; ++r) pool.run(5, [&](std::int32_t item, std::int32_t) { sum += item; });
+            for (int r = 0; r < k % 3; ++r)
+                pool.run(5, [&](std::int32_t item, std::int32_t) { sum += item; });
             pool.wait();
             REQUIRE(launched.round == 200 * k);
             REQUIRE(launched.numbers.back() == launched.round);
@@ -254,9 +262,10 @@ TEST_CASE("a foreign runner is handed launched work where it takes any, else the
         int waits = 0;
         std::thread thread;
     } log;
-    TaskRunner runner{2, &log, [](void*, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
-                          for (std::int32_t i = 0; i < count; ++i) task(of, i, 0);
-                      }};
+    TaskRunner runner{
+        2, &log, [](void*, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
+            for (std::int32_t i = 0; i < count; ++i) task(of, i, 0);
+        }};
     Launched launched;
     {
         ThreadPool pool(runner);
@@ -287,7 +296,8 @@ TEST_CASE("a foreign runner is handed launched work where it takes any, else the
 TEST_CASE("chunks cover every item once, with a pool and without") {
     ThreadPool pool(3);
     for (ThreadPool* with : {static_cast<ThreadPool*>(nullptr), &pool})
-        for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{1000}}) {
+        for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{8},
+                                        std::size_t{9}, std::size_t{1000}}) {
             std::vector<std::atomic<int>> hits(count);
             forChunks(with, count, 8, [&](std::size_t i) { ++hits[i]; });
             for (const std::atomic<int>& hit : hits) REQUIRE(hit == 1);

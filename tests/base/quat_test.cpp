@@ -24,21 +24,24 @@ Matrix rodrigues(Vec3 axis, double angle) {
 }
 
 Vec3 apply(const Matrix& m, Vec3 v) {
-    const auto row = [&](std::size_t i) { return static_cast<float>(m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z); };
+    const auto row = [&](std::size_t i) {
+        return static_cast<float>(m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z);
+    };
     return {row(0), row(1), row(2)};
 }
 
 Vec3 unitVector(Random& random) {
     for (;;) {
-        const Vec3 v{static_cast<float>(random.uniform(-1.0, 1.0)), static_cast<float>(random.uniform(-1.0, 1.0)),
+        const Vec3 v{static_cast<float>(random.uniform(-1.0, 1.0)),
+                     static_cast<float>(random.uniform(-1.0, 1.0)),
                      static_cast<float>(random.uniform(-1.0, 1.0))};
         if (lengthSquared(v) > 0.01f && lengthSquared(v) < 1.0f) return normalized(v);
     }
 }
 
 void checkNear(Vec3 a, Vec3 b, float within = 2e-6f) {
-    CHECK_MESSAGE(distance(a, b) <= within, "(" << a.x << ", " << a.y << ", " << a.z << ") and (" << b.x << ", " << b.y
-                                                << ", " << b.z << ")");
+    CHECK_MESSAGE(distance(a, b) <= within, "(" << a.x << ", " << a.y << ", " << a.z << ") and (" << b.x
+                                                << ", " << b.y << ", " << b.z << ")");
 }
 
 }  // namespace
@@ -74,7 +77,8 @@ TEST_CASE("The shortest arc takes one direction to the other and turns by the an
         const Vec3 from = unitVector(random), to = unitVector(random);
         const Quat arc = shortestArc(from, to);
         checkNear(rotate(arc, from), to, 2e-5f);
-        CHECK(angleBetween({}, arc) == doctest::Approx(std::acos(std::clamp(dot(from, to), -1.0f, 1.0f))).epsilon(1e-3));
+        CHECK(angleBetween({}, arc) ==
+              doctest::Approx(std::acos(std::clamp(dot(from, to), -1.0f, 1.0f))).epsilon(1e-3));
         checkNear(rotate(shortestArc(from, -from), from), -from, 2e-5f);
     }
 }

@@ -39,7 +39,8 @@ Committed following(std::int32_t n, Vec2 first, Vec2 away, double jitter, std::u
     for (std::int32_t k = 0; k < n; ++k) {
         const Vec2 place = first + Vec2{1.0 * (k % across), 1.0 * (k / across)};
         plan.places.push_back(place);
-        plan.characters.push_back(place - away + Vec2{random.uniform(-jitter, jitter), random.uniform(-jitter, jitter)});
+        plan.characters.push_back(place - away +
+                                  Vec2{random.uniform(-jitter, jitter), random.uniform(-jitter, jitter)});
         plan.placeOf.push_back(k);
     }
     return plan;
@@ -53,14 +54,16 @@ std::vector<double> allCosts(const UnitCost& cost, const Committed& plan) {
     CostField field;
     for (std::size_t j = 0; j < n; ++j) {
         solver.solve(cost, plan.places[j], {}, field);
-        for (std::size_t i = 0; i < n; ++i) all[i * n + j] = std::pow(field.cost(plan.characters[i]), plan.exponent);
+        for (std::size_t i = 0; i < n; ++i)
+            all[i * n + j] = std::pow(field.cost(plan.characters[i]), plan.exponent);
     }
     return all;
 }
 
 double sumOf(const std::vector<double>& all, const std::vector<std::int32_t>& placeOf) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < placeOf.size(); ++i) sum += all[i * placeOf.size() + static_cast<std::size_t>(placeOf[i])];
+    for (std::size_t i = 0; i < placeOf.size(); ++i)
+        sum += all[i * placeOf.size() + static_cast<std::size_t>(placeOf[i])];
     return sum;
 }
 
@@ -108,13 +111,15 @@ TEST_CASE("both judges find what brute force finds, with six on both sides of a 
         plan.exponent = seed % 2 == 0 ? 1.0 : 2.0;
         for (std::int32_t k = 0; k < 6; ++k) {
             plan.characters.push_back({random.uniform(-6, -2), random.uniform(-5, 5)});
-            plan.places.push_back({random.uniform(k % 3 == 0 ? -6 : 2, k % 3 == 0 ? -2 : 6), random.uniform(-5, 5)});
+            plan.places.push_back(
+                {random.uniform(k % 3 == 0 ? -6 : 2, k % 3 == 0 ? -2 : 6), random.uniform(-5, 5)});
             plan.placeOf.push_back((k + 2) % 6);
         }
         const std::vector<double> all = allCosts(cost, plan);
         const double least = cheapest(all, 6);
         const double committed = sumOf(all, plan.placeOf);
-        for (const Verdict& verdict : {judgeExactly(cost, plan, pool).value(), judgeByBound(cost, plan, pool, 20)}) {
+        for (const Verdict& verdict :
+             {judgeExactly(cost, plan, pool).value(), judgeByBound(cost, plan, pool, 20)}) {
             CHECK(verdict.bound == doctest::Approx(least).epsilon(2e-3));
             CHECK(verdict.committed == doctest::Approx(committed).epsilon(2e-3));
             CHECK(verdict.held == 6);
@@ -128,7 +133,8 @@ TEST_CASE("the judges agree on sixty, and the bound is never above the optimum")
         const UnitCost cost = ground(seed % 2 == 0);
         Committed plan = following(60, {-5, -4}, {seed % 3 == 0 ? 9.0 : 2.0, 0.5}, 0.4, seed);
         Random random(seed);
-        for (int swaps = 0; swaps < 5; ++swaps) std::swap(plan.placeOf[random.below(60)], plan.placeOf[random.below(60)]);
+        for (int swaps = 0; swaps < 5; ++swaps)
+            std::swap(plan.placeOf[random.below(60)], plan.placeOf[random.below(60)]);
         const Verdict exact = judgeExactly(cost, plan, pool).value();
         const Verdict bound = judgeByBound(cost, plan, pool);
         CHECK(bound.gap(2.0) > 0.0);

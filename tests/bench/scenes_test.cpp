@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/commands/validation.h"
 #include "scale/case.h"
 #include "scale/options.h"
 #include "scale/quality.h"
 #include "scale/report.h"
+#include "world/commands/validation.h"
 
 using namespace muster;
 using namespace muster::scale;
@@ -50,7 +50,8 @@ TEST_CASE("where far, at least 40 m lie between the crowd and the formation") {
         const Scene scene = makeScene(sceneOf(name, Regime::Far, 900)).value();
         const GroupDef& group = scene.world.groups[0];
         double nearest = 1e9;
-        for (const Vec2 p : group.starts) nearest = std::min(nearest, group.position.x - 0.5 * scene.side - p.x);
+        for (const Vec2 p : group.starts)
+            nearest = std::min(nearest, group.position.x - 0.5 * scene.side - p.x);
         CHECK(nearest >= 39.0);
     }
 }
@@ -83,7 +84,8 @@ TEST_CASE("a course goes to and fro, round, and back every so often") {
         CHECK(length(pose.position) == doctest::Approx(radius).epsilon(0.01));
         // It faces where it goes, up to its own turning.
         const Vec2 way = poseAt(open.course, t + 0.1).position - pose.position;
-        CHECK(std::fabs(std::remainder(std::atan2(way.y, way.x) - pose.angle, 6.283185307)) < open.course.turn + 0.1);
+        CHECK(std::fabs(std::remainder(std::atan2(way.y, way.x) - pose.angle, 6.283185307)) <
+              open.course.turn + 0.1);
     }
 }
 
@@ -94,8 +96,9 @@ TEST_CASE("the formation is dragged, the crowd follows at a distance, and the ju
     def.seconds = 4.0;
     std::vector<double> lead;
     const Row row = runCase(def, [&](const World& world) {
-        lead.push_back(meanX(world.group(0).places->positions()) - meanX(world.characters().position));
-    }).value();
+                        lead.push_back(meanX(world.group(0).places->positions()) -
+                                       meanX(world.characters().position));
+                    }).value();
     CHECK(row.steps == 239);
     CHECK(row.lagMean > 0.7);
     CHECK(row.lagMean < 3.0);
@@ -129,16 +132,18 @@ TEST_CASE("a row says the same in JSON, Markdown and the table") {
     CHECK(bare.find("\"gap_max_pct\": null") != std::string::npos);
     row.quality = {"bound", 3, 12.5, 0.25, 0.5, 2.0};
     const std::string json = jsonRow(row);
-    for (const char* part : {"\"scene\": \"block\"", "\"regime\": \"reversing\"", "\"n\": 1000", "\"ms_p95\": 0.875",
-                             "\"gap_mean_pct\": 0.25", "\"gap_max_pct\": 0.5", "\"gap_cold_pct\": 12.5",
-                             "\"judge\": \"bound\"", "\"contacts\": 0.0000", "\"hash\": \"0000000000abcdef\"}"})
+    for (const char* part :
+         {"\"scene\": \"block\"", "\"regime\": \"reversing\"", "\"n\": 1000", "\"ms_p95\": 0.875",
+          "\"gap_mean_pct\": 0.25", "\"gap_max_pct\": 0.5", "\"gap_cold_pct\": 12.5", "\"judge\": \"bound\"",
+          "\"contacts\": 0.0000", "\"hash\": \"0000000000abcdef\"}"})
         CHECK_MESSAGE(json.find(part) != std::string::npos, part);
     CHECK(json.front() == '{');
     CHECK(json.find('\n') == std::string::npos);
     CHECK(markdownRow(row).find("| bound | 0.250 / 0.500 / 12.5 |") != std::string::npos);
     const std::string head = markdownHead();
     const std::string line = markdownRow(row);
-    CHECK(std::count(head.begin(), head.begin() + head.find('\n'), '|') == std::count(line.begin(), line.end(), '|'));
+    CHECK(std::count(head.begin(), head.begin() + head.find('\n'), '|') ==
+          std::count(line.begin(), line.end(), '|'));
     CHECK(tableRow(row).find("0.875") != std::string::npos);
 }
 
@@ -174,7 +179,8 @@ TEST_CASE("bad options are told in one sentence, good ones make the cases asked 
     Options none;
     CHECK(read({}, none) == 2);
     Options good;
-    REQUIRE(read({"scale", "--scene", "open,block", "--n", "64", "--threads", "1,2", "--seed", "4"}, good) == -1);
+    REQUIRE(read({"scale", "--scene", "open,block", "--n", "64", "--threads", "1,2", "--seed", "4"}, good) ==
+            -1);
     const auto cases = casesOf(good).value();
     CHECK(cases.size() == 2 * 3 * 2);
     CHECK(cases[0].scene.seed == 4);

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "base/random.h"
 #include "assignment/dense/assignment.h"
+#include "base/random.h"
 #include "scale/sparse_assignment.h"
 
 using namespace muster;
@@ -21,14 +21,14 @@ struct Problem {
 Problem randomProblem(std::int32_t rows, std::int32_t columns, double share, bool whole, Random& random) {
     Problem problem;
     problem.columns = columns;
-    problem.rows.resize(static_cast<std::size_t>(rows));
+    problem.rows.resize(rows);
     problem.dense.assign(static_cast<std::size_t>(rows) * columns, std::numeric_limits<double>::infinity());
     for (std::int32_t r = 0; r < rows; ++r)
         for (std::int32_t c = 0; c < columns; ++c) {
             // One arc each is certain, so that all can be matched.
             if (c != r && random.uniform() > share) continue;
             const double cost = whole ? static_cast<double>(random.below(4)) : random.uniform(0, 10);
-            problem.rows[static_cast<std::size_t>(r)].push_back({c, cost});
+            problem.rows[r].push_back({c, cost});
             problem.dense[static_cast<std::size_t>(r) * columns + c] = cost;
         }
     return problem;
@@ -49,7 +49,8 @@ TEST_CASE("matches at the same cost as the transport solver, and its prices prov
     for (int trial = 0; trial < 120; ++trial) {
         const auto rows = static_cast<std::int32_t>(1 + random.below(30));
         const auto columns = rows + static_cast<std::int32_t>(trial % 3 == 0 ? random.below(8) : 0);
-        const Problem problem = randomProblem(rows, columns, random.uniform(0.02, 1.0), trial % 2 == 0, random);
+        const Problem problem = randomProblem(rows, columns, random.uniform(0.02, 1.0), trial % 2 == 0,
+                                              random);
         std::vector<double> start;
         if (rows == columns && trial % 4 == 1)
             for (std::int32_t c = 0; c < columns; ++c) start.push_back(random.uniform(-9, 9));
@@ -75,8 +76,9 @@ TEST_CASE("prices of columns beyond the rows never rise above zero, and those le
     const Problem problem = randomProblem(12, 20, 0.5, false, random);
     REQUIRE(solver.solve(problem.rows, 20, {}));
     std::vector<bool> taken(20, false);
-    for (const std::int32_t c : solver.columnOf()) taken[static_cast<std::size_t>(c)] = true;
-    for (std::size_t c = 0; c < 20; ++c) CHECK((taken[c] ? solver.price()[c] <= 0.0 : solver.price()[c] == 0.0));
+    for (const std::int32_t c : solver.columnOf()) taken[c] = true;
+    for (std::size_t c = 0; c < 20; ++c)
+        CHECK((taken[c] ? solver.price()[c] <= 0.0 : solver.price()[c] == 0.0));
 }
 
 TEST_CASE("says where not all rows can be matched") {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
+#include "folders.h"
 
 using namespace muster::testing;
 using Json = nlohmann::json;
@@ -77,8 +78,8 @@ TEST_CASE("clips written to a folder are read again, alone and all together") {
     CHECK(files[1]["clip"] == "run");
     CHECK(std::abs(files[1]["speed_mps"].get<double>() - 2.6) < 1e-3);
     // In another unit the same file goes a hundred times as far.
-    const Json metres =
-        Json::parse(runProgram("motion --json --unit m " + folder + "/run.bvh").out, nullptr, false);
+    const Json metres = Json::parse(runProgram("motion --json --unit m " + folder + "/run.bvh").out, nullptr,
+                                    false);
     CHECK(std::abs(metres[0]["speed_mps"].get<double>() - 260.0) < 0.1);
 }
 
@@ -99,8 +100,8 @@ TEST_CASE("motion refuses what it cannot read with one sentence") {
 
 TEST_CASE("export writes each simple format") {
     const std::string take = smallTake();
-    const Outcome text =
-        runProgram("export " + take + " --format pedpy --out " + path("e.txt") + " --fps 25");
+    const Outcome text = runProgram("export " + take + " --format pedpy --out " + path("e.txt") +
+                                    " --fps 25");
     CHECK_MESSAGE(text.code == 0, text.error);
     CHECK(slurp(path("e.txt")).rfind("# framerate: 25\n", 0) == 0);
     const Outcome bodies = runProgram("export " + take + " --format bvh --out " + path("e-bodies") +
@@ -125,7 +126,7 @@ TEST_CASE("export fails with one sentence and no half file") {
           take + " --format bvh --out /proc/nowhere/x", take + " --format pedpy --out " + take,
           torn + " --format pedpy --out " + out, "/nowhere.take --format bvh --out " + out,
           take + " --format bvh --clips " + workFolder().string() + " --out " + out,
-         take + " --format bvh --clips /nowhere/x --out " + out + "/" + std::string(300, 'x')}) {
+          take + " --format bvh --clips /nowhere/x --out " + out + "/" + std::string(300, 'x')}) {
         const Outcome outcome = runProgram("export " + line);
         CHECK_MESSAGE(outcome.code == 1, line);
         CHECK_MESSAGE(outcome.errorLines() == 1, outcome.error);
@@ -141,8 +142,10 @@ TEST_CASE("an export that is told no place lies here, by the take's name") {
     std::filesystem::remove_all(here);
     std::filesystem::create_directories(here);
     const std::string stem = here + "/" + std::filesystem::path(take).stem().string();
-    for (const auto& [format, file] : {std::pair{"glb", ".glb"}, {"usda", ".usda"}, {"bvh", "-bvh"}, {"pedpy", ".txt"}}) {
-        const Outcome outcome = runProgram("export " + take + " --format " + format + " --to 0.2", "cd " + here);
+    for (const auto& [format, file] :
+         {std::pair{"glb", ".glb"}, {"usda", ".usda"}, {"bvh", "-bvh"}, {"pedpy", ".txt"}}) {
+        const Outcome outcome = runProgram("export " + take + " --format " + format + " --to 0.2",
+                                           "cd " + here);
         CHECK_MESSAGE(outcome.code == 0, outcome.error);
         CHECK_MESSAGE(std::filesystem::exists(stem + file), format);
         CHECK(outcome.out.find(file) != std::string::npos);
@@ -161,8 +164,8 @@ TEST_CASE("motion draws strips, writes bodies and measures") {
     CHECK(runProgram("motion --count 3").code == 2);
     CHECK(runProgram("motion --measure /nowhere.json").error.find("/nowhere.json") != std::string::npos);
     CHECK(runProgram("motion run --strip /proc/nowhere").code == 1);
-    const Outcome measured =
-        runProgram("motion --measure " + std::string(MUSTER_SOURCE_DIR) + "/scenarios/paper/x04-woodland.json --seconds 5 --json");
+    const Outcome measured = runProgram("motion --measure " + sourceFolder() +
+                                        "/scenarios/paper/x04-woodland.json --seconds 5 --json");
     CHECK_MESSAGE(measured.code == 0, measured.error);
     const auto json = nlohmann::json::parse(measured.out);
     CHECK(json[0]["characters"] == 36);

@@ -28,18 +28,22 @@ Json json(const Outcome& outcome) {
 }
 
 std::string scenario() {
-    return "'" + put("options.json", R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
-        "groups":[{"count":6,"position":[-3,0]},{"count":3,"position":[3,2]}]})") + "'";
+    return "'" +
+           put("options.json", R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
+        "groups":[{"count":6,"position":[-3,0]},{"count":3,"position":[3,2]}]})") +
+           "'";
 }
 
 std::string gestures() {
     return "'" + put("options_drag.json", R"({"format":"muster-gestures","version":1,"events":[
         {"t":0.1,"kind":"down","touch":1,"x":-3,"y":0},{"t":1.1,"kind":"move","touch":1,"x":0,"y":-2},
-        {"t":1.3,"kind":"up","touch":1}]})") + "'";
+        {"t":1.3,"kind":"up","touch":1}]})") +
+           "'";
 }
 
 std::string hashOf(const std::string& options) {
-    const Outcome outcome = runProgram("play " + scenario() + " --gestures " + gestures() + " --seconds 2 --json " + options);
+    const Outcome outcome = runProgram("play " + scenario() + " --gestures " + gestures() +
+                                       " --seconds 2 --json " + options);
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
     return json(outcome)["hash"].get<std::string>();
 }
@@ -77,15 +81,18 @@ TEST_CASE("every parameter can be set to its default by name, which changes noth
 }
 
 TEST_CASE("the last of two settings stands, and settings come after the preset") {
-    CHECK(hashOf("--set character.maxSpeed=0.5 --set character.maxSpeed=1") == hashOf("--set character.maxSpeed=1"));
+    CHECK(hashOf("--set character.maxSpeed=0.5 --set character.maxSpeed=1") ==
+          hashOf("--set character.maxSpeed=1"));
     CHECK(hashOf("--preset paper --set plan.period=4") != hashOf("--preset paper"));
-    CHECK(hashOf("--set plan.exponent=1 --set plan.threshold=0 --set plan.thresholdShare=0 --plan exact --set plan.period=1") ==
-          hashOf("--preset paper"));
+    CHECK(hashOf("--set plan.exponent=1 --set plan.threshold=0 --set plan.thresholdShare=0 --plan exact "
+                 "--set plan.period=1") == hashOf("--preset paper"));
 }
 
 TEST_CASE("a trajectory has a row per character and step, in order, at speeds people have") {
     const std::string file = path("options.csv");
-    REQUIRE(runProgram("play " + scenario() + " --gestures " + gestures() + " --seconds 1.5 --trajectory '" + file + "'").code == 0);
+    REQUIRE(runProgram("play " + scenario() + " --gestures " + gestures() + " --seconds 1.5 --trajectory '" +
+                       file + "'")
+                .code == 0);
     const auto rows = table(slurp(file));
     CHECK(rows[0] == std::vector<std::string>{"t", "id", "x", "y", "place_x", "place_y"});
     REQUIRE(rows.size() == 1 + 9 * 91);
@@ -94,9 +101,11 @@ TEST_CASE("a trajectory has a row per character and step, in order, at speeds pe
         REQUIRE(rows[i].size() == 6);
         const int id = std::stoi(rows[i][1]);
         const double x = std::stod(rows[i][2]), y = std::stod(rows[i][3]);
-        CHECK(std::stod(rows[i][0]) == doctest::Approx(static_cast<double>((i - 1) / 9) / 60.0).epsilon(1e-8));
+        CHECK(std::stod(rows[i][0]) ==
+              doctest::Approx(static_cast<double>((i - 1) / 9) / 60.0).epsilon(1e-8));
         CHECK(id == static_cast<int>((i - 1) % 9 + 1));
-        if (last.count(id) != 0) CHECK(std::hypot(x - last[id].first, y - last[id].second) <= 2.0 / 60 + 1e-6);
+        if (last.count(id) != 0)
+            CHECK(std::hypot(x - last[id].first, y - last[id].second) <= 2.0 / 60 + 1e-6);
         last[id] = {x, y};
         CHECK(rows[i][4].empty() == (i <= 9));  // Places are given in the first step.
         if (i <= 9) continue;
@@ -120,7 +129,9 @@ TEST_CASE("pictures: each format and size, each layer, and only the part asked f
         const std::string bytes = slurp(file);
         REQUIRE(bytes.size() > 24);
         REQUIRE(bytes.compare(1, 3, "PNG") == 0);
-        const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]) * 256 + static_cast<unsigned char>(bytes[i + 1]); };
+        const auto at = [&](std::size_t i) {
+            return static_cast<unsigned char>(bytes[i]) * 256 + static_cast<unsigned char>(bytes[i + 1]);
+        };
         return std::pair{at(18), at(22)};
     };
     const std::string png = path("o.png"), svg = path("o.svg");
@@ -129,15 +140,20 @@ TEST_CASE("pictures: each format and size, each layer, and only the part asked f
     REQUIRE(runProgram("picture " + scenario() + " --width 100 --view 0 0 2 4 -o '" + png + "'").code == 0);
     CHECK(size(png) == std::pair{100, 200});
     std::vector<std::string> seen;
-    for (const std::string layer : {"patches", "cost", "density", "mesh", "places", "characters", "mesh,places"}) {
+    for (const std::string layer :
+         {"patches", "cost", "density", "mesh", "places", "characters", "mesh,places"}) {
         CAPTURE(layer);
-        REQUIRE(runProgram("picture " + scenario() + " --layers " + layer + " --at 0.1 -o '" + svg + "'").code == 0);
+        REQUIRE(
+            runProgram("picture " + scenario() + " --layers " + layer + " --at 0.1 -o '" + svg + "'").code ==
+            0);
         const std::string text = slurp(svg);
         CHECK(text.rfind("<svg", 0) == 0);
         CHECK(std::find(seen.begin(), seen.end(), text) == seen.end());
         seen.push_back(text);
     }
-    REQUIRE(runProgram("picture " + scenario() + " --layers cost --group 1 --place 2 -o '" + svg + "'").code == 0);
+    REQUIRE(
+        runProgram("picture " + scenario() + " --layers cost --group 1 --place 2 -o '" + svg + "'").code ==
+        0);
     CHECK(slurp(svg).find("Cost to place 2") != std::string::npos);
     REQUIRE(runProgram("picture " + scenario() + " -o '" + svg + "'").code == 0);
     const std::string light = slurp(svg);
@@ -147,14 +163,17 @@ TEST_CASE("pictures: each format and size, each layer, and only the part asked f
 
 TEST_CASE("check names each kind of file, and says in a warning what may go wrong") {
     const std::string take = path("o.take");
-    REQUIRE(runProgram("play " + scenario() + " --gestures " + gestures() + " --seconds 1 --take '" + take + "'").code == 0);
+    REQUIRE(
+        runProgram("play " + scenario() + " --gestures " + gestures() + " --seconds 1 --take '" + take + "'")
+            .code == 0);
     const std::string bytes = slurp(take);
     const std::string torn = put("o_torn.take", bytes.substr(0, bytes.size() - 3));
-    const std::string narrow = put("narrow.json", R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],
+    const std::string narrow = put("narrow.json",
+                                   R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],
         "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]},{"polygon":[[0.8,-1],[1.5,-1],[1.5,1],[0.8,1]]}],
         "groups":[{"count":4,"position":[-3,0]}]})");
-    const Outcome outcome = runProgram("check " + scenario() + " " + gestures() + " '" + take + "' '" + torn + "' '" + narrow +
-                                       "' /nowhere.json --json");
+    const Outcome outcome = runProgram("check " + scenario() + " " + gestures() + " '" + take + "' '" + torn +
+                                       "' '" + narrow + "' /nowhere.json --json");
     CHECK(outcome.code == 1);
     const Json list = json(outcome);
     REQUIRE(list.size() == 6);
@@ -169,12 +188,14 @@ TEST_CASE("check names each kind of file, and says in a warning what may go wron
     REQUIRE(list[3]["warnings"].size() == 1);
     CHECK(list[3]["warnings"][0].get<std::string>().find("torn") != std::string::npos);
     CHECK(list[4]["warnings"].size() == 1);
-    const std::string carrier = put("carrier.json", R"({"format":"muster-scenario","version":1,"gestures":"carried.json"})");
+    const std::string carrier = put("carrier.json",
+                                    R"({"format":"muster-scenario","version":1,"gestures":"carried.json"})");
     const Outcome missing = runProgram("check '" + carrier + "'");
     CHECK(missing.code == 1);
     CHECK(missing.errorLines() == 1);
     CHECK(missing.error.find("carrier.json: $.gestures: ") != std::string::npos);
-    put("carried.json", R"({"format":"muster-gestures","version":1,"events":[{"t":1,"kind":"up","touch":3}]})");
+    put("carried.json",
+        R"({"format":"muster-gestures","version":1,"events":[{"t":1,"kind":"up","touch":3}]})");
     CHECK(runProgram("check '" + carrier + "'").out.find("gestures of 1 events") != std::string::npos);
     const Outcome text = runProgram("check " + scenario());
     CHECK(text.code == 0);
@@ -184,7 +205,8 @@ TEST_CASE("check names each kind of file, and says in a warning what may go wron
 TEST_CASE("--demo gives the touches that the scenario carries, and no others") {
     const std::string carried = put("demo_touches.json", slurp(gestures().substr(1, gestures().size() - 2)));
     const std::string text = slurp(scenario().substr(1, scenario().size() - 2));
-    const std::string demo = put("demo.json", text.substr(0, text.size() - 1) + R"(,"gestures":"demo_touches.json"})");
+    const std::string demo = put("demo.json",
+                                 text.substr(0, text.size() - 1) + R"(,"gestures":"demo_touches.json"})");
     const Outcome shown = runProgram("play '" + demo + "' --demo --seconds 2 --json");
     REQUIRE_MESSAGE(shown.code == 0, shown.error);
     CHECK(json(shown)["hash"] == hashOf(""));
@@ -214,18 +236,22 @@ TEST_CASE("--demo gives the touches that the scenario carries, and no others") {
 
 TEST_CASE("maps that are none are refused by line, others keep size, scale and credit") {
     const auto import = [](const std::string& text, const std::string& options) {
-        return runProgram("import '" + put("o.map", text) + "' -o '" + path("o_map.json") + "' --json " + options);
+        return runProgram("import '" + put("o.map", text) + "' -o '" + path("o_map.json") + "' --json " +
+                          options);
     };
-    for (const std::string text : {"", "type octile\n", "type octile\nheight 2\nwidth 2\nmap\n..\n", "type octile\nheight 2\nwidth 3\nmap\n..\n..\n",
-                                   "type octile\nheight -2\nwidth 2\nmap\n..\n..\n", "type octile\nheight 2\nwidth 99999999\nmap\n..\n..\n",
-                                   "type octile\nheight 2\nwidth 2\nmap\n.?\n..\n"}) {
+    for (const std::string text :
+         {"", "type octile\n", "type octile\nheight 2\nwidth 2\nmap\n..\n",
+          "type octile\nheight 2\nwidth 3\nmap\n..\n..\n", "type octile\nheight -2\nwidth 2\nmap\n..\n..\n",
+          "type octile\nheight 2\nwidth 99999999\nmap\n..\n..\n",
+          "type octile\nheight 2\nwidth 2\nmap\n.?\n..\n"}) {
         CAPTURE(text);
         const Outcome outcome = import(text, "");
         CHECK(outcome.code == 1);
         CHECK(outcome.errorLines() == 1);
         CHECK(outcome.error.find("o.map") != std::string::npos);
     }
-    const Outcome good = import("type octile\nheight 3\nwidth 4\nmap\n....\n..@.\n....\n", "--cell 3 --count 2 --credit 'A \"B\"'");
+    const Outcome good = import("type octile\nheight 3\nwidth 4\nmap\n....\n..@.\n....\n",
+                                "--cell 3 --count 2 --credit 'A \"B\"'");
     REQUIRE_MESSAGE(good.code == 0, good.error);
     CHECK(json(good)["width_m"] == 12.0);
     CHECK(json(good)["height_m"] == 9.0);

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <string>
 
+#include "folders.h"
+
 namespace muster::testing {
 
 /// What a run of the program left behind.
@@ -27,7 +29,8 @@ struct Outcome {
 /// A folder of its own for the files of one test run; gone afterwards.
 inline std::filesystem::path workFolder() {
     struct Folder {
-        std::filesystem::path path = std::filesystem::temp_directory_path() / ("muster_cli_test_" + std::to_string(::getpid()));
+        std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                     ("muster_cli_test_" + std::to_string(::getpid()));
         Folder() { std::filesystem::create_directories(path); }
         ~Folder() {
             std::error_code ignored;
@@ -55,8 +58,9 @@ inline std::string put(const std::string& name, const std::string& text) {
 /// Runs `muster ARGUMENTS` (a shell fragment) in the source folder; `before` is done by the shell first.
 inline Outcome runProgram(const std::string& arguments, const std::string& before = "true") {
     const auto out = workFolder() / "stdout", error = workFolder() / "stderr";
-    const std::string command = "cd '" MUSTER_SOURCE_DIR "' && { " + before + "; '" MUSTER_PROGRAM "' " + arguments + "; } >'" +
-                                out.string() + "' 2>'" + error.string() + "' </dev/null";
+    const std::string command = "cd '" + sourceFolder() + "' && { " + before + "; '" + programPath() + "' " +
+                                arguments + "; } >'" + out.string() + "' 2>'" + error.string() +
+                                "' </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(error)};
 }

@@ -18,7 +18,8 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"studio", "play", "replay", "check", "import", "picture", "peers", "motion", "export", "reproduce", "sweep"};
+const std::vector<std::string> kCommands = {"studio", "play",   "replay", "check",     "import", "picture",
+                                            "peers",  "motion", "export", "reproduce", "sweep"};
 
 std::string path(const char* name) {
     return (workFolder() / name).string();
@@ -55,12 +56,36 @@ TEST_CASE("help for all, with examples") {
 
 TEST_CASE("a wrong command line gives one sentence and 2") {
     const std::string small = put("small.json", kSmall);
-    for (const std::string& line : std::vector<std::string>{
-             "", "dance", "play", "play a b", "play --seconds", "play x --seconds -3", "play x --seconds soon",
-             "play x --plan slow", "play x --preset rubens", "play x --threads -1", "play x --demo --gestures y", "picture x -o y --gestures z --demo", "play x --nonsense", "replay", "check",
-             "import x", "import x -o y --cell 0", "import x -o y --count 0", "picture x", "picture x -o y --width 3",
-             "play x --seconds nan", "import x -o y --ground nan", "import x -o y --cell inf", "picture x -o y --at nan",
-             "picture x -o y --at -1", "picture x -o y --group -1", "picture x -o y --place -1", "peers", "studio --port 99999", "studio --page /nowhere"}) {
+    for (const std::string& line : std::vector<std::string>{"",
+                                                            "dance",
+                                                            "play",
+                                                            "play a b",
+                                                            "play --seconds",
+                                                            "play x --seconds -3",
+                                                            "play x --seconds soon",
+                                                            "play x --plan slow",
+                                                            "play x --preset rubens",
+                                                            "play x --threads -1",
+                                                            "play x --demo --gestures y",
+                                                            "picture x -o y --gestures z --demo",
+                                                            "play x --nonsense",
+                                                            "replay",
+                                                            "check",
+                                                            "import x",
+                                                            "import x -o y --cell 0",
+                                                            "import x -o y --count 0",
+                                                            "picture x",
+                                                            "picture x -o y --width 3",
+                                                            "play x --seconds nan",
+                                                            "import x -o y --ground nan",
+                                                            "import x -o y --cell inf",
+                                                            "picture x -o y --at nan",
+                                                            "picture x -o y --at -1",
+                                                            "picture x -o y --group -1",
+                                                            "picture x -o y --place -1",
+                                                            "peers",
+                                                            "studio --port 99999",
+                                                            "studio --page /nowhere"}) {
         CAPTURE(line);
         const Outcome outcome = runProgram(line);
         CHECK(outcome.code == 2);
@@ -72,26 +97,46 @@ TEST_CASE("a wrong command line gives one sentence and 2") {
 
 TEST_CASE("bad input gives one sentence and 1") {
     const std::string small = put("small.json", kSmall);
-    const std::string bad = put("bad.json", R"({"format":"muster-scenario","version":1,"groups":[{"count":0}]})");
+    const std::string bad = put("bad.json",
+                                R"({"format":"muster-scenario","version":1,"groups":[{"count":0}]})");
     const std::string torn = put("torn.json", "{\"format\":");
     const std::string map = put("bad.map", "type octile\nheight 2\nwidth 2\nmap\n..\n.x\n");
     const std::string blocked = put("blocked.map", "type octile\nheight 2\nwidth 2\nmap\n@@\n@@\n");
     const std::string take = put("bad.take", "MUSTAKE\n\x01");
-    const std::string scenes = put("bad.scenes.json", R"({"scenes":{"A":{"world":[0,0,1],"T":1,"start":[],"slots":[]}}})");
+    const std::string scenes = put("bad.scenes.json",
+                                   R"({"scenes":{"A":{"world":[0,0,1],"T":1,"start":[],"slots":[]}}})");
     const std::string fine = "'" + small + "' ";
     for (const std::string& line : std::vector<std::string>{
-             "play /nowhere.json", "play '" + bad + "'", "play '" + torn + "'", "play " + fine + "--gestures '" + bad + "'",
-             "play " + fine + "--set plan.exponent", "play " + fine + "--set plan.exponent=zero",
-             "play " + fine + "--set plan.exponent=0", "play " + fine + "--set no.such=1",
-             "play " + fine + "--seconds 0.1 --take /nowhere/x.take", "play " + fine + "--seconds 0.1 --trajectory /nowhere/x.csv",
-             "replay /nowhere.take", "replay '" + take + "'", "replay " + fine, "check '" + bad + "'", "check '" + take + "'",
-             "import /nowhere.map -o x.json", "import '" + map + "' -o '" + path("x.json") + "'",
-             "import '" + blocked + "' -o '" + path("x.json") + "'", "picture " + fine + "-o x.jpeg", "picture " + fine + "--view 1 1 1 1 -o x.png",
-             "picture " + fine + "-o /nowhere/x.png", "picture " + fine + "--group 1 -o '" + path("x.png") + "'",
-             "picture " + fine + "--place 700 -o '" + path("x.png") + "'", "play " + fine + "--set density.max=0.5",
+             "play /nowhere.json",
+             "play '" + bad + "'",
+             "play '" + torn + "'",
+             "play " + fine + "--gestures '" + bad + "'",
+             "play " + fine + "--set plan.exponent",
+             "play " + fine + "--set plan.exponent=zero",
+             "play " + fine + "--set plan.exponent=0",
+             "play " + fine + "--set no.such=1",
+             "play " + fine + "--seconds 0.1 --take /nowhere/x.take",
+             "play " + fine + "--seconds 0.1 --trajectory /nowhere/x.csv",
+             "replay /nowhere.take",
+             "replay '" + take + "'",
+             "replay " + fine,
+             "check '" + bad + "'",
+             "check '" + take + "'",
+             "import /nowhere.map -o x.json",
+             "import '" + map + "' -o '" + path("x.json") + "'",
+             "import '" + blocked + "' -o '" + path("x.json") + "'",
+             "picture " + fine + "-o x.jpeg",
+             "picture " + fine + "--view 1 1 1 1 -o x.png",
+             "picture " + fine + "-o /nowhere/x.png",
+             "picture " + fine + "--group 1 -o '" + path("x.png") + "'",
+             "picture " + fine + "--place 700 -o '" + path("x.png") + "'",
+             "play " + fine + "--set density.max=0.5",
              "picture " + fine + "--set cost.alpha=0 --set cost.beta=0 -o '" + path("x.png") + "'",
-             "peers '" + scenes + "' --set density.max=0.5", "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
-             "peers '" + scenes + "'", "peers " + fine, "peers /nowhere/nothing.json"}) {
+             "peers '" + scenes + "' --set density.max=0.5",
+             "picture " + fine + "--layers clouds -o '" + path("x.png") + "'",
+             "peers '" + scenes + "'",
+             "peers " + fine,
+             "peers /nowhere/nothing.json"}) {
         CAPTURE(line);
         const Outcome outcome = runProgram(line);
         CHECK(outcome.code == 1);
@@ -107,12 +152,14 @@ TEST_CASE("bad input gives one sentence and 1") {
 TEST_CASE("play reports every named figure, records a take that replays, and writes the trajectory") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
     const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 6";
-    const Outcome outcome = runProgram(common + " --json --take '" + path("a.take") + "' --trajectory '" + path("a.csv") + "'");
+    const Outcome outcome = runProgram(common + " --json --take '" + path("a.take") + "' --trajectory '" +
+                                       path("a.csv") + "'");
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
     CHECK(outcome.error.empty());
     const Json figures = json(outcome);
-    for (const char* key : {"characters", "steps", "hash", "arrived95_s", "arrived100_s", "stuck", "path_ratio",
-                            "overlap_pairs_max", "worst_penetration_pct", "swaps_per_character_per_s", "planned", "walked", "step_ms"}) {
+    for (const char* key : {"characters", "steps", "hash", "arrived95_s", "arrived100_s", "stuck",
+                            "path_ratio", "overlap_pairs_max", "worst_penetration_pct",
+                            "swaps_per_character_per_s", "planned", "walked", "step_ms"}) {
         CAPTURE(key);
         CHECK(figures.contains(key));
     }
@@ -133,7 +180,8 @@ TEST_CASE("play reports every named figure, records a take that replays, and wri
     CHECK(replayed["reproduced"] == true);
     CHECK(replayed["hash"] == figures["hash"]);
     CHECK(replayed["steps"] == 360);
-    for (const char* key : {"characters", "steps", "hash", "arrived100_s", "stuck", "overlap_pairs_max", "unmatched"})
+    for (const char* key :
+         {"characters", "steps", "hash", "arrived100_s", "stuck", "overlap_pairs_max", "unmatched"})
         CHECK(replayed["figures"][key] == figures[key]);
     CHECK(runProgram("replay '" + path("a.take") + "'").out.find("reproduced") == 0);
 
@@ -153,7 +201,8 @@ TEST_CASE("without seconds a run ends when all stand") {
 TEST_CASE("parameters from the command line change the run") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
     const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 3 --json ";
-    const Json plain = json(runProgram(common)), slow = json(runProgram(common + "--set character.maxSpeed=0.5 --set density.enabled=0"));
+    const Json plain = json(runProgram(common)),
+               slow = json(runProgram(common + "--set character.maxSpeed=0.5 --set density.enabled=0"));
     const Json paper = json(runProgram(common + "--preset paper"));
     CHECK(plain["hash"] != slow["hash"]);
     CHECK(plain["hash"] != paper["hash"]);
@@ -178,7 +227,9 @@ TEST_CASE("a take that does not reproduce ends with 3 and names the step") {
 
 TEST_CASE("damaged takes are refused, torn ones replayed as far as they go") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
-    REQUIRE(runProgram("play '" + small + "' --gestures '" + drag + "' --seconds 2 --take '" + path("c.take") + "'").code == 0);
+    REQUIRE(runProgram("play '" + small + "' --gestures '" + drag + "' --seconds 2 --take '" +
+                       path("c.take") + "'")
+                .code == 0);
     const std::string bytes = slurp(path("c.take"));
     std::string damaged = bytes;
     damaged[damaged.size() - 8] ^= 1;  // In the last hash: the checksum notices.
@@ -191,7 +242,8 @@ TEST_CASE("damaged takes are refused, torn ones replayed as far as they go") {
 }
 
 TEST_CASE("check tells good files from bad ones") {
-    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag), bad = put("bad2.json", "{}");
+    const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag),
+                      bad = put("bad2.json", "{}");
     const Outcome both = runProgram("check '" + small + "' '" + bad + "' '" + drag + "' --json");
     CHECK(both.code == 1);
     const Json list = json(both);
@@ -225,21 +277,27 @@ TEST_CASE("import puts the group where there is most room") {
 
 TEST_CASE("pictures are made of scenarios and takes") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
-    REQUIRE(runProgram("picture '" + small + "' --gestures '" + drag + "' --at 2 -o '" + path("p.png") + "'").code == 0);
+    REQUIRE(runProgram("picture '" + small + "' --gestures '" + drag + "' --at 2 -o '" + path("p.png") + "'")
+                .code == 0);
     CHECK(slurp(path("p.png")).substr(1, 3) == "PNG");
-    REQUIRE(runProgram("play '" + small + "' --gestures '" + drag + "' --seconds 3 --take '" + path("p.take") + "'").code == 0);
-    const Outcome svg = runProgram("picture '" + path("p.take") + "' --at 2 --layers cost,mesh --dark --json -o '" + path("p.svg") + "'");
+    REQUIRE(runProgram("play '" + small + "' --gestures '" + drag + "' --seconds 3 --take '" +
+                       path("p.take") + "'")
+                .code == 0);
+    const Outcome svg = runProgram("picture '" + path("p.take") +
+                                   "' --at 2 --layers cost,mesh --dark --json -o '" + path("p.svg") + "'");
     REQUIRE_MESSAGE(svg.code == 0, svg.error);
     CHECK(json(svg)["t"].get<double>() == doctest::Approx(2.0));
     CHECK(slurp(path("p.svg")).find("</svg>") != std::string::npos);
 }
 
 TEST_CASE("peers runs scenes with explicit starts and slots") {
-    const std::string scenes = put("scenes.json",
-                                   R"({"scenes":{"A":{"n":3,"T":20,"world":[-3,-5,12,5],"polygons_ccw":[[[3,-1],[4,-1],[4,1],[3,1]]],
+    const std::string scenes = put(
+        "scenes.json",
+        R"({"scenes":{"A":{"n":3,"T":20,"world":[-3,-5,12,5],"polygons_ccw":[[[3,-1],[4,-1],[4,1],[3,1]]],
         "circles":[[6,3,0.5]],"start":[[0,0.4],[0,1.4],[0,-0.6]],"slots":[[8,0],[8,1],[8,-1]]},
         "B":{"n":1,"T":5,"world":[-3,-5,12,5],"start":[[0,0]],"slots":[[2,0]]}}})");
-    const Outcome outcome = runProgram("peers '" + scenes + "' --json --trajectory '" + path("peers.csv") + "'");
+    const Outcome outcome = runProgram("peers '" + scenes + "' --json --trajectory '" + path("peers.csv") +
+                                       "'");
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
     const Json list = json(outcome);
     REQUIRE(list.size() == 2);
@@ -253,13 +311,15 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(!std::filesystem::exists(path("peers.csv")));
     CHECK(slurp(path("peers-A.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0.4,", 0) == 0);
     CHECK(slurp(path("peers-B.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0,", 0) == 0);
-    REQUIRE(runProgram("peers '" + scenes + "' --scene B --trajectory '" + path("peers.csv") + "'").code == 0);
+    REQUIRE(runProgram("peers '" + scenes + "' --scene B --trajectory '" + path("peers.csv") + "'").code ==
+            0);
     CHECK(slurp(path("peers.csv")) == slurp(path("peers-B.csv")));
     const Outcome one = runProgram("peers '" + scenes + "' --scene B");
     CHECK(one.code == 0);
     CHECK(one.out.find("| B ") != std::string::npos);
     CHECK(runProgram("peers '" + scenes + "' --scene C").code == 1);
-    // Who has to speed up first comes later: by the time the velocity takes, 1 / 12 s, and what the bound adds.
+    // Who has to speed up first comes later: by the time the velocity takes, 1 / 12 s, and what the bound
+    // adds.
     const Outcome slow = runProgram("peers '" + scenes + "' --scene B --inertia --json");
     REQUIRE(slow.code == 0);
     const double later = json(slow)[0]["arrived100_s"].get<double>() - list[1]["arrived100_s"].get<double>();
@@ -269,13 +329,20 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
 
 TEST_CASE("peers: what a scene may not hold is named by file and scene") {
     const auto run = [](const std::string& limit, const std::string& world, const std::string& more) {
-        return runProgram("peers '" + put("odd.scenes.json", R"({"scenes":{"Odd":{"T":)" + limit + R"(,"world":)" + world +
-                                              R"(,"start":[[0,0]],"slots":[[2,0]])" + more + "}}}") + "'");
+        return runProgram("peers '" +
+                          put("odd.scenes.json", R"({"scenes":{"Odd":{"T":)" + limit + R"(,"world":)" +
+                                                     world + R"(,"start":[[0,0]],"slots":[[2,0]])" + more +
+                                                     "}}}") +
+                          "'");
     };
     CHECK(run("2", "[-3,-5,12,5]", "").code == 0);
     const std::vector<Outcome> bad = {
-        run("-5", "[-3,-5,12,5]", ""),          run("0", "[-3,-5,12,5]", ""),   run("1e300", "[-3,-5,12,5]", ""),
-        run("2", "[0,0,900000,900000]", ""),    run("2", "[5,5,0,0]", ""),      run("2", "[-3,-5,12,5]", R"(,"circles":[[3,0,-1]])"),
+        run("-5", "[-3,-5,12,5]", ""),
+        run("0", "[-3,-5,12,5]", ""),
+        run("1e300", "[-3,-5,12,5]", ""),
+        run("2", "[0,0,900000,900000]", ""),
+        run("2", "[5,5,0,0]", ""),
+        run("2", "[-3,-5,12,5]", R"(,"circles":[[3,0,-1]])"),
         run("2", "[-3,-5,12,5]", R"(,"polygons_ccw":[[[0,0],[1,1],[1,0],[0,1]]])")};
     for (const Outcome& outcome : bad) {
         CHECK(outcome.code == 1);
@@ -302,7 +369,8 @@ TEST_CASE("no file is written that is read, and none twice") {
     std::filesystem::create_symlink(small, path("link.json"));
     REQUIRE(runProgram(play + "--take '" + path("self.take") + "'").code == 0);
     for (const std::string& line : std::vector<std::string>{
-             play + "--take '" + small + "'", play + "--trajectory '" + small + "'", play + "--take '" + path("link.json") + "'",
+             play + "--take '" + small + "'", play + "--trajectory '" + small + "'",
+             play + "--take '" + path("link.json") + "'",
              play + "--gestures '" + drag + "' --take '" + drag + "'",
              play + "--take '" + path("new.x") + "' --trajectory '" + path("./new.x") + "'",
              "picture '" + small + "' -o '" + small + "'", "import '" + small + "' -o '" + small + "'",
@@ -321,8 +389,9 @@ TEST_CASE("no file is written that is read, and none twice") {
 
 TEST_CASE("what cannot be told is a failure") {
     const std::string small = put("small.json", kSmall);
-    for (const std::string& line : std::vector<std::string>{"play '" + small + "' --seconds 0.1", "play '" + small + "' --seconds 0.1 --json",
-                                                            "check '" + small + "'", "check --schema", "--help", "play --help"}) {
+    for (const std::string& line : std::vector<std::string>{
+             "play '" + small + "' --seconds 0.1", "play '" + small + "' --seconds 0.1 --json",
+             "check '" + small + "'", "check --schema", "--help", "play --help"}) {
         CAPTURE(line);
         const Outcome outcome = runProgram(line + " >/dev/full");
         CHECK(outcome.code == 1);
@@ -334,7 +403,8 @@ TEST_CASE("a world too large for the memory gives one sentence and 1") {
 #if defined(__SANITIZE_ADDRESS__)
     MESSAGE("skipped: the sanitizer needs the memory itself");
 #else
-    const std::string vast = put("vast.json", R"({"format":"muster-scenario","version":1,"box":[[0,0],[1000,1000]],"cell":0.25,
+    const std::string vast = put(
+        "vast.json", R"({"format":"muster-scenario","version":1,"box":[[0,0],[1000,1000]],"cell":0.25,
         "groups":[{"count":1,"position":[500,500]}]})");
     const Outcome outcome = runProgram("play '" + vast + "' --seconds 0.1", "ulimit -v 100000");
     CHECK(outcome.code == 1);
@@ -347,8 +417,9 @@ TEST_CASE("likely mistakes are told on standard error, and change nothing") {
         "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]},{"polygon":[[0.8,-1],[1.5,-1],[1.5,1],[0.8,1]]}],
         "groups":[{"count":4,"position":[-3,0]}]})";
     const std::string narrow = put("narrow_gap.json", scenario);
-    for (const std::string& line : std::vector<std::string>{"play '" + narrow + "' --seconds 0.1 --json",
-                                                            "picture '" + narrow + "' -o '" + path("narrow.png") + "'"}) {
+    for (const std::string& line :
+         std::vector<std::string>{"play '" + narrow + "' --seconds 0.1 --json",
+                                  "picture '" + narrow + "' -o '" + path("narrow.png") + "'"}) {
         const Outcome outcome = runProgram(line);
         CHECK(outcome.code == 0);
         CHECK(outcome.errorLines() == 1);
@@ -358,10 +429,15 @@ TEST_CASE("likely mistakes are told on standard error, and change nothing") {
 }
 
 TEST_CASE("names in other letters are drawn as far as the font goes") {
-    const std::string named = put("named.json", "{\"format\":\"muster-scenario\",\"version\":1,\"box\":[[-6,-5],[6,5]],\"cell\":0.5,"
-        "\"patches\":[{\"name\":\"Flu\xc3\x9f \xe6\xb3\xb3\",\"polygon\":[[-5,-4],[5,-4],[5,4],[-5,4]],\"motion\":\"swim\"}],"
+    const std::string named = put(
+        "named.json",
+        "{\"format\":\"muster-scenario\",\"version\":1,\"box\":[[-6,-5],[6,5]],\"cell\":0.5,"
+        "\"patches\":[{\"name\":\"Flu\xc3\x9f "
+        "\xe6\xb3\xb3\",\"polygon\":[[-5,-4],[5,-4],[5,4],[-5,4]],\"motion\":\"swim\"}],"
         "\"groups\":[{\"count\":4,\"position\":[-3,0]}]}");
-    const std::string plain = put("plain.json", "{\"format\":\"muster-scenario\",\"version\":1,\"box\":[[-6,-5],[6,5]],\"cell\":0.5,"
+    const std::string plain = put(
+        "plain.json",
+        "{\"format\":\"muster-scenario\",\"version\":1,\"box\":[[-6,-5],[6,5]],\"cell\":0.5,"
         "\"patches\":[{\"name\":\"Flus ?\",\"polygon\":[[-5,-4],[5,-4],[5,4],[-5,4]],\"motion\":\"swim\"}],"
         "\"groups\":[{\"count\":4,\"position\":[-3,0]}]}");
     const auto picture = [](const std::string& file) {

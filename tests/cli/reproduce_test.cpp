@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/program.h"
+#include "folders.h"
 
 using muster::testing::Outcome;
 using muster::testing::put;
@@ -87,8 +88,8 @@ TEST_CASE("reproduce writes a report, a line per experiment in a log, and the ve
     REQUIRE_FALSE(results.empty());
     std::vector<std::string> keys;
     for (const auto& [key, value] : results[0].items()) keys.push_back(key);
-    CHECK(keys == std::vector<std::string>{"experiment", "criterion", "preset", "value", "threshold", "pass", "seeds",
-                                           "low", "high"});
+    CHECK(keys == std::vector<std::string>{"experiment", "criterion", "preset", "value", "threshold", "pass",
+                                           "seeds", "low", "high"});
     CHECK(results[0]["experiment"] == "X2");
     CHECK(results[0]["seeds"] == 1);
     CHECK(results[0]["value"].is_number());
@@ -103,12 +104,12 @@ TEST_CASE("a criterion that fails ends reproduce with 3, and is said wherever re
     // The scene of X2 with a finger that does no more than touch: nothing bends.
     const fs::path folder = workFolder() / "unbent", out = workFolder() / "failed";
     fs::create_directories(folder / "gestures");
-    const std::string source = MUSTER_SOURCE_DIR "/scenarios/paper/";
+    const std::string source = sourceFolder() + "/scenarios/paper/";
     fs::copy_file(source + "x02-line-and-area.json", folder / "x02-line-and-area.json");
     put("unbent/gestures/x02-line-and-area.json", R"({"format":"muster-gestures","version":1,"events":[
         {"t":0.1,"kind":"down","touch":1,"x":0,"y":0},{"t":3.0,"kind":"up","touch":1}]})");
-    const Outcome outcome =
-        runProgram("reproduce X2 --seeds 1 --scenarios " + quoted(folder) + " --out " + quoted(out));
+    const Outcome outcome = runProgram("reproduce X2 --seeds 1 --scenarios " + quoted(folder) + " --out " +
+                                       quoted(out));
     CHECK(outcome.code == 3);
     CHECK(outcome.out.find("      FAIL  muster  ") != std::string::npos);
     CHECK(outcome.out.find("\n0 of 1 criterion holds; 1 seed, ") != std::string::npos);

@@ -42,7 +42,8 @@ TEST_CASE("sweep prints a column per value, and a firmer line keeps the right ha
     REQUIRE(lines.size() > 3);
     CHECK(lines[0] == "| control.softWeight | 2 | 20 |");
     CHECK(lines[1] == "|---|---|---|");
-    const Outcome json = runProgram("sweep control.softWeight --values 2,20 --experiments X2 --seeds 1 --json");
+    const Outcome json = runProgram(
+        "sweep control.softWeight --values 2,20 --experiments X2 --seeds 1 --json");
     const auto rows = nlohmann::json::parse(json.out);
     REQUIRE(rows.size() == 2);
     CHECK(rows[0]["control.softWeight"] == 2);

@@ -15,9 +15,10 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline UnitCost makeCost(const Box& box, double cell, const std::function<CellCost(Vec2)>& price) {
     UnitCost cost;
     cost.grid = Grid::covering(box, cell);
-    cost.cells.resize(static_cast<std::size_t>(cost.grid.count()));
+    cost.cells.resize(cost.grid.count());
     cost.lowest = kInfinity;
-    for (std::int32_t k = 0; k < cost.grid.count(); ++k) cost.cells[k] = price(cost.grid.centre(cost.grid.at(k)));
+    for (std::int32_t k = 0; k < cost.grid.count(); ++k)
+        cost.cells[k] = price(cost.grid.centre(cost.grid.at(k)));
     const auto wall = [&](Cell c) {
         return !cost.grid.contains(c) || cost.cells[cost.grid.index(c)].east == kInfinity;
     };

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "cost/ground_scene.h"
 #include "cost/crowd_excess.h"
+#include "cost/ground_scene.h"
 #include "eikonal/eikonal.h"
 
 using namespace muster;
@@ -24,7 +24,8 @@ double alongCells(const UnitCost& cost, Vec2 a, Vec2 b) {
     const Vec2 to = (b - a) / distance(a, b);
     double sum = 0.0;
     for (int k = 0; k < 400; ++k) {
-        const CellCost& c = cost.cells[cost.grid.index(cost.grid.nearestCell(a + (b - a) * ((k + 0.5) / 400)))];
+        const CellCost&
+            c = cost.cells[cost.grid.index(cost.grid.nearestCell(a + (b - a) * ((k + 0.5) / 400)))];
         const double x = to.x * (to.x > 0.0 ? c.east : c.west);
         const double y = to.y * (to.y > 0.0 ? c.north : c.south);
         sum += std::sqrt(x * x + y * y) - 1.0;
@@ -146,7 +147,8 @@ TEST_CASE("no part of a crowd is overlooked, wherever it stands beside a line") 
         // A knot of people somewhere.
         std::vector<Vec2> people;
         const Vec2 middle{random.uniform(-14, 14), random.uniform(-14, 14)};
-        for (int k = 0; k < 12; ++k) people.push_back(middle + Vec2{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)});
+        for (int k = 0; k < 12; ++k)
+            people.push_back(middle + Vec2{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)});
         DensityField density({{-16, -16}, {16, 16}}, {});
         density.splat(people, std::vector<Vec2>(people.size()));
         CrowdExcess excess;
@@ -156,7 +158,8 @@ TEST_CASE("no part of a crowd is overlooked, wherever it stands beside a line") 
             const Vec2 b{random.uniform(-15, 15), random.uniform(-15, 15)};
             // Short pieces are read where they are, so that nothing near them is left out.
             double pieces = 0.0;
-            for (int m = 0; m < 400; ++m) pieces += excess.along(lerp(a, b, m / 400.0), lerp(a, b, (m + 1) / 400.0));
+            for (int m = 0; m < 400; ++m)
+                pieces += excess.along(lerp(a, b, m / 400.0), lerp(a, b, (m + 1) / 400.0));
             const double whole = excess.along(a, b);
             off += std::fabs(whole - pieces);
             sum += pieces;

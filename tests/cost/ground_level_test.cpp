@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "cost/ground_scene.h"
-#include "eikonal/eikonal.h"
 #include "cost/static_ground.h"
+#include "eikonal/eikonal.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -24,10 +24,10 @@ TEST_CASE("wider cells have the room and the cost of the ground that they cover"
         const Vec2 p = grid.centre(grid.at(k));
         const double room = environment.distanceToObstacle(p) - 0.25;
         // Clearance is known up to a limit, and kinks where two walls are as near.
-        if (room < 1.0) REQUIRE(std::fabs(level.wallRoom[static_cast<std::size_t>(k)] - room) < 0.1);
-        REQUIRE(level.blocked(k) == (level.wallRoom[static_cast<std::size_t>(k)] < 0.0f));
+        if (room < 1.0) REQUIRE(std::fabs(level.wallRoom[k] - room) < 0.1);
+        REQUIRE(level.blocked(k) == (level.wallRoom[k] < 0.0f));
     }
-    const auto east = [&](Vec2 p) { return level.cost.cells[static_cast<std::size_t>(grid.index(grid.cellOf(p)))].east; };
+    const auto east = [&](Vec2 p) { return level.cost.cells[grid.index(grid.cellOf(p))].east; };
     CHECK(east({-8.1, 0.1}) == doctest::Approx(1.0));
     CHECK(east({7.1, 0.1}) == doctest::Approx(4.0));
     CHECK(level.freeCellNear({-1.1, 1.1}) == -1);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/random.h"
-#include "environment/environment.h"
 #include "cost/static_ground.h"
+#include "environment/environment.h"
 
 namespace muster::test {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "eikonal/geodesic_oracle.h"
 #include "cost/ground_scene.h"
-#include "eikonal/eikonal.h"
 #include "cost/static_ground.h"
+#include "eikonal/eikonal.h"
+#include "eikonal/geodesic_oracle.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -112,7 +112,8 @@ TEST_CASE("coarse cells with a wall in the middle are known from the side on whi
         const Vec2 middle = grid.centre(beside.cell);
         CHECK(environment.distanceToObstacle(middle) < 0.25 + environment.grid().cell);
         CHECK(environment.distanceToObstacle(grid.centre(beside.neighbour)) >= 0.25);
-        CHECK(std::abs(beside.cell.x - beside.neighbour.x) + std::abs(beside.cell.y - beside.neighbour.y) == 1);
+        CHECK(std::abs(beside.cell.x - beside.neighbour.x) + std::abs(beside.cell.y - beside.neighbour.y) ==
+              1);
         CHECK(beside.cost == doctest::Approx(edge));
     }
     // Values there can be told, and only sink.

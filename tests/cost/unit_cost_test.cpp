@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "cost/discomfort.h"
 #include "base/maths.h"
 #include "base/random.h"
+#include "cost/discomfort.h"
 #include "cost/unit_cost.h"
 
 using namespace muster;
@@ -29,17 +29,22 @@ ObstacleDef block(double x0, double y0, double x1, double y1) {
 }
 
 bool same(const UnitCost& a, const UnitCost& b) {
-    return a.grid == b.grid && a.radius == b.radius && a.lowest == b.lowest && a.cells.size() == b.cells.size() &&
+    return a.grid == b.grid && a.radius == b.radius && a.lowest == b.lowest &&
+           a.cells.size() == b.cells.size() &&
            std::memcmp(a.cells.data(), b.cells.data(), a.cells.size() * sizeof(CellCost)) == 0 &&
            a.nodes.size() == b.nodes.size() &&
-           (a.nodes.empty() || std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(WallNode)) == 0);
+           (a.nodes.empty() ||
+            std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(WallNode)) == 0);
 }
 
-bool same(const CellCost& a, const CellCost& b) { return std::memcmp(&a, &b, sizeof(CellCost)) == 0; }
+bool same(const CellCost& a, const CellCost& b) {
+    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
+}
 
-// What a builder tells of the empty ground, of what crowd and discomfort priced, and of what changed since `before`.
-void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare, const std::vector<CellCost>& before,
-                 std::uint64_t versionBefore) {
+// What a builder tells of the empty ground, of what crowd and discomfort priced, and of what changed since
+// `before`.
+void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
+                 const std::vector<CellCost>& before, std::uint64_t versionBefore) {
     REQUIRE(used.ground().size() == bare.ground().size());
     std::vector<std::uint8_t> priced(used.ground().size(), 0), changed(used.ground().size(), 0);
     for (const std::int32_t cell : used.priced()) ++priced[cell];
@@ -58,7 +63,9 @@ void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare, const
     CHECK(std::is_sorted(used.groundChanges().begin(), used.groundChanges().end()));
 }
 
-const CellCost& at(const UnitCost& cost, Vec2 p) { return cost.cells[cost.grid.index(cost.grid.cellOf(p))]; }
+const CellCost& at(const UnitCost& cost, Vec2 p) {
+    return cost.cells[cost.grid.index(cost.grid.cellOf(p))];
+}
 
 }  // namespace
 
@@ -190,7 +197,8 @@ TEST_CASE("the peak of discomfort is found to a millionth, for all shapes and sp
             const Vec2 p{random.uniform(-3, 3) + piece.velocity.x, random.uniform(-3, 3) + piece.velocity.y};
             const auto at = [&](double time) {
                 const double away = std::max(0.0, piece.signedDistance(p - piece.velocity * time));
-                return def.discomfortGain * (1 - time / def.discomfortTime) * std::max(0.0, 1.0 - away / def.discomfortRange);
+                return def.discomfortGain * (1 - time / def.discomfortTime) *
+                       std::max(0.0, 1.0 - away / def.discomfortRange);
             };
             // Coarsely, then finely round the best.
             double best = 0.0;
@@ -206,7 +214,8 @@ TEST_CASE("the peak of discomfort is found to a millionth, for all shapes and sp
             }
             felt += best > 0.0 ? 1 : 0;
             // Sampling may miss the peak by as much as it moves within a sample.
-            const double missed = def.discomfortGain * 1e-6 * (1.0 + def.discomfortTime * length(piece.velocity) / def.discomfortRange);
+            const double missed = def.discomfortGain * 1e-6 *
+                                  (1.0 + def.discomfortTime * length(piece.velocity) / def.discomfortRange);
             const double found = discomfortAt(def, piece, p);
             CHECK(found <= best + missed);
             worst = std::max(worst, best - found);
@@ -267,7 +276,8 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
         for (const CellCost& c : one.cells) {
             const float least = 0.09f * one.lowest;  // Edges beside walls are shorter, down to a tenth.
             CHECK_FALSE((c.east < least || c.north < least || c.west < least || c.south < least));
-            CHECK_FALSE((std::isnan(c.east) || std::isnan(c.north) || std::isnan(c.west) || std::isnan(c.south)));
+            CHECK_FALSE(
+                (std::isnan(c.east) || std::isnan(c.north) || std::isnan(c.west) || std::isnan(c.south)));
         }
     }
 }

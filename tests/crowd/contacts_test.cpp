@@ -84,7 +84,8 @@ TEST_CASE("who is pushed into one that stood apart is parted from him, and what 
     CHECK(distance(positions[0], positions[1]) > 0.495);
     CHECK(parted.overlapPairs == 0);
     positions = {{0.05, 0}, {0.72, 0}};
-    const ContactReport seen = contacts.resolve({0.25, 1}, environment, positions);  // One round does not part them.
+    // One round does not part them.
+    const ContactReport seen = contacts.resolve({0.25, 1}, environment, positions);
     const double share = 1.0 - distance(positions[0], positions[1]) / 0.5;
     REQUIRE(share > 0.1);
     CHECK(seen.overlapPairs == 1);

@@ -15,7 +15,9 @@ constexpr MotionId kJump = 2;
 Environment course() {
     EnvironmentDef def;
     def.box = {{-5, -5}, {45, 5}};
-    def.clips = {{"run", "", 1.0, 0, 0.8, true, 0.0}, {"crawl", "", 0.2, 0, 2.0, true, 0.5}, {"jump", "", 0.4, 1.0, 1.0, false, 0.0}};
+    def.clips = {{"run", "", 1.0, 0, 0.8, true, 0.0},
+                 {"crawl", "", 0.2, 0, 2.0, true, 0.5},
+                 {"jump", "", 0.4, 1.0, 1.0, false, 0.0}};
     Environment environment = Environment::create(def).value();
     const auto add = [&](double x0, double x1, MotionId motion) {
         PatchDef patch;
@@ -56,12 +58,15 @@ struct Walker {
     void to(double x) {
         while (characters.position[0].x != x) {
             const double left = x - characters.position[0].x;
-            characters.position[0].x = std::abs(left) < 0.03 ? x : characters.position[0].x + (left > 0 ? 0.03 : -0.03);
+            characters.position[0].x = std::abs(left) < 0.03
+                                           ? x
+                                           : characters.position[0].x + (left > 0 ? 0.03 : -0.03);
             updateMotions(environment, kStep, characters, events);
         }
     }
     void wait(double seconds) {
-        for (int i = 0; i < static_cast<int>(seconds / kStep + 0.5); ++i) updateMotions(environment, kStep, characters, events);
+        for (int i = 0; i < static_cast<int>(seconds / kStep + 0.5); ++i)
+            updateMotions(environment, kStep, characters, events);
     }
     int count(MotionChange change) const {
         int n = 0;
@@ -131,8 +136,10 @@ struct Strip {
     explicit Strip(const std::vector<Piece>& pieces) {
         EnvironmentDef def;
         def.box = {{-5, -5}, {45, 5}};
-        def.clips = {{"run", "", 1.0, 0, 0.8, true, 0.0},     {"crawl", "", 0.2, 0, 2.0, true, 0.5},
-                     {"jump", "", 0.4, 1.0, 1.0, false, 0.0}, {"swim", "", 0.3, 0, 2.0, true, 0.4}};
+        def.clips = {{"run", "", 1.0, 0, 0.8, true, 0.0},
+                     {"crawl", "", 0.2, 0, 2.0, true, 0.5},
+                     {"jump", "", 0.4, 1.0, 1.0, false, 0.0},
+                     {"swim", "", 0.3, 0, 2.0, true, 0.4}};
         walker.environment = Environment::create(def).value();
         for (const Piece& piece : pieces) {
             PatchDef patch;
@@ -152,8 +159,10 @@ constexpr MotionId kSwim = 3;
 std::vector<std::int32_t> transitionsOf(const Walker& w) {
     std::vector<std::int32_t> list;
     for (const MotionEvent& event : w.events) {
-        if (event.change == MotionChange::TransitionStart) list.push_back(static_cast<std::int32_t>(event.value));
-        if (event.change == MotionChange::TransitionEnd) list.push_back(-static_cast<std::int32_t>(event.value));
+        if (event.change == MotionChange::TransitionStart)
+            list.push_back(static_cast<std::int32_t>(event.value));
+        if (event.change == MotionChange::TransitionEnd)
+            list.push_back(-static_cast<std::int32_t>(event.value));
     }
     return list;
 }

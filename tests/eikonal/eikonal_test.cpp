@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "cost/cost_scene.h"
 #include "base/random.h"
+#include "cost/cost_scene.h"
 #include "eikonal/trace_path.h"
 
 using namespace muster;
@@ -36,14 +36,17 @@ UnitCost randomCost(Random& random, double cell, bool anisotropic) {
         const double base = 2.0 + std::sin(1.3 * p.x + phase) + 0.5 * std::cos(2.1 * p.y);
         CellCost c = even(base);
         if (anisotropic) {
-            c = {static_cast<float>(base * random.uniform(0.7, 3)), static_cast<float>(base * random.uniform(0.7, 3)),
-                 static_cast<float>(base * random.uniform(0.7, 3)), static_cast<float>(base * random.uniform(0.7, 3))};
+            c = {static_cast<float>(base * random.uniform(0.7, 3)),
+                 static_cast<float>(base * random.uniform(0.7, 3)),
+                 static_cast<float>(base * random.uniform(0.7, 3)),
+                 static_cast<float>(base * random.uniform(0.7, 3))};
         }
         return c;
     });
 }
 
-// First-order upwind solution at a cell through two neighbours (Treuille, Cooper and Popovic 2006, section 4.2).
+// First-order upwind solution at a cell through two neighbours (Treuille, Cooper and Popovic 2006,
+// section 4.2).
 double update(double a, double ca, double b, double cb) {
     const double one = std::isfinite(a) ? a + ca : static_cast<double>(kInfinity);
     const double other = std::isfinite(b) ? b + cb : static_cast<double>(kInfinity);
@@ -66,7 +69,8 @@ double update(const UnitCost& cost, const std::vector<double>& phi, Cell c) {
         for (const bool north : {true, false}) {
             const double a = at(c.x + (east ? 1 : -1), c.y);
             const double b = at(c.x, c.y + (north ? 1 : -1));
-            best = std::min(best, update(a, (east ? k.east : k.west) * grid.cell, b, (north ? k.north : k.south) * grid.cell));
+            best = std::min(best, update(a, (east ? k.east : k.west) * grid.cell, b,
+                                         (north ? k.north : k.south) * grid.cell));
         }
     }
     return best;
@@ -177,7 +181,8 @@ TEST_CASE("first-order fields agree with sweeping to convergence on random groun
             for (std::int32_t i = 0; i < grid.count(); ++i) {
                 const std::int32_t x = i % grid.width;
                 const std::int32_t y = i / grid.width;
-                const Cell c{(sweep & 1) != 0 ? grid.width - 1 - x : x, (sweep & 2) != 0 ? grid.height - 1 - y : y};
+                const Cell c{(sweep & 1) != 0 ? grid.width - 1 - x : x,
+                             (sweep & 2) != 0 ? grid.height - 1 - y : y};
                 if (!given[grid.index(c)] && !cost.wall(grid.index(c))) {
                     phi[grid.index(c)] = std::min(phi[grid.index(c)], update(cost, phi, c));
                 }
@@ -200,7 +205,8 @@ TEST_CASE("a front that stops early gives its targets the values of the whole fi
         const UnitCost cost = randomCost(random, 0.125, round % 2 == 1);
         const Vec2 source{random.uniform(-4, 4), random.uniform(-4, 4)};
         std::vector<Vec2> targets;
-        for (int k = 0; k < 3; ++k) targets.push_back(source + Vec2{random.uniform(-1, 1), random.uniform(-1, 1)});
+        for (int k = 0; k < 3; ++k)
+            targets.push_back(source + Vec2{random.uniform(-1, 1), random.uniform(-1, 1)});
         EikonalSolver solver;
         CostField whole;
         CostField part;
@@ -232,7 +238,8 @@ TEST_CASE("a used solver gives the same bits as a new one") {
 
 TEST_CASE("sources in walls and out of the world, closed rooms, targets that are no numbers") {
     const UnitCost cost = makeCost({{-4, -4}, {4, 4}}, 0.25, [](Vec2 p) {
-        const bool ring = std::max(std::fabs(p.x), std::fabs(p.y)) < 2.0 && std::max(std::fabs(p.x), std::fabs(p.y)) > 1.4;
+        const bool ring = std::max(std::fabs(p.x), std::fabs(p.y)) < 2.0 &&
+                          std::max(std::fabs(p.x), std::fabs(p.y)) > 1.4;
         return ring ? even(kInfinity) : even(1.0);
     });
     const double nan = std::numeric_limits<double>::quiet_NaN();

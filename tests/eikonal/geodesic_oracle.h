@@ -52,7 +52,8 @@ struct Shape {
 /// Shortest ways of a disc of `radius` among shapes.
 class GeodesicOracle {
 public:
-    GeodesicOracle(std::vector<Shape> shapes, double radius, Vec2 source) : shapes_(std::move(shapes)), radius_(radius) {
+    GeodesicOracle(std::vector<Shape> shapes, double radius, Vec2 source)
+        : shapes_(std::move(shapes)), radius_(radius) {
         nodes_.push_back(source);
         for (const Shape& shape : shapes_) addArcs(shape);
         solve();

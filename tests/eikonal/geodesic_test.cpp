@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <string>
 
-#include "eikonal/geodesic_oracle.h"
-#include "cost/ground_cost.h"
 #include "base/random.h"
+#include "cost/ground_cost.h"
 #include "eikonal/eikonal.h"
+#include "eikonal/geodesic_oracle.h"
 #include "eikonal/trace_path.h"
 
 using namespace muster;
@@ -44,7 +44,8 @@ std::vector<Scene> scenes() {
     all.push_back({"turned block", {turned({0.1, 0.2}, {3, 2}, 0.4)}, {-5.3, -1.2}});
     all.push_back({"diamond", {turned({0.1, 0.2}, {2.5, 2.5}, kPi / 4)}, {-5.3, 0.4}});
     all.push_back({"L", {rectangle(-3, -3, -2.06, 3.1), rectangle(-2.1, -3, 3.07, -2.1)}, {0.3, 0.4}});
-    all.push_back({"corridor", {rectangle(-1.06, -99, 1.02, -0.71), rectangle(-1.06, 0.69, 1.02, 99)}, {-4.3, 3.1}});
+    all.push_back(
+        {"corridor", {rectangle(-1.06, -99, 1.02, -0.71), rectangle(-1.06, 0.69, 1.02, 99)}, {-4.3, 3.1}});
     all.push_back({"discs", {{{{-2.1, 0.3}}, 1.3}, {{{1.7, 1.4}}, 0.9}, {{{1.4, -2.2}}, 1.6}}, {-5.6, 0.2}});
     return all;
 }
@@ -60,7 +61,8 @@ UnitCost costOf(const GeodesicOracle& oracle, double cell) {
     const std::vector<float> speed(clearance.size(), 1.0f);
     std::vector<float> unit(clearance.size());
     cost.cells.resize(clearance.size());
-    priceGround({cost.grid, clearance, speed}, kRadius, 1.0, 0, cost.grid.count(), {cost.cells, unit, cost.nodes});
+    priceGround({cost.grid, clearance, speed}, kRadius, 1.0, 0, cost.grid.count(),
+                {cost.cells, unit, cost.nodes});
     cost.lowest = 1.0f;
     return cost;
 }
@@ -104,8 +106,8 @@ TEST_CASE("cost fields agree with exact geodesics round corners") {
             CostField field;
             solver.solve(cost, scene.source, {}, field);
             const Errors errors = measure(oracle, field);
-            std::printf("measured:   %-24s h %.3f m: %.3f %%, %.3f %% at (%.2f, %.2f)\n", scene.name, cell, 100 * errors.mean,
-                        100 * errors.worst, errors.where.x, errors.where.y);
+            std::printf("measured:   %-24s h %.3f m: %.3f %%, %.3f %% at (%.2f, %.2f)\n", scene.name, cell,
+                        100 * errors.mean, 100 * errors.worst, errors.where.x, errors.where.y);
             CHECK(errors.worst < 0.01);
             CHECK(errors.mean < 0.002);
         }
@@ -125,7 +127,8 @@ TEST_CASE("cost fields agree with exact geodesics among random obstacles") {
             const Vec2 centre{random.uniform(-6, 6), random.uniform(-6, 6)};
             const double reach = random.uniform(0.4, 1.6);
             Shape shape{{centre}, reach};
-            if (random.below(2) == 0) shape = turned(centre, {0.8 * reach, 0.6 * reach}, random.uniform(0, 3));
+            if (random.below(2) == 0)
+                shape = turned(centre, {0.8 * reach, 0.6 * reach}, random.uniform(0, 3));
             const auto apart = [&](const Shape& other) {
                 Vec2 middle;
                 double around = other.extra;
@@ -156,8 +159,10 @@ TEST_CASE("cost fields agree with exact geodesics among random obstacles") {
         worst = std::max(worst, errors.worst);
         mean += errors.mean / kRounds;
     }
-    std::printf("measured:   25 random scenes         h 0.250 m: %.3f %%, %.3f %%; %d scenes with a point above 1 %%\n", 100 * mean,
-                100 * worst, above);
+    std::printf(
+        "measured:   25 random scenes         h 0.250 m: %.3f %%, %.3f %%; %d scenes with a point above 1 "
+        "%%\n",
+        100 * mean, 100 * worst, above);
     CHECK(above <= 3);
 }
 

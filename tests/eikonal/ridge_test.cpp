@@ -11,14 +11,17 @@ using namespace muster::test;
 
 namespace {
 
-bool inBlock(Vec2 p) { return p.x > 1.0 && p.x < 2.0 && std::fabs(p.y) < 2.0; }
+bool inBlock(Vec2 p) {
+    return p.x > 1.0 && p.x < 2.0 && std::fabs(p.y) < 2.0;
+}
 
 }  // namespace
 
 TEST_CASE("who stands exactly behind a block takes one of the two equal ways round it") {
     for (const bool turned : {false, true}) {
         const auto seen = [&](Vec2 p) { return turned ? Vec2{p.y, p.x} : p; };
-        const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25, [&](Vec2 p) { return even(inBlock(seen(p)) ? kInfinity : 1.0); });
+        const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25,
+                                       [&](Vec2 p) { return even(inBlock(seen(p)) ? kInfinity : 1.0); });
         EikonalSolver solver;
         CostField field;
         solver.solve(cost, seen({6, 0}), {}, field);
@@ -41,7 +44,8 @@ TEST_CASE("who stands exactly before slow ground takes one of the two equal ways
         CAPTURE(slow);
         // Deep and narrow: 4 m through at `slow`, or about a metre more round it.
         const auto onPatch = [](Vec2 p) { return p.x > -4.0 && p.x < 0.0 && std::fabs(p.y) < 1.0; };
-        const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25, [&](Vec2 p) { return even(onPatch(p) ? slow : 1.0); });
+        const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25,
+                                       [&](Vec2 p) { return even(onPatch(p) ? slow : 1.0); });
         EikonalSolver solver;
         CostField field;
         solver.solve(cost, {3, 0}, {}, field);

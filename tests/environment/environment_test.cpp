@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "environment/scene.h"
 #include "base/archive.h"
 #include "base/maths.h"
 #include "base/random.h"
+#include "environment/scene.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -40,7 +40,8 @@ void checkRasters(const Environment& environment) {
     int wrong = 0;
     for (std::int32_t i = 0; i < grid.count(); ++i) {
         const Vec2 p = grid.centre(grid.at(i));
-        const double edge = std::min(std::min(p.x - box.min.x, box.max.x - p.x), std::min(p.y - box.min.y, box.max.y - p.y));
+        const double edge = std::min(std::min(p.x - box.min.x, box.max.x - p.x),
+                                     std::min(p.y - box.min.y, box.max.y - p.y));
         const double expected = std::min({bruteDistance(environment, p), edge, Environment::kClearanceLimit});
         const double found = environment.clearance()[i];
         // Inside concave obstacles the depth counts to the nearest part's surface only.
@@ -50,8 +51,10 @@ void checkRasters(const Environment& environment) {
 }
 
 bool sameRasters(const Environment& a, const Environment& b) {
-    return std::equal(a.clearance().begin(), a.clearance().end(), b.clearance().begin(), b.clearance().end()) &&
-           std::equal(a.travelSpeed().begin(), a.travelSpeed().end(), b.travelSpeed().begin(), b.travelSpeed().end());
+    return std::equal(a.clearance().begin(), a.clearance().end(), b.clearance().begin(),
+                      b.clearance().end()) &&
+           std::equal(a.travelSpeed().begin(), a.travelSpeed().end(), b.travelSpeed().begin(),
+                      b.travelSpeed().end());
 }
 
 }  // namespace
@@ -60,7 +63,8 @@ TEST_CASE("clearance equals brute force, still and moving, after any edit") {
     Random random(1);
     for (int round = 0; round < 6; ++round) {
         Environment environment = emptyWorld(20.0, 0.25);
-        for (int i = 0; i < 8; ++i) REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, i % 2 == 0)).ok());
+        for (int i = 0; i < 8; ++i)
+            REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, i % 2 == 0)).ok());
         checkRasters(environment);
         for (const double time : {0.0, 1.7, 4.0, 12.3, 3.1}) {
             environment.setTime(time);
@@ -68,8 +72,10 @@ TEST_CASE("clearance equals brute force, still and moving, after any edit") {
         }
         REQUIRE(environment.removeObstacle(environment.obstacleIds()[1]).ok());
         checkRasters(environment);
-        REQUIRE(environment.changeObstacle(environment.obstacleIds()[2], randomObstacle(random, 9.0, true)).ok());
-        REQUIRE(environment.changeObstacle(environment.obstacleIds()[3], randomObstacle(random, 9.0, false)).ok());
+        REQUIRE(
+            environment.changeObstacle(environment.obstacleIds()[2], randomObstacle(random, 9.0, true)).ok());
+        REQUIRE(environment.changeObstacle(environment.obstacleIds()[3], randomObstacle(random, 9.0, false))
+                    .ok());
         checkRasters(environment);
     }
 }
@@ -106,7 +112,8 @@ TEST_CASE("rasters depend on the definitions and the clock, not on how they came
 TEST_CASE("saved and loaded, an environment answers alike") {
     Random random(3);
     Environment environment = emptyWorld(20.0, 0.25);
-    for (int i = 0; i < 10; ++i) REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, i % 3 == 0)).ok());
+    for (int i = 0; i < 10; ++i)
+        REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, i % 3 == 0)).ok());
     for (int i = 0; i < 5; ++i) REQUIRE(environment.addPatch(randomPatch(random, 9.0, i % 2 == 0)).ok());
     REQUIRE(environment.removeObstacle(environment.obstacleIds()[9]).ok());
     environment.setTime(2.25);
@@ -124,7 +131,8 @@ TEST_CASE("saved and loaded, an environment answers alike") {
     loaded.hash(b);
     CHECK(a.value() == b.value());
     for (int i = 0; i < 200; ++i) {
-        const Vec2 p{random.uniform(-10, 10), random.uniform(-10, 10)}, q{random.uniform(-10, 10), random.uniform(-10, 10)};
+        const Vec2 p{random.uniform(-10, 10), random.uniform(-10, 10)},
+            q{random.uniform(-10, 10), random.uniform(-10, 10)};
         CHECK(environment.potentialField(p) == loaded.potentialField(p));
         CHECK(environment.pushOut(p, 0.3) == loaded.pushOut(p, 0.3));
         CHECK(environment.distanceToObstacle(p) == loaded.distanceToObstacle(p));
@@ -153,7 +161,8 @@ TEST_CASE("broken archives are refused and change nothing") {
     Random random(5);
     for (int i = 0; i < 2000; ++i) {
         std::vector<std::uint8_t> bytes = writer.bytes();
-        bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::uint8_t>(random.next());
+        bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::uint8_t>(
+            random.next());
         Reader reader(bytes);
         Environment other;
         // Whatever loads must answer.

@@ -1,3 +1,4 @@
+#include "folders.h"
 #include "muster/map_import.h"
 
 #include <doctest.h>
@@ -6,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/stopwatch.h"
 #include "environment/rectangle_cover.h"
 #include "environment/scene.h"
-#include "base/stopwatch.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -16,7 +17,7 @@ using namespace muster::test;
 namespace {
 
 std::string readMap(const char* name) {
-    std::ifstream file(std::string(MUSTER_SOURCE_DIR) + "/../shared/maps/" + name, std::ios::binary);
+    std::ifstream file(sourceFolder() + "/../shared/maps/" + name, std::ios::binary);
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
@@ -29,7 +30,9 @@ std::string messageOf(const std::string& text) {
     return map.status().message();
 }
 
-bool isBlocked(char c) { return c == '@' || c == 'O' || c == 'T' || c == 'W'; }
+bool isBlocked(char c) {
+    return c == '@' || c == 'O' || c == 'T' || c == 'W';
+}
 
 // How many of the rectangles hold each cell's centre, counted cell by cell.
 std::vector<int> countCells(const MapGrid& map, const MapDef& def, const std::vector<Polygon>& polygons) {
@@ -41,7 +44,8 @@ std::vector<int> countCells(const MapGrid& map, const MapDef& def, const std::ve
             if (y < box.min.y || y > box.max.y) continue;
             for (std::int32_t column = 0; column < map.width; ++column) {
                 const double x = def.origin.x + (column + 0.5) * def.metresPerCell;
-                if (x > box.min.x && x < box.max.x) count[row * map.width + column] += containsPoint(polygon, {x, y}) ? 1 : 0;
+                if (x > box.min.x && x < box.max.x)
+                    count[row * map.width + column] += containsPoint(polygon, {x, y}) ? 1 : 0;
             }
         }
     }
@@ -52,7 +56,8 @@ std::vector<int> countCells(const MapGrid& map, const MapDef& def, const std::ve
 
 TEST_CASE("a small map, with any line ends") {
     for (const std::string end : {"\n", "\r\n"}) {
-        const std::string text = "type octile" + end + "height 3" + end + "width 4" + end + "map" + end + "..@@" + end + "G.TO" + end + "SS.W" + end;
+        const std::string text = "type octile" + end + "height 3" + end + "width 4" + end + "map" + end +
+                                 "..@@" + end + "G.TO" + end + "SS.W" + end;
         const auto map = parseMap(text);
         REQUIRE(map.ok());
         CHECK(map->width == 4);
@@ -77,19 +82,22 @@ TEST_CASE("errors name the line") {
     CHECK(messageOf("") == "line 1: the file ends before `map`");
     CHECK(messageOf("type tile\n") == "line 1: expected `type octile`, found type `tile`");
     CHECK(messageOf("type octile\nheight x\n") == "line 2: expected height from 1 to 4096, found `x`");
-    CHECK(messageOf("type octile\nheight 99999\n") == "line 2: expected height from 1 to 4096, found `99999`");
+    CHECK(messageOf("type octile\nheight 99999\n") ==
+          "line 2: expected height from 1 to 4096, found `99999`");
     CHECK(messageOf("type octile\nheight 0\n").find("line 2") == 0);
     CHECK(messageOf("type octile\nheight 2\nmap\n..") == "line 3: the header gives no width before `map`");
     CHECK(messageOf("hello\n") == "line 1: expected type, height, width or map, found `hello`");
     const std::string head = "type octile\nheight 2\nwidth 3\nmap\n";
     CHECK(messageOf(head + "...\n..\n") == "line 6: expected a row of 3 cells, found 2");
     CHECK(messageOf(head + "...\n") == "line 6: expected 2 rows, found 1");
-    CHECK(messageOf(head + "...\n.x.\n") == "line 6: unknown cell in column 2: expected one of . G S @ O T W");
+    CHECK(messageOf(head + "...\n.x.\n") ==
+          "line 6: unknown cell in column 2: expected one of . G S @ O T W");
     CHECK(messageOf(head + "...\n...\n...\n") == "line 7: more rows than the height of 2");
     Random random(1);
     for (int i = 0; i < 3000; ++i) {
         std::string text = head + "...\n.@.\n";
-        for (int k = 0; k < 3; ++k) text[random.below(static_cast<std::uint32_t>(text.size()))] = static_cast<char>(random.next());
+        for (int k = 0; k < 3; ++k)
+            text[random.below(static_cast<std::uint32_t>(text.size()))] = static_cast<char>(random.next());
         const auto map = parseMap(text);
         if (map.ok()) CHECK(map->cells.size() == static_cast<std::size_t>(map->width * map->height));
     }
@@ -98,7 +106,8 @@ TEST_CASE("errors name the line") {
 TEST_CASE("rectangles cover random masks exactly once") {
     Random random(9);
     for (int round = 0; round < 200; ++round) {
-        const auto width = static_cast<std::int32_t>(1 + random.below(20)), height = static_cast<std::int32_t>(1 + random.below(20));
+        const auto width = static_cast<std::int32_t>(1 + random.below(20)),
+                   height = static_cast<std::int32_t>(1 + random.below(20));
         std::vector<char> marked(static_cast<std::size_t>(width * height));
         const double share = random.uniform();
         for (char& m : marked) m = random.uniform() < share ? 1 : 0;
@@ -117,7 +126,8 @@ TEST_CASE("cells that touch at a corner leave no slit") {
     Environment environment = emptyWorld(20.0, 0.25);
     const auto map = parseMap("type octile\nheight 2\nwidth 2\nmap\n@.\n.@\n");
     REQUIRE(map.ok());
-    for (const ObstacleDef& def : mapObstacles(*map, {0.7, {-0.7, -0.7}, 0.4})) REQUIRE(environment.addObstacle(def).ok());
+    for (const ObstacleDef& def : mapObstacles(*map, {0.7, {-0.7, -0.7}, 0.4}))
+        REQUIRE(environment.addObstacle(def).ok());
     CHECK(!environment.clearLine({-1, -1}, {1, 1}, 1e-3));
     CHECK(!environment.clearLine({-1, -1}, {1, 1}, 0.0));
     CHECK(environment.narrowGaps(0.5).empty());
@@ -145,7 +155,8 @@ TEST_CASE("real maps: every blocked cell in one piece, no free one in any") {
         }
         CHECK(wrong == 0);
         CHECK(polygons.size() * 8 < static_cast<std::size_t>(blocked));
-        MESSAGE(std::string(name), ": ", blocked, " blocked cells in ", polygons.size(), " pieces, ", ms, " ms");
+        MESSAGE(std::string(name), ": ", blocked, " blocked cells in ", polygons.size(), " pieces, ", ms,
+                " ms");
     }
 }
 
@@ -163,7 +174,8 @@ TEST_CASE("Berlin as an environment: the raster tells walls from streets") {
     auto made = Environment::create(def);
     REQUIRE(made.ok());
     Environment& environment = *made;
-    for (const ObstacleDef& obstacle : mapObstacles(*map, {})) REQUIRE(environment.addObstacle(obstacle).ok());
+    for (const ObstacleDef& obstacle : mapObstacles(*map, {}))
+        REQUIRE(environment.addObstacle(obstacle).ok());
     const Grid& grid = environment.grid();
     int wrong = 0;
     for (std::int32_t i = 0; i < grid.count(); ++i) {
@@ -176,8 +188,10 @@ TEST_CASE("Berlin as an environment: the raster tells walls from streets") {
     Random random(3);
     int joined = 0;
     for (int i = 0; i < 30; ++i) {
-        const Vec2 a = environment.nearestInRegion({random.uniform(0, 256), random.uniform(0, 256)}, 0.25, -1);
-        const Vec2 b = environment.nearestInRegion({random.uniform(0, 256), random.uniform(0, 256)}, 0.25, -1);
+        const Vec2 a = environment.nearestInRegion({random.uniform(0, 256), random.uniform(0, 256)}, 0.25,
+                                                   -1);
+        const Vec2 b = environment.nearestInRegion({random.uniform(0, 256), random.uniform(0, 256)}, 0.25,
+                                                   -1);
         const bool same = environment.region(a, 0.25) == environment.region(b, 0.25);
         CHECK(environment.findPath(a, b, 0.25, 1000000).empty() == !same);
         joined += same ? 1 : 0;

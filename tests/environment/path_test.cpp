@@ -17,9 +17,12 @@ double lengthOf(const std::vector<Vec2>& way) {
 }
 
 // Cheapest way on the cells by relaxing until nothing changes; infinity where there is none.
-double relaxedCost(const Grid& grid, std::span<const float> clearance, double radius, std::int32_t start, std::int32_t goal) {
+double relaxedCost(const Grid& grid, std::span<const float> clearance, double radius, std::int32_t start,
+                   std::int32_t goal) {
     std::vector<double> cost(static_cast<std::size_t>(grid.count()), INFINITY);
-    const auto free = [&](std::int32_t x, std::int32_t y) { return grid.contains({x, y}) && clearance[grid.index({x, y})] >= radius; };
+    const auto free = [&](std::int32_t x, std::int32_t y) {
+        return grid.contains({x, y}) && clearance[grid.index({x, y})] >= radius;
+    };
     cost[start] = 0.0;
     for (bool changed = true; changed;) {
         changed = false;
@@ -27,7 +30,9 @@ double relaxedCost(const Grid& grid, std::span<const float> clearance, double ra
             const Cell c = grid.at(i);
             for (int k = 0; k < 9; ++k) {
                 const std::int32_t dx = k % 3 - 1, dy = k / 3 - 1;
-                if (k == 4 || !free(c.x, c.y) || !free(c.x + dx, c.y + dy) || !free(c.x + dx, c.y) || !free(c.x, c.y + dy)) continue;
+                if (k == 4 || !free(c.x, c.y) || !free(c.x + dx, c.y + dy) || !free(c.x + dx, c.y) ||
+                    !free(c.x, c.y + dy))
+                    continue;
                 const double step = dx != 0 && dy != 0 ? std::sqrt(2.0) : 1.0;
                 const double through = cost[grid.index({c.x + dx, c.y + dy})] + step;
                 if (through < cost[i] - 1e-9) {
@@ -47,11 +52,14 @@ TEST_CASE("ways on the cells are the cheapest there are") {
     PathSearch search;
     for (int round = 0; round < 12; ++round) {
         Environment environment = emptyWorld(20.0, 0.5);
-        for (int i = 0; i < 20; ++i) REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, false)).ok());
+        for (int i = 0; i < 20; ++i)
+            REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, false)).ok());
         const Grid& grid = environment.grid();
         for (int i = 0; i < 6; ++i) {
-            const auto start = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(grid.count())));
-            const auto goal = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(grid.count())));
+            const auto start = static_cast<std::int32_t>(
+                random.below(static_cast<std::uint32_t>(grid.count())));
+            const auto goal = static_cast<std::int32_t>(
+                random.below(static_cast<std::uint32_t>(grid.count())));
             if (environment.clearance()[start] < 0.3 || environment.clearance()[goal] < 0.3) continue;
             const double expected = relaxedCost(grid, environment.clearance(), 0.3, start, goal);
             const auto cells = search.run(grid, environment.clearance(), 0.3, start, goal, 1000000);
@@ -59,7 +67,8 @@ TEST_CASE("ways on the cells are the cheapest there are") {
             if (cells.empty()) continue;
             double cost = 0.0;
             for (std::size_t k = 0; k + 1 < cells.size(); ++k) {
-                cost += distance(grid.centre(grid.at(cells[k])), grid.centre(grid.at(cells[k + 1]))) / grid.cell;
+                cost += distance(grid.centre(grid.at(cells[k])), grid.centre(grid.at(cells[k + 1]))) /
+                        grid.cell;
             }
             CHECK(cost == doctest::Approx(expected));
             CHECK(cells.front() == start);

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "environment/scene.h"
 #include "base/archive.h"
+#include "environment/scene.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -15,7 +15,8 @@ namespace {
 Environment anyWorld(Random& random) {
     Environment environment = emptyWorld(16.0, *rc::gen::element(0.2, 0.25, 0.5));
     const int obstacles = *rc::gen::inRange(0, 20);
-    for (int i = 0; i < obstacles; ++i) RC_ASSERT(environment.addObstacle(randomObstacle(random, 8.0, i % 2 == 0)).ok());
+    for (int i = 0; i < obstacles; ++i)
+        RC_ASSERT(environment.addObstacle(randomObstacle(random, 8.0, i % 2 == 0)).ok());
     for (int i = 0; i < 3; ++i) RC_ASSERT(environment.addPatch(randomPatch(random, 8.0, i % 2 == 0)).ok());
     return environment;
 }
@@ -28,7 +29,8 @@ TEST_CASE("property: discs pushed out are free, ways keep to free cells, nothing
         Environment environment = anyWorld(random);
         environment.setTime(random.uniform(-1, 9));
         for (int i = 0; i < 20; ++i) {
-            const Vec2 p{random.uniform(-9, 9), random.uniform(-9, 9)}, q{random.uniform(-9, 9), random.uniform(-9, 9)};
+            const Vec2 p{random.uniform(-9, 9), random.uniform(-9, 9)},
+                q{random.uniform(-9, 9), random.uniform(-9, 9)};
             const Vec2 free = environment.pushOut(p, 0.25);
             RC_ASSERT(environment.distanceToObstacle(free) > 0.25 - 1e-6);
             RC_ASSERT(isFinite(environment.potentialField(p)));

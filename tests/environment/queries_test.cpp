@@ -12,12 +12,15 @@ namespace {
 
 Environment randomWorld(Random& random, int obstacles, double time = 1.1) {
     Environment environment = emptyWorld(20.0, 0.25);
-    for (int i = 0; i < obstacles; ++i) REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, i % 3 == 0)).ok());
+    for (int i = 0; i < obstacles; ++i)
+        REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, i % 3 == 0)).ok());
     environment.setTime(time);
     return environment;
 }
 
-Vec2 randomPlace(Random& random, double reach = 10.0) { return {random.uniform(-reach, reach), random.uniform(-reach, reach)}; }
+Vec2 randomPlace(Random& random, double reach = 10.0) {
+    return {random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
 
 // Over all pieces, without bins or rasters.
 double bruteDistance(const Environment& environment, Vec2 p, double limit) {
@@ -50,9 +53,11 @@ TEST_CASE("distances, near pieces and fields equal sums over all pieces") {
             }
             CHECK(distance(environment.potentialField(p), field) < 1e-12);
             std::vector<Vec2> visited;
-            environment.forPiecesNear(p, limit, [&](const ObstaclePiece& piece) { visited.push_back(piece.centre); });
+            environment.forPiecesNear(p, limit,
+                                      [&](const ObstaclePiece& piece) { visited.push_back(piece.centre); });
             REQUIRE(visited.size() == found.size());
-            for (std::size_t k = 0; k < found.size(); ++k) CHECK(visited[k] == environment.pieces()[found[k]].centre);
+            for (std::size_t k = 0; k < found.size(); ++k)
+                CHECK(visited[k] == environment.pieces()[found[k]].centre);
         }
     }
 }
@@ -70,7 +75,8 @@ TEST_CASE("who is close to an obstacle or to the edge is told as by looking at e
         std::vector<std::uint8_t> close(points.size(), 2);
         environment.markClose(points, reach, close);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const bool expected = !room.contains(points[i]) || bruteDistance(environment, points[i], reach) < reach;
+            const bool expected = !room.contains(points[i]) ||
+                                  bruteDistance(environment, points[i], reach) < reach;
             CHECK(close[i] == (expected ? 1 : 0));
         }
     }
@@ -102,7 +108,8 @@ TEST_CASE("clear lines keep the disc off every obstacle and in the box") {
             const Vec2 a = randomPlace(random), b = randomPlace(random);
             const double radius = random.uniform(0.0, 0.6);
             double nearest = 1e9;
-            for (const ObstaclePiece& piece : environment.pieces()) nearest = std::min(nearest, piece.segmentDistance(a, b));
+            for (const ObstaclePiece& piece : environment.pieces())
+                nearest = std::min(nearest, piece.segmentDistance(a, b));
             const Box room = environment.def().box.grown(-radius);
             const bool expected = nearest > radius && room.contains(a) && room.contains(b);
             CHECK(environment.clearLine(a, b, radius) == expected);
@@ -187,7 +194,8 @@ TEST_CASE("ground takes the slowest patch, exactly; the raster takes every cell 
             if (least[i] < 1e8f) CHECK(found <= least[i]);
             const Vec2 c = grid.centre(grid.at(i));
             bool near = false;
-            for (const Polygon& polygon : polygons) near = near || signedDistance(polygon, c) < 0.5 * 1.4143 * grid.cell;
+            for (const Polygon& polygon : polygons)
+                near = near || signedDistance(polygon, c) < 0.5 * 1.4143 * grid.cell;
             if (!near) CHECK(found == 1.0f);
         }
     }
@@ -215,7 +223,8 @@ TEST_CASE("region labels equal a flood in row-major order; nearest cells equal a
         // Without the moving ones, as the labels are.
         Environment still = emptyWorld(20.0, 0.25);
         for (ObstacleId id : environment.obstacleIds()) {
-            if (environment.obstacle(id)->path.still()) REQUIRE(still.addObstacle(*environment.obstacle(id)).ok());
+            if (environment.obstacle(id)->path.still())
+                REQUIRE(still.addObstacle(*environment.obstacle(id)).ok());
         }
         const Grid& grid = environment.grid();
         for (const double radius : {0.2, 0.45}) {
@@ -227,8 +236,11 @@ TEST_CASE("region labels equal a flood in row-major order; nearest cells equal a
                 label[first] = next;
                 for (std::size_t k = 0; k < queue.size(); ++k) {
                     const Cell c = queue[k];
-                    for (const Cell n : {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
-                        if (!grid.contains(n) || label[grid.index(n)] >= 0 || still.clearance()[grid.index(n)] < radius) continue;
+                    for (const Cell n :
+                         {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
+                        if (!grid.contains(n) || label[grid.index(n)] >= 0 ||
+                            still.clearance()[grid.index(n)] < radius)
+                            continue;
                         label[grid.index(n)] = next;
                         queue.push_back(n);
                     }
@@ -242,11 +254,14 @@ TEST_CASE("region labels equal a flood in row-major order; nearest cells equal a
             CHECK(wrong == 0);
             for (int i = 0; i < 60; ++i) {
                 const Vec2 p = randomPlace(random, 12.0);
-                const std::int32_t wanted = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(next + 1))) - 1;
+                const std::int32_t wanted = static_cast<std::int32_t>(
+                                                random.below(static_cast<std::uint32_t>(next + 1))) -
+                                            1;
                 const Vec2 found = environment.nearestInRegion(p, radius, wanted);
                 double best = 1e9;
                 for (std::int32_t k = 0; k < grid.count(); ++k) {
-                    if (wanted < 0 ? label[k] >= 0 : label[k] == wanted) best = std::min(best, distance(grid.centre(grid.at(k)), p));
+                    if (wanted < 0 ? label[k] >= 0 : label[k] == wanted)
+                        best = std::min(best, distance(grid.centre(grid.at(k)), p));
                 }
                 const std::int32_t here = environment.region(p, radius);
                 if (here >= 0 && (wanted < 0 || here == wanted)) {
@@ -267,7 +282,7 @@ TEST_CASE("narrow gaps between obstacles are found by width") {
     REQUIRE(environment.addObstacle(rectangle({0, 0}, {2, 2})).ok());
     REQUIRE(environment.addObstacle(rectangle({2.3, 0}, {4, 2})).ok());
     REQUIRE(environment.addObstacle(disc({1, 3.4}, 1.0)).ok());
-    REQUIRE(environment.addObstacle(rectangle({4, 0}, {6, 2})).ok());   // touches the second
+    REQUIRE(environment.addObstacle(rectangle({4, 0}, {6, 2})).ok());  // touches the second
     REQUIRE(environment.addObstacle(disc({-5, -5}, 1.0)).ok());
     REQUIRE(environment.addObstacle(disc({-5, -2.6}, 1.0)).ok());
     const auto gaps = environment.narrowGaps(0.5);
@@ -285,7 +300,8 @@ TEST_CASE("narrow gaps between obstacles are found by width") {
     CHECK(environment.narrowGaps(0.5, 2).size() == 2);
     // A third obstacle that fills the gap.
     REQUIRE(environment.addObstacle(rectangle({1.5, -1}, {2.5, 3})).ok());
-    for (const NarrowGap& gap : environment.narrowGaps(0.35)) CHECK(!(gap.a == ObstacleId{1} && gap.b == ObstacleId{2}));
+    for (const NarrowGap& gap : environment.narrowGaps(0.35))
+        CHECK(!(gap.a == ObstacleId{1} && gap.b == ObstacleId{2}));
 }
 
 TEST_CASE("narrow gaps within one obstacle, to the edge of the world, and beside where two touch") {
@@ -304,7 +320,7 @@ TEST_CASE("narrow gaps within one obstacle, to the edge of the world, and beside
     const Box box = edge.def().box;
     REQUIRE(edge.addObstacle(rectangle({box.min.x + 0.3, 0}, {box.min.x + 2, 1})).ok());
     REQUIRE(edge.addObstacle(disc({0, box.max.y - 1.2}, 1.0)).ok());
-    REQUIRE(edge.addObstacle(rectangle({1, box.min.y}, {2, box.min.y + 1})).ok());  // Touches it.
+    REQUIRE(edge.addObstacle(rectangle({1, box.min.y}, {2, box.min.y + 1})).ok());      // Touches it.
     REQUIRE(edge.addObstacle(rectangle({box.max.x - 1, 0}, {box.max.x + 1, 1})).ok());  // Lies across it.
     gaps = edge.narrowGaps(0.5);
     REQUIRE(gaps.size() == 2);

@@ -50,7 +50,8 @@ inline Polygon randomStar(Random& random, Vec2 centre, double least, double most
 inline TimedPath randomPath(Random& random) {
     TimedPath path;
     for (int i = 0; i < 3; ++i) {
-        path.waypoints.push_back({2.0 * i, {random.uniform(-4, 4), random.uniform(-4, 4)}, random.uniform(-3, 3)});
+        path.waypoints.push_back(
+            {2.0 * i, {random.uniform(-4, 4), random.uniform(-4, 4)}, random.uniform(-3, 3)});
     }
     path.loop = random.below(2) == 0;
     return path;
@@ -58,14 +59,16 @@ inline TimedPath randomPath(Random& random) {
 
 inline ObstacleDef randomObstacle(Random& random, double reach, bool moves) {
     const Vec2 centre{random.uniform(-reach, reach), random.uniform(-reach, reach)};
-    ObstacleDef def = random.below(2) == 0 ? disc(centre, random.uniform(0.2, 1.5)) : block(randomStar(random, centre, 0.4, 2.0));
+    ObstacleDef def = random.below(2) == 0 ? disc(centre, random.uniform(0.2, 1.5))
+                                           : block(randomStar(random, centre, 0.4, 2.0));
     if (moves) def.path = randomPath(random);
     return def;
 }
 
 inline PatchDef randomPatch(Random& random, double reach, bool moves) {
     PatchDef def;
-    def.polygon = randomStar(random, {random.uniform(-reach, reach), random.uniform(-reach, reach)}, 0.8, 4.0);
+    def.polygon = randomStar(random, {random.uniform(-reach, reach), random.uniform(-reach, reach)}, 0.8,
+                             4.0);
     def.motion = static_cast<MotionId>(random.below(7));
     def.speed = random.below(2) == 0 ? -1.0 : random.uniform(0.1, 1.5);
     if (moves) def.path = randomPath(random);

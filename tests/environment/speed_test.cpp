@@ -5,9 +5,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/stopwatch.h"
 #include "counting_new.h"
 #include "environment/scene.h"
-#include "base/stopwatch.h"
+#include "folders.h"
 #include "muster/map_import.h"
 
 using namespace muster;
@@ -22,7 +23,7 @@ Environment town() {
     def.cell = 0.5;
     auto made = Environment::create(def);
     REQUIRE(made.ok());
-    std::ifstream file(std::string(MUSTER_SOURCE_DIR) + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
+    std::ifstream file(sourceFolder() + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
     std::stringstream text;
     text << file.rdbuf();
     const auto map = parseMap(text.str());
@@ -71,17 +72,20 @@ TEST_CASE("queries in a town allocate nothing") {
     const double adding = building.milliseconds();
     building.restart();
     environment.setTime(0.0);
-    MESSAGE(environment.pieces().size(), " pieces: adding ", adding, " ms, caches ", building.milliseconds(), " ms");
+    MESSAGE(environment.pieces().size(), " pieces: adding ", adding, " ms, caches ", building.milliseconds(),
+            " ms");
     Random random(2);
     std::vector<Vec2> places;
     for (int i = 0; i < 10000; ++i) {
         const Vec2 p{random.uniform(1, 255), random.uniform(1, 255)};
-        places.push_back(environment.nearestInRegion(p, 0.25, -1) + Vec2{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)});
+        places.push_back(environment.nearestInRegion(p, 0.25, -1) +
+                         Vec2{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)});
     }
     const int count = static_cast<int>(places.size());
     double sum = 0.0;
     std::vector<std::int32_t> found;
-    const double distances = microsecondsEach(count, [&](int i) { sum += environment.distanceToObstacle(places[i]); });
+    const double distances = microsecondsEach(
+        count, [&](int i) { sum += environment.distanceToObstacle(places[i]); });
     const double near = microsecondsEach(count, [&](int i) {
         environment.piecesNear(places[i], 1.0, found);
         sum += static_cast<double>(found.size());
@@ -89,19 +93,24 @@ TEST_CASE("queries in a town allocate nothing") {
     const double visits = microsecondsEach(count, [&](int i) {
         environment.forPiecesNear(places[i], 1.0, [&](const ObstaclePiece& piece) { sum += piece.radius; });
     });
-    const double pushes = microsecondsEach(count, [&](int i) { sum += environment.pushOut(places[i], 0.25).x; });
-    const double fields = microsecondsEach(count, [&](int i) { sum += environment.potentialField(places[i]).x; });
-    const double grounds = microsecondsEach(count, [&](int i) { sum += environment.ground(places[i]).travelSpeed; });
+    const double pushes = microsecondsEach(count,
+                                           [&](int i) { sum += environment.pushOut(places[i], 0.25).x; });
+    const double fields = microsecondsEach(count,
+                                           [&](int i) { sum += environment.potentialField(places[i]).x; });
+    const double grounds = microsecondsEach(count,
+                                            [&](int i) { sum += environment.ground(places[i]).travelSpeed; });
     const double lines = microsecondsEach(count, [&](int i) {
         sum += environment.clearLine(places[i], places[i] + Vec2{6.0, 3.0}, 0.25) ? 1.0 : 0.0;
     });
     const double labels = microsecondsEach(count, [&](int i) { sum += environment.region(places[i], 0.25); });
-    MESSAGE("us per call: distanceToObstacle ", distances, ", piecesNear 1 m ", near, ", forPiecesNear 1 m ", visits,
-            ", pushOut ", pushes, ", potentialField ", fields, ", ground ", grounds, ", clearLine 6.7 m ", lines, ", region ", labels);
+    MESSAGE("us per call: distanceToObstacle ", distances, ", piecesNear 1 m ", near, ", forPiecesNear 1 m ",
+            visits, ", pushOut ", pushes, ", potentialField ", fields, ", ground ", grounds,
+            ", clearLine 6.7 m ", lines, ", region ", labels);
     CHECK(std::isfinite(sum));
     Stopwatch watch;
     int ways = 0;
-    for (int i = 0; i < 100; ++i) ways += environment.findPath(places[i], places[i + 100], 0.25, 1000000).empty() ? 0 : 1;
+    for (int i = 0; i < 100; ++i)
+        ways += environment.findPath(places[i], places[i + 100], 0.25, 1000000).empty() ? 0 : 1;
     MESSAGE("findPath across the town: ", watch.milliseconds() / 100, " ms, ", ways, " of 100 found");
     watch.restart();
     const std::size_t gaps = environment.narrowGaps(0.5).size();

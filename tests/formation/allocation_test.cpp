@@ -18,7 +18,8 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
     environment.setTime(0.0);
     Stage s(square(100));
     for (std::uint32_t t = 0; t < 3; ++t) REQUIRE(s.down(t, s.vertex(static_cast<std::int32_t>(t * 40))));
-    for (std::uint32_t t = 0; t < 3; ++t) s.move(t, s.vertex(static_cast<std::int32_t>(t * 40)) + Vec2{4.0, 1.0 * t});
+    for (std::uint32_t t = 0; t < 3; ++t)
+        s.move(t, s.vertex(static_cast<std::int32_t>(t * 40)) + Vec2{4.0, 1.0 * t});
     PlaceTracker places;
     std::vector<Vec2> targets;
     long byPlaces = 0;
@@ -74,7 +75,8 @@ TEST_CASE("places that find their ways round a block and through a patch again a
         }
         if (way >= 4) counted += allocations - before;
         double worst = 0.0;
-        for (std::size_t k = 0; k < targets.size(); ++k) worst = std::max(worst, distance(places.positions()[k], targets[k]));
+        for (std::size_t k = 0; k < targets.size(); ++k)
+            worst = std::max(worst, distance(places.positions()[k], targets[k]));
         CHECK(worst < 0.1);
     }
     CHECK(detours > 0);  // They did go round.

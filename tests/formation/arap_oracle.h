@@ -9,7 +9,8 @@
 namespace muster::test {
 
 /// One call for the easy case: no state kept.
-inline Result<std::vector<Vec2>> deformAsRigidAsPossible(const TriangleMesh& rest, std::span<const std::int32_t> hard,
+inline Result<std::vector<Vec2>> deformAsRigidAsPossible(const TriangleMesh& rest,
+                                                         std::span<const std::int32_t> hard,
                                                          std::span<const Vec2> targets) {
     ArapSolver solver;
     Status status = solver.setMesh(rest);
@@ -20,15 +21,15 @@ inline Result<std::vector<Vec2>> deformAsRigidAsPossible(const TriangleMesh& res
     return vertices;
 }
 
-/// The as-rigid-as-possible energy: over triangles, the squared edge differences to the best rotation of the rest
-/// triangle [m^2].
+/// The as-rigid-as-possible energy: over triangles, the squared edge differences to the best rotation of the
+/// rest triangle [m^2].
 inline double arapEnergy(const TriangleMesh& rest, std::span<const Vec2> vertices) {
     double sum = 0.0;
     for (const Triangle& t : rest.triangles) {
         std::vector<Vec2> from, to;
         for (const std::int32_t v : t) {
-            from.push_back(rest.vertices[static_cast<std::size_t>(v)]);
-            to.push_back(vertices[static_cast<std::size_t>(v)]);
+            from.push_back(rest.vertices[v]);
+            to.push_back(vertices[v]);
         }
         const Rotation rotation = bestRigidFit(from, to).rotation;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -9,8 +9,8 @@
 #include <new>
 
 #include "base/maths.h"
-#include "formation/arap_oracle.h"
 #include "base/random.h"
+#include "formation/arap_oracle.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -32,7 +32,9 @@ TriangleMesh grid(int columns, int rows, double cell = 1.0) {
     return mesh;
 }
 
-Pose poseOf(double angle, Vec2 position) { return {position, {cosine(angle), sine(angle)}}; }
+Pose poseOf(double angle, Vec2 position) {
+    return {position, {cosine(angle), sine(angle)}};
+}
 
 // The second algorithm: alternating local rotations and a global solve (after Sorkine and Alexa 2007,
 // per triangle), dense, run to convergence.
@@ -66,9 +68,10 @@ std::vector<Vec2> localGlobal(const TriangleMesh& rest, const std::vector<std::i
                 b(t[k], 0) -= e.x, b(t[k], 1) -= e.y;
             }
         }
-        for (std::size_t k = 0; k < hard.size(); ++k) b(hard[k], 0) = targets[k].x, b(hard[k], 1) = targets[k].y;
+        for (std::size_t k = 0; k < hard.size(); ++k)
+            b(hard[k], 0) = targets[k].x, b(hard[k], 1) = targets[k].y;
         const Eigen::MatrixXd x = lu.solve(b);
-        for (Eigen::Index i = 0; i < n; ++i) v[static_cast<std::size_t>(i)] = {x(i, 0), x(i, 1)};
+        for (Eigen::Index i = 0; i < n; ++i) v[i] = {x(i, 0), x(i, 1)};
         const double now = arapEnergy(rest, v);
         if (energy - now < 1e-12 * (now + 1e-12)) break;
         energy = now;
@@ -87,7 +90,8 @@ TEST_CASE("rigid motions are reproduced") {
     Random random(11);
     double worst = 0.0;
     for (int k = 0; k < 200; ++k) {
-        const TriangleMesh rest = grid(2 + static_cast<int>(random.below(8)), 1 + static_cast<int>(random.below(8)));
+        const TriangleMesh rest = grid(2 + static_cast<int>(random.below(8)),
+                                       1 + static_cast<int>(random.below(8)));
         const auto n = static_cast<std::uint32_t>(rest.vertices.size());
         std::vector<std::int32_t> hard{static_cast<std::int32_t>(random.below(n))};
         while (hard.size() < 2 + k % 4) {
@@ -96,19 +100,23 @@ TEST_CASE("rigid motions are reproduced") {
         }
         std::vector<SoftConstraint> soft;
         for (int s = 0; s < k % 5; ++s)
-            soft.push_back({{static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(rest.triangles.size()))),
-                             {0.2, 0.3, 0.5}}, random.uniform(0.1, 10.0)});
-        const Pose pose = poseOf(random.uniform(-3.1, 3.1), {random.uniform(-1000, 1000), random.uniform(-1000, 1000)});
+            soft.push_back(
+                {{static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(rest.triangles.size()))),
+                  {0.2, 0.3, 0.5}},
+                 random.uniform(0.1, 10.0)});
+        const Pose pose = poseOf(random.uniform(-3.1, 3.1),
+                                 {random.uniform(-1000, 1000), random.uniform(-1000, 1000)});
         std::vector<Vec2> hardTargets, softTargets, out;
-        for (const std::int32_t v : hard) hardTargets.push_back(pose.apply(rest.vertices[static_cast<std::size_t>(v)]));
-        for (const SoftConstraint& s : soft) softTargets.push_back(pose.apply(s.point.position(rest.triangles, rest.vertices)));
+        for (const std::int32_t v : hard) hardTargets.push_back(pose.apply(rest.vertices[v]));
+        for (const SoftConstraint& s : soft)
+            softTargets.push_back(pose.apply(s.point.position(rest.triangles, rest.vertices)));
         ArapSolver solver;
         REQUIRE(solver.setMesh(rest).ok());
         REQUIRE(solver.setConstraints(hard, soft).ok());
         REQUIRE(solver.solve(hardTargets, softTargets, out).ok());
         for (std::size_t v = 0; v < out.size(); ++v)
             worst = std::max(worst, distance(out[v], pose.apply(rest.vertices[v])) / size(rest));
-        for (std::size_t h = 0; h < hard.size(); ++h) CHECK(out[static_cast<std::size_t>(hard[h])] == hardTargets[h]);
+        for (std::size_t h = 0; h < hard.size(); ++h) CHECK(out[hard[h]] == hardTargets[h]);
     }
     MESSAGE("worst error of rigid motions, of the mesh's size: " << worst);
     CHECK(worst < 1e-9);
@@ -124,7 +132,7 @@ TEST_CASE("energy stays near that of a converged local/global solver") {
         const std::vector<std::int32_t> hard{0, 6, 42, 48};
         std::vector<Vec2> targets;
         for (const std::int32_t v : hard)
-            targets.push_back(rest.vertices[static_cast<std::size_t>(v)] +
+            targets.push_back(rest.vertices[v] +
                               Vec2{random.uniform(-pull, pull), random.uniform(-pull, pull)});
         const auto two = deformAsRigidAsPossible(rest, hard, targets);
         REQUIRE(two.ok());
@@ -155,7 +163,8 @@ TEST_CASE("the energy vanishes for rigid placements only, and grows with a stret
         const Pose turn = poseOf(angle, {});
         const Triangle& t = rest.triangles[0];
         for (std::size_t k = 0; k < 3; ++k)
-            one += lengthSquared(v[t[(k + 1) % 3]] - v[t[k]] - turn.apply(rest.vertices[t[(k + 1) % 3]] - rest.vertices[t[k]]));
+            one += lengthSquared(v[t[(k + 1) % 3]] - v[t[k]] -
+                                 turn.apply(rest.vertices[t[(k + 1) % 3]] - rest.vertices[t[k]]));
         expected = std::min(expected, one);
     }
     CHECK(arapEnergy(rest, v) == doctest::Approx(2.0 * expected).epsilon(1e-5));
@@ -207,14 +216,16 @@ TEST_CASE("parts without constraints follow rigidly instead of failing") {
     const Pose pose = poseOf(0.7, {3, -2});
     for (const std::vector<std::int32_t>& hard : {std::vector<std::int32_t>{0, 15}, {0, n}, {0, 15, n + 1}}) {
         std::vector<Vec2> targets;
-        for (const std::int32_t v : hard) targets.push_back(pose.apply(rest.vertices[static_cast<std::size_t>(v)]));
+        for (const std::int32_t v : hard) targets.push_back(pose.apply(rest.vertices[v]));
         const auto out = deformAsRigidAsPossible(rest, hard, targets);
         REQUIRE(out.ok());
-        for (std::size_t v = 0; v < out->size(); ++v) CHECK(distance((*out)[v], pose.apply(rest.vertices[v])) < 1e-8);
+        for (std::size_t v = 0; v < out->size(); ++v)
+            CHECK(distance((*out)[v], pose.apply(rest.vertices[v])) < 1e-8);
     }
     // A bow tie: two triangles that share one vertex.
     const TriangleMesh tie{{{0, 0}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}, {{0, 1, 2}, {0, 3, 4}}};
-    const auto out = deformAsRigidAsPossible(tie, std::vector<std::int32_t>{1, 2}, std::vector<Vec2>{{1, -1}, {1, 1}});
+    const auto out = deformAsRigidAsPossible(tie, std::vector<std::int32_t>{1, 2},
+                                             std::vector<Vec2>{{1, -1}, {1, 1}});
     REQUIRE(out.ok());
     for (std::size_t v = 0; v < 5; ++v) CHECK(distance((*out)[v], tie.vertices[v]) < 1e-9);
 }
@@ -227,7 +238,8 @@ TEST_CASE("all vertices held") {
 
 TEST_CASE("targets that fall together give finite shapes") {
     const TriangleMesh rest = grid(4, 4);
-    const auto out = deformAsRigidAsPossible(rest, std::vector<std::int32_t>{0, 24}, std::vector<Vec2>{{1, 1}, {1, 1}});
+    const auto out = deformAsRigidAsPossible(rest, std::vector<std::int32_t>{0, 24},
+                                             std::vector<Vec2>{{1, 1}, {1, 1}});
     REQUIRE(out.ok());
     for (const Vec2 p : *out) CHECK(isFinite(p));
 }
@@ -238,12 +250,15 @@ TEST_CASE("bad input is refused by name") {
     CHECK_FALSE(solver.setConstraints(std::vector<std::int32_t>{0, 1}, {}).ok());
     CHECK_FALSE(solver.solve({}, {}, out).ok());
     CHECK_FALSE(solver.setMesh({}).ok());
-    CHECK(solver.setMesh({{{0, 0}, {1, 0}, {2, 0}}, {{0, 1, 2}}}).message().find("triangle 0") != std::string::npos);
+    CHECK(solver.setMesh({{{0, 0}, {1, 0}, {2, 0}}, {{0, 1, 2}}}).message().find("triangle 0") !=
+          std::string::npos);
     CHECK_FALSE(solver.setMesh({{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 3}}}).ok());
     CHECK_FALSE(solver.setMesh({{{0, 0}, {1, 0}, {0, 1}, {5, 5}}, {{0, 1, 2}}}).ok());
     REQUIRE(solver.setMesh(grid(2, 2)).ok());
-    CHECK(solver.setConstraints(std::vector<std::int32_t>{0, 99}, {}).message().find("99") != std::string::npos);
-    CHECK(solver.setConstraints(std::vector<std::int32_t>{0, 0}, {}).message().find("twice") != std::string::npos);
+    CHECK(solver.setConstraints(std::vector<std::int32_t>{0, 99}, {}).message().find("99") !=
+          std::string::npos);
+    CHECK(solver.setConstraints(std::vector<std::int32_t>{0, 0}, {}).message().find("twice") !=
+          std::string::npos);
     CHECK_FALSE(solver.setConstraints(std::vector<std::int32_t>{0}, {}).ok());
     const std::vector<SoftConstraint> bad{{{0, {1, 0, 0}}, -1.0}};
     CHECK_FALSE(solver.setConstraints(std::vector<std::int32_t>{0, 1}, bad).ok());
@@ -261,7 +276,7 @@ TEST_CASE("time of one solve") {
         const auto last = static_cast<std::int32_t>(rest.vertices.size()) - 1;
         const std::vector<std::int32_t> hard{0, side, last - side, last};
         std::vector<Vec2> targets, out;
-        for (const std::int32_t v : hard) targets.push_back(rest.vertices[static_cast<std::size_t>(v)] * 1.1);
+        for (const std::int32_t v : hard) targets.push_back(rest.vertices[v] * 1.1);
         ArapSolver solver;
         REQUIRE(solver.setMesh(rest).ok());
         const auto start = std::chrono::steady_clock::now();
@@ -269,7 +284,8 @@ TEST_CASE("time of one solve") {
         const auto factorised = std::chrono::steady_clock::now();
         for (int k = 0; k < 20; ++k) REQUIRE(solver.solve(targets, {}, out).ok());
         const auto solved = std::chrono::steady_clock::now();
-        MESSAGE(rest.vertices.size() << " vertices: factorise "
+        MESSAGE(rest.vertices.size()
+                << " vertices: factorise "
                 << std::chrono::duration<double, std::milli>(factorised - start).count() << " ms, solve "
                 << std::chrono::duration<double, std::milli>(solved - factorised).count() / 20 << " ms");
     }

@@ -60,9 +60,12 @@ TEST_CASE("what cannot be is refused") {
     CHECK_FALSE(s.controls.remove(ControlId{77}));
     const std::uint32_t touches[2] = {7, 8};
     const Vec2 positions[2] = {{-3, 3}, {-3, -3}};
-    CHECK_FALSE(s.controls.addControl({}, 1, ControlKind::Area, touches, positions, 0.0, s.mesh.formation().mesh, s.mesh.userMesh()));
-    CHECK(s.controls.addControl({}, 1, ControlKind::Line, touches, positions, 0.0, s.mesh.formation().mesh, s.mesh.userMesh()));
-    CHECK_FALSE(s.controls.addControl({}, 1, ControlKind::Line, touches, positions, 0.0, s.mesh.formation().mesh, s.mesh.userMesh()));
+    CHECK_FALSE(s.controls.addControl({}, 1, ControlKind::Area, touches, positions, 0.0,
+                                      s.mesh.formation().mesh, s.mesh.userMesh()));
+    CHECK(s.controls.addControl({}, 1, ControlKind::Line, touches, positions, 0.0, s.mesh.formation().mesh,
+                                s.mesh.userMesh()));
+    CHECK_FALSE(s.controls.addControl({}, 1, ControlKind::Line, touches, positions, 0.0,
+                                      s.mesh.formation().mesh, s.mesh.userMesh()));
 }
 
 TEST_CASE("fingers and controls are limited") {
@@ -99,7 +102,8 @@ TEST_CASE("paths are cut into checkpoints of fixed spacing with interpolated tim
     REQUIRE(s.move(1, {5.2, 3}));
     const std::vector<Checkpoint>& path = s.controls.controls()[0].points[0].path;
     REQUIRE(path.size() == 5);
-    for (std::size_t k = 0; k < 4; ++k) CHECK(path[k].position.x == doctest::Approx(3.5 + 0.5 * static_cast<double>(k)));
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(path[k].position.x == doctest::Approx(3.5 + 0.5 * static_cast<double>(k)));
     CHECK(path[4].position.x == doctest::Approx(5.2));
     s.time = 8.0;
     REQUIRE(s.move(1, {7.2, 3}));
@@ -156,7 +160,8 @@ TEST_CASE("both ends of a line move on one clock") {
     const Control& line = s.controls.controls()[0];
     for (int k = 0; k < 200; ++k) {
         s.step();
-        CHECK(line.points[0].position.x - 3 == doctest::Approx(3 * (line.points[1].position.x - 3)).epsilon(1e-6));
+        CHECK(line.points[0].position.x - 3 ==
+              doctest::Approx(3 * (line.points[1].position.x - 3)).epsilon(1e-6));
     }
     CHECK(line.points[0].position.x > 8.0);
 }
@@ -219,15 +224,18 @@ TEST_CASE("supplementary points reproduce linear maps of the rest shape") {
         Stage s(formation);
         const std::uint32_t n = 2 + random.below(5);
         for (std::uint32_t t = 0; t < n; ++t) s.down(t, {random.uniform(-5, 5), random.uniform(-5, 5)});
-        const double a = random.uniform(-2, 2), b = random.uniform(-2, 2), c = random.uniform(-2, 2), d = random.uniform(-2, 2);
+        const double a = random.uniform(-2, 2), b = random.uniform(-2, 2), c = random.uniform(-2, 2),
+                     d = random.uniform(-2, 2);
         const auto map = [&](Vec2 p) { return Vec2{a * p.x + b * p.y + 3, c * p.x + d * p.y - 1}; };
         for (const Control& control : s.controls.controls()) {
             const std::size_t columns = control.points.size();
             for (std::size_t i = 0; i < control.supplementary.size(); ++i) {
                 Vec2 target;
                 for (std::size_t j = 0; j < columns; ++j)
-                    target += map(formation.mesh.vertices[static_cast<std::size_t>(control.points[j].vertex)]) * control.weights[i * columns + j];
-                const Vec2 rest = control.supplementary[i].position(formation.mesh.triangles, formation.mesh.vertices);
+                    target += map(formation.mesh.vertices[control.points[j].vertex]) *
+                              control.weights[i * columns + j];
+                const Vec2 rest = control.supplementary[i].position(formation.mesh.triangles,
+                                                                    formation.mesh.vertices);
                 REQUIRE(distance(target, map(rest)) < 1e-9);
             }
         }
@@ -321,18 +329,28 @@ TEST_CASE("random fingers never break anything") {
         const std::uint32_t client = 1 + random.below(2);
         const Vec2 p{random.uniform(-6, 6), random.uniform(-6, 6)};
         switch (random.below(12)) {
-            case 0: case 1: s.down(touch, p, client); break;
-            case 2: s.up(touch, client); break;
-            case 3: s.controls.touchCancel(client, touch); break;
-            case 4: if (!s.controls.controls().empty() && random.below(8) == 0)
-                        s.controls.setPinned(s.controls.controls()[0].id, random.below(3) == 0);
-                    break;
-            case 5: if (random.below(60) == 0) {
-                        REQUIRE(s.mesh.change(square(1 + static_cast<std::int32_t>(random.below(60)))).ok());
-                        s.controls.rebind(s.controlDef, s.mesh.formation().mesh, s.mesh.userMesh());
-                    }
-                    break;
-            default: s.move(touch, p, client);
+            case 0:
+            case 1:
+                s.down(touch, p, client);
+                break;
+            case 2:
+                s.up(touch, client);
+                break;
+            case 3:
+                s.controls.touchCancel(client, touch);
+                break;
+            case 4:
+                if (!s.controls.controls().empty() && random.below(8) == 0)
+                    s.controls.setPinned(s.controls.controls()[0].id, random.below(3) == 0);
+                break;
+            case 5:
+                if (random.below(60) == 0) {
+                    REQUIRE(s.mesh.change(square(1 + static_cast<std::int32_t>(random.below(60)))).ok());
+                    s.controls.rebind(s.controlDef, s.mesh.formation().mesh, s.mesh.userMesh());
+                }
+                break;
+            default:
+                s.move(touch, p, client);
         }
         s.step(random.uniform());
     }
@@ -342,25 +360,32 @@ TEST_CASE("stamps decide who joins, however late the touch arrives") {
     Stage s;
     s.controlDef.window = 0.15;
     const double began = s.time;
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, began, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(
+        s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, began, s.mesh.formation().mesh, s.mesh.userMesh()));
     s.run(0.4);  // The second finger came down 0.14 s after the first, but its message took long.
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, began + 0.14, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, began + 0.14, s.mesh.formation().mesh,
+                                 s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 1);
     // The third came down later than the window, and arrives in the same step.
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, began + 0.16, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, began + 0.16, s.mesh.formation().mesh,
+                                 s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 2);
     // Long after, a stamp proves nothing.
     s.run(1.0);
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 4, {3, -3}, began + 0.1, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 4, {3, -3}, began + 0.1, s.mesh.formation().mesh,
+                                 s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 3);
 }
 
 TEST_CASE("stamps ahead of a paused world tell touches apart, and the drawing begins now") {
     Stage s;
     const double now = s.time;
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, now, s.mesh.formation().mesh, s.mesh.userMesh()));
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, now + 3.0, s.mesh.formation().mesh, s.mesh.userMesh()));
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, now + 3.1, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(
+        s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, now, s.mesh.formation().mesh, s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, now + 3.0, s.mesh.formation().mesh,
+                                 s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, now + 3.1, s.mesh.formation().mesh,
+                                 s.mesh.userMesh()));
     REQUIRE(s.controls.controls().size() == 2);
     CHECK(s.controls.controls()[0].kind == ControlKind::Point);
     CHECK(s.controls.controls()[1].kind == ControlKind::Line);

@@ -29,8 +29,8 @@ double dragCorners(int fingersPerControl) {
     for (std::size_t v = 0; v < rest.vertices.size(); ++v) {
         const double x = (rest.vertices[v].x + 5.0) / 10.0;
         const double y = (rest.vertices[v].y + 5.0) / 10.0;
-        const Vec2 bilinear = rest.vertices[v] + moves[0] * (x * y) + moves[1] * (x * (1 - y)) + moves[2] * ((1 - x) * y) +
-                              moves[3] * ((1 - x) * (1 - y));
+        const Vec2 bilinear = rest.vertices[v] + moves[0] * (x * y) + moves[1] * (x * (1 - y)) +
+                              moves[2] * ((1 - x) * y) + moves[3] * ((1 - x) * (1 - y));
         sum += lengthSquared(s.mesh.userMesh()[v] - bilinear);
     }
     return std::sqrt(sum / static_cast<double>(rest.vertices.size()));
@@ -47,7 +47,8 @@ double stretch(const Stage& s, Wanted wanted) {
             const auto b = static_cast<std::size_t>(t[(k + 1) % 3]);
             if (!wanted(rest.vertices[a]) || !wanted(rest.vertices[b])) continue;
             const double before = distance(rest.vertices[a], rest.vertices[b]);
-            worst = std::max(worst, std::fabs(distance(s.mesh.userMesh()[a], s.mesh.userMesh()[b]) / before - 1.0));
+            worst = std::max(worst,
+                             std::fabs(distance(s.mesh.userMesh()[a], s.mesh.userMesh()[b]) / before - 1.0));
         }
     }
     return worst;
@@ -57,8 +58,8 @@ double stretch(const Stage& s, Wanted wanted) {
 
 TEST_CASE("figure 2: the same drag binds the mesh more as points, lines and area") {
     const double point = dragCorners(1), line = dragCorners(2), area = dragCorners(4);
-    MESSAGE("rms distance from the shape that follows its corners evenly: point " << point << " m, line " << line
-            << " m, area " << area << " m");
+    MESSAGE("rms distance from the shape that follows its corners evenly: point "
+            << point << " m, line " << line << " m, area " << area << " m");
     CHECK(point > 1.1 * line);
     CHECK(line > 1.1 * area);
 }
@@ -113,7 +114,8 @@ TEST_CASE("after release the mesh recovers its rest shape where it stands") {
     s.run(3.0);
     double worst = 0.0;
     for (std::size_t v = 0; v < s.mesh.userMesh().size(); ++v)
-        worst = std::max(worst, distance(s.mesh.userMesh()[v], fit.apply(s.mesh.formation().mesh.vertices[v])));
+        worst = std::max(worst,
+                         distance(s.mesh.userMesh()[v], fit.apply(s.mesh.formation().mesh.vertices[v])));
     CHECK(worst < 1e-9);
 }
 
@@ -126,14 +128,17 @@ TEST_CASE("vertices never jump when controls come, go and change kind") {
     for (int k = 0; k < 150; ++k) {
         // Drag what is held, and wait until it has got there.
         for (const std::uint32_t t : down)
-            for (const Control& control : std::vector<Control>(s.controls.controls().begin(), s.controls.controls().end()))
+            for (const Control& control :
+                 std::vector<Control>(s.controls.controls().begin(), s.controls.controls().end()))
                 for (const ControlPoint& p : control.points)
                     if (p.touch == t && p.down)
-                        s.move(t, p.position - p.grab + Vec2{random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)});
+                        s.move(t, p.position - p.grab +
+                                      Vec2{random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)});
         s.run(0.4 + (random.below(3) == 0 ? 1.0 : 0.1));
         // Then nothing but the set of controls changes: only the residuals' bounded decay may be seen.
         for (std::uint32_t n = random.below(3); n > 0; --n) {
-            const Vec2 p = s.vertex(static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(s.mesh.userMesh().size()))));
+            const Vec2 p = s.vertex(static_cast<std::int32_t>(
+                random.below(static_cast<std::uint32_t>(s.mesh.userMesh().size()))));
             if (down.size() < 5 && s.down(++touch, p)) down.push_back(touch);
             if (random.below(3) == 0) fastest = std::max(fastest, s.step());
         }

@@ -14,7 +14,8 @@ namespace {
 
 std::vector<Vec2> placesOf(const Formation& formation) {
     std::vector<Vec2> places;
-    for (const MeshPoint& p : formation.places) places.push_back(p.position(formation.mesh.triangles, formation.mesh.vertices));
+    for (const MeshPoint& p : formation.places)
+        places.push_back(p.position(formation.mesh.triangles, formation.mesh.vertices));
     return places;
 }
 
@@ -22,11 +23,14 @@ std::vector<Vec2> placesOf(const Formation& formation) {
 std::vector<double> nearestDistances(const std::vector<Vec2>& places) {
     std::vector<std::size_t> order(places.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a].x < places[b].x; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return places[a].x < places[b].x; });
     std::vector<double> nearest(places.size(), 1e300);
     for (std::size_t a = 0; a < order.size(); ++a) {
         for (std::size_t b = a + 1; b < order.size(); ++b) {
-            if (places[order[b]].x - places[order[a]].x > nearest[order[a]] && places[order[b]].x - places[order[a]].x > 8.0) break;
+            if (places[order[b]].x - places[order[a]].x > nearest[order[a]] &&
+                places[order[b]].x - places[order[a]].x > 8.0)
+                break;
             const double d = distance(places[order[a]], places[order[b]]);
             nearest[order[a]] = std::min(nearest[order[a]], d);
             nearest[order[b]] = std::min(nearest[order[b]], d);
@@ -90,7 +94,8 @@ void checkFormation(const FormationDef& def, std::int32_t count) {
 }
 
 PolygonWithHoles letterE() {
-    return {{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 3}, {1, 3}, {1, 4}, {4, 4}, {4, 5}, {0, 5}}, {}};
+    return {{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 3}, {1, 3}, {1, 4}, {4, 4}, {4, 5}, {0, 5}},
+            {}};
 }
 
 PolygonWithHoles frame() {
@@ -103,7 +108,8 @@ TEST_CASE("named shapes hold any count evenly") {
     for (int kind = 0; kind < 8; ++kind) {
         FormationDef def;
         def.kind = static_cast<FormationKind>(kind);
-        for (const std::int32_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 36, 37, 100, 1000}) checkFormation(def, count);
+        for (const std::int32_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 36, 37, 100, 1000})
+            checkFormation(def, count);
     }
 }
 
@@ -187,7 +193,8 @@ TEST_CASE("explicit points stay exactly where they are, in order") {
     def.kind = FormationKind::Points;
     for (const std::size_t count : {1u, 2u, 3u, 50u}) {
         def.points.clear();
-        for (std::size_t k = 0; k < count; ++k) def.points.push_back({random.uniform(5, 25), random.uniform(-10, 10)});
+        for (std::size_t k = 0; k < count; ++k)
+            def.points.push_back({random.uniform(5, 25), random.uniform(-10, 10)});
         const Result<Formation> made = makeFormation(def, static_cast<std::int32_t>(count));
         REQUIRE(made.ok());
         const std::vector<Vec2> places = placesOf(*made);

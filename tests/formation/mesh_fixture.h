@@ -14,9 +14,13 @@ namespace muster::test {
 
 inline constexpr double kStep = 1.0 / 60.0;
 
-inline Pose poseOf(double angle, Vec2 position) { return {position, {cosine(angle), sine(angle)}}; }
+inline Pose poseOf(double angle, Vec2 position) {
+    return {position, {cosine(angle), sine(angle)}};
+}
 
-inline Formation square(std::int32_t count = 36) { return *makeFormation({}, count); }
+inline Formation square(std::int32_t count = 36) {
+    return *makeFormation({}, count);
+}
 
 /// A mesh under controls, with a clock.
 struct Stage {
@@ -48,10 +52,11 @@ struct Stage {
     }
     double run(double seconds, double pace = 1.0) {
         double fastest = 0.0;
-        for (int k = 0; k < static_cast<int>(seconds / kStep + 0.5); ++k) fastest = std::max(fastest, step(pace));
+        for (int k = 0; k < static_cast<int>(seconds / kStep + 0.5); ++k)
+            fastest = std::max(fastest, step(pace));
         return fastest;
     }
-    Vec2 vertex(std::int32_t v) const { return mesh.userMesh()[static_cast<std::size_t>(v)]; }
+    Vec2 vertex(std::int32_t v) const { return mesh.userMesh()[v]; }
     std::int32_t nearest(Vec2 p) const {
         std::size_t best = 0;
         for (std::size_t v = 0; v < mesh.userMesh().size(); ++v)

@@ -21,7 +21,8 @@ TEST_CASE("room told by the raster is room by exact distances, in worlds of one 
     const PlaceDef def;
     for (int round = 0; round < 8; ++round) {
         Environment environment = emptyWorld(20.0, 0.25);
-        for (int k = 0; k < 8; ++k) REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, k % 2 == 0)).ok());
+        for (int k = 0; k < 8; ++k)
+            REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, k % 2 == 0)).ok());
         if (round % 2 == 0) REQUIRE(environment.addObstacle(rectangle({-0.3, -10.0}, {0.3, 10.0})).ok());
         environment.setTime(0.7);
         const std::int32_t region = round % 4 - 1;
@@ -30,7 +31,8 @@ TEST_CASE("room told by the raster is room by exact distances, in worlds of one 
             const Vec2 p{random.uniform(-10.5, 10.5), random.uniform(-10.5, 10.5)};
             const double distance = random.uniform(0.0, 4.0);
             CHECK(ground.roomy(p, distance) == roomy(environment, def, p, distance));
-            if (ground.roomAt(ground.cellOf(p)) >= distance) CHECK(environment.distanceToObstacle(p, 20.0) >= distance);
+            if (ground.roomAt(ground.cellOf(p)) >= distance)
+                CHECK(environment.distanceToObstacle(p, 20.0) >= distance);
             const std::int32_t label = environment.region(p, def.radius);
             const bool free = roomy(environment, def, p, ground.clearRadius());
             if (!free || label >= 0 || region < 0)

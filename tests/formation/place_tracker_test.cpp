@@ -127,7 +127,8 @@ TEST_CASE("a place goes round a wall that its target jumped across") {
 }
 
 TEST_CASE("a way between free cells that a trunk stands into is walked along the trunk") {
-    // The cells (2.875, 2.125) and (3.125, 2.125) are free, the line between them comes within 0.245 m of the trunk.
+    // The cells (2.875, 2.125) and (3.125, 2.125) are free, the line between them comes within 0.245 m of the
+    // trunk.
     for (const double trunk : {1.63, 1.64, 1.65, 1.66}) {
         Environment environment = emptyWorld();
         ObstacleDef tree;
@@ -159,7 +160,8 @@ TEST_CASE("places stay in the region of their group") {
     REQUIRE(left != environment.region({4, 0}, 0.25));
     PlaceTracker places;
     places.reset({}, std::vector<Vec2>{{-4, 0}, {4, 0}, {3, 3}}, environment, left);
-    for (int k = 0; k < 300; ++k) places.advance({}, std::vector<Vec2>{{4, 0}, {5, 1}, {7, -3}}, environment, left, kStep);
+    for (int k = 0; k < 300; ++k)
+        places.advance({}, std::vector<Vec2>{{4, 0}, {5, 1}, {7, -3}}, environment, left, kStep);
     for (const Vec2 p : places.positions()) CHECK(environment.region(p, 0.25) == left);
 }
 
@@ -187,7 +189,8 @@ TEST_CASE("random scenes: no place crosses an obstacle, all keep the speed bound
         std::vector<ObstacleDef> obstacles;
         for (int k = 0; k < 7; ++k) {
             const Vec2 corner{random.uniform(-9, 7), random.uniform(-9, 7)};
-            obstacles.push_back(box(corner, corner + Vec2{random.uniform(0.3, 3.0), random.uniform(0.3, 3.0)}));
+            obstacles.push_back(
+                box(corner, corner + Vec2{random.uniform(0.3, 3.0), random.uniform(0.3, 3.0)}));
             REQUIRE(environment.addObstacle(obstacles.back()).ok());
         }
         environment.setTime(0.0);
@@ -212,10 +215,12 @@ TEST_CASE("random scenes: no place crosses an obstacle, all keep the speed bound
                 const Vec2 now = places.positions()[i];
                 REQUIRE(isFinite(now));
                 REQUIRE(distance(before[i], now) <= def.maxSpeed * kStep + 1e-9);
-                for (const ObstacleDef& o : obstacles) REQUIRE(segmentDistance(o.polygon, before[i], now) > def.radius - 3e-3);
+                for (const ObstacleDef& o : obstacles)
+                    REQUIRE(segmentDistance(o.polygon, before[i], now) > def.radius - 3e-3);
             }
         }
-        // Warm, goals are no farther from their targets than those sought anew, but for what being too lazy to move gains.
+        // Warm, goals are no farther from their targets than those sought anew, but for what being too lazy
+        // to move gains.
         PlaceTracker fresh;
         fresh.reset(def, targetsAt(centre), environment, region);
         CHECK(closestPair(fresh) >= 2 * def.radius * (1 - 1e-8));
@@ -258,7 +263,8 @@ TEST_CASE("a moving obstacle pushes places out, never through") {
     for (std::size_t i = 0; i < 3; ++i) CHECK(distance(places.positions()[i], targets[i]) < 1e-9);
 }
 
-TEST_CASE("goals squeezed through a gap stay apart and free, glide, and are the same for any number of threads") {
+TEST_CASE(
+    "goals squeezed through a gap stay apart and free, glide, and are the same for any number of threads") {
     Environment environment = emptyWorld(40.0);
     REQUIRE(environment.addObstacle(box({-3, 4}, {3, 40})).ok());
     REQUIRE(environment.addObstacle(box({-3, -40}, {3, -4})).ok());
@@ -300,7 +306,8 @@ TEST_CASE("goals squeezed through a gap stay apart and free, glide, and are the 
                     least = std::min(least, distance(places.goals()[i], places.goals()[j]));
         CHECK(least >= 2 * def.radius * (1 - 1e-8));
     }
-    MESSAGE("of " << moves << " moves of goals " << leaps << " were leaps, " << displaced << " beside targets; unfit " << unfit);
+    MESSAGE("of " << moves << " moves of goals " << leaps << " were leaps, " << displaced
+                  << " beside targets; unfit " << unfit);
     CHECK(displaced > moves / 20);  // It was a squeeze.
     CHECK(leaps < moves / 200);
     CHECK(unfit < moves / 20);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "formation/places/seat_list.h"
 #include "base/random.h"
+#include "formation/places/seat_list.h"
 
 using namespace muster;
 

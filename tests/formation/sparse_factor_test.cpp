@@ -1,7 +1,7 @@
 #include <doctest.h>
 
-#include "formation/mesh/sparse_factor.h"
 #include "base/random.h"
+#include "formation/mesh/sparse_factor.h"
 
 using namespace muster;
 
@@ -41,8 +41,7 @@ TEST_CASE("two right sides solved at once get the bits of each alone, and both s
         factor.solve(y);
         factor.solve(both);
         for (std::size_t i = 0; i < x.size(); ++i) CHECK(both[i] == Vec2{x[i], y[i]});
-        for (const SparseEntry& e : entries)
-            left[static_cast<std::size_t>(e.row())] -= e.value() * x[static_cast<std::size_t>(e.col())];
+        for (const SparseEntry& e : entries) left[e.row()] -= e.value() * x[e.col()];
         for (const double rest : left) CHECK(std::fabs(rest) < 1e-12);
     }
 }

@@ -1,12 +1,13 @@
-// Far fields by themselves: what a stencil says of ways, against the field of the coarse ground from the place itself.
+// Far fields by themselves: what a stencil says of ways, against the field of the coarse ground from the
+// place itself.
 #include <doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "geodesics/far_fields.h"
 #include "cost/ground_scene.h"
+#include "geodesics/far_fields.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -30,7 +31,9 @@ struct Far {
         (void)fields.build(100, pool);
         return fields.stencil(place);
     }
-    double cost(const LandmarkStencil& stencil, Vec2 from) const { return std::sqrt(std::max(0.0, fields.square(stencil, from))); }
+    double cost(const LandmarkStencil& stencil, Vec2 from) const {
+        return std::sqrt(std::max(0.0, fields.square(stencil, from)));
+    }
 };
 
 Environment twoPools() {
@@ -77,7 +80,8 @@ TEST_CASE("landmarks are closer together on slow ground, and tell what a way cos
         double least = 1e9;
         for (std::int32_t a = 0; a < stencil.count; ++a)
             for (std::int32_t b = 0; b < a; ++b)
-                least = std::min(least, distance(far.fields.field(stencil.slot[a]).source(), far.fields.field(stencil.slot[b]).source()));
+                least = std::min(least, distance(far.fields.field(stencil.slot[a]).source(),
+                                                 far.fields.field(stencil.slot[b]).source()));
         return least;
     };
     CHECK(apart(slow) < 0.6 * apart(fast));
@@ -114,8 +118,8 @@ TEST_CASE("ways to slow places are near those of a field from the place itself")
         }
     }
     std::sort(errors.begin(), errors.end());
-    MESSAGE("slow places: median " << errors[errors.size() / 2] << ", p95 " << errors[errors.size() * 95 / 100] << ", worst "
-                                   << errors.back());
+    MESSAGE("slow places: median " << errors[errors.size() / 2] << ", p95 "
+                                   << errors[errors.size() * 95 / 100] << ", worst " << errors.back());
     CHECK(errors[errors.size() / 2] < 0.04);
     CHECK(errors[errors.size() * 95 / 100] < 0.1);
     CHECK(errors.back() < 0.2);

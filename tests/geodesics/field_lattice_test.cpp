@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "geodesics/field_lattice.h"
 #include "cost/ground_scene.h"
 #include "cost/static_ground.h"
+#include "geodesics/field_lattice.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -25,7 +25,9 @@ struct Kept {
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
     }
-    Vec2 at(std::int32_t landmark) const { return ground.fine().grid.centre(ground.fine().grid.at(landmark)); }
+    Vec2 at(std::int32_t landmark) const {
+        return ground.fine().grid.centre(ground.fine().grid.at(landmark));
+    }
     std::int32_t build(std::int32_t most) {
         lattice.beginStep();
         return lattice.build(most, pool, [&](std::int32_t landmark, CostField& field, std::int32_t) {

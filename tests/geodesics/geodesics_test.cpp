@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "eikonal/geodesic_oracle.h"
 #include "cost/ground_scene.h"
 #include "eikonal/eikonal.h"
+#include "eikonal/geodesic_oracle.h"
 #include "geodesics/geodesics.h"
 
 using namespace muster;
@@ -46,7 +46,7 @@ struct Errors {
     double mean = 0.0;
     double at(double share) {
         std::sort(all.begin(), all.end());
-        return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
+        return all[share * static_cast<double>(all.size() - 1)];
     }
 };
 
@@ -57,8 +57,10 @@ Errors errorsOf(Scene& scene, std::size_t count, double half, double reach, std:
     std::vector<std::vector<Vec2>> from(count);
     for (std::size_t j = 0; j < count; ++j)
         while (from[j].size() < 12) {
-            const Vec2 p = scene.places[j] + Vec2{random.uniform(-reach, reach), random.uniform(-reach, reach)};
-            if (scene.environment.def().box.grown(-0.3).contains(p) && scene.environment.distanceToObstacle(p) >= 0.27)
+            const Vec2 p = scene.places[j] +
+                           Vec2{random.uniform(-reach, reach), random.uniform(-reach, reach)};
+            if (scene.environment.def().box.grown(-0.3).contains(p) &&
+                scene.environment.distanceToObstacle(p) >= 0.27)
                 from[j].push_back(p);
         }
     scene.warm(from);
@@ -104,7 +106,8 @@ TEST_CASE("near ways round a block are those of the fine field") {
     REQUIRE(environment.addObstacle(rectangle(-4, -5, 4, 5)).ok());
     Scene scene(std::move(environment));
     Errors errors = errorsOf(scene, 250, 9.0, 4.5, 1);
-    MESSAGE("block: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 " << errors.at(0.95));
+    MESSAGE("block: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 "
+                      << errors.at(0.95));
     CHECK(errors.at(0.5) < 0.01);
     CHECK(errors.at(0.95) < 0.06);
 }
@@ -120,7 +123,8 @@ TEST_CASE("near ways among trees are those of the fine field") {
     }
     Scene scene(std::move(environment));
     Errors errors = errorsOf(scene, 200, 12.0, 3.5, 2);
-    MESSAGE("trees: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 " << errors.at(0.95));
+    MESSAGE("trees: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 "
+                      << errors.at(0.95));
     CHECK(errors.at(0.5) < 0.01);
     CHECK(errors.at(0.95) < 0.05);
 }
@@ -138,13 +142,15 @@ TEST_CASE("far ways round a block and through a corridor are near the exact ones
     }
     scene.step();
     scene.geodesics.survey(from, scene.pool);
-    const std::vector<Shape> walls = {{{{-6, -48}, {6, -48}, {6, -3}, {-6, -3}}}, {{{-6, 3}, {6, 3}, {6, 48}, {-6, 48}}}};
+    const std::vector<Shape> walls = {{{{-6, -48}, {6, -48}, {6, -3}, {-6, -3}}},
+                                      {{{-6, 3}, {6, 3}, {6, 48}, {-6, 48}}}};
     double worst = 0.0;
     for (std::size_t j = 0; j < scene.places.size(); ++j) {
         const GeodesicOracle oracle(walls, 0.25, scene.places[j]);
         for (const Vec2 p : from) {
             const double truth = oracle.cost(p);
-            worst = std::max(worst, std::fabs(scene.geodesics.cost(p, static_cast<std::int32_t>(j)) - truth) / truth);
+            worst = std::max(
+                worst, std::fabs(scene.geodesics.cost(p, static_cast<std::int32_t>(j)) - truth) / truth);
         }
     }
     MESSAGE("far: worst relative error " << worst);
@@ -161,8 +167,8 @@ TEST_CASE("ways to slow ground between walls are near those of the fine field, h
     REQUIRE(environment.addPatch(slowBox(-4.5, -8.6, 4.5, -3.4, 0.2)).ok());
     Scene scene(std::move(environment));
     Errors errors = errorsOf(scene, 220, 12.0, 16.0, 4);
-    MESSAGE("slow ground: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p99 " << errors.at(0.99)
-                            << ", worst " << errors.at(1.0));
+    MESSAGE("slow ground: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p99 "
+                            << errors.at(0.99) << ", worst " << errors.at(1.0));
     CHECK(errors.at(0.5) < 0.04);
     CHECK(errors.at(0.99) < 0.12);
 }
@@ -199,10 +205,10 @@ TEST_CASE("no way costs less than its bound, which knows the slow ground at both
     CostField field;
     int closer = 0;
     for (std::int32_t j = 0; j < 40; ++j) {
-        solver.solve(scene.ground.fine(), scene.places[static_cast<std::size_t>(j)], {}, field);
+        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
         for (int k = 0; k < 40; ++k) {
             const Vec2 p = freeSpot(scene.environment, random, 12.0);
-            const double line = scene.geodesics.perMetre() * distance(p, scene.places[static_cast<std::size_t>(j)]);
+            const double line = scene.geodesics.perMetre() * distance(p, scene.places[j]);
             const double bound = scene.geodesics.atLeast(p, j);
             CAPTURE(p);
             CHECK(bound >= line - 1e-9);
@@ -237,11 +243,11 @@ TEST_CASE("a far way that begins beside a cart costs what it takes to get away f
     CHECK(scene.geodesics.unsteady(before));
     CHECK_FALSE(scene.geodesics.unsteady(aside));
     for (std::int32_t j = 0; j < 3; ++j) {
-        solver.solve(cost, scene.places[static_cast<std::size_t>(j)], {}, field);
+        solver.solve(cost, scene.places[j], {}, field);
         const double exact = field.cost(before);
         CHECK(scene.geodesics.cost(aside, j) == doctest::Approx(field.cost(aside)).epsilon(0.04));
         CHECK(scene.geodesics.cost(before, j) == doctest::Approx(exact).epsilon(0.12));
-        solver.solve(scene.ground.fine(), scene.places[static_cast<std::size_t>(j)], {}, field);
+        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
         CHECK(exact > 1.15 * field.cost(before));
     }
 }

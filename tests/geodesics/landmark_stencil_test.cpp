@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "geodesics/landmark_stencil.h"
 #include "base/random.h"
+#include "geodesics/landmark_stencil.h"
 
 using namespace muster;
 
@@ -13,7 +13,8 @@ namespace {
 double squareBy(const LandmarkStencil& stencil, std::span<const Landmark> landmarks, Vec2 from, double unit) {
     double sum = stencil.shift;
     for (std::int32_t k = 0; k < stencil.count; ++k)
-        sum += static_cast<double>(stencil.weight[k]) * unit * unit * lengthSquared(from - landmarks[stencil.slot[k]].at);
+        sum += static_cast<double>(stencil.weight[k]) * unit * unit *
+               lengthSquared(from - landmarks[stencil.slot[k]].at);
     return sum;
 }
 
@@ -26,7 +27,8 @@ TEST_CASE("four corners of a square give exact squares on uniform ground") {
         const Vec2 place{random.uniform(2, 6), random.uniform(3, 7)};
         const Vec2 from{random.uniform(-40, 40), random.uniform(-40, 40)};
         const LandmarkStencil stencil = weighLandmarks(corners, true, place, 2.0f);
-        CHECK(squareBy(stencil, corners, from, 2.0) == doctest::Approx(4.0 * lengthSquared(from - place)).epsilon(1e-4));
+        CHECK(squareBy(stencil, corners, from, 2.0) ==
+              doctest::Approx(4.0 * lengthSquared(from - place)).epsilon(1e-4));
     }
 }
 

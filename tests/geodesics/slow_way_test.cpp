@@ -13,7 +13,8 @@ using namespace muster::test;
 
 namespace {
 
-// The cheapest way from (x < 0, unit 1) to (x > 0, `unit` a metre) over the line x = 0: the best of fine steps along it.
+// The cheapest way from (x < 0, unit 1) to (x > 0, `unit` a metre) over the line x = 0: the best of fine
+// steps along it.
 double refracted(Vec2 a, Vec2 b, double unit) {
     double best = 1e300;
     const double low = std::min(a.y, b.y) - 1.0;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "eikonal/geodesic_oracle.h"
 #include "cost/ground_scene.h"
+#include "eikonal/geodesic_oracle.h"
 #include "geodesics/window_costs.h"
 
 using namespace muster;
@@ -53,8 +53,11 @@ TEST_CASE("ways round a block, by windows of either size, are the exact ones") {
             REQUIRE(costs.known(j));
             const GeodesicOracle oracle(kBlock, 0.25, scene.places[j]);
             for (int k = 0; k < 40; ++k) {
-                const Vec2 p = scene.places[j] + Vec2{random.uniform(-reach, reach), random.uniform(-reach, reach)};
-                if (!(scene.environment.distanceToObstacle(p) >= 0.27) || scene.ground.straight(p, scene.places[j])) continue;
+                const Vec2 p = scene.places[j] +
+                               Vec2{random.uniform(-reach, reach), random.uniform(-reach, reach)};
+                if (!(scene.environment.distanceToObstacle(p) >= 0.27) ||
+                    scene.ground.straight(p, scene.places[j]))
+                    continue;
                 REQUIRE(costs.reaches(p, j));
                 const double line = distance(p, scene.places[j]);
                 const double known = costs.cost(p, j, line);
@@ -65,7 +68,8 @@ TEST_CASE("ways round a block, by windows of either size, are the exact ones") {
         }
         REQUIRE(errors.size() > 20);
         std::sort(errors.begin(), errors.end());
-        MESSAGE("bent: " << errors.size() << ", median " << errors[errors.size() / 2] << ", worst " << errors.back());
+        MESSAGE("bent: " << errors.size() << ", median " << errors[errors.size() / 2] << ", worst "
+                         << errors.back());
         CHECK(errors[errors.size() / 2] < (wide ? 0.02 : 0.01));
         CHECK(errors.back() < 0.06);
     }

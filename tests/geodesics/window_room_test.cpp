@@ -1,8 +1,8 @@
 // Windows on new ground take the memory that was made ready for them.
 #include <doctest.h>
 
-#include "counting_new.h"
 #include "cost/ground_scene.h"
+#include "counting_new.h"
 #include "geodesics/windows.h"
 
 using namespace muster;
@@ -25,7 +25,8 @@ Environment wood() {
     return environment;
 }
 
-// Makes the windows of some landmarks along a row of the ground, two in a step. Returns the allocations of that.
+// Makes the windows of some landmarks along a row of the ground, two in a step. Returns the allocations of
+// that.
 long makeAlong(Windows& windows, const StaticGround& ground, ThreadPool& pool, double y, std::int32_t count) {
     const Grid& grid = ground.fine().grid;
     const std::int32_t known = windows.count();
@@ -52,9 +53,11 @@ TEST_CASE("windows on new ground bring no memory of their own where room was mad
     windows.beginStep(ground.fineLevel(), ground.version());
     windows.reserve(600);
     // The solver's own memory grows to what a window asks for.
-    for (const double y : {-18.5, -15.2, -12.4, -9.6, -6.5, 14.8, 18.2, 7.1}) makeAlong(windows, ground, pool, y, 20);
+    for (const double y : {-18.5, -15.2, -12.4, -9.6, -6.5, 14.8, 18.2, 7.1})
+        makeAlong(windows, ground, pool, y, 20);
     const long first = windows.count();
-    // Where trees stand closest the solver's own lists may still grow; three lists for each window would be 225.
+    // Where trees stand closest the solver's own lists may still grow; three lists for each window would be
+    // 225.
     long grown = 0;
     for (const double y : {1.7, 10.3, 10.9}) grown += makeAlong(windows, ground, pool, y, 25);
     CHECK(grown <= 8);
@@ -81,7 +84,8 @@ TEST_CASE("room made for windows changes none of them") {
     for (std::int32_t slot = 0; slot < roomy.count(); ++slot) {
         REQUIRE(roomy.field(slot).source() == bare.field(slot).source());
         for (int k = 0; k < 40; ++k) {
-            const Vec2 p = roomy.field(slot).source() + Vec2{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)};
+            const Vec2 p = roomy.field(slot).source() +
+                           Vec2{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)};
             REQUIRE(roomy.field(slot).cost(p) == bare.field(slot).cost(p));
         }
     }

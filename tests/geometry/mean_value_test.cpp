@@ -84,7 +84,8 @@ TEST_CASE("corners and edges are exact, and their neighbourhood is smooth") {
                 CHECK(errorAt(kHook, p) < 1e-9);
                 CHECK(errorAt(kHook, kHook[i] + Vec2{off, side * off}) < 1e-9);
                 meanValueCoordinates(kHook, p, near);
-                for (std::size_t k = 0; k < kHook.size(); ++k) CHECK(std::fabs(near[k] - weights[k]) < 10 * off + 1e-9);
+                for (std::size_t k = 0; k < kHook.size(); ++k)
+                    CHECK(std::fabs(near[k] - weights[k]) < 10 * off + 1e-9);
             }
         }
     }

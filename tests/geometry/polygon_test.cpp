@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "geometry/predicates.h"
 #include "base/random.h"
+#include "geometry/predicates.h"
 
 using namespace muster;
 
@@ -23,7 +23,8 @@ TEST_CASE("area, centroid, bounds and convexity of known shapes") {
     CHECK(centroid(kHook).x == doctest::Approx(2.5));
     CHECK(centroid(kHook).y == doctest::Approx(1.25));
     CHECK(centroid(Polygon{{0, 0}, {1, 1}, {2, 2}}).x == doctest::Approx(1.0));
-    CHECK(centroid(Polygon{{1e6, 1e6}, {1e6 + 1, 1e6}, {1e6, 1e6 + 1}}).x == doctest::Approx(1e6 + 1.0 / 3).epsilon(1e-12));
+    CHECK(centroid(Polygon{{1e6, 1e6}, {1e6 + 1, 1e6}, {1e6, 1e6 + 1}}).x ==
+          doctest::Approx(1e6 + 1.0 / 3).epsilon(1e-12));
     CHECK(boundsOf(kHook).max == Vec2{4, 3});
     CHECK(isConvex(kSquare));
     CHECK(!isConvex(kHook));
@@ -50,7 +51,8 @@ TEST_CASE("distances agree with dense sampling of the boundary") {
         double nearest = 1e9;
         for (std::size_t k = 0; k < kHook.size(); ++k) {
             for (int s = 0; s <= 400; ++s) {
-                nearest = std::min(nearest, distance(p, lerp(kHook[k], kHook[(k + 1) % kHook.size()], s / 400.0)));
+                nearest = std::min(nearest,
+                                   distance(p, lerp(kHook[k], kHook[(k + 1) % kHook.size()], s / 400.0)));
             }
         }
         const double d = signedDistance(kHook, p);
@@ -92,7 +94,8 @@ TEST_CASE("predicates are exact where doubles are not") {
     // A step of one unit in the last place decides.
     const double tick = std::ldexp(1.0, -52);
     CHECK(orientation({0.5, 0.5}, {12, 12}, {24, 24}) == 0);
-    CHECK(orientation({0.5, 0.5 + tick}, {12, 12}, {24, 24}) == -orientation({0.5 + tick, 0.5}, {12, 12}, {24, 24}));
+    CHECK(orientation({0.5, 0.5 + tick}, {12, 12}, {24, 24}) ==
+          -orientation({0.5 + tick, 0.5}, {12, 12}, {24, 24}));
     CHECK(orientation({0.5, 0.5 + tick}, {12, 12}, {24, 24}) != 0);
     // Lattice points on one circle, then moved by a hair.
     const Vec2 base{0.1, 0.7};
@@ -114,7 +117,8 @@ TEST_CASE("predicates are exact where doubles are not") {
 TEST_CASE("convex hull holds all points and turns left") {
     Random random(2);
     std::vector<Vec2> points;
-    for (int i = 0; i < 200; ++i) points.push_back({std::floor(random.uniform(0, 12)), std::floor(random.uniform(0, 9))});
+    for (int i = 0; i < 200; ++i)
+        points.push_back({std::floor(random.uniform(0, 12)), std::floor(random.uniform(0, 9))});
     const Polygon hull = convexHull(points);
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Vec2 a = hull[i], b = hull[(i + 1) % hull.size()];

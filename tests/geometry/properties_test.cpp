@@ -25,7 +25,8 @@ Polygon latticePolygon() {
 
 // A simple polygon round the origin.
 Polygon starPolygon() {
-    const auto radii = *rc::gen::container<std::vector<int>>(*rc::gen::inRange<std::size_t>(3, 16), rc::gen::inRange(1, 50));
+    const auto radii = *rc::gen::container<std::vector<int>>(*rc::gen::inRange<std::size_t>(3, 16),
+                                                             rc::gen::inRange(1, 50));
     Polygon polygon;
     for (std::size_t i = 0; i < radii.size(); ++i) {
         const double angle = 2.0 * kPi * static_cast<double>(i) / static_cast<double>(radii.size());
@@ -56,7 +57,9 @@ TEST_CASE("property: whatever cleanPolygon accepts is decomposed and meshed exac
         const auto mesh = triangulate({*clean, {}}, 0.7);
         RC_ASSERT(mesh.ok());
         sum = 0.0;
-        for (const Triangle& t : mesh->triangles) sum += 0.5 * cross(mesh->vertices[t[1]] - mesh->vertices[t[0]], mesh->vertices[t[2]] - mesh->vertices[t[0]]);
+        for (const Triangle& t : mesh->triangles)
+            sum += 0.5 * cross(mesh->vertices[t[1]] - mesh->vertices[t[0]],
+                               mesh->vertices[t[2]] - mesh->vertices[t[0]]);
         RC_ASSERT(std::fabs(sum - area) < 1e-9);
     }));
 }

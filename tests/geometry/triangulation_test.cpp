@@ -131,7 +131,8 @@ TEST_CASE("outlines with holes keep their area, rim and spacing") {
 }
 
 TEST_CASE("thin and sharp outlines conform") {
-    const Polygon comb{{0, 0}, {9, 0}, {9, 0.05}, {5, 0.05}, {5, 4}, {4.98, 0.06}, {3, 0.05}, {2.9, 4}, {2.8, 0.05}, {0, 0.04}};
+    const Polygon comb{{0, 0},       {9, 0},    {9, 0.05}, {5, 0.05},   {5, 4},
+                       {4.98, 0.06}, {3, 0.05}, {2.9, 4},  {2.8, 0.05}, {0, 0.04}};
     const Polygon spike{{0, 0}, {10, 0}, {10, 1}, {0.5, 0.01}, {10, 1.1}, {10, 5}, {0, 5}};
     for (const Polygon& outline : {comb, spike}) {
         const auto mesh = triangulate({outline, {}}, 0.5);
@@ -164,9 +165,11 @@ TEST_CASE("triangulate names what is wrong") {
     CHECK(!triangulate({square, {}}, std::nan("")).ok());
     CHECK(!triangulate({square, {}}, 1e-3).ok());
     CHECK(!triangulate({square, {}}, 1e-300).ok());
-    CHECK(triangulate({square, {{{3, 3}, {5, 3}, {3, 5}}}}, 1.0).status().message() == "hole 0 leaves the outline");
-    CHECK(triangulate({square, {{{1, 1}, {2, 1}, {1, 2}}, {{1.2, 1.2}, {3, 1}, {3, 3}}}}, 1.0).status().message() ==
-          "hole 1 meets hole 0");
+    CHECK(triangulate({square, {{{3, 3}, {5, 3}, {3, 5}}}}, 1.0).status().message() ==
+          "hole 0 leaves the outline");
+    CHECK(triangulate({square, {{{1, 1}, {2, 1}, {1, 2}}, {{1.2, 1.2}, {3, 1}, {3, 3}}}}, 1.0)
+              .status()
+              .message() == "hole 1 meets hole 0");
     CHECK(!triangulate({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {}}, 1.0).ok());
 }
 
@@ -184,7 +187,8 @@ TEST_CASE("locate finds the triangle that holds a point, or the nearest rim poin
             const Polygon corners{mesh->vertices[t[0]], mesh->vertices[t[1]], mesh->vertices[t[2]]};
             nearest = std::min(nearest, std::max(0.0, signedDistance(corners, p)));
         }
-        CHECK(distance(found.position(mesh->triangles, mesh->vertices), p) == doctest::Approx(nearest).epsilon(1e-9));
+        CHECK(distance(found.position(mesh->triangles, mesh->vertices), p) ==
+              doctest::Approx(nearest).epsilon(1e-9));
     }
 }
 

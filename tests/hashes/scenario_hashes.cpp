@@ -1,5 +1,5 @@
-// Plays every scenario with its gestures, by each solver of plans, and prints the hash of its state every two seconds. The same lines must
-// come out of every compiler, build type, number of threads, and of WebAssembly.
+// Plays every scenario with its gestures, by each solver of plans, and prints the hash of its state every two
+// seconds. The same lines must come out of every compiler, build type, number of threads, and of WebAssembly.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -38,7 +38,8 @@ int play(const std::filesystem::path& path, muster::PlanSolver solver, double se
     for (int step = 1; step <= steps; ++step) {
         world->step();
         if (step % 120 == 0 || step == steps)
-            std::printf("%s/%s %d %s\n", path.stem().c_str(), plan, step, muster::toHex(world->hash()).c_str());
+            std::printf("%s/%s %d %s\n", path.stem().c_str(), plan, step,
+                        muster::toHex(world->hash()).c_str());
     }
     return 0;
 }
@@ -53,7 +54,8 @@ int main(int argc, char** argv) {
     }
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(argv[1]))
-        if (entry.path().extension() == ".json" && entry.path().stem().string().find("schema") == std::string::npos)
+        if (entry.path().extension() == ".json" &&
+            entry.path().stem().string().find("schema") == std::string::npos)
             paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     if (paths.empty()) {
@@ -62,6 +64,7 @@ int main(int argc, char** argv) {
     }
     for (const auto& path : paths)
         for (const auto solver : {muster::PlanSolver::Exact, muster::PlanSolver::Fast})
-            if (const int code = play(path, solver, std::atof(argv[2]), std::atoi(argv[3])); code != 0) return code;
+            if (const int code = play(path, solver, std::atof(argv[2]), std::atoi(argv[3])); code != 0)
+                return code;
     return 0;
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "picture/canvas.h"
 #include "base/maths.h"
 #include "base/random.h"
+#include "picture/canvas.h"
 
 using namespace muster;
 
@@ -20,7 +20,7 @@ using Loops = std::vector<Loop>;
 
 /// Ink of one pixel on a white canvas, 0 to 1.
 double inkAt(const std::vector<std::uint8_t>& bytes, const Canvas& canvas, int x, int y) {
-    return (255.0 - bytes[static_cast<std::size_t>((y * canvas.width() + x) * 3)]) / 255.0;
+    return (255.0 - bytes[(y * canvas.width() + x) * 3]) / 255.0;
 }
 
 double inkOf(const Canvas& canvas) {
@@ -74,7 +74,8 @@ TEST_CASE("each pixel is covered by what an exact cut of the polygon leaves in i
     Random random(31);
     for (int i = 0; i < 60; ++i) {
         Canvas canvas(32, 24, kWhite);
-        const Loop loop = randomConvex(random, {random.uniform(8, 24), random.uniform(6, 18)}, random.uniform(2, 14));
+        const Loop loop = randomConvex(random, {random.uniform(8, 24), random.uniform(6, 18)},
+                                       random.uniform(2, 14));
         canvas.fill(Loops{loop}, kBlack);
         const auto bytes = canvas.bytes();
         double sum = 0.0, exact = 0.0;
@@ -109,7 +110,9 @@ TEST_CASE("edges between rows and columns cover their shares exactly") {
     CHECK(inkAt(canvas.bytes(), canvas, 3, 5) == doctest::Approx(0.6).epsilon(0.005));
 }
 
-TEST_CASE("a shape moved by whole pixels gives the same picture moved, and turning the loop round changes nothing") {
+TEST_CASE(
+    "a shape moved by whole pixels gives the same picture moved, and turning the loop round changes "
+    "nothing") {
     Random random(32);
     for (int i = 0; i < 20; ++i) {
         Loop loop = randomConvex(random, {10.0625, 9.5}, random.uniform(2, 7));
@@ -122,7 +125,8 @@ TEST_CASE("a shape moved by whole pixels gives the same picture moved, and turni
         there.fill(Loops{loop}, kBlack);
         const auto a = here.bytes(), b = there.bytes();
         for (int y = 0; y < 20; ++y) {
-            for (int x = 0; x < 20; ++x) CHECK(std::fabs(inkAt(a, here, x, y) - inkAt(b, there, x + 13, y + 17)) < 0.01);
+            for (int x = 0; x < 20; ++x)
+                CHECK(std::fabs(inkAt(a, here, x, y) - inkAt(b, there, x + 13, y + 17)) < 0.01);
         }
     }
 }
@@ -161,13 +165,15 @@ TEST_CASE("a star crossing itself is full in its middle") {
     }
     Canvas canvas(40, 40, kWhite);
     canvas.fill(Loops{star}, Colour::of(0x000000, 0.5));
-    CHECK(inkAt(canvas.bytes(), canvas, 20, 20) == doctest::Approx(0.5).epsilon(0.01));  // Twice round, inked once.
+    // Twice round, inked once.
+    CHECK(inkAt(canvas.bytes(), canvas, 20, 20) == doctest::Approx(0.5).epsilon(0.01));
 }
 
 TEST_CASE("a pen's line: width times length and round ends; a closed one has a hole") {
     Random random(33);
     for (int i = 0; i < 20; ++i) {
-        const double angle = random.uniform(0, 2 * kPi), width = random.uniform(3, 8), reach = random.uniform(20, 40);
+        const double angle = random.uniform(0, 2 * kPi), width = random.uniform(3, 8),
+                     reach = random.uniform(20, 40);
         const Vec2 along = Vec2{cosine(angle), sine(angle)} * (reach / 2);
         Loops loops;
         strokeLoops(Loop{Vec2{50, 50} - along, Vec2{50, 50} + along}, false, width, 0.0, loops);
@@ -195,7 +201,8 @@ TEST_CASE("dashes have their length and their gaps, and go on round corners") {
     canvas.fill(loops, kBlack);
     const auto bytes = canvas.bytes();
     int runs = 0;
-    for (int x = 1; x < 110; ++x) runs += inkAt(bytes, canvas, x - 1, 10) < 0.5 && inkAt(bytes, canvas, x, 10) >= 0.5;
+    for (int x = 1; x < 110; ++x)
+        runs += inkAt(bytes, canvas, x - 1, 10) < 0.5 && inkAt(bytes, canvas, x, 10) >= 0.5;
     CHECK(runs == 5);  // The first begins at the rim; then one each 18 px.
     Loops straight, bent;
     strokeLoops(Loop{{10, 10}, {94, 10}}, false, 2.0, 8.0, straight);
@@ -228,7 +235,8 @@ TEST_CASE("discs have the area of discs, from a pixel to a hundred") {
 }
 
 TEST_CASE("a raster keeps its samples, mixes between them and repeats its rim") {
-    const std::vector<Colour> colours{Colour::of(0x000000), Colour::of(0xC80000), Colour::of(0x0000C8), Colour::of(0xC8C8C8)};
+    const std::vector<Colour> colours{Colour::of(0x000000), Colour::of(0xC80000), Colour::of(0x0000C8),
+                                      Colour::of(0xC8C8C8)};
     CHECK(sampleRaster(2, 2, colours, 1, 0) == colours[1]);
     CHECK(sampleRaster(2, 2, colours, 0, 1) == colours[2]);
     CHECK(sampleRaster(2, 2, colours, 0.5, 0).red == 100);

@@ -16,7 +16,8 @@ namespace {
 
 using Segments = std::vector<std::pair<Vec2, Vec2>>;
 
-std::vector<double> sampled(std::int32_t width, std::int32_t height, const std::function<double(Vec2)>& field) {
+std::vector<double> sampled(std::int32_t width, std::int32_t height,
+                            const std::function<double(Vec2)>& field) {
     std::vector<double> samples;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) samples.push_back(field({x * 1.0, y * 1.0}));
@@ -74,8 +75,12 @@ TEST_CASE("at a saddle the two lines do not cross") {
         const Segments s = contourSegments(2, 2, samples, 0.5);
         REQUIRE(s.size() == 2);
         const auto side = [](Vec2 a, Vec2 b, Vec2 p) { return cross(b - a, p - a); };
-        const bool across = side(s[0].first, s[0].second, s[1].first) * side(s[0].first, s[0].second, s[1].second) < 0 &&
-                            side(s[1].first, s[1].second, s[0].first) * side(s[1].first, s[1].second, s[0].second) < 0;
+        const bool across = side(s[0].first, s[0].second, s[1].first) *
+                                    side(s[0].first, s[0].second, s[1].second) <
+                                0 &&
+                            side(s[1].first, s[1].second, s[0].first) *
+                                    side(s[1].first, s[1].second, s[0].second) <
+                                0;
         CHECK_FALSE(across);
     }
 }
@@ -120,7 +125,8 @@ TEST_CASE("hyperbolas of a saddle field and waves lie where the formula says") {
     const auto saddle = sampled(31, 31, [](Vec2 p) { return (p.x - 15) * (p.y - 15); });
     const Segments hyperbolas = contourSegments(31, 31, saddle, 20.0);
     CHECK(hyperbolas.size() > 20);
-    for (const auto& [a, b] : hyperbolas) {  // On edges of the grid the product is linear, so it is met exactly.
+    // On edges of the grid the product is linear, so it is met exactly.
+    for (const auto& [a, b] : hyperbolas) {
         CHECK((a.x - 15) * (a.y - 15) == doctest::Approx(20.0).epsilon(1e-9));
         CHECK((b.x - 15) * (b.y - 15) == doctest::Approx(20.0).epsilon(1e-9));
     }
@@ -130,7 +136,8 @@ TEST_CASE("hyperbolas of a saddle field and waves lie where the formula says") {
         const double turns = a.x * 0.2 / kPi;
         CHECK(std::fabs(turns - std::round(turns)) < 0.002);
     }
-    CHECK(lengthOf(zeros) == doctest::Approx(3 * 7.0).epsilon(0.01));  // At 5, 10 and 15 pi; not at the rim's 0.
+    // At 5, 10 and 15 pi; not at the rim's 0.
+    CHECK(lengthOf(zeros) == doctest::Approx(3 * 7.0).epsilon(0.01));
 }
 
 TEST_CASE("random fields: lines are closed but at the rim and at gaps, and lie between their samples") {
@@ -142,11 +149,14 @@ TEST_CASE("random fields: lines are closed but at the rim and at gaps, and lie b
             const bool rim = point.first == 0 || point.first == 8 || point.second == 0 || point.second == 6;
             CHECK(count == (rim ? 1 : 2));
         }
-        const auto raised = contourSegments(9, 7, [&] {
-            auto shifted = samples;
-            for (double& v : shifted) v += 5.0;
-            return shifted;
-        }(), 5.1);
+        const auto raised = contourSegments(
+            9, 7,
+            [&] {
+                auto shifted = samples;
+                for (double& v : shifted) v += 5.0;
+                return shifted;
+            }(),
+            5.1);
         CHECK(raised.size() == whole.size());
         // A gap takes away just what lies in the four squares round it.
         samples[9 * 3 + 4] = i % 2 == 0 ? NAN : INFINITY;

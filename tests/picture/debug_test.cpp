@@ -172,7 +172,8 @@ TEST_CASE("every layer draws something of its own, and SVG text is escaped") {
         REQUIRE(writePicture(*world, def, path).ok());
         const std::string text = contents(path);
         CHECK(text.rfind("<svg", 0) == 0);
-        for (const char* bad : {"\"nan", "\"-nan", "Mnan", "Lnan", " nan", "inf"}) CHECK(text.find(bad) == std::string::npos);
+        for (const char* bad : {"\"nan", "\"-nan", "Mnan", "Lnan", " nan", "inf"})
+            CHECK(text.find(bad) == std::string::npos);
         for (const std::string& other : pictures) CHECK(other != text);
         pictures.push_back(text);
     }

@@ -10,10 +10,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "picture/canvas.h"
-#include "picture/xml.h"
 #include "base/random.h"
+#include "picture/canvas.h"
 #include "picture/debug_draw.h"
+#include "picture/xml.h"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
@@ -65,7 +65,8 @@ struct Decoded {
     int inked(int x0, int y0, int x1, int y1) const {
         int count = 0;
         for (int y = std::max(0, y0); y < std::min(height, y1); ++y) {
-            for (int x = std::max(0, x0); x < std::min(width, x1); ++x) count += at(x, y) != std::array<int, 3>{255, 255, 255};
+            for (int x = std::max(0, x0); x < std::min(width, x1); ++x)
+                count += at(x, y) != std::array<int, 3>{255, 255, 255};
         }
         return count;
     }
@@ -73,8 +74,9 @@ struct Decoded {
 
 Decoded decode(const std::string& png) {
     Decoded d;
-    unsigned char* pixels = stbi_load_from_memory(reinterpret_cast<const unsigned char*>(png.data()), static_cast<int>(png.size()),
-                                                  &d.width, &d.height, &d.channels, 0);
+    unsigned char* pixels = stbi_load_from_memory(reinterpret_cast<const unsigned char*>(png.data()),
+                                                  static_cast<int>(png.size()), &d.width, &d.height,
+                                                  &d.channels, 0);
     REQUIRE(pixels != nullptr);
     d.bytes.assign(pixels, pixels + d.width * d.height * d.channels);
     stbi_image_free(pixels);
@@ -170,7 +172,8 @@ TEST_CASE("whatever a name holds, the document stays well-formed and the text re
 TEST_CASE("the picture inside an SVG is a PNG with the colours, the upper row first") {
     const auto draw = makeSvgDraw({{0, 0}, {4, 4}}, 80, kWhite);
     std::vector<Colour> colours;
-    for (std::uint32_t i = 0; i < 6; ++i) colours.push_back(Colour::of(0x102030 * (i + 1), i == 5 ? 0.5 : 1.0));
+    for (std::uint32_t i = 0; i < 6; ++i)
+        colours.push_back(Colour::of(0x102030 * (i + 1), i == 5 ? 0.5 : 1.0));
     draw->raster({{1, 1}, {4, 3}}, 3, 2, colours);
     const std::string document = svgOf(*draw);
     const XmlReader xml(document);
@@ -187,7 +190,7 @@ TEST_CASE("the picture inside an SVG is a PNG with the colours, the upper row fi
     CHECK(png.height == 2);
     REQUIRE(png.channels == 4);
     for (int i = 0; i < 6; ++i) {
-        const Colour c = colours[static_cast<std::size_t>(i)];
+        const Colour c = colours[i];
         CHECK(png.at(i % 3, 1 - i / 3) == std::array<int, 3>{c.red, c.green, c.blue});
     }
     CHECK(int(png.bytes[3 * 4 - 1]) == 128);  // The last of the upper row is half clear.
@@ -197,9 +200,11 @@ TEST_CASE("any bytes survive PNG, in any number of channels") {
     Random random(51);
     for (int channels = 1; channels <= 4; ++channels) {
         for (int i = 0; i < 10; ++i) {
-            const auto width = static_cast<std::int32_t>(1 + random.below(40)), height = static_cast<std::int32_t>(1 + random.below(40));
+            const auto width = static_cast<std::int32_t>(1 + random.below(40)),
+                       height = static_cast<std::int32_t>(1 + random.below(40));
             std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width * height * channels));
-            for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.below(i % 2 == 0 ? 256 : 3));
+            for (std::uint8_t& byte : bytes)
+                byte = static_cast<std::uint8_t>(random.below(i % 2 == 0 ? 256 : 3));
             const auto file = encodePng(width, height, channels, bytes);
             const Decoded back = decode(std::string(file.begin(), file.end()));
             CHECK(back.width == width);
@@ -240,7 +245,8 @@ TEST_CASE("text stands left of, at or right of its point") {
         CHECK(png.inked(0, 0, 200, 15) + png.inked(0, 35, 200, 50) == 0);  // Centred in height.
         return std::pair{png.inked(0, 0, 100, 50), png.inked(100, 0, 200, 50)};
     };
-    const auto left = inkOf(TextAnchor::Left), centre = inkOf(TextAnchor::Centre), right = inkOf(TextAnchor::Right);
+    const auto left = inkOf(TextAnchor::Left), centre = inkOf(TextAnchor::Centre),
+               right = inkOf(TextAnchor::Right);
     CHECK(left.first <= 10);  // A hair over the line at most.
     CHECK(left.second > 60);
     CHECK(right.first > 60);
@@ -253,7 +259,8 @@ TEST_CASE("nothing is drawn in colours that cannot be seen or with no width") {
     const auto draw = makePngDraw({{0, 0}, {10, 10}}, 64, kWhite);
     draw->disc({5, 5}, 3, {}, {});
     draw->line(std::vector<Vec2>{{0, 0}, {9, 9}}, {kBlack, 0.0, 0.0});
-    draw->polygon(std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}}, Colour::of(0, 0.0), {Colour::of(0, 0.0), 5.0, 0.0});
+    draw->polygon(std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}}, Colour::of(0, 0.0),
+                  {Colour::of(0, 0.0), 5.0, 0.0});
     draw->raster({{0, 0}, {9, 9}}, 1, 1, std::vector<Colour>{{}});
     draw->text({5, 5}, "", 20, kBlack, TextAnchor::Left);
     CHECK(pngOf(*draw).inked(0, 0, 64, 64) == 0);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture/recorder.h"
 #include "picture/picture.h"
+#include "picture/recorder.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -50,7 +50,8 @@ std::vector<Shape> layerOf(const World& world, std::string_view name, PictureDef
     std::vector<Shape> kept;
     for (const Shape& shape : all.shapes) {
         const bool common = std::any_of(ground.shapes.begin(), ground.shapes.end(), [&](const Shape& other) {
-            return other.kind == shape.kind && other.loops == shape.loops && other.stroke.colour == shape.stroke.colour;
+            return other.kind == shape.kind && other.loops == shape.loops &&
+                   other.stroke.colour == shape.stroke.colour;
         });
         if (!common) kept.push_back(shape);
     }
@@ -59,7 +60,8 @@ std::vector<Shape> layerOf(const World& world, std::string_view name, PictureDef
 }
 
 std::size_t countOf(const std::vector<Shape>& shapes, Kind kind) {
-    return static_cast<std::size_t>(std::count_if(shapes.begin(), shapes.end(), [&](const Shape& s) { return s.kind == kind; }));
+    return static_cast<std::size_t>(
+        std::count_if(shapes.begin(), shapes.end(), [&](const Shape& s) { return s.kind == kind; }));
 }
 
 bool within(const Box& inner, const Box& outer) {
@@ -75,7 +77,8 @@ Colour colourAt(const Shape& raster, Vec2 p) {
 }
 
 const Shape& rasterOf(const std::vector<Shape>& shapes) {
-    const auto found = std::find_if(shapes.begin(), shapes.end(), [](const Shape& s) { return s.kind == Kind::Raster; });
+    const auto found = std::find_if(shapes.begin(), shapes.end(),
+                                    [](const Shape& s) { return s.kind == Kind::Raster; });
     REQUIRE(found != shapes.end());
     return *found;
 }
@@ -88,7 +91,9 @@ TEST_CASE("obstacles: their shapes, with shadows no longer than a man, and nothi
     int walls = 0, trees = 0;
     for (const Shape& shape : shapes) {
         CHECK((within(shape.bounds(), wall) || within(shape.bounds(), tree)));
-        if (shape.kind == Kind::Area && shape.loops[0].size() == 4 && within(shape.bounds(), {{1, -3}, {2, 3}})) ++walls;
+        if (shape.kind == Kind::Area && shape.loops[0].size() == 4 &&
+            within(shape.bounds(), {{1, -3}, {2, 3}}))
+            ++walls;
         if (shape.kind == Kind::Disc && shape.loops[0][0] == Vec2{8, 5} && shape.radius == 0.5) ++trees;
     }
     CHECK(walls >= 1);
@@ -103,7 +108,8 @@ TEST_CASE("patches: their polygon, their floor and their name") {
     bool polygon = false, name = false;
     for (const Shape& shape : shapes) {
         CHECK(within(shape.bounds(), Box{{4, -7}, {9, -3}}.grown(0.3)));
-        polygon = polygon || (shape.kind == Kind::Area && within({{4, -7}, {9, -3}}, shape.bounds()) && shape.fill.opacity > 0);
+        polygon = polygon || (shape.kind == Kind::Area && within({{4, -7}, {9, -3}}, shape.bounds()) &&
+                              shape.fill.opacity > 0);
         name = name || (shape.kind == Kind::Text && shape.words == "Pool");
     }
     CHECK(polygon);
@@ -133,11 +139,13 @@ TEST_CASE("characters: a disc where each stands, pointing where it faces") {
     const Characters& c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         const bool drawn = std::any_of(shapes.begin(), shapes.end(), [&](const Shape& s) {
-            return s.kind == Kind::Disc && s.loops[0][0] == c.position[i] && s.radius == 0.25 && s.stroke.width > 0;
+            return s.kind == Kind::Disc && s.loops[0][0] == c.position[i] && s.radius == 0.25 &&
+                   s.stroke.width > 0;
         });
         CHECK(drawn);
         const bool nose = std::any_of(shapes.begin(), shapes.end(), [&](const Shape& s) {
-            return s.kind == Kind::Area && distance(s.loops[0][0], c.position[i] + c.heading[i] * 0.25 * 0.95) < 1e-9;
+            return s.kind == Kind::Area &&
+                   distance(s.loops[0][0], c.position[i] + c.heading[i] * 0.25 * 0.95) < 1e-9;
         });
         CHECK(nose);
     }
@@ -175,12 +183,14 @@ TEST_CASE("mesh: every edge of every triangle between vertices where they stand 
     for (const Shape& shape : shapes) {
         for (const auto& loop : shape.loops) {
             for (const Vec2 p : loop) {
-                CHECK(std::find(mesh.finalMesh().begin(), mesh.finalMesh().end(), p) != mesh.finalMesh().end());
+                CHECK(std::find(mesh.finalMesh().begin(), mesh.finalMesh().end(), p) !=
+                      mesh.finalMesh().end());
             }
         }
         if (shape.kind == Kind::Area && shape.stroke.width > 0) outlined += shape.loops[0].size();
     }
-    // Euler: edges = vertices + triangles - 1 for a disc; those of the rim are in the outline or drawn as lines.
+    // Euler: edges = vertices + triangles - 1 for a disc; those of the rim are in the outline or drawn as
+    // lines.
     const std::size_t vertices = mesh.finalMesh().size(), triangles = mesh.formation().mesh.triangles.size();
     const std::size_t edges = vertices + triangles - 1, lines = countOf(shapes, Kind::Line);
     CHECK(lines <= edges);
@@ -194,7 +204,8 @@ TEST_CASE("paths: what a finger has drawn, and where characters came from") {
     REQUIRE(world.submit({world.stepCount(), 1, 0, TouchDown{1, {-6, 0}, world.time(), {}}}).ok());
     world.step();
     for (std::uint32_t k = 1; k <= 8; ++k) {
-        REQUIRE(world.submit({world.stepCount(), 1, k, TouchMove{1, {-6 + 0.5 * k, 0.2 * k}, world.time()}}).ok());
+        REQUIRE(world.submit({world.stepCount(), 1, k, TouchMove{1, {-6 + 0.5 * k, 0.2 * k}, world.time()}})
+                    .ok());
         world.step();
     }
     def.trails = {{{-7, 1}, {-6.5, 1}, {-6, 1.2}}};
@@ -235,14 +246,17 @@ TEST_CASE("cost: as dark as the way is long, with contours and the place itself"
     const auto shapes = layerOf(world, "cost", def);
     const Vec2 place = world.group(0).places->positions()[4];
     const Shape& raster = rasterOf(shapes);
-    const auto light = [&](Vec2 p) { return colourAt(raster, p).red + colourAt(raster, p).green + colourAt(raster, p).blue; };
+    const auto light = [&](Vec2 p) {
+        return colourAt(raster, p).red + colourAt(raster, p).green + colourAt(raster, p).blue;
+    };
     CHECK(light(place) > light({-2, 0}));
     CHECK(light({-2, 0}) > light({4, 0}));
     CHECK(light({4, 0}) > light({11, 0}));
     const auto& last = shapes.back();
     CHECK(last.kind == Kind::Disc);
     CHECK(distance(last.loops[0][0], place) < 0.3);
-    CHECK(std::any_of(shapes.begin(), shapes.end(), [](const Shape& s) { return s.words == "Cost to place 4"; }));
+    CHECK(std::any_of(shapes.begin(), shapes.end(),
+                      [](const Shape& s) { return s.words == "Cost to place 4"; }));
     CHECK(countOf(shapes, Kind::Line) > 50);
     def.place = 9;  // There are nine: 0 to 8.
     CHECK(layerOf(world, "cost", def).empty());
@@ -273,7 +287,8 @@ TEST_CASE("without a choice all but the coloured grounds is drawn, dark or light
     int other = 0;
     for (std::size_t i = 0; i < plain.shapes.size(); ++i) {
         CHECK(dark.shapes[i].loops == plain.shapes[i].loops);
-        other += !(dark.shapes[i].fill == plain.shapes[i].fill && dark.shapes[i].stroke.colour == plain.shapes[i].stroke.colour);
+        other += !(dark.shapes[i].fill == plain.shapes[i].fill &&
+                   dark.shapes[i].stroke.colour == plain.shapes[i].stroke.colour);
     }
     CHECK(other > 20);
 }

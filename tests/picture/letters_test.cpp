@@ -4,18 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "picture/letters.h"
 #include "base/random.h"
+#include "picture/letters.h"
 
 using namespace muster;
 
-TEST_CASE("Latin letters lose their marks, each other code point and each stray byte becomes one question mark") {
+TEST_CASE(
+    "Latin letters lose their marks, each other code point and each stray byte becomes one question mark") {
     CHECK(plainLetters("plain ~ text") == "plain ~ text");
-    CHECK(plainLetters("Flu\xc3\x9f \xc3\xbc" "ber Stra\xc3\x9f" "e") == "Flus uber Strase");
-    CHECK(plainLetters("\xc3\x80\xc3\xbf\xc4\x80\xc5\xbe\xc5\xbf") == "AyAzs");        // The ends of both blocks.
-    CHECK(plainLetters("\xc5\x81\xc3\xb3" "d\xc5\xba \xc3\x85ngstr\xc3\xb6m") == "Lodz Angstrom");
-    CHECK(plainLetters("\xe6\xb3\xb3\xe3\x81\x90") == "??");                            // Two of three bytes each.
-    CHECK(plainLetters("a\xf0\x9f\x8f\x8a" "b") == "a?b");                              // One of four.
+    CHECK(plainLetters("Flu\xc3\x9f \xc3\xbc"
+                       "ber Stra\xc3\x9f"
+                       "e") == "Flus uber Strase");
+    // The ends of both blocks.
+    CHECK(plainLetters("\xc3\x80\xc3\xbf\xc4\x80\xc5\xbe\xc5\xbf") == "AyAzs");
+    CHECK(plainLetters("\xc5\x81\xc3\xb3"
+                       "d\xc5\xba \xc3\x85ngstr\xc3\xb6m") == "Lodz Angstrom");
+    // Two of three bytes each.
+    CHECK(plainLetters("\xe6\xb3\xb3\xe3\x81\x90") == "??");
+    CHECK(plainLetters("a\xf0\x9f\x8f\x8a"
+                       "b") == "a?b");  // One of four.
     CHECK(plainLetters("\t\n\x7f") == "???");
     CHECK(plainLetters("a\xc3") == "a?");
     CHECK(plainLetters("\xe6\xb3z\xffq\x80") == "?z?q?");
@@ -35,7 +42,8 @@ TEST_CASE("whatever the bytes, only letters of the font are drawn, and each has 
         CHECK(width == letterLoops(plain, 12.0, again));
         CHECK(loops == again);
         for (const auto& loop : loops) {
-            for (const Vec2 p : loop) CHECK((p.x >= -1.0 && p.x <= width + 12.0 && p.y >= -12.0 && p.y <= 12.0));
+            for (const Vec2 p : loop)
+                CHECK((p.x >= -1.0 && p.x <= width + 12.0 && p.y >= -12.0 && p.y <= 12.0));
         }
     }
     std::vector<std::vector<Vec2>> sharp, plain;

@@ -48,8 +48,17 @@ public:
     void disc(Vec2 centre, double radius, Colour fill, const Stroke& stroke) override {
         shapes.push_back({Kind::Disc, {{centre}}, radius, fill, stroke, {}, 0, 0, {}});
     }
-    void raster(const Box& box, std::int32_t width, std::int32_t height, std::span<const Colour> colours) override {
-        shapes.push_back({Kind::Raster, {{box.min, box.max}}, 0, {}, {}, {}, width, height, {colours.begin(), colours.end()}});
+    void raster(const Box& box, std::int32_t width, std::int32_t height,
+                std::span<const Colour> colours) override {
+        shapes.push_back({Kind::Raster,
+                          {{box.min, box.max}},
+                          0,
+                          {},
+                          {},
+                          {},
+                          width,
+                          height,
+                          {colours.begin(), colours.end()}});
     }
     void text(Vec2 at, std::string_view words, double, Colour colour, TextAnchor) override {
         shapes.push_back({Kind::Text, {{at}}, 0, colour, {}, std::string(words), 0, 0, {}});

@@ -58,8 +58,10 @@ private:
         const std::size_t end = std::min(document_.find('<', at_), document_.size());
         const std::string text = decoded(document_.substr(at_, end - at_));
         const bool blank = text.find_first_not_of(" \n\t") == std::string::npos;
-        if (!open_.empty()) elements[open_.back()].text += text;
-        else if (!blank) error = "text outside the root";
+        if (!open_.empty())
+            elements[open_.back()].text += text;
+        else if (!blank)
+            error = "text outside the root";
         at_ = end;
     }
     void close() {
@@ -100,12 +102,14 @@ private:
         }
         const std::string value = document_.substr(at_ + 2, end - at_ - 2);
         if (value.find('<') != std::string::npos) error = "bare < in " + name;
-        if (!element.attributes.emplace(name, decoded(value)).second) error = "attribute given twice: " + name;
+        if (!element.attributes.emplace(name, decoded(value)).second)
+            error = "attribute given twice: " + name;
         at_ = end + 1;
     }
     std::string word() {
         const std::size_t from = at_;
-        while (at_ < document_.size() && (std::isalnum(static_cast<unsigned char>(document_[at_])) != 0 || document_[at_] == '-'))
+        while (at_ < document_.size() &&
+               (std::isalnum(static_cast<unsigned char>(document_[at_])) != 0 || document_[at_] == '-'))
             ++at_;
         return document_.substr(from, at_ - from);
     }
@@ -118,11 +122,16 @@ private:
             }
             const std::size_t end = raw.find(';', i);
             const std::string entity = end == std::string::npos ? "" : raw.substr(i + 1, end - i - 1);
-            if (entity == "lt") text += '<';
-            else if (entity == "gt") text += '>';
-            else if (entity == "amp") text += '&';
-            else if (entity == "quot") text += '"';
-            else error = "bare & or unknown entity";
+            if (entity == "lt")
+                text += '<';
+            else if (entity == "gt")
+                text += '>';
+            else if (entity == "amp")
+                text += '&';
+            else if (entity == "quot")
+                text += '"';
+            else
+                error = "bare & or unknown entity";
             i = end == std::string::npos ? raw.size() : end;
         }
         return text;

@@ -18,7 +18,8 @@ std::vector<Flow> flowsOf(const std::vector<std::int32_t>& places) {
 }
 
 std::vector<std::int32_t> chosen(const PlanDef& def, std::int32_t places, const std::vector<double>& cost,
-                                 const std::vector<std::int32_t>& incumbent, const std::vector<std::int32_t>& best) {
+                                 const std::vector<std::int32_t>& incumbent,
+                                 const std::vector<std::int32_t>& best) {
     CommitRule rule;
     std::vector<Flow> committed;
     const auto characters = static_cast<std::int32_t>(incumbent.size());
@@ -92,7 +93,8 @@ TEST_CASE("fractional flows: pieces that touch stay together") {
     CHECK(committed.size() == 2);
 }
 
-TEST_CASE("random: what is committed is feasible, as large as the best, and no worse than the threshold allows") {
+TEST_CASE(
+    "random: what is committed is feasible, as large as the best, and no worse than the threshold allows") {
     muster::Random random(31);
     muster::TransportSolver solver;
     for (int k = 0; k < 300; ++k) {
@@ -111,8 +113,8 @@ TEST_CASE("random: what is committed is feasible, as large as the best, and no w
         REQUIRE(solver.solve(problem.view(), solution).ok());
         const double threshold = random.below(30);
         std::vector<Flow> committed;
-        CommitRule().choose(withThreshold(threshold, 0.0), rows, columns, problem.cost, flowsOf(incumbent), solution.flows,
-                            committed);
+        CommitRule().choose(withThreshold(threshold, 0.0), rows, columns, problem.cost, flowsOf(incumbent),
+                            solution.flows, committed);
         double amount = 0.0, cost = 0.0;
         std::vector<int> used(columns, 0);
         for (const Flow& flow : committed) {
@@ -122,7 +124,8 @@ TEST_CASE("random: what is committed is feasible, as large as the best, and no w
         }
         CHECK(amount == solution.amount);
         CHECK(cost >= solution.cost);
-        // At most half as many pieces as characters and places were left, each for no more than the threshold.
+        // At most half as many pieces as characters and places were left, each for no more than the
+        // threshold.
         CHECK(cost - solution.cost <= threshold * 0.5 * (rows + columns));
         if (threshold == 0.0) CHECK(cost == solution.cost);
     }

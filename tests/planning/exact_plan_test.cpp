@@ -28,7 +28,8 @@ PlanDef definition(double exponent, double threshold) {
     return def;
 }
 
-OwnedInput onLine(const std::vector<double>& characters, const std::vector<double>& places, const Places& incumbent) {
+OwnedInput onLine(const std::vector<double>& characters, const std::vector<double>& places,
+                  const Places& incumbent) {
     OwnedInput input;
     input.cost = muster_test::evenGround({{-8, -2}, {8, 2}}, 0.25);
     for (const double x : characters) input.characters.push_back({x, 0.0});
@@ -58,7 +59,8 @@ TEST_CASE("open ground: the plan is the best of all permutations of straight way
     const auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
     for (const double exponent : {1.0, 2.0}) {
         for (int k = 0; k < 5; ++k) {
-            const OwnedInput input = muster_test::randomInput(random, ground, 6, {{-7, -7}, {-1, 7}}, {{1, -7}, {7, 7}});
+            const OwnedInput input = muster_test::randomInput(random, ground, 6, {{-7, -7}, {-1, 7}},
+                                                              {{1, -7}, {7, 7}});
             PlanResult result;
             REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(exponent, 0.1), input, result).ok());
             CHECK(result.flows.size() == 6);
@@ -74,7 +76,8 @@ TEST_CASE("open ground: the plan is the best of all permutations of straight way
 }
 
 TEST_CASE("a late arrival makes others shift inward when far ways count more") {
-    // Places from the inside to the outside; the inner one is free, the late one comes from outside (SPEC A7).
+    // Places from the inside to the outside; the inner one is free, the late one comes from outside (SPEC
+    // A7).
     const OwnedInput input = onLine({1, 2, 3, 6}, {0, 1, 2, 3}, {1, 2, 3, -1});
     PlanResult result;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
@@ -121,10 +124,14 @@ TEST_CASE("a wall makes the near place far") {
 
 TEST_CASE("more characters than places, more places than characters") {
     PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), onLine({5, 1, 3}, {0, 2.5}, {-1, -1, -1}), result).ok());
+    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1),
+                       onLine({5, 1, 3}, {0, 2.5}, {-1, -1, -1}), result)
+                .ok());
     CHECK(placesOf(result, 3) == Places{-1, 0, 1});
     CHECK(result.cost[0] == muster_test::kNoWay);
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), onLine({1}, {0, 2.5, 1.25}, {-1}), result).ok());
+    REQUIRE(
+        planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), onLine({1}, {0, 2.5, 1.25}, {-1}), result)
+            .ok());
     CHECK(placesOf(result, 1) == Places{2});
     for (const auto& input : {onLine({}, {}, {}), onLine({}, {1}, {}), onLine({1}, {}, {-1})}) {
         REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
@@ -183,14 +190,16 @@ TEST_CASE("fronts that stop early give the same optimum as fronts over all the g
     muster_test::addWall(ground, {{-0.5, -5}, {0.5, 6}});
     int changes = 0;
     for (int k = 0; k < 40; ++k) {
-        OwnedInput input = muster_test::randomInput(random, ground, 14, {{-7, -7}, {7, 7}}, {{-7, -7}, {7, 7}});
+        OwnedInput input = muster_test::randomInput(random, ground, 14, {{-7, -7}, {7, 7}},
+                                                    {{-7, -7}, {7, 7}});
         PlanResult wide, narrow;
         const PlanDef def = definition(k % 2 ? 2.0 : 1.0, 0.0);
         // Without incumbents every front goes to everybody.
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
         // Incumbents: the optimum of a moment ago, after everybody has moved a little, or anything.
         input.incumbent = placesOf(wide, 14);
-        if (k % 4 == 0) std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
+        if (k % 4 == 0)
+            std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
         for (Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, narrow).ok());
         changes += narrow.changed;
@@ -207,7 +216,8 @@ TEST_CASE("slices and threads change nothing") {
     muster::Random random(8);
     auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
     muster_test::addWall(ground, {{-1, -6}, {1, 6}});
-    const OwnedInput input = muster_test::randomInput(random, ground, 12, {{-7, -7}, {-2, 7}}, {{2, -7}, {7, 7}});
+    const OwnedInput input = muster_test::randomInput(random, ground, 12, {{-7, -7}, {-2, 7}},
+                                                      {{2, -7}, {7, 7}});
     PlanResult expected;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, expected).ok());
     for (const std::int32_t slices : {1, 3, 4, 40}) {

@@ -16,7 +16,8 @@ using namespace muster::test;
 
 namespace {
 
-// A crowd that walks to places that move, round a block; no density, so that the exact plan has the same costs.
+// A crowd that walks to places that move, round a block; no density, so that the exact plan has the same
+// costs.
 struct Walk {
     Environment environment = squareWorld(24.0);
     StaticGround ground;
@@ -71,7 +72,8 @@ struct Walk {
     void walk(Plan& plan, ThreadPool& pool, double step) {
         std::vector<Vec2> direction(characters.size());
         std::vector<double> left(characters.size());
-        plan.steer({characters, incumbent, places, &environment, 1.5, &ground, &excess}, pool, direction, left);
+        plan.steer({characters, incumbent, places, &environment, 1.5, &ground, &excess}, pool, direction,
+                   left);
         for (std::size_t i = 0; i < characters.size(); ++i)
             characters[i] = environment.pushOut(characters[i] + direction[i] * std::min(step, left[i]), 0.25);
     }
@@ -131,7 +133,8 @@ TEST_CASE("the first plan takes every place once and reports what it costs") {
     for (const double c : a.cost) sum += c * c;
     CHECK(a.objective == doctest::Approx(sum));
     CHECK(a.changed == 100);
-    // By the exact costs what it took is near the optimum; its own are longer by what the coarse ground adds at corners.
+    // By the exact costs what it took is near the optimum; its own are longer by what the coarse ground adds
+    // at corners.
     scene.take(a);
     CHECK(scene.gap(pool) < 0.01);
     CHECK(a.objective == doctest::Approx(b.objective * (1.0 + scene.gap(pool))).epsilon(0.02));
@@ -196,7 +199,8 @@ TEST_CASE("work aside, with steering beside it, comes to what finish alone does"
         CHECK(aside->worksAside());
         aside->advance(0, 1, pool);
         std::thread worker([&] { aside->workAside(); });
-        const SteerInput input{scene.characters, scene.incumbent, scene.places, &scene.environment, 1.5, &scene.ground, &scene.excess};
+        const SteerInput input{scene.characters, scene.incumbent, scene.places, &scene.environment, 1.5,
+                               &scene.ground,    &scene.excess};
         aside->steer(input, pool, direction, left);
         CHECK(aside->pending());
         CHECK(aside->waitingPlace(0) >= -1);
@@ -207,7 +211,8 @@ TEST_CASE("work aside, with steering beside it, comes to what finish alone does"
         CHECK(result.objective == expected.objective);
         CHECK(result.cost == expected.cost);
         REQUIRE(result.flows.size() == expected.flows.size());
-        for (std::size_t k = 0; k < result.flows.size(); ++k) REQUIRE(result.flows[k].place == expected.flows[k].place);
+        for (std::size_t k = 0; k < result.flows.size(); ++k)
+            REQUIRE(result.flows[k].place == expected.flows[k].place);
         whole->steer(input, pool, direction, left);
         scene.take(expected);
         scene.walk(*whole, pool, 0.05);

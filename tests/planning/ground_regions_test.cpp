@@ -56,8 +56,10 @@ TEST_CASE("nearest free cell by every cell") {
         for (std::int32_t c = 0; c < cost.grid.count(); ++c)
             if (!cost.wall(c)) nearest = std::min(nearest, distance(p, cost.grid.centre(cost.grid.at(c))));
         // At the edge of the wall a free cell is among the four around the point.
-        if (p.x > 2.3 && p.x < 7.7) CHECK(distance(p, standing) == nearest);
-        else CHECK((standing == p || distance(p, standing) == nearest));
+        if (p.x > 2.3 && p.x < 7.7)
+            CHECK(distance(p, standing) == nearest);
+        else
+            CHECK((standing == p || distance(p, standing) == nearest));
     }
 }
 

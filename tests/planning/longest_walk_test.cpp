@@ -51,7 +51,8 @@ std::pair<double, double> byHand(const OwnedInput& input) {
     return best;
 }
 
-// Character 1 stands on place 1; least squares leaves it there and sends character 0 3 m, else both walk 2.5 m.
+// Character 1 stands on place 1; least squares leaves it there and sends character 0 3 m, else both walk 2.5
+// m.
 OwnedInput triangle(const Places& incumbent) {
     OwnedInput input;
     input.cost = muster_test::evenGround({{-4, -4}, {4, 4}}, 0.25);
@@ -68,7 +69,8 @@ TEST_CASE("the longest walk is the least of all permutations, and the squares th
     const auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.5);
     int differs = 0;
     for (int k = 0; k < 25; ++k) {
-        const OwnedInput input = muster_test::randomInput(random, ground, 6, {{-7, -7}, {7, 7}}, {{-7, -7}, {7, 7}});
+        const OwnedInput input = muster_test::randomInput(random, ground, 6, {{-7, -7}, {7, 7}},
+                                                          {{-7, -7}, {7, 7}});
         PlanResult result, squares;
         REQUIRE(planAtOnce(*muster::makeExactPlan(), leastLongest(0.0, false), input, result).ok());
         const auto [walk, sum] = byHand(input);
@@ -88,7 +90,8 @@ TEST_CASE("the longest walk is the least of all permutations, and the squares th
 TEST_CASE("two share the way where one alone would walk farther") {
     for (const bool geodesic : {false, true}) {
         PlanResult result;
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), leastLongest(0.1, geodesic), triangle({-1, -1}), result).ok());
+        REQUIRE(planAtOnce(*muster::makeExactPlan(), leastLongest(0.1, geodesic), triangle({-1, -1}), result)
+                    .ok());
         CHECK(placesOf(result, 2) == Places{1, 0});
         PlanDef def = leastLongest(0.1, geodesic);
         def.longestWalk = false;
@@ -131,12 +134,14 @@ TEST_CASE("fronts that stop early give the same longest walk") {
     muster_test::addWall(ground, {{-0.5, -5}, {0.5, 6}});
     int changes = 0;
     for (int k = 0; k < 30; ++k) {
-        OwnedInput input = muster_test::randomInput(random, ground, 14, {{-7, -7}, {7, 7}}, {{-7, -7}, {7, 7}});
+        OwnedInput input = muster_test::randomInput(random, ground, 14, {{-7, -7}, {7, 7}},
+                                                    {{-7, -7}, {7, 7}});
         PlanResult wide, narrow;
         const PlanDef def = leastLongest(0.0, true);
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
         input.incumbent = placesOf(wide, 14);
-        if (k % 4 == 0) std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
+        if (k % 4 == 0)
+            std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
         for (Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, narrow).ok());
         changes += narrow.changed;

@@ -1,8 +1,8 @@
 // A plan that is made again and again allocates nothing once warm.
 #include <doctest.h>
 
-#include "counting_new.h"
 #include "assignment/dynamic/matching_scene.h"
+#include "counting_new.h"
 #include "planning/plan_scene.h"
 
 TEST_CASE("a warm plan allocates nothing") {

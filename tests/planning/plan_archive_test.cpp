@@ -36,7 +36,8 @@ OwnedInput scene(std::uint64_t seed) {
     auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
     muster_test::addWall(ground, {{-1, -6}, {1, 6}});
     OwnedInput input = muster_test::randomInput(random, ground, 9, {{-7, -7}, {-2, 7}}, {{2, -7}, {7, 7}});
-    for (std::size_t i = 0; i < input.incumbent.size(); ++i) input.incumbent[i] = static_cast<std::int32_t>(8 - i);
+    for (std::size_t i = 0; i < input.incumbent.size(); ++i)
+        input.incumbent[i] = static_cast<std::int32_t>(8 - i);
     input.usable.assign(9, 1);
     input.usable[3] = 0;
     input.supply.assign(9, 1.0);
@@ -140,8 +141,8 @@ TEST_CASE("torn and damaged snapshots are refused") {
     muster::Random random(6);
     for (int k = 0; k < 300; ++k) {
         std::vector<std::uint8_t> damaged = bytes;
-        damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] ^=
-            static_cast<std::uint8_t>(1u << random.below(8));
+        damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] ^= static_cast<std::uint8_t>(
+            1u << random.below(8));
         // Never a crash; where the damage is a plausible value it is the checksum's business.
         restore(*other, damaged);
     }

@@ -52,12 +52,13 @@ struct OwnedInput {
 };
 
 /// `count` characters at random in `from`, as many places in `to`.
-inline OwnedInput randomInput(muster::Random& random, const muster::UnitCost& cost, std::int32_t count, muster::Box from,
-                              muster::Box to) {
+inline OwnedInput randomInput(muster::Random& random, const muster::UnitCost& cost, std::int32_t count,
+                              muster::Box from, muster::Box to) {
     OwnedInput input;
     input.cost = cost;
     for (std::int32_t k = 0; k < count; ++k) {
-        input.characters.push_back({random.uniform(from.min.x, from.max.x), random.uniform(from.min.y, from.max.y)});
+        input.characters.push_back(
+            {random.uniform(from.min.x, from.max.x), random.uniform(from.min.y, from.max.y)});
         input.places.push_back({random.uniform(to.min.x, to.max.x), random.uniform(to.min.y, to.max.y)});
     }
     input.noIncumbents();

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "environment/environment.h"
 #include "cost/unit_cost.h"
+#include "environment/environment.h"
 #include "planning/plan_scene.h"
 
 namespace {
@@ -40,7 +40,8 @@ Steered steer(muster::Plan& plan, const muster::Environment& environment, Vec2 p
               const std::vector<Vec2>& placesNow, double direct = 1.5) {
     Steered out{};
     muster::ThreadPool pool;
-    plan.steer({{&p, 1}, {&place, 1}, placesNow, &environment, direct}, pool, {&out.direction, 1}, {&out.cost, 1});
+    plan.steer({{&p, 1}, {&place, 1}, placesNow, &environment, direct}, pool, {&out.direction, 1},
+               {&out.cost, 1});
     return out;
 }
 

@@ -1,7 +1,7 @@
 #include "reproduce/experiments/bottleneck.h"
 
-#include <algorithm>
 #include <doctest.h>
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -37,7 +37,8 @@ std::vector<Vec2> scatter(Random& random, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("a row that shifts by one place moves everybody by one, though the least sum could move one by all") {
+TEST_CASE(
+    "a row that shifts by one place moves everybody by one, though the least sum could move one by all") {
     std::vector<Vec2> starts, places;
     for (int k = 0; k < 10; ++k) {
         starts.push_back({static_cast<double>(k), 0.0});

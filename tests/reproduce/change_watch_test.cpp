@@ -1,7 +1,7 @@
 #include "reproduce/experiments/change_watch.h"
 
-#include <cmath>
 #include <doctest.h>
+#include <cmath>
 
 using namespace muster;
 
@@ -56,7 +56,8 @@ TEST_CASE("a change is timed from the step that makes it until the character is 
 }
 
 TEST_CASE("each change is judged when the next one comes") {
-    const auto changes = watch(oneWhoGoes(), {changeAt(60, {4.0, 0.0}), changeAt(90, {0.0, 0.0})}, 360).changes();
+    const auto changes = watch(oneWhoGoes(), {changeAt(60, {4.0, 0.0}), changeAt(90, {0.0, 0.0})}, 360)
+                             .changes();
     REQUIRE(changes.size() == 2);
     CHECK(std::isnan(changes[0].arrived95));
     CHECK(changes[1].time == doctest::Approx(1.5));

@@ -119,7 +119,8 @@ TEST_CASE("a chart shows its lines, marks, units and legend, and lets no gap be 
     CHECK(xml.all("title").front().text == "Time <by> size");
     std::set<std::string> words;
     for (const Element& text : xml.all("text")) words.insert(text.text);
-    for (const char* wanted : {"characters", "step [ms]", "first & best", "dots"}) CHECK(words.count(wanted) == 1);
+    for (const char* wanted : {"characters", "step [ms]", "first & best", "dots"})
+        CHECK(words.count(wanted) == 1);
     // One path with two beginnings; in the legend another one. Points alone have none.
     std::size_t lines = 0;
     for (const Element& path : xml.all("path")) {
@@ -151,7 +152,8 @@ TEST_CASE("all of a chart lies inside it") {
 }
 
 TEST_CASE("a chart without values says so") {
-    const std::string svg = chartSvg({"t", "x", "y", true, false, {{"a", {{-1.0, 2.0}, {kNone, 1.0}}, false}}});
+    const std::string svg = chartSvg(
+        {"t", "x", "y", true, false, {{"a", {{-1.0, 2.0}, {kNone, 1.0}}, false}}});
     CHECK(XmlReader(svg).error.empty());
     CHECK(svg.find(">no values<") != std::string::npos);
     CHECK(XmlReader(chartSvg({})).error.empty());

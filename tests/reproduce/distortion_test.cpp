@@ -12,7 +12,8 @@ namespace {
 
 /// Two triangles: one at the left of x = 0 with an area of 1, one at the right with an area of 3.
 TriangleMesh twoTriangles() {
-    return {{{-2.0, 0.0}, {-1.0, 0.0}, {-2.0, 2.0}, {1.0, 0.0}, {4.0, 0.0}, {1.0, 2.0}}, {{0, 1, 2}, {3, 4, 5}}};
+    return {{{-2.0, 0.0}, {-1.0, 0.0}, {-2.0, 2.0}, {1.0, 0.0}, {4.0, 0.0}, {1.0, 2.0}},
+            {{0, 1, 2}, {3, 4, 5}}};
 }
 
 std::vector<Vec2> mapped(const TriangleMesh& mesh, const std::function<Vec2(Vec2)>& map) {
@@ -38,7 +39,8 @@ void expectAll(const std::function<Vec2(Vec2)>& map, double value) {
 double byTrying(double a, double b, double c, double d) {
     double best = 1e300;
     for (int k = 0; k < 200000; ++k) {
-        const double angle = 2.0 * 3.14159265358979323846 * k / 200000.0, x = std::cos(angle), y = std::sin(angle);
+        const double angle = 2.0 * 3.14159265358979323846 * k / 200000.0, x = std::cos(angle),
+                     y = std::sin(angle);
         best = std::min(best, (a - x) * (a - x) + (b + y) * (b + y) + (c - y) * (c - y) + (d - x) * (d - x));
     }
     return std::sqrt(best);
@@ -91,9 +93,10 @@ TEST_CASE("any linear map, against trying all rotations") {
                               {-1.5, 0.0, 0.2, -0.1}};
     const TriangleMesh mesh = twoTriangles();
     for (const auto& m : maps) {
-        const auto values = triangleDistortion(mesh, mapped(mesh, [&](Vec2 p) {
-                                                   return Vec2{m[0] * p.x + m[1] * p.y, m[2] * p.x + m[3] * p.y};
-                                               }));
+        const auto values = triangleDistortion(
+            mesh, mapped(mesh, [&](Vec2 p) {
+                return Vec2{m[0] * p.x + m[1] * p.y, m[2] * p.x + m[3] * p.y};
+            }));
         for (const double value : values)
             CHECK(value == doctest::Approx(byTrying(m[0], m[1], m[2], m[3])).epsilon(1e-6));
     }

@@ -35,7 +35,8 @@ std::vector<Element> nested(const XmlReader& xml) {
 }  // namespace
 
 TEST_CASE("rows of a strip are equally long") {
-    const std::map<std::size_t, int> wanted = {{0, 1}, {1, 1}, {2, 2}, {4, 4}, {5, 3}, {6, 3}, {7, 4}, {9, 3}, {10, 4}};
+    const std::map<std::size_t, int> wanted = {{0, 1}, {1, 1}, {2, 2}, {4, 4}, {5, 3},
+                                               {6, 3}, {7, 4}, {9, 3}, {10, 4}};
     for (const auto& [count, columns] : wanted) CHECK(stripColumns(count) == columns);
     CHECK(stripColumns(5, 2) == 2);
     CHECK(stripColumns(5, 0) == 1);

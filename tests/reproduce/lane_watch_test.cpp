@@ -38,7 +38,8 @@ TEST_CASE("lanes between borders") {
 
 TEST_CASE("a crossing counts from left to right, in its lane and at its time") {
     // The third walks the other way, the fourth stays before the line; the second comes from far away.
-    World world = *World::create(walkers({{{-2, 3}, {4, 3}}, {{-6, -3}, {4, -3}}, {{3, 0}, {-3, 0}}, {{-9, 0}, {-8, 0}}}));
+    World world = *World::create(
+        walkers({{{-2, 3}, {4, 3}}, {{-6, -3}, {4, -3}}, {{3, 0}, {-3, 0}}, {{-9, 0}, {-8, 0}}}));
     LaneWatch watch(0.0, {-1.0, 1.0}, world);
     double first = -1.0, second = -1.0;
     while (world.time() < 8.0) {

@@ -21,10 +21,10 @@ TEST_CASE("text is escaped, and made UTF-8 where it is none") {
     CHECK(escaped(std::string_view("a\0b\x01\x7f\tc\nd", 9)) == "ab c d");
     const std::string bad = "\xEF\xBF\xBD";
     CHECK(escaped("\xff") == bad);
-    CHECK(escaped("\xc3") == bad);                         // Cut short.
-    CHECK(escaped("\xc0\xbc") == bad + bad);               // "<" in too many bytes.
-    CHECK(escaped("\xed\xa0\x80") == bad + bad + bad);     // A surrogate.
-    CHECK(escaped("\xef\xbf\xbe") == bad + bad + bad);     // XML has no U+FFFE.
+    CHECK(escaped("\xc3") == bad);                      // Cut short.
+    CHECK(escaped("\xc0\xbc") == bad + bad);            // "<" in too many bytes.
+    CHECK(escaped("\xed\xa0\x80") == bad + bad + bad);  // A surrogate.
+    CHECK(escaped("\xef\xbf\xbe") == bad + bad + bad);  // XML has no U+FFFE.
     CHECK(escaped("\xf0\x9f\x98\x80") == "\xf0\x9f\x98\x80");
 }
 

@@ -1,7 +1,7 @@
 #include "reproduce/experiments/mouth.h"
 
-#include <cmath>
 #include <doctest.h>
+#include <cmath>
 #include <vector>
 
 #include "base/maths.h"

@@ -3,10 +3,10 @@
 
 #include <set>
 
+#include "muster/hash.h"
 #include "picture/xml.h"
 #include "reproduce/fake.h"
 #include "reproduce/report/html_parts.h"
-#include "muster/hash.h"
 
 using namespace muster;
 using muster::testing::Element;
@@ -71,8 +71,8 @@ TEST_CASE("the page asks no network for anything") {
 
 TEST_CASE("the page tells what was run, and how many criteria hold") {
     const std::string page = reportHtml(fakeReproduction());
-    for (const char* part :
-         {"0.1.0", "2026-01-02 03:04 UTC", "X2, X4", "812 s (13.5 min)", "<b>3 of 6</b> criteria hold, 3 fail"}) {
+    for (const char* part : {"0.1.0", "2026-01-02 03:04 UTC", "X2, X4", "812 s (13.5 min)",
+                             "<b>3 of 6</b> criteria hold, 3 fail"}) {
         CAPTURE(part);
         CHECK(page.find(part) != std::string::npos);
     }
@@ -133,7 +133,8 @@ TEST_CASE("values that were not reached are shown as such") {
     CHECK(verdictValueText(experiment.verdicts[6]) == "not reached");
     CHECK(verdictRangeText(experiment.verdicts[6], 10) == "in none of 10 seeds");
     CHECK(verdictRangeText(experiment.verdicts[7], 10) == "12,346 to 123,456, no value in 2 of 10 seeds");
-    CHECK(stripPlots(experiment).find("Without a value in any run: what nobody reached.") != std::string::npos);
+    CHECK(stripPlots(experiment).find("Without a value in any run: what nobody reached.") !=
+          std::string::npos);
 }
 
 TEST_CASE("medians and ranges of the table") {

@@ -1,5 +1,6 @@
 // Running experiments: what is refused before the first run, and that threads change nothing.
 #include "reproduce/reproduce.h"
+#include "folders.h"
 
 #include <unistd.h>
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kFolder = MUSTER_SOURCE_DIR "/scenarios/paper";
+const std::string kFolder = sourceFolder() + "/scenarios/paper";
 
 Status refused(const ReproduceDef& def) {
     bool ran = false;
@@ -57,7 +58,8 @@ TEST_CASE("what cannot be run is told by name before the first run") {
     CHECK(folder.code() == StatusCode::NotFound);
     CHECK(folder.message().find("/nowhere/paper:") == 0);
 
-    const fs::path empty = fs::temp_directory_path() / ("muster_reproduce_test_" + std::to_string(::getpid()));
+    const fs::path empty = fs::temp_directory_path() /
+                           ("muster_reproduce_test_" + std::to_string(::getpid()));
     fs::create_directories(empty);
     const Status scenario = refused({{"x2"}, 1, 1, empty.string()});
     CHECK(scenario.message().find((empty / "x02-line-and-area.json").string() + ":") == 0);
@@ -66,7 +68,8 @@ TEST_CASE("what cannot be run is told by name before the first run") {
 }
 
 TEST_CASE("a scenario that is there but cannot be read ends it, naming experiment and file") {
-    const fs::path folder = fs::temp_directory_path() / ("muster_reproduce_torn_" + std::to_string(::getpid()));
+    const fs::path folder = fs::temp_directory_path() /
+                            ("muster_reproduce_torn_" + std::to_string(::getpid()));
     fs::create_directories(folder);
     const std::string path = (folder / "x02-line-and-area.json").string();
     std::FILE* file = std::fopen(path.c_str(), "w");

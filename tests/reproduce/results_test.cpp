@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reproduce/fake.h"
 #include "muster/scenario.h"
+#include "reproduce/fake.h"
 
 using namespace muster;
 using muster::testing::fakeReproduction;
@@ -57,7 +57,8 @@ TEST_CASE("the summary is one Markdown table") {
     }
     CHECK(rows == 2 + 9);
     CHECK(text.rfind("3 of 6 criteria hold over 10 seeds.", 0) == 0);
-    CHECK(text.find("| what nobody reached | muster | not reached | in none of 10 seeds | at most 10 s in the median | "
+    CHECK(text.find("| what nobody reached | muster | not reached | in none of 10 seeds | at most 10 s in "
+                    "the median | "
                     "**fail** |") != std::string::npos);
 }
 
@@ -80,8 +81,8 @@ TEST_CASE("the report's files are written into a new folder; a file in its place
     REQUIRE(writeReport(fakeReproduction(2), deep.string()).ok());
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(deep)) names.insert(entry.path().filename().string());
-    CHECK(names == std::set<std::string>{"index.html", "results.json", "summary.md", "x2-film.svg", "x4-film-fixed.svg",
-                                         "x4-film-transport.svg"});
+    CHECK(names == std::set<std::string>{"index.html", "results.json", "summary.md", "x2-film.svg",
+                                         "x4-film-fixed.svg", "x4-film-transport.svg"});
     CHECK(*readTextFile((deep / "index.html").string()) == reportHtml(fakeReproduction(2)));
     const std::string file = (folder / "file").string();
     REQUIRE(writeTextFile(file, "x").ok());

@@ -20,8 +20,8 @@ RunSample sample(double time) {
     return run;
 }
 
-Verdict judged(const std::vector<double>& values, Aggregate aggregate, Comparison comparison, double threshold,
-               std::size_t expected, const std::string& preset = "muster") {
+Verdict judged(const std::vector<double>& values, Aggregate aggregate, Comparison comparison,
+               double threshold, std::size_t expected, const std::string& preset = "muster") {
     Judge judge(expected);
     judge.require("criterion", preset, values, aggregate, comparison, threshold, "s");
     REQUIRE(judge.verdicts().size() == 1);

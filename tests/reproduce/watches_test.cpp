@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "base/random.h"
 #include "reproduce/experiments/car_watch.h"
 #include "reproduce/experiments/encounter_watch.h"
 #include "reproduce/experiments/ground_watch.h"
 #include "reproduce/experiments/hand_jitter.h"
-#include "base/random.h"
 
 using namespace muster;
 
@@ -28,13 +28,15 @@ WorldDef onePerson(Vec2 start) {
     return def;
 }
 
-Polygon rectangle(Vec2 min, Vec2 max) { return {min, {max.x, min.y}, max, {min.x, max.y}}; }
+Polygon rectangle(Vec2 min, Vec2 max) {
+    return {min, {max.x, min.y}, max, {min.x, max.y}};
+}
 
 }  // namespace
 
 TEST_CASE("rays and the library agree on what lies inside") {
-    const Polygon star{{0, 3}, {-0.7, 1}, {-2.9, 0.9}, {-1.1, -0.4}, {-1.8, -2.4}, {0, -1.2},
-                       {1.8, -2.4}, {1.1, -0.4}, {2.9, 0.9}, {0.7, 1}};
+    const Polygon star{{0, 3},    {-0.7, 1},   {-2.9, 0.9}, {-1.1, -0.4}, {-1.8, -2.4},
+                       {0, -1.2}, {1.8, -2.4}, {1.1, -0.4}, {2.9, 0.9},   {0.7, 1}};
     Random random(4);
     int inside = 0;
     for (int k = 0; k < 20000; ++k) {
@@ -46,7 +48,8 @@ TEST_CASE("rays and the library agree on what lies inside") {
 }
 
 TEST_CASE("stays in a mouse's polygon are counted once each, and as the events tell") {
-    // It runs over the character, leaves it for the given time, and comes back. Edges are never just at the character.
+    // It runs over the character, leaves it for the given time, and comes back. Edges are never just at the
+    // character.
     for (const double away : {0.3, 0.8}) {
         WorldDef def = onePerson({0, 0});
         PatchDef mouse;

@@ -1,4 +1,5 @@
-// What a client is told of a crowd: whole at first, then what changed, within eight bytes for each of ten thousand.
+// What a client is told of a crowd: whole at first, then what changed, within eight bytes for each of ten
+// thousand.
 #include <doctest.h>
 
 #include <algorithm>
@@ -23,7 +24,8 @@ public:
     Walkers(std::size_t count, double spacing) {
         const auto across = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
         for (std::size_t i = 0; i < count; ++i) {
-            position.push_back({spacing * static_cast<double>(i % across), spacing * static_cast<double>(i / across)});
+            position.push_back(
+                {spacing * static_cast<double>(i % across), spacing * static_cast<double>(i / across)});
             heading.push_back(random_.uniform() * 0.8);
             speed.push_back(0.8 + random_.uniform());
         }
@@ -38,9 +40,11 @@ public:
         }
         picture.place(position);
         for (std::size_t i = 0; i < position.size(); ++i) {
-            picture.heading[i] = static_cast<std::uint16_t>(std::lround(heading[i] / kTurn * 65536.0) & 65535);
+            picture.heading[i] = static_cast<std::uint16_t>(std::lround(heading[i] / kTurn * 65536.0) &
+                                                            65535);
             picture.phase[i] = static_cast<std::uint16_t>(picture.phase[i] + 1900);
-            if (random_.uniform() < 1.4 * seconds) picture.clip[i] = static_cast<std::uint8_t>(random_.uniform() * 29.0);
+            if (random_.uniform() < 1.4 * seconds)
+                picture.clip[i] = static_cast<std::uint8_t>(random_.uniform() * 29.0);
         }
     }
 
@@ -69,7 +73,8 @@ struct Link {
     const PageFrame& send(const CrowdPicture& picture, bool anew) {
         frame.ids.clear();
         frame.group.clear();
-        for (std::uint32_t i = 0; anew && i < picture.size(); ++i) frame.ids.push_back(i + 1), frame.group.push_back(0);
+        for (std::uint32_t i = 0; anew && i < picture.size(); ++i)
+            frame.ids.push_back(i + 1), frame.group.push_back(0);
         encoder.encode(picture, anew, frame.crowd);
         const auto bytes = protocol::encode(frame);
         const auto read = protocol::decodeServer(bytes);
@@ -82,7 +87,8 @@ void checkSame(const PageFrame& page, const Walkers& crowd, double within) {
     REQUIRE(page.x.size() == crowd.position.size());
     double worst = 0.0;
     for (std::size_t i = 0; i < page.x.size(); ++i)
-        worst = std::max({worst, std::fabs(page.x[i] - crowd.position[i].x), std::fabs(page.y[i] - crowd.position[i].y)});
+        worst = std::max(
+            {worst, std::fabs(page.x[i] - crowd.position[i].x), std::fabs(page.y[i] - crowd.position[i].y)});
     CHECK(worst <= within);
     CHECK(page.clip == crowd.picture.clip);
 }
@@ -132,14 +138,15 @@ TEST_CASE("Ten thousand walk in eight bytes each, whole poses, mesh and places i
         crowd.walk(1.0 / 30.0);
         for (std::size_t k = 0; k < placed.offsets.size(); ++k)
             placed.offsets[k] = static_cast<std::int16_t>(frame + static_cast<int>(k % 7));
-        placed.unfit[static_cast<std::size_t>(frame)] = 255;
+        placed.unfit[frame] = 255;
         places.encode(placed, group);
         const PageFrame& page = link.send(crowd.picture, frame == 0);
         checkSame(page, crowd, 0.00196);
         CHECK(worstTurn(page, crowd) <= 0.51 * kTurn / 256.0);
         if (frame > 0) most = std::max(most, protocol::encode(link.frame).size());
     }
-    MESSAGE("measured: a frame of 10,000 takes at most ", static_cast<double>(most) / 10'000.0, " bytes for each");
+    MESSAGE("measured: a frame of 10,000 takes at most ", static_cast<double>(most) / 10'000.0,
+            " bytes for each");
     CHECK(most <= 80'000);
 }
 
@@ -171,14 +178,16 @@ TEST_CASE("Who is put elsewhere arrives at once; where all are, whole places com
 TEST_CASE("Who stands still keeps the same place while the lattice moves on with others") {
     Walkers crowd(2, 1.0);
     crowd.picture.place(crowd.position);
-    const double before = crowd.picture.lattice.corner().x + crowd.picture.x[0] * crowd.picture.lattice.quantum();
+    const double before = crowd.picture.lattice.corner().x +
+                          crowd.picture.x[0] * crowd.picture.lattice.quantum();
     int moves = 0;
     for (int k = 0; k < 400; ++k) {
         const Vec2 corner = crowd.picture.lattice.corner();
         crowd.position[1].x += 0.1;
         crowd.picture.place(crowd.position);
         moves += crowd.picture.lattice.corner() == corner ? 0 : 1;
-        const double now = crowd.picture.lattice.corner().x + crowd.picture.x[0] * crowd.picture.lattice.quantum();
+        const double now = crowd.picture.lattice.corner().x +
+                           crowd.picture.x[0] * crowd.picture.lattice.quantum();
         CHECK(now == before);
     }
     CHECK(moves >= 1);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "folders.h"
 #include "muster/gestures.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
@@ -15,7 +16,7 @@ using namespace muster::testing;
 
 namespace {
 
-const std::string kScenario = std::string(MUSTER_SOURCE_DIR) + "/scenarios/block.json";
+const std::string kScenario = sourceFolder() + "/scenarios/block.json";
 
 WorldDef blockDef() {
     auto def = loadScenario(kScenario);
@@ -25,7 +26,9 @@ WorldDef blockDef() {
 
 Session startedBlock() {
     SessionDef def = sessionDef();
-    def.loadGestures = [](const std::string&, const WorldDef& world) { return loadScenarioGestures(kScenario, world); };
+    def.loadGestures = [](const std::string&, const WorldDef& world) {
+        return loadScenarioGestures(kScenario, world);
+    };
     Session session(std::move(def));
     REQUIRE(session.load("block", blockDef()).ok());
     return session;
@@ -43,7 +46,9 @@ World played(bool withGestures) {
     return std::move(world).value();
 }
 
-void demonstrate(FakeClient& client) { client.send(protocol::Transport{protocol::TransportAction::Demonstrate}); }
+void demonstrate(FakeClient& client) {
+    client.send(protocol::Transport{protocol::TransportAction::Demonstrate});
+}
 
 std::size_t fingersOf(const protocol::Frame& frame, std::uint32_t lowest, std::uint32_t highest) {
     std::size_t count = 0;
@@ -58,7 +63,8 @@ std::size_t fingersOf(const protocol::Frame& frame, std::uint32_t lowest, std::u
 
 }  // namespace
 
-TEST_CASE("A demonstration has the hashes of a run of its gestures, at every step, and its take replays to them") {
+TEST_CASE(
+    "A demonstration has the hashes of a run of its gestures, at every step, and its take replays to them") {
     Session session = startedBlock();
     FakeClient client(session);
     run(session, 0.5, {&client});
@@ -178,6 +184,7 @@ TEST_CASE("Gestures that cannot be watched are told, and the world goes on") {
         client.poll();
         CHECK(session.world()->stepCount() == steps);
         CHECK_FALSE(session.demonstrating());
-        CHECK(client.noticed("Transport").find(missing ? "cannot be opened" : "found the client 1001") != std::string::npos);
+        CHECK(client.noticed("Transport").find(missing ? "cannot be opened" : "found the client 1001") !=
+              std::string::npos);
     }
 }

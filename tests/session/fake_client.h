@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "session/protocol.h"
 #include "muster/session.h"
 #include "session/page_decoder.h"
+#include "session/protocol.h"
 
 namespace muster::testing {
 
@@ -60,7 +60,8 @@ public:
     }
 
     /// Makes one touch event.
-    static protocol::TouchEvent touch(protocol::TouchPhase phase, Vec2 p, double time, std::uint32_t finger = 1) {
+    static protocol::TouchEvent touch(protocol::TouchPhase phase, Vec2 p, double time,
+                                      std::uint32_t finger = 1) {
         return {phase, finger, p.x, p.y, time, 0};
     }
     void touchAt(protocol::TouchPhase phase, Vec2 p, double time, std::uint32_t finger = 1) {

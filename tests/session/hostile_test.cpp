@@ -66,9 +66,11 @@ TEST_CASE("Messages cut short or prolonged are malformed, whatever their kind") 
     Session session = startedSession();
     run(session, 0.2);
     for (const auto& whole : everyMessage()) {
-        for (std::size_t length = 0; length < whole.size(); length += whole.size() > 40 ? 7 : 1)
-            checkRefused(session, std::vector<std::uint8_t>(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)),
-                         "malformed");
+        for (std::size_t length = 0; length<whole.size(); length += whole.size()> 40 ? 7 : 1)
+            checkRefused(
+                session,
+                std::vector<std::uint8_t>(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)),
+                "malformed");
         auto longer = whole;
         longer.push_back(0);
         checkRefused(session, longer, "malformed");
@@ -102,7 +104,8 @@ TEST_CASE("Random bytes never break a session") {
             bytes = messages[random.below(static_cast<std::uint32_t>(messages.size()))];
             const std::uint32_t changes = 1 + random.below(4);
             for (std::uint32_t k = 0; k < changes; ++k)
-                bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::uint8_t>(random.below(256));
+                bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::uint8_t>(
+                    random.below(256));
         } else {
             bytes.resize(random.below(80));
             for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random.below(256));
@@ -126,10 +129,13 @@ TEST_CASE("Numbers out of range are refused, at the limit accepted") {
     Session session = startedSession();
     run(session, 0.1);
     using protocol::TouchPhase;
-    for (const auto& bad : {FakeClient::touch(TouchPhase::Down, {kNan, 0}, 1), FakeClient::touch(TouchPhase::Down, {0, 0}, kNan),
-                            FakeClient::touch(TouchPhase::Move, {0, std::numeric_limits<double>::infinity()}, 1)}) {
+    for (const auto& bad :
+         {FakeClient::touch(TouchPhase::Down, {kNan, 0}, 1),
+          FakeClient::touch(TouchPhase::Down, {0, 0}, kNan),
+          FakeClient::touch(TouchPhase::Move, {0, std::numeric_limits<double>::infinity()}, 1)}) {
         protocol::Touches touches;
-        touches.events = {FakeClient::touch(TouchPhase::Down, {0, 0}, 1.0), bad};  // The good one must not apply either.
+        // The good one must not apply either.
+        touches.events = {FakeClient::touch(TouchPhase::Down, {0, 0}, 1.0), bad};
         checkRefused(session, touches, "Touches");
     }
     protocol::AddControl add;

@@ -77,7 +77,8 @@ TEST_CASE("every character has a clip; nobody a whole pose until somebody looks"
     CHECK(client.page.clip.size() == 16);
     for (const std::uint8_t clip : client.page.clip) CHECK(clip < ownClips().clips.size());
     REQUIRE(client.page.phase.size() == 16);
-    CHECK(std::any_of(client.page.phase.begin(), client.page.phase.end(), [](double phase) { return phase > 0.0; }));
+    CHECK(std::any_of(client.page.phase.begin(), client.page.phase.end(),
+                      [](double phase) { return phase > 0.0; }));
     CHECK(frame.crowd.near.empty());
     CHECK(frame.crowd.nearPoses.empty());
 }
@@ -106,8 +107,8 @@ TEST_CASE("those nearest to where a client looks come with whole poses") {
         CHECK(std::fabs(hips.w) > 0.9);
         const std::size_t who = frame.crowd.near[k];
         CHECK(std::fabs(frame.crowd.nearPlaces[3 * k] - client.page.x[who]) < 0.001);
-        CHECK(std::fabs(std::remainder(frame.crowd.nearPlaces[3 * k + 2] - client.page.heading[who], 6.283185307179586)) <
-              2e-4);
+        CHECK(std::fabs(std::remainder(frame.crowd.nearPlaces[3 * k + 2] - client.page.heading[who],
+                                       6.283185307179586)) < 2e-4);
     }
     attend(client, 0.0f, 0.0f, 0);
     run(session, 0.1, {&client});
@@ -190,8 +191,8 @@ TEST_CASE("clips that frames cannot tell of are refused by name, and people move
     CHECK(refused(slowed(frames / 70.0)).find("motion \"walk\" in seconds: found 70, expected at most 65") !=
           std::string::npos);
     CHECK(refused(slowed(frames / 60.0)).empty());
-    const std::string many =
-        refused([](ClipLibrary& library) { library.clips.resize(257, library.clips.front()); });
+    const std::string many = refused(
+        [](ClipLibrary& library) { library.clips.resize(257, library.clips.front()); });
     CHECK(many.find("motions: found 257, expected at most 256") != std::string::npos);
     const std::string long_ = refused([](ClipLibrary& library) {
         Clip& clip = library.clips[0];

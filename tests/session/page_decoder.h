@@ -18,12 +18,12 @@ struct PageFrame {
     std::uint32_t frame = 0;
     std::vector<std::uint32_t> ids;
     std::vector<std::uint8_t> group;
-    std::vector<double> x, y;       ///< [m]
-    std::vector<double> heading;    ///< [rad], 0 to a turn.
+    std::vector<double> x, y;     ///< [m]
+    std::vector<double> heading;  ///< [rad], 0 to a turn.
     std::vector<std::uint8_t> clip;
-    std::vector<double> phase;      ///< 0 to 1.
-    std::vector<std::vector<double>> places;         ///< By group: x, y per place [m].
-    std::vector<std::vector<std::uint8_t>> unfit;    ///< By group, per place.
+    std::vector<double> phase;                     ///< 0 to 1.
+    std::vector<std::vector<double>> places;       ///< By group: x, y per place [m].
+    std::vector<std::vector<std::uint8_t>> unfit;  ///< By group, per place.
 };
 
 /// Follows the frames of one session.
@@ -87,7 +87,8 @@ private:
                 x_[crowd.jumped[k]] = crowd.jumpedX[k];
                 y_[crowd.jumped[k]] = crowd.jumpedY[k];
             }
-            for (std::size_t k = 0; k < crowd.changed.size(); ++k) page_.clip[crowd.changed[k]] = crowd.clip[k];
+            for (std::size_t k = 0; k < crowd.changed.size(); ++k)
+                page_.clip[crowd.changed[k]] = crowd.clip[k];
         }
         page_.x.resize(count);
         page_.y.resize(count);
@@ -100,7 +101,8 @@ private:
         page_.phase = joined(crowd.phase, crowd.phaseFine);
     }
 
-    static std::vector<double> joined(const std::vector<std::uint8_t>& high, const std::vector<std::uint8_t>& low) {
+    static std::vector<double> joined(const std::vector<std::uint8_t>& high,
+                                      const std::vector<std::uint8_t>& low) {
         std::vector<double> all;
         for (std::size_t i = 0; i < high.size(); ++i)
             all.push_back((high[i] + (low.empty() ? 0.5 : low[i] / 256.0)) / 256.0);
@@ -123,7 +125,8 @@ private:
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 double at = group.offsets[2 * k + axis];
                 for (std::size_t c = 0; c < 3; ++c)
-                    at += weights[c] * frame.vertices[2 * mesh.triangles[3 * mesh.placeTriangles[k] + c] + axis];
+                    at += weights[c] *
+                          frame.vertices[2 * mesh.triangles[3 * mesh.placeTriangles[k] + c] + axis];
                 places.push_back(at);
             }
             unfit.push_back(group.unfit.empty() ? 0 : (group.unfit[k / 8] >> (k % 8)) & 1);

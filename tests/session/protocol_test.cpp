@@ -4,9 +4,10 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "folders.h"
+#include "session/pacer.h"
 #include "session/protocol.h"
 #include "session/token_bucket.h"
-#include "session/pacer.h"
 #include "session/touch_clock.h"
 
 using namespace muster;
@@ -111,7 +112,7 @@ TEST_CASE("A frame comes back as it went") {
 // The page's tests decode this file, so both sides agree on every kind of field. Run with
 // MUSTER_UPDATE_GOLDEN=1 to write it anew.
 TEST_CASE("The frame that the page's tests read is what we write") {
-    const std::string path = std::string(MUSTER_SOURCE_DIR) + "/tests/golden/frame.bin";
+    const std::string path = sourceFolder() + "/tests/golden/frame.bin";
     const auto bytes = protocol::encode(sampleFrame());
     if (std::getenv("MUSTER_UPDATE_GOLDEN") != nullptr) {
         std::ofstream(path, std::ios::binary)
@@ -127,7 +128,7 @@ TEST_CASE("The generated files are those that messages.json makes") {
         MESSAGE("skipped: node is missing");
         return;
     }
-    const std::string command = "node '" + std::string(MUSTER_SOURCE_DIR) + "/protocol/generate.mjs' --check";
+    const std::string command = "node '" + sourceFolder() + "/protocol/generate.mjs' --check";
     CHECK(std::system(command.c_str()) == 0);
 }
 
@@ -164,13 +165,15 @@ TEST_CASE("Pacer: real time at every speed, no spiral") {
 TEST_CASE("Touch clock: offset, order, bounds, pause") {
     TouchClock clock;
     const double epoch = 1.7e9;
-    CHECK(clock.stamp(epoch, 5.0, 3.0, 1.0) == 3.0);                             // The first sets the offset.
-    CHECK(clock.stamp(epoch + 0.1, 5.11, 3.11, 1.0) == doctest::Approx(3.1));    // 10 ms later than usual.
-    CHECK(clock.stamp(epoch + 0.05, 5.12, 3.12, 1.0) == doctest::Approx(3.1));   // Never back.
-    CHECK(clock.stamp(epoch + 0.2, 5.15, 3.15, 1.0) == doctest::Approx(3.15));   // Faster than the first: no future.
-    CHECK(clock.stamp(epoch + 0.25, 5.2, 3.2, 1.0) == doctest::Approx(3.2));     // ... and the offset is better now.
-    CHECK(clock.stamp(epoch + 0.3, 15.0, 13.0, 1.0) == 12.5);                    // At most half a second old.
-    CHECK(clock.stamp(epoch + 20.0, 25.2, 13.0, 0.0) == 13.0);                   // Paused: now.
+    CHECK(clock.stamp(epoch, 5.0, 3.0, 1.0) == 3.0);                            // The first sets the offset.
+    CHECK(clock.stamp(epoch + 0.1, 5.11, 3.11, 1.0) == doctest::Approx(3.1));   // 10 ms later than usual.
+    CHECK(clock.stamp(epoch + 0.05, 5.12, 3.12, 1.0) == doctest::Approx(3.1));  // Never back.
+    CHECK(clock.stamp(epoch + 0.2, 5.15, 3.15, 1.0) ==
+          doctest::Approx(3.15));  // Faster than the first: no future.
+    CHECK(clock.stamp(epoch + 0.25, 5.2, 3.2, 1.0) ==
+          doctest::Approx(3.2));                                // ... and the offset is better now.
+    CHECK(clock.stamp(epoch + 0.3, 15.0, 13.0, 1.0) == 12.5);   // At most half a second old.
+    CHECK(clock.stamp(epoch + 20.0, 25.2, 13.0, 0.0) == 13.0);  // Paused: now.
     clock.restart();
     CHECK(clock.stamp(epoch + 30.0, 34.96, 0.25, 1.0) == doctest::Approx(0.24));
 }

@@ -258,8 +258,8 @@ TEST_CASE("A log that reaches its limit ends, says so once, and still replays") 
     Session session = startedSession(def);
     FakeClient client(session);
     for (int i = 0; i < 300; ++i) {
-        client.touchAt(i % 50 == 0 ? protocol::TouchPhase::Down : protocol::TouchPhase::Move,
-                       {0.01 * i, 0.0}, 1.0 + i / 60.0, static_cast<std::uint32_t>(i / 50));
+        client.touchAt(i % 50 == 0 ? protocol::TouchPhase::Down : protocol::TouchPhase::Move, {0.01 * i, 0.0},
+                       1.0 + i / 60.0, static_cast<std::uint32_t>(i / 50));
         run(session, 1.0 / 60.0, {&client});
     }
     CHECK(std::count_if(client.notices.begin(), client.notices.end(),

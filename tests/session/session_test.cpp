@@ -326,7 +326,8 @@ TEST_CASE("A client that goes lifts its fingers, and is logged") {
     CHECK(std::holds_alternative<ReleaseClient>(take->commands.back().body));
 }
 
-TEST_CASE("A new scene comes with its meshes and with the ids of its characters, even where they are as before") {
+TEST_CASE(
+    "A new scene comes with its meshes and with the ids of its characters, even where they are as before") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.5, {&client});
@@ -346,7 +347,8 @@ TEST_CASE("A new scene comes with its meshes and with the ids of its characters,
     CHECK(told);
 }
 
-TEST_CASE("What is likely a mistake in a scenario is told on load and to those who come later, not on restart") {
+TEST_CASE(
+    "What is likely a mistake in a scenario is told on load and to those who come later, not on restart") {
     WorldDef def = smallFloor();
     for (const double x : {6.0, 7.3}) {
         ObstacleDef disc;

@@ -1,5 +1,5 @@
-// Plans that are worked on while the crowd walks and while the program has the world: nothing it does then may disturb
-// them, and nobody can tell on how many threads they were made.
+// Plans that are worked on while the crowd walks and while the program has the world: nothing it does then
+// may disturb them, and nobody can tell on how many threads they were made.
 #include <doctest.h>
 
 #include <memory>
@@ -68,7 +68,8 @@ TEST_CASE("a plan is under way after a step, and its places are taken in the nex
     }
 }
 
-TEST_CASE("whatever a program does while plans are under way, any number of threads goes through the same states") {
+TEST_CASE(
+    "whatever a program does while plans are under way, any number of threads goes through the same states") {
     const std::vector<std::uint64_t> expected = disturbedRun(1, true);
     for (const std::int32_t threads : {2, 3, 8}) CHECK(disturbedRun(threads, true) == expected);
     // To look at the state is no disturbance either.
@@ -107,9 +108,10 @@ TEST_CASE("the work of plans goes to a foreign runner that takes it") {
         std::thread thread;
         int launches = 0;
     } own;
-    TaskRunner runner{1, &own, [](void*, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
-                          for (std::int32_t i = 0; i < count; ++i) task(of, i, 0);
-                      }};
+    TaskRunner runner{
+        1, &own, [](void*, std::int32_t count, void (*task)(void*, std::int32_t, std::int32_t), void* of) {
+            for (std::int32_t i = 0; i < count; ++i) task(of, i, 0);
+        }};
     runner.launch = [](void* context, void (*task)(void*), void* of) {
         auto& self = *static_cast<Runner*>(context);
         ++self.launches;

@@ -33,12 +33,26 @@ std::vector<Command> everyCommand() {
     group.count = 2;
     group.starts = {{0, 0}, {1, 1}};
     const std::vector<CommandBody> bodies = {
-        TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}}, TouchMove{7, {1, 2}, 0.25}, TouchUp{7, 0.5}, TouchCancel{7},
-        AddControl{GroupId{1}, ControlKind::Line, {1, 2}, {{0, 0}, {1, 0}}, 0.75}, PinControl{GroupId{1}, ControlId{3}, false},
-        RemoveControl{GroupId{1}, ControlId{3}}, ReleaseClient{}, SetFormation{GroupId{1}, outline},
-        SetCount{GroupId{1}, 50}, SetPose{GroupId{1}, {1, 2}, 0.3}, AddGroup{group}, RemoveGroup{GroupId{1}},
-        AddObstacle{box}, ChangeObstacle{ObstacleId{4}, disc}, RemoveObstacle{ObstacleId{4}}, AddPatch{patch},
-        ChangePatch{PatchId{1}, patch}, RemovePatch{PatchId{1}}, SetParameter{"plan.exponent", 1.5}};
+        TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}},
+        TouchMove{7, {1, 2}, 0.25},
+        TouchUp{7, 0.5},
+        TouchCancel{7},
+        AddControl{GroupId{1}, ControlKind::Line, {1, 2}, {{0, 0}, {1, 0}}, 0.75},
+        PinControl{GroupId{1}, ControlId{3}, false},
+        RemoveControl{GroupId{1}, ControlId{3}},
+        ReleaseClient{},
+        SetFormation{GroupId{1}, outline},
+        SetCount{GroupId{1}, 50},
+        SetPose{GroupId{1}, {1, 2}, 0.3},
+        AddGroup{group},
+        RemoveGroup{GroupId{1}},
+        AddObstacle{box},
+        ChangeObstacle{ObstacleId{4}, disc},
+        RemoveObstacle{ObstacleId{4}},
+        AddPatch{patch},
+        ChangePatch{PatchId{1}, patch},
+        RemovePatch{PatchId{1}},
+        SetParameter{"plan.exponent", 1.5}};
     std::vector<Command> commands;
     for (const CommandBody& body : bodies) {
         const auto n = static_cast<std::uint32_t>(commands.size());
@@ -107,7 +121,8 @@ TEST_CASE("flipped bytes never crash, and what is accepted is valid") {
     for (int round = 0; round < 200; ++round) {
         for (const Command& command : everyCommand()) {
             auto bytes = bytesOf(command);
-            bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<std::uint8_t>(1 + random.below(255));
+            bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<std::uint8_t>(
+                1 + random.below(255));
             Reader reader(bytes);
             const auto back = decodeCommand(reader);
             if (!back.ok()) continue;

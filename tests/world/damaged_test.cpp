@@ -80,7 +80,8 @@ TEST_CASE("many flipped bits, and cut ends") {
         for (int k = 0; k < 30; ++k) {
             auto bytes = whole;
             for (std::uint32_t flips = 1 + random.below(4); flips-- > 0;)
-                bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<std::uint8_t>(1u << random.below(8));
+                bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<std::uint8_t>(
+                    1u << random.below(8));
             (void)goesOn(bytes);
         }
         for (int k = 0; k < 60; ++k) {

@@ -17,7 +17,8 @@ void run(World& world, int steps) {
 
 double freeDistance(const World& world) {
     double least = 1e9;
-    for (const Vec2 p : world.characters().position) least = std::min(least, world.environment().distanceToObstacle(p));
+    for (const Vec2 p : world.characters().position)
+        least = std::min(least, world.environment().distanceToObstacle(p));
     return least;
 }
 
@@ -27,14 +28,15 @@ double worstToPlace(const World& world) {
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.place[i] < 0) continue;
         const auto& places = world.group(c.group[i]).places->positions();
-        worst = std::max(worst, distance(c.position[i], places[static_cast<std::size_t>(c.place[i])]));
+        worst = std::max(worst, distance(c.position[i], places[c.place[i]]));
     }
     return worst;
 }
 
 std::int32_t matched(const World& world) {
     const auto& place = world.characters().place;
-    return static_cast<std::int32_t>(std::count_if(place.begin(), place.end(), [](std::int32_t p) { return p >= 0; }));
+    return static_cast<std::int32_t>(
+        std::count_if(place.begin(), place.end(), [](std::int32_t p) { return p >= 0; }));
 }
 
 }  // namespace
@@ -102,7 +104,8 @@ TEST_CASE("a wall across the way is walked round as soon as it stands, and not w
     CHECK(farthest(true, true) > open - 1.0);
 }
 
-TEST_CASE("a patch laid under a standing crowd is entered at once, moved it is left, and removed it is gone") {
+TEST_CASE(
+    "a patch laid under a standing crowd is entered at once, moved it is left, and removed it is gone") {
     World world = World::create(openFloor(16)).value();
     run(world, 10);
     std::uint32_t sequence = 0;
@@ -152,7 +155,8 @@ TEST_CASE("ids of what is gone are not given again, and commands for it are refu
     CHECK(world.environment().obstacleIds()[0] > obstacle);
     CHECK(world.environment().patchIds()[0] > patch);
     REQUIRE(world.rejections().size() == 2);
-    for (const Rejection& rejection : world.rejections()) CHECK(rejection.status.code() == StatusCode::NotFound);
+    for (const Rejection& rejection : world.rejections())
+        CHECK(rejection.status.code() == StatusCode::NotFound);
     CHECK(world.environment().obstacle(world.environment().obstacleIds()[0])->centre == Vec2{5, 5});
 }
 

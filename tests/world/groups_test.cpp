@@ -30,7 +30,7 @@ double worstToPlace(const World& world, std::size_t group) {
     const Characters& c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.group[i] != group || c.place[i] < 0) continue;
-        worst = std::max(worst, distance(c.position[i], world.group(group).places->positions()[static_cast<std::size_t>(c.place[i])]));
+        worst = std::max(worst, distance(c.position[i], world.group(group).places->positions()[c.place[i]]));
     }
     return worst;
 }
@@ -63,9 +63,17 @@ TEST_CASE("two clients draw two groups in the same steps, with the same touch nu
         const double along = std::min(s / 100.0, 1.0);
         const auto send = [&](std::uint32_t client, Vec2 from, Vec2 way) {
             const std::uint32_t sequence = static_cast<std::uint32_t>(s);
-            if (s == 0) REQUIRE(world.submit({world.stepCount(), client, sequence, TouchDown{7, from, world.time(), {}}}).ok());
-            else if (s < 120) REQUIRE(world.submit({world.stepCount(), client, sequence, TouchMove{7, from + way * along, world.time()}}).ok());
-            else REQUIRE(world.submit({world.stepCount(), client, sequence, TouchUp{7, world.time()}}).ok());
+            if (s == 0)
+                REQUIRE(
+                    world.submit({world.stepCount(), client, sequence, TouchDown{7, from, world.time(), {}}})
+                        .ok());
+            else if (s < 120)
+                REQUIRE(world
+                            .submit({world.stepCount(), client, sequence,
+                                     TouchMove{7, from + way * along, world.time()}})
+                            .ok());
+            else
+                REQUIRE(world.submit({world.stepCount(), client, sequence, TouchUp{7, world.time()}}).ok());
         };
         send(2, {6, 5}, {0, -8});
         send(1, {-6, 0}, {4, 4});
@@ -211,8 +219,10 @@ TEST_CASE("more characters than room: who fits has a place, the others wait near
     CHECK(room > 18);
     CHECK(matched == room);
     for (std::size_t i = 0; i < c.size(); ++i) {
-        if (c.place[i] >= 0) CHECK(fit[static_cast<std::size_t>(c.place[i])] == 1);
-        else CHECK(std::isinf(c.cost[i]));
+        if (c.place[i] >= 0)
+            CHECK(fit[c.place[i]] == 1);
+        else
+            CHECK(std::isinf(c.cost[i]));
     }
     checkPlaces(world);
     CHECK(world.contacts().overlapPairs == 0);
@@ -229,7 +239,7 @@ TEST_CASE("late arrivals shift inward: those already there make room instead of 
     world.step();
     // The plan that is least in squares keeps the order along the way: the first in file goes farthest.
     const Characters& c = world.characters();
-    const auto placeX = [&](std::size_t i) { return world.group(0).places->positions()[static_cast<std::size_t>(c.place[i])].x; };
+    const auto placeX = [&](std::size_t i) { return world.group(0).places->positions()[c.place[i]].x; };
     double front = 0.0, back = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
         back += placeX(i) / 4;

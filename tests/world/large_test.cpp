@@ -22,9 +22,11 @@ WorldDef largeFloor(std::int32_t side, double away) {
     group.formation.spacing = 1.0;
     Random random(5);
     for (std::int32_t k = 0; k < group.count; ++k)
-        group.starts.push_back({k % side - 0.5 * side - away + random.uniform(-0.2, 0.2), k / side - 0.5 * side + random.uniform(-0.2, 0.2)});
+        group.starts.push_back({k % side - 0.5 * side - away + random.uniform(-0.2, 0.2),
+                                k / side - 0.5 * side + random.uniform(-0.2, 0.2)});
     for (std::int32_t k = 0; k < 20; ++k)
-        def.obstacles.push_back(tree({random.uniform(-0.5, 0.5) * side, random.uniform(-0.5, 0.5) * side}, 0.3));
+        def.obstacles.push_back(
+            tree({random.uniform(-0.5, 0.5) * side, random.uniform(-0.5, 0.5) * side}, 0.3));
     def.groups.push_back(group);
     return def;
 }
@@ -34,14 +36,14 @@ double meanWay(const World& world) {
     const Characters& c = world.characters();
     const auto& places = world.group(0).places->positions();
     for (std::size_t i = 0; i < c.size(); ++i)
-        if (c.place[i] >= 0) sum += distance(c.position[i], places[static_cast<std::size_t>(c.place[i])]);
+        if (c.place[i] >= 0) sum += distance(c.position[i], places[c.place[i]]);
     return sum / static_cast<double>(c.size());
 }
 
 bool placesAreApart(const World& world) {
     std::vector<int> taken(world.characters().size(), 0);
     for (const std::int32_t place : world.characters().place)
-        if (place >= 0 && ++taken[static_cast<std::size_t>(place)] > 1) return false;
+        if (place >= 0 && ++taken[place] > 1) return false;
     return true;
 }
 
@@ -83,7 +85,8 @@ TEST_CASE("eleven thousand, saved in the middle of a plan, go on bit for bit") {
 }
 
 TEST_CASE("a plan of many is near the best for each of a few of them") {
-    // Everybody's own place lies 3 m ahead: nobody gains by exchanging, whatever the matching has looked at so far.
+    // Everybody's own place lies 3 m ahead: nobody gains by exchanging, whatever the matching has looked at
+    // so far.
     World world = World::create(largeFloor(105, 3.0), 2).value();
     for (int step = 0; step < 30; ++step) world.step();
     const Characters& c = world.characters();
@@ -93,9 +96,10 @@ TEST_CASE("a plan of many is near the best for each of a few of them") {
     for (int look = 0; look < 20000; ++look) {
         const auto a = random.below(static_cast<std::uint32_t>(c.size()));
         const auto b = random.below(static_cast<std::uint32_t>(c.size()));
-        if (a == b || c.place[a] < 0 || c.place[b] < 0 || distance(c.position[a], c.position[b]) > 4.0) continue;
+        if (a == b || c.place[a] < 0 || c.place[b] < 0 || distance(c.position[a], c.position[b]) > 4.0)
+            continue;
         const auto way = [&](std::uint32_t who, std::uint32_t whose) {
-            return lengthSquared(places[static_cast<std::size_t>(c.place[whose])] - c.position[who]);
+            return lengthSquared(places[c.place[whose]] - c.position[who]);
         };
         const double now = way(a, a) + way(b, b);
         const double exchanged = way(a, b) + way(b, a);

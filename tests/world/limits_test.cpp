@@ -1,4 +1,5 @@
-// What a world refuses, however it is asked: whole definitions, commands, parameters that contradict each other.
+// What a world refuses, however it is asked: whole definitions, commands, parameters that contradict each
+// other.
 #include <doctest.h>
 
 #include <cmath>
@@ -19,7 +20,9 @@ std::string refusalOf(World& world, std::uint32_t& sequence, CommandBody body) {
     return world.rejections().empty() ? std::string() : world.rejections()[0].status.message();
 }
 
-bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+bool holds(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+}
 
 }  // namespace
 
@@ -140,7 +143,7 @@ TEST_CASE("the widest characters that may be still find room in the open") {
     const Characters& c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         REQUIRE(c.place[i] >= 0);
-        CHECK(distance(c.position[i], world.group(0).places->positions()[static_cast<std::size_t>(c.place[i])]) < 0.3);
+        CHECK(distance(c.position[i], world.group(0).places->positions()[c.place[i]]) < 0.3);
         CHECK(c.position[i].x > 10.0);
     }
 }
@@ -169,7 +172,8 @@ TEST_CASE("a checkpoint keeps to its group when another goes") {
         int changes = 0;
         for (int s = 0; s < 3; ++s) {
             world.step();
-            for (const Event& event : world.events()) changes += event.kind == EventKind::FormationChange ? 1 : 0;
+            for (const Event& event : world.events())
+                changes += event.kind == EventKind::FormationChange ? 1 : 0;
         }
         return changes;
     };

@@ -105,7 +105,8 @@ TEST_CASE("who cannot move is stuck, after five seconds and not before") {
             const Vec2 d{std::round(std::cos(a)), std::round(std::sin(a))};
             const Vec2 c = Vec2{-5, y} + d * 0.6, half = {d.x != 0.0 ? 0.1 : 0.7, d.y != 0.0 ? 0.1 : 0.7};
             ObstacleDef wall;
-            wall.polygon = {c + Vec2{-half.x, -half.y}, c + Vec2{half.x, -half.y}, c + half, c + Vec2{-half.x, half.y}};
+            wall.polygon = {c + Vec2{-half.x, -half.y}, c + Vec2{half.x, -half.y}, c + half,
+                            c + Vec2{-half.x, half.y}};
             def.obstacles.push_back(wall);
         }
     }
@@ -143,7 +144,8 @@ TEST_CASE("the least walk: in the open, round a wall, and none") {
     REQUIRE(open->addObstacle(wall).ok());
     open->setTime(0.0);
     const std::vector<Vec2> from{{-4, 0}}, to{{4, 0}};
-    // A tangent to the disc of 0.25 m round each corner, an arc from its heading to the flat top, and the top.
+    // A tangent to the disc of 0.25 m round each corner, an arc from its heading to the flat top, and the
+    // top.
     const double reach = std::hypot(3.5, 3.0), tangent = std::sqrt(reach * reach - 0.0625);
     const double heading = std::atan2(3.0, 3.5) + std::asin(0.25 / reach);
     const double exact = 2.0 * (tangent + 0.25 * heading) + 1.0;

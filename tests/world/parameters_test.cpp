@@ -57,7 +57,8 @@ TEST_CASE("bad values change nothing and are named") {
 
 TEST_CASE("switches, modes and counts are whole") {
     Parameters p;
-    for (const char* name : {"density.enabled", "plan.mode", "plan.solver", "plan.objective", "plan.period", "contact.iterations"}) {
+    for (const char* name : {"density.enabled", "plan.mode", "plan.solver", "plan.objective", "plan.period",
+                             "contact.iterations"}) {
         CAPTURE(name);
         CHECK(setParameter(p, name, 1.0).ok());
         const Status half = setParameter(p, name, 1.5);

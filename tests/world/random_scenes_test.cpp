@@ -1,4 +1,5 @@
-// Property: whatever scene and whatever fingers, nobody ends in an obstacle or in another, and no number breaks.
+// Property: whatever scene and whatever fingers, nobody ends in an obstacle or in another, and no number
+// breaks.
 #include <doctest.h>
 #include <rapidcheck.h>
 
@@ -19,7 +20,8 @@ TEST_CASE("random scenes under random fingers keep every invariant") {
             for (std::size_t i = 0; i < c.size(); ++i) {
                 RC_ASSERT(isFinite(c.position[i]) && isFinite(c.velocity[i]) && isFinite(c.heading[i]));
                 RC_ASSERT(world.environment().def().box.contains(c.position[i]));
-                RC_ASSERT(world.environment().distanceToObstacle(c.position[i]) > world.parameters().radius - 1e-3);
+                RC_ASSERT(world.environment().distanceToObstacle(c.position[i]) >
+                          world.parameters().radius - 1e-3);
             }
             for (std::size_t g = 0; g < world.groupCount(); ++g)
                 for (const Vec2 v : world.group(g).mesh->finalMesh()) RC_ASSERT(isFinite(v));

@@ -62,7 +62,8 @@ TEST_CASE("a world on a foreign task runner goes through the same states") {
         Result<World> own = World::create(def);
         REQUIRE(own.ok());
         const std::vector<std::uint64_t> expected = hashesOf(*own, 40);
-        for (const TaskRunner& runner : {TaskRunner{2, nullptr, backwards}, TaskRunner{3, nullptr, threadsOfItsOwn}}) {
+        for (const TaskRunner& runner :
+             {TaskRunner{2, nullptr, backwards}, TaskRunner{3, nullptr, threadsOfItsOwn}}) {
             Asked asked;
             Result<World> world = World::create(def, TaskRunner{runner.threads, &asked, runner.run});
             REQUIRE(world.ok());
@@ -96,7 +97,8 @@ TEST_CASE("a runner that cannot run is refused by name") {
     for (const std::int32_t threads : {0, -1, 257}) {
         const Result<World> few = World::create(def, TaskRunner{threads, &asked, backwards});
         REQUIRE_FALSE(few.ok());
-        CHECK(few.status().message() == "runner: found " + std::to_string(threads) + " threads, expected 1 to 256");
+        CHECK(few.status().message() ==
+              "runner: found " + std::to_string(threads) + " threads, expected 1 to 256");
         CHECK_FALSE(World::restore({}, TaskRunner{threads, &asked, backwards}).ok());
     }
 }
@@ -111,7 +113,7 @@ TEST_CASE("the totals of walks are those of the last plan") {
     WalkTotals expected;
     for (std::size_t i = 0; i < 3; ++i) {
         // On an open floor the way is straight; the field of the grid lengthens it a little.
-        const Vec2 place = world.group(0).places->positions()[static_cast<std::size_t>(world.characters().place[i])];
+        const Vec2 place = world.group(0).places->positions()[world.characters().place[i]];
         const double walk = length(place - def.groups[0].starts[i]);
         expected.sum += walk;
         expected.squares += walk * walk;

@@ -80,7 +80,8 @@ public:
             (void)give(world, sequence_, TouchMove{touch, positions_[touch], now});
         }
         if (dice == 50) {
-            for (std::uint32_t touch = 1; touch <= down_; ++touch) (void)give(world, sequence_, TouchUp{touch, now});
+            for (std::uint32_t touch = 1; touch <= down_; ++touch)
+                (void)give(world, sequence_, TouchUp{touch, now});
             down_ = 0;
         }
         if (dice == 60) {
@@ -88,10 +89,14 @@ public:
             formation.kind = static_cast<FormationKind>(random_.below(8));
             (void)give(world, sequence_, SetFormation{world.group(0).id, formation});
         }
-        if (dice == 70) (void)give(world, sequence_, AddObstacle{tree({random_.uniform(-9, 9), random_.uniform(-9, 9)}, 0.4)});
+        if (dice == 70)
+            (void)give(world, sequence_,
+                       AddObstacle{tree({random_.uniform(-9, 9), random_.uniform(-9, 9)}, 0.4)});
         if (dice == 80 && !world.environment().obstacleIds().empty())
             (void)give(world, sequence_, RemoveObstacle{world.environment().obstacleIds().back()});
-        if (dice == 90) (void)give(world, sequence_, SetCount{world.group(0).id, static_cast<std::int32_t>(10 + random_.below(30))});
+        if (dice == 90)
+            (void)give(world, sequence_,
+                       SetCount{world.group(0).id, static_cast<std::int32_t>(10 + random_.below(30))});
     }
 
     template <class Archive>

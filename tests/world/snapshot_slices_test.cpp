@@ -23,7 +23,7 @@ TEST_CASE("a world saved at each slice of a plan goes on bit for bit") {
         hashes.push_back(world.hash());
         world.step();
     }
-    CHECK(pending > 20);  // Most lay within a period.
+    CHECK(pending > 20);                                // Most lay within a period.
     for (std::size_t slice = 0; slice < 15; ++slice) {  // Two periods.
         CAPTURE(slice);
         Result<World> copy = World::restore(saved[slice], static_cast<std::int32_t>(slice % 2 + 1));

@@ -39,7 +39,8 @@ TEST_CASE("changing plan.solver exchanges the plan of every group in that step, 
             taken[world.characters().group[i]].push_back(world.characters().place[i]);
         }
         for (std::size_t g = 0; g < world.groupCount(); ++g) {
-            CHECK(std::string(world.group(g).plan->name()) == (solver == PlanSolver::Fast ? "fast" : "exact"));
+            CHECK(std::string(world.group(g).plan->name()) ==
+                  (solver == PlanSolver::Fast ? "fast" : "exact"));
             CHECK(world.group(g).walk.longest > 0.0);
             std::sort(taken[g].begin(), taken[g].end());
             CHECK(std::adjacent_find(taken[g].begin(), taken[g].end()) == taken[g].end());

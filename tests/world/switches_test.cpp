@@ -45,7 +45,8 @@ Director drawing(Vec2 from, Vec2 way, int steps = 120) {
     return [=](World& world, int s) {
         std::uint32_t sequence = static_cast<std::uint32_t>(s) * 2;
         if (s == 0) REQUIRE(give(world, sequence, TouchDown{1, from, world.time(), {}}).ok());
-        if (s > 0 && s <= steps) REQUIRE(give(world, sequence, TouchMove{1, from + way * (s * 1.0 / steps), world.time()}).ok());
+        if (s > 0 && s <= steps)
+            REQUIRE(give(world, sequence, TouchMove{1, from + way * (s * 1.0 / steps), world.time()}).ok());
         if (s == steps + 1) REQUIRE(give(world, sequence, TouchUp{1, world.time()}).ok());
     };
 }
@@ -77,8 +78,10 @@ TEST_CASE("field.enabled: off, the mesh is what the user made of it, even inside
         World world = World::create(def).value();
         for (int s = 0; s < 120; ++s) world.step();
         CAPTURE(enabled);
-        if (enabled == 0.0) CHECK(displacement(world) == 0.0);
-        else CHECK(displacement(world) > 0.1);
+        if (enabled == 0.0)
+            CHECK(displacement(world) == 0.0);
+        else
+            CHECK(displacement(world) > 0.1);
         // Nobody stands in the tree either way: places find room, contacts see to the rest.
         for (const Vec2 p : world.characters().position) CHECK(distance(p, {-6, 2.2}) > 1.05 - 1e-6);
     }
@@ -108,7 +111,8 @@ TEST_CASE("opposing.enabled changes when the mesh arrives, not where") {
     const Track on = trackOf(openFloor(25), "opposing.enabled", 1, draw, 900);
     const Track off = trackOf(openFloor(25), "opposing.enabled", 0, draw, 900);
     const std::size_t vertices = on.mesh.size() / 900;
-    for (std::size_t i = on.mesh.size() - vertices; i < on.mesh.size(); ++i) CHECK(distance(on.mesh[i], off.mesh[i]) < 0.1);
+    for (std::size_t i = on.mesh.size() - vertices; i < on.mesh.size(); ++i)
+        CHECK(distance(on.mesh[i], off.mesh[i]) < 0.1);
 }
 
 TEST_CASE("density.enabled: crowded ground costs more, a sparse crowd changes nothing") {
@@ -126,7 +130,7 @@ TEST_CASE("density.enabled: crowded ground costs more, a sparse crowd changes no
         for (std::int32_t i = 0; i < grid.count(); ++i) {
             // Beside the world's edge a cell's ways have other lengths than from centre to centre.
             if (!grid.box().grown(-1.5).contains(grid.centre(grid.at(i)))) continue;
-            most = std::max(most, world.unitCost()->cells[static_cast<std::size_t>(i)].east);
+            most = std::max(most, world.unitCost()->cells[i].east);
         }
         return most;
     };
@@ -145,10 +149,12 @@ TEST_CASE("discomfort.enabled: the ground ahead of a car costs more, that behind
         World world = World::create(def).value();
         for (int s = 0; s < 6 * 60 + 5; ++s) world.step();
         const UnitCost& cost = *world.unitCost();
-        const auto at = [&](Vec2 p) { return cost.cells[static_cast<std::size_t>(cost.grid.index(cost.grid.cellOf(p)))].east; };
+        const auto at = [&](Vec2 p) { return cost.cells[cost.grid.index(cost.grid.cellOf(p))].east; };
         CAPTURE(enabled);
-        if (enabled == 1.0) CHECK(at({0.1, 1.2}) > 1.5f);
-        else CHECK(at({0.1, 1.2}) == doctest::Approx(1.0));
+        if (enabled == 1.0)
+            CHECK(at({0.1, 1.2}) > 1.5f);
+        else
+            CHECK(at({0.1, 1.2}) == doctest::Approx(1.0));
         CHECK(at({0.1, -2.5}) == doctest::Approx(1.0));
         CHECK(at({5.1, 1.2}) == doctest::Approx(1.0));
     }
@@ -173,9 +179,11 @@ TEST_CASE("plan.geodesic: a wall between near things makes them far; straight li
         const Characters& c = world.characters();
         REQUIRE(c.place[1] >= 0);
         // The cost left is that of the way round the wall, or of the straight line through it.
-        const double straight = distance(c.position[1], world.group(0).places->positions()[static_cast<std::size_t>(c.place[1])]);
-        if (geodesic == 1.0) CHECK(world.group(0).objective > 18.0 * 18.0);
-        else CHECK(world.group(0).objective < 2.0 * (straight + 1.5) * (straight + 1.5) + 60.0);
+        const double straight = distance(c.position[1], world.group(0).places->positions()[c.place[1]]);
+        if (geodesic == 1.0)
+            CHECK(world.group(0).objective > 18.0 * 18.0);
+        else
+            CHECK(world.group(0).objective < 2.0 * (straight + 1.5) * (straight + 1.5) + 60.0);
         for (int s = 0; s < 25 * 60; ++s) world.step();  // Either way both get there.
         for (std::size_t i = 0; i < 2; ++i) {
             const auto j = static_cast<std::size_t>(c.place[i]);
@@ -200,8 +208,8 @@ TEST_CASE("plan.mode after a change of formation: assigned anew, or by number") 
         std::sort(sorted.begin(), sorted.end());
         bool counted = true;
         for (std::int32_t i = 0; i < 16; ++i) {
-            CHECK(sorted[static_cast<std::size_t>(i)] == i);  // Each place has one character in every mode.
-            counted = counted && place[static_cast<std::size_t>(i)] == i;
+            CHECK(sorted[i] == i);  // Each place has one character in every mode.
+            counted = counted && place[i] == i;
         }
         CAPTURE(mode);
         CHECK(counted == (mode == 2.0));

@@ -20,7 +20,7 @@ double worstDistanceToPlace(const World& world) {
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.place[i] < 0) continue;
         const auto& places = world.group(c.group[i]).places->positions();
-        worst = std::max(worst, distance(c.position[i], places[static_cast<std::size_t>(c.place[i])]));
+        worst = std::max(worst, distance(c.position[i], places[c.place[i]]));
     }
     return worst;
 }
@@ -43,7 +43,8 @@ int countEvents(World& world, double seconds, EventKind kind) {
 using Watch = std::function<void(const World&)>;
 
 // Drags the whole mesh by two corners over `way` at 1.5 m/s and lifts.
-void drag(World& world, std::uint32_t& sequence, Vec2 way, const Watch& watch = [](const World&) {}) {
+void drag(
+    World& world, std::uint32_t& sequence, Vec2 way, const Watch& watch = [](const World&) {}) {
     const auto& mesh = world.group(0).mesh->finalMesh();
     const Vec2 a = mesh.front();
     const Vec2 b = mesh.back();
@@ -67,7 +68,8 @@ TEST_CASE("a crowd that stands in its places stays there without a swap") {
     World world = World::create(openFloor(36)).value();
     const auto before = world.characters().position;
     CHECK(countEvents(world, 3.0, EventKind::Swap) == 0);
-    for (std::size_t i = 0; i < before.size(); ++i) CHECK(distance(before[i], world.characters().position[i]) < 1e-6);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        CHECK(distance(before[i], world.characters().position[i]) < 1e-6);
 }
 
 TEST_CASE("two fingers drag the crowd across the floor; all arrive and swaps are rare") {
@@ -156,7 +158,8 @@ TEST_CASE("patches slow, are reported as events, and set the motion id") {
         }
         const Characters& c = now.characters();
         for (std::size_t i = 0; i < c.size(); ++i)
-            if (c.position[i].x > -2.8 && c.position[i].x < -0.2) fastest = std::max(fastest, length(c.velocity[i]));
+            if (c.position[i].x > -2.8 && c.position[i].x < -0.2)
+                fastest = std::max(fastest, length(c.velocity[i]));
     };
     drag(world, sequence, {12, 0}, watch);
     for (int s = 0; s < 60 * 60; ++s) {

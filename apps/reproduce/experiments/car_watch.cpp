@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-constexpr double kGivesWay = 0.1;   // A vertex so far from where the user wants it gives way [m].
-constexpr double kStands = 0.02;    // A vertex so near to it stands there again [m].
+constexpr double kGivesWay = 0.1;  // A vertex so far from where the user wants it gives way [m].
+constexpr double kStands = 0.02;   // A vertex so near to it stands there again [m].
 
 }  // namespace
 
@@ -47,7 +47,9 @@ void CarWatch::watchMesh(const World& world) {
     }
 }
 
-double CarWatch::smallest() const { return *std::min_element(smallest_.begin(), smallest_.end()); }
+double CarWatch::smallest() const {
+    return *std::min_element(smallest_.begin(), smallest_.end());
+}
 
 double CarWatch::meanSmallest() const {
     return std::accumulate(smallest_.begin(), smallest_.end(), 0.0) / static_cast<double>(smallest_.size());

@@ -8,7 +8,8 @@
 
 namespace muster {
 
-/// Watches everything that moves in a world of one group. The number of characters and the mesh must not change.
+/// Watches everything that moves in a world of one group. The number of characters and the mesh must not
+/// change.
 class CarWatch {
 public:
     /// Call before the first step.
@@ -23,8 +24,8 @@ public:
     double meanSmallest() const;
     /// Characters that a car came nearer to than `gap` [m] <= kFar.
     std::int32_t nearer(double gap) const;
-    /// Mean distance between a car and where the user wants a vertex, at the moments when one that stood in its place
-    /// begins to give way (0.1 m) [m]; NaN where none did.
+    /// Mean distance between a car and where the user wants a vertex, at the moments when one that stood in
+    /// its place begins to give way (0.1 m) [m]; NaN where none did.
     double givesWayFrom() const;
 
     static constexpr double kFar = 3.0;  ///< Gaps are known up to this [m].

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reproduce/experiments/bottleneck.h"
 #include "muster/metrics.h"
+#include "reproduce/experiments/bottleneck.h"
 
 namespace muster {
 namespace {
@@ -24,7 +24,10 @@ double quantile(std::vector<double> moments, double share) {
 }  // namespace
 
 ChangeWatch::ChangeWatch(const World& world, std::size_t group)
-    : group_(group), version_(world.group(group).formationVersion), lastTime_(world.time()), last_(positions(world)) {}
+    : group_(group),
+      version_(world.group(group).formationVersion),
+      lastTime_(world.time()),
+      last_(positions(world)) {}
 
 std::vector<Vec2> ChangeWatch::positions(const World& world) const {
     const Characters& c = world.characters();
@@ -59,7 +62,8 @@ void ChangeWatch::observe(const World& world) {
     for (std::size_t i = 0, k = 0; watching_ && i < c.size(); ++i) {
         if (c.group[i] != group_) continue;
         const auto place = static_cast<std::size_t>(c.place[i]);
-        const double away = c.place[i] < 0 ? kInfinity : distance(c.position[i], group.places->positions()[place]);
+        const double away = c.place[i] < 0 ? kInfinity
+                                           : distance(c.position[i], group.places->positions()[place]);
         reachedAt_[k] = away > kArrivedReach ? kInfinity : std::min(reachedAt_[k], world.time());
         stoodAt_[k] = away > kStandReach ? kInfinity : std::min(stoodAt_[k], world.time());
         if (distance(c.position[i], spot_[k]) >= kStuckMove) {

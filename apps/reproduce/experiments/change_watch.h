@@ -11,12 +11,15 @@ namespace muster {
 /// One change of formation of a group.
 struct FormationChangeRecord {
     FormationKind kind = FormationKind::Square;  ///< Into what.
-    double time = 0.0;        ///< When [s].
-    double bottleneck = 0.0;  ///< Least longest straight walk from where everybody stood to the new places [m].
-    double arrived95 = 0.0;   ///< From the change until 95 % have arrived (SPEC 8) [s]; NaN where they never did.
+    double time = 0.0;                           ///< When [s].
+    /// Least longest straight walk from where everybody stood to the new places [m].
+    double bottleneck = 0.0;
+    /// From the change until 95 % have arrived (SPEC 8) [s]; NaN where they never did.
+    double arrived95 = 0.0;
     double arrived100 = 0.0;  ///< The same of all.
     double stood95 = 0.0;     ///< As arrived95, within a tenth of a metre.
-    std::int32_t stuck = 0;   ///< Not arrived when the watch on this change ended, and still for its last 5 s.
+    /// Not arrived when the watch on this change ended, and still for its last 5 s.
+    std::int32_t stuck = 0;
     /// arrived95 over the time that the bottleneck takes at `speed` [m/s].
     double ratio(double speed) const { return arrived95 / (bottleneck / speed); }
     /// stood95 over it.
@@ -41,12 +44,12 @@ private:
     std::size_t group_;
     std::uint32_t version_ = 0;
     double lastTime_ = 0.0;
-    std::vector<Vec2> last_;              // Where everybody stood a step ago.
+    std::vector<Vec2> last_;  // Where everybody stood a step ago.
     FormationChangeRecord running_;
     bool watching_ = false;
-    std::vector<double> reachedAt_;       // Since when it is within reach of its place [s]; infinite outside.
-    std::vector<double> stoodAt_;         // Since when it is within the shorter reach.
-    std::vector<double> movedAt_;         // When it last left the spot below [s].
+    std::vector<double> reachedAt_;  // Since when it is within reach of its place [s]; infinite outside.
+    std::vector<double> stoodAt_;    // Since when it is within the shorter reach.
+    std::vector<double> movedAt_;    // When it last left the spot below [s].
     std::vector<Vec2> spot_;
     std::vector<FormationChangeRecord> done_;
 };

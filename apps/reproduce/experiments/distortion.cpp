@@ -9,15 +9,13 @@ struct Corners {
     Vec2 a, b, c;
 
     Corners(const Triangle& t, std::span<const Vec2> vertices)
-        : a(vertices[static_cast<std::size_t>(t[0])]),
-          b(vertices[static_cast<std::size_t>(t[1])]),
-          c(vertices[static_cast<std::size_t>(t[2])]) {}
+        : a(vertices[t[0]]), b(vertices[t[1]]), c(vertices[t[2]]) {}
     double area() const { return 0.5 * cross(b - a, c - a); }
     Vec2 centroid() const { return (a + b + c) / 3.0; }
 };
 
-/// |F - R| of one triangle: with singular values s1, s2 (s2 < 0 for one turned inside out) it is the distance of
-/// (s1, s2) from (1, 1).
+/// |F - R| of one triangle: with singular values s1, s2 (s2 < 0 for one turned inside out) it is the distance
+/// of (s1, s2) from (1, 1).
 double deviation(const Corners& rest, const Corners& now) {
     const Vec2 u = rest.b - rest.a, v = rest.c - rest.a;
     const Vec2 p = now.b - now.a, q = now.c - now.a;

@@ -8,8 +8,8 @@
 
 namespace muster {
 
-/// One encounter is one stay of a character in one patch; who comes back after at most `rearm` goes on with the same
-/// stay. The patches watched must not overlap, and the number of characters must not change.
+/// One encounter is one stay of a character in one patch; who comes back after at most `rearm` goes on with
+/// the same stay. The patches watched must not overlap, and the number of characters must not change.
 class EncounterWatch {
 public:
     /// Watches all patches of `motion`. Who stands in one at the start has met it already.

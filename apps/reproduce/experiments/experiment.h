@@ -15,17 +15,20 @@ namespace muster {
 
 /// Words of an experiment, for its chapter in the report.
 struct ExperimentText {
-    std::string id;        ///< "X4"
-    std::string title;     ///< "Dense woodland"
-    std::string paper;     ///< What the paper shows, and where.
-    std::string scene;     ///< Our scene, and how it is measured.
-    std::string scenario;  ///< Its file under scenarios/paper without ".json"; where several, the one to watch first.
-    std::string findings;  ///< What is learned beyond the criteria; may be empty. Paragraphs end with a line break.
+    std::string id;     ///< "X4"
+    std::string title;  ///< "Dense woodland"
+    std::string paper;  ///< What the paper shows, and where.
+    std::string scene;  ///< Our scene, and how it is measured.
+    /// Its file under scenarios/paper without ".json"; where several, the one to watch first.
+    std::string scenario;
+    /// What is learned beyond the criteria; may be empty. Paragraphs end with a line break.
+    std::string findings;
 };
 
 /// What is compared: one way to run the scene. All arms run with all seeds.
 struct Arm {
-    std::string id;                 ///< "transport", "fixed"; unique within the experiment together with the preset.
+    /// "transport", "fixed"; unique within the experiment together with the preset.
+    std::string id;
     std::string title;              ///< Above its column and under its pictures: "Transport".
     std::string preset = "muster";  ///< Parameters it starts from: "muster" or "paper".
 };
@@ -57,11 +60,12 @@ struct ChartDef {
 
 /// One run that is asked for.
 struct RunRequest {
-    Arm arm;                  ///< Which way.
-    std::uint64_t seed = 1;   ///< From 1.
-    bool film = false;        ///< Pictures are wanted.
-    std::string folder;       ///< Folder of the paper's scenarios.
-    std::vector<std::pair<std::string, double>> settings = {};  ///< Parameters by name, instead of the scenario's.
+    Arm arm;                 ///< Which way.
+    std::uint64_t seed = 1;  ///< From 1.
+    bool film = false;       ///< Pictures are wanted.
+    std::string folder;      ///< Folder of the paper's scenarios.
+    /// Parameters by name, instead of the scenario's.
+    std::vector<std::pair<std::string, double>> settings = {};
 };
 
 /// An experiment. Stateless: runs of one experiment go on side by side in several threads.

@@ -22,7 +22,7 @@ void GroundWatch::observe(const World& world) {
     const Characters& characters = world.characters();
     for (std::size_t i = 0; i < position_.size(); ++i) {
         const MotionId now = world.environment().ground(characters.position[i]).motion;
-        Tally& tally = tallies_[static_cast<std::size_t>(now)];
+        Tally& tally = tallies_[now];
         tally.visited[i] = 1;
         if (now == ground_[i]) {
             ++tally.steps;
@@ -35,10 +35,12 @@ void GroundWatch::observe(const World& world) {
 }
 
 double GroundWatch::seconds(MotionId motion) const {
-    return static_cast<double>(tallies_[static_cast<std::size_t>(motion)].steps) * stepTime_;
+    return static_cast<double>(tallies_[motion].steps) * stepTime_;
 }
 
-double GroundWatch::metres(MotionId motion) const { return tallies_[static_cast<std::size_t>(motion)].metres; }
+double GroundWatch::metres(MotionId motion) const {
+    return tallies_[motion].metres;
+}
 
 double GroundWatch::speed(MotionId motion) const {
     const double time = seconds(motion);
@@ -46,12 +48,12 @@ double GroundWatch::speed(MotionId motion) const {
 }
 
 std::int32_t GroundWatch::visitors(MotionId motion) const {
-    const std::vector<std::uint8_t>& visited = tallies_[static_cast<std::size_t>(motion)].visited;
+    const std::vector<std::uint8_t>& visited = tallies_[motion].visited;
     return static_cast<std::int32_t>(std::count(visited.begin(), visited.end(), std::uint8_t{1}));
 }
 
 double GroundWatch::wrongShare(MotionId motion) const {
-    const Tally& tally = tallies_[static_cast<std::size_t>(motion)];
+    const Tally& tally = tallies_[motion];
     return tally.steps > 0 ? static_cast<double>(tally.wrong) / static_cast<double>(tally.steps) : kNothing;
 }
 

@@ -22,7 +22,8 @@ public:
     double speed(MotionId motion) const;
     /// Characters that have been on its ground.
     std::int32_t visitors(MotionId motion) const;
-    /// Share of that time in which a character's motion id was another than its ground's; NaN where nobody was on it.
+    /// Share of that time in which a character's motion id was another than its ground's; NaN where nobody
+    /// was on it.
     double wrongShare(MotionId motion) const;
 
 private:

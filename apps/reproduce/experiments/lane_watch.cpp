@@ -28,7 +28,8 @@ void LaneWatch::observe(const World& world) {
 }
 
 std::int32_t LaneWatch::laneAt(double y) const {
-    return static_cast<std::int32_t>(std::upper_bound(borders_.begin(), borders_.end(), y) - borders_.begin());
+    return static_cast<std::int32_t>(std::upper_bound(borders_.begin(), borders_.end(), y) -
+                                     borders_.begin());
 }
 
 std::int32_t LaneWatch::count(std::int32_t lane) const {

@@ -8,9 +8,9 @@
 
 namespace muster {
 
-/// Watches the line x = const, which borders divide into lanes: lane 0 lies below the first border, lane 1 above it,
-/// and so on. A crossing goes from left to right; of several by one character the last counts. The number of
-/// characters must not change meanwhile.
+/// Watches the line x = const, which borders divide into lanes: lane 0 lies below the first border, lane 1
+/// above it, and so on. A crossing goes from left to right; of several by one character the last counts. The
+/// number of characters must not change meanwhile.
 class LaneWatch {
 public:
     /// The line [m], and its borders in rising order [m]; call before the first step.

@@ -19,9 +19,9 @@ Mouth::Mouth(const TriangleMesh& rest) {
 }
 
 double Mouth::angle(std::span<const Vec2> vertices) const {
-    const Vec2 at = vertices[static_cast<std::size_t>(hinge)];
-    const Vec2 u = vertices[static_cast<std::size_t>(upper)] - at;
-    const Vec2 l = vertices[static_cast<std::size_t>(lower)] - at;
+    const Vec2 at = vertices[hinge];
+    const Vec2 u = vertices[upper] - at;
+    const Vec2 l = vertices[lower] - at;
     const double angle = std::atan2(cross(l, u), dot(l, u));
     return angle < 0.0 ? angle + 2.0 * kPi : angle;
 }

@@ -16,8 +16,8 @@ struct Mouth {
 
     /// Finds them.
     explicit Mouth(const TriangleMesh& rest);
-    /// Angle from the lower lip to the upper at the hinge, through the mouth [rad], 0 to 2 pi, of vertices as they
-    /// stand.
+    /// Angle from the lower lip to the upper at the hinge, through the mouth [rad], 0 to 2 pi, of vertices as
+    /// they stand.
     double angle(std::span<const Vec2> vertices) const;
 };
 

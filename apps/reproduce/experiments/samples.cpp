@@ -21,7 +21,8 @@ const std::vector<RunSample>& Samples::runs(const std::string& arm, const std::s
     return found == runs_.end() ? kNone : found->second;
 }
 
-std::vector<double> Samples::values(const std::string& arm, const std::string& preset, const std::string& figure) const {
+std::vector<double> Samples::values(const std::string& arm, const std::string& preset,
+                                    const std::string& figure) const {
     std::vector<double> values;
     for (const RunSample& run : runs(arm, preset)) {
         const auto found = run.figures.find(figure);
@@ -45,7 +46,8 @@ double median(std::vector<double> values) {
 
 std::vector<double> ratios(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> result;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) result.push_back(b[i] != 0.0 ? a[i] / b[i] : kNothing);
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        result.push_back(b[i] != 0.0 ? a[i] / b[i] : kNothing);
     return result;
 }
 

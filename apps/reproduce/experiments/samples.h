@@ -19,10 +19,11 @@ struct FilmFrame {
 
 /// What one run gave.
 struct RunSample {
-    std::map<std::string, double> figures;             ///< By name, in the unit of its FigureInfo. NaN: has no value here.
-    std::map<std::string, std::vector<Vec2>> curves;   ///< By name, for charts.
-    std::vector<FilmFrame> film;                       ///< Where asked for.
-    std::uint64_t hash = 0;                            ///< Of the world at the end; 0 where there is none.
+    /// By name, in the unit of its FigureInfo. NaN: has no value here.
+    std::map<std::string, double> figures;
+    std::map<std::string, std::vector<Vec2>> curves;  ///< By name, for charts.
+    std::vector<FilmFrame> film;                      ///< Where asked for.
+    std::uint64_t hash = 0;                           ///< Of the world at the end; 0 where there is none.
 };
 
 /// All runs of an experiment.
@@ -31,7 +32,8 @@ public:
     /// Adds the run of an arm; seeds are added in rising order.
     void add(const std::string& arm, const std::string& preset, RunSample sample);
     /// A figure of an arm by seed; those without a value are left out. Empty for an unknown arm or figure.
-    std::vector<double> values(const std::string& arm, const std::string& preset, const std::string& figure) const;
+    std::vector<double> values(const std::string& arm, const std::string& preset,
+                               const std::string& figure) const;
     /// All runs of an arm by seed; empty for an unknown one.
     const std::vector<RunSample>& runs(const std::string& arm, const std::string& preset) const;
     /// Runs of each arm.

@@ -10,9 +10,9 @@
 namespace muster {
 namespace {
 
-constexpr double kTrailPeriod = 0.2;          // [s]
-constexpr std::size_t kTrailLength = 20;      // Samples that pictures show.
-constexpr std::int32_t kFrameWidth = 440;     // [px]
+constexpr double kTrailPeriod = 0.2;       // [s]
+constexpr std::size_t kTrailLength = 20;   // Samples that pictures show.
+constexpr std::int32_t kFrameWidth = 440;  // [px]
 
 double orNothing(double value) {
     return value < 0.0 ? std::numeric_limits<double>::quiet_NaN() : value;
@@ -67,7 +67,8 @@ Status Trial::start() {
 // Where characters came from, for pictures.
 void Trial::follow() {
     if (!film_) return;
-    const auto every = static_cast<std::uint32_t>(std::max(1.0, std::floor(kTrailPeriod / def_.parameters.stepTime)));
+    const auto every = static_cast<std::uint32_t>(
+        std::max(1.0, std::floor(kTrailPeriod / def_.parameters.stepTime)));
     if (world_->stepCount() % every != 0) return;
     const Characters& characters = world_->characters();
     if (picture_.trails.size() != characters.size()) picture_.trails.assign(characters.size(), {});

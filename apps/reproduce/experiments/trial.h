@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "muster/metrics.h"
 #include "muster/status.h"
+#include "muster/world.h"
 #include "picture/picture.h"
 #include "reproduce/experiments/experiment.h"
-#include "muster/metrics.h"
-#include "muster/world.h"
 
 namespace muster {
 
@@ -27,8 +27,8 @@ struct TrialDef {
 /// One run of a world: first to be changed at will, then started, stepped and filmed.
 class Trial {
 public:
-    /// Reads scenario and gestures, takes the request's preset (what differs between presets; the scenario's own
-    /// parameters stay) and seed. Fails as loadScenario does, or naming a setting.
+    /// Reads scenario and gestures, takes the request's preset (what differs between presets; the scenario's
+    /// own parameters stay) and seed. Fails as loadScenario does, or naming a setting.
     static Result<Trial> open(const RunRequest& request, const TrialDef& def);
 
     /// To be changed before start().
@@ -40,26 +40,27 @@ public:
     /// Makes the world. Fails as World::create and World::submit do.
     Status start();
 
-    World& world() { return *world_; }                   ///< After start().
-    const World& world() const { return *world_; }       ///< After start().
+    World& world() { return *world_; }                       ///< After start().
+    const World& world() const { return *world_; }           ///< After start().
     const RunMetrics& metrics() const { return *metrics_; }  ///< After start().
-    double time() const { return world_->time(); }       ///< [s]
+    double time() const { return world_->time(); }           ///< [s]
     /// When the last gesture is given [s].
     double gesturesEnd() const { return gesturesEnd_; }
     /// One step.
     void step();
     /// Steps until the world has been running for `seconds` [s], calling `watch` after each.
     void runUntil(double seconds, const std::function<void()>& watch = {});
-    /// Steps until all gestures are given and everybody has arrived and stands, or `longest` [s] have passed since
-    /// the last gesture; calls `watch` after each. True where it settled.
+    /// Steps until all gestures are given and everybody has arrived and stands, or `longest` [s] have passed
+    /// since the last gesture; calls `watch` after each. True where it settled.
     bool runUntilSettled(double longest, const std::function<void()>& watch = {});
 
-    /// What pictures show from now on [m], and how; the whole world, and all but the coloured grounds by default.
+    /// What pictures show from now on [m], and how; the whole world, and all but the coloured grounds by
+    /// default.
     PictureDef& picture() { return picture_; }
     /// Where film is wanted: adds a picture of this moment.
     void shoot(const std::string& caption);
-    /// Figures of the run, the film and the hash, into a sample: arrived95, arrived100, stuck, unmatched, swaps,
-    /// overlaps, penetration (names of FigureInfo), those not reached NaN.
+    /// Figures of the run, the film and the hash, into a sample: arrived95, arrived100, stuck, unmatched,
+    /// swaps, overlaps, penetration (names of FigureInfo), those not reached NaN.
     void report(RunSample& sample);
 
 private:

@@ -8,8 +8,9 @@
 
 namespace muster {
 
-void Judge::require(const std::string& criterion, const std::string& preset, const std::vector<double>& values,
-                    Aggregate aggregate, Comparison comparison, double threshold, const std::string& unit) {
+void Judge::require(const std::string& criterion, const std::string& preset,
+                    const std::vector<double>& values, Aggregate aggregate, Comparison comparison,
+                    double threshold, const std::string& unit) {
     Verdict verdict;
     verdict.criterion = criterion;
     verdict.preset = preset;
@@ -30,7 +31,8 @@ void Judge::require(const std::string& criterion, const std::string& preset, con
                         : aggregate == Aggregate::Lowest ? verdict.low
                                                          : verdict.high;
     }
-    const bool holds = comparison == Comparison::AtLeast ? verdict.value >= threshold : verdict.value <= threshold;
+    const bool holds = comparison == Comparison::AtLeast ? verdict.value >= threshold
+                                                         : verdict.value <= threshold;
     verdict.pass = holds && known.size() >= expected_ && !known.empty();
     verdicts_.push_back(std::move(verdict));
 }

@@ -19,18 +19,18 @@ enum class Comparison : std::uint8_t { AtLeast, AtMost };
 
 /// One criterion as judged.
 struct Verdict {
-    std::string criterion;          ///< "36 of 36 through the woodland in every seed"
-    std::string preset;             ///< Whose figures these are.
-    std::string unit;               ///< Of value and threshold; may be empty.
+    std::string criterion;  ///< "36 of 36 through the woodland in every seed"
+    std::string preset;     ///< Whose figures these are.
+    std::string unit;       ///< Of value and threshold; may be empty.
     Comparison comparison = Comparison::AtLeast;
     Aggregate aggregate = Aggregate::Median;
-    double value = 0.0;             ///< The aggregate; NaN where nothing could be measured (then it fails).
+    double value = 0.0;  ///< The aggregate; NaN where nothing could be measured (then it fails).
     double threshold = 0.0;
     bool pass = false;
-    bool binding = true;            ///< Decides over the whole; false where it is shown for comparison only.
-    std::int32_t seeds = 0;         ///< Values it rests on.
-    double low = 0.0;               ///< Lowest over the seeds.
-    double high = 0.0;              ///< Highest over the seeds.
+    bool binding = true;     ///< Decides over the whole; false where it is shown for comparison only.
+    std::int32_t seeds = 0;  ///< Values it rests on.
+    double low = 0.0;        ///< Lowest over the seeds.
+    double high = 0.0;       ///< Highest over the seeds.
 };
 
 /// Collects verdicts. Criteria of the preset `muster` bind; others are shown for comparison.

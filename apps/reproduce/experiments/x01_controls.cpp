@@ -3,10 +3,10 @@
 #include <cmath>
 #include <map>
 
-#include "reproduce/experiments/catalogue.h"
-#include "reproduce/experiments/distortion.h"
 #include "base/maths.h"
 #include "base/random.h"
+#include "reproduce/experiments/catalogue.h"
+#include "reproduce/experiments/distortion.h"
 #include "reproduce/experiments/trial.h"
 
 namespace muster {
@@ -27,7 +27,8 @@ struct Drag {
     }
 };
 
-/// Fingers that pinch or spread the square with a turn; or, `oneWay`, that stretch it one way and squeeze it the other.
+/// Fingers that pinch or spread the square with a turn; or, `oneWay`, that stretch it one way and squeeze it
+/// the other.
 Drag dragOf(std::uint64_t seed, bool oneWay) {
     Random random(seed);
     const auto between = [&](double low, double high) { return random.uniform(low, high); };
@@ -64,22 +65,34 @@ void drawDrag(std::uint64_t seed, bool oneWay, std::vector<Command>& commands) {
 class ControlsExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X1", "Point, line and area control",
-                "Figure 2: the four corners of a rectangular mesh are dragged alike under point, line and area control. The "
+        return {"X1",
+                "Point, line and area control",
+                "Figure 2: the four corners of a rectangular mesh are dragged alike under point, line and "
+                "area control. The "
                 "three meshes differ: the kinds of control give the mesh more and more rigidity.",
-                "A square of 100 in the open. Four fingers drag its corners: they pinch it to 0.65 to 0.85 of its size or spread it to "
-                "1.15 to 1.4, turn it by up to 34 degrees, and shear and taper it a little. As four points they come down 0.25 s "
-                "apart; as two lines the pairs at the left and right edge begin together; as one area all four do. Each "
-                "seed is another drag, the same for the three. Measured while all fingers hold at their ends: |F - R| of each "
-                "triangle, the distance of its deformation from a rotation, and the as-rigid-as-possible energy, the sum "
+                "A square of 100 in the open. Four fingers drag its corners: they pinch it to 0.65 to 0.85 "
+                "of its size or spread it to "
+                "1.15 to 1.4, turn it by up to 34 degrees, and shear and taper it a little. As four points "
+                "they come down 0.25 s "
+                "apart; as two lines the pairs at the left and right edge begin together; as one area all "
+                "four do. Each "
+                "seed is another drag, the same for the three. Measured while all fingers hold at their "
+                "ends: |F - R| of each "
+                "triangle, the distance of its deformation from a rotation, and the as-rigid-as-possible "
+                "energy, the sum "
                 "of area x |F - R|^2.",
                 "x01-area",
-                "The energy rises from points to lines to area while the peak falls. Both must be so. With the corners alone "
-                "held the mesh is free to seek the least energy; each further constraint takes freedom away, so the least "
-                "can only grow. The free mesh keeps the size of its middle and pays at the corners, where single triangles tear; "
+                "The energy rises from points to lines to area while the peak falls. Both must be so. With "
+                "the corners alone "
+                "held the mesh is free to seek the least energy; each further constraint takes freedom away, "
+                "so the least "
+                "can only grow. The free mesh keeps the size of its middle and pays at the corners, where "
+                "single triangles tear; "
                 "lines and areas spread the same drag over all triangles.\n"
-                "It is not so for every drag: one that stretches the square one way and squeezes it the other (the columns "
-                "\"one way\") is a smooth deformation already, without peaks at the corners. There two lines gain nothing over "
+                "It is not so for every drag: one that stretches the square one way and squeezes it the "
+                "other (the columns "
+                "\"one way\") is a smooth deformation already, without peaks at the corners. There two lines "
+                "gain nothing over "
                 "four points (the median peak is even higher), and only the area's is lower."};
     }
     std::vector<Arm> arms() const override {
@@ -126,8 +139,10 @@ public:
         const auto atMost = [&](const char* what, const std::vector<double>& values, double most) {
             judge.require(what, "muster", values, Aggregate::Median, Comparison::AtMost, most);
         };
-        atMost("peak deviation under two lines over that under four points", ratios(peak("lines"), peak("points")), 0.8);
-        atMost("peak deviation under one area over that under two lines", ratios(peak("area"), peak("lines")), 0.8);
+        atMost("peak deviation under two lines over that under four points",
+               ratios(peak("lines"), peak("points")), 0.8);
+        atMost("peak deviation under one area over that under two lines", ratios(peak("area"), peak("lines")),
+               0.8);
         judge.require("peak deviation falls from points to lines in every drag (ratio)", "muster",
                       ratios(peak("lines"), peak("points")), Aggregate::Highest, Comparison::AtMost, 1.0);
         judge.require("peak deviation falls from lines to area in every drag (ratio)", "muster",
@@ -139,6 +154,8 @@ public:
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeControlsExperiment() { return std::make_unique<ControlsExperiment>(); }
+std::unique_ptr<Experiment> makeControlsExperiment() {
+    return std::make_unique<ControlsExperiment>();
+}
 
 }  // namespace muster

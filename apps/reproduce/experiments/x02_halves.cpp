@@ -1,9 +1,9 @@
 // X2 (paper fig. 3): a line control at the left and an area control at the right of one mesh.
 #include <map>
 
+#include "base/random.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/distortion.h"
-#include "base/random.h"
 #include "reproduce/experiments/trial.h"
 
 namespace muster {
@@ -27,16 +27,24 @@ void drawLine(std::uint64_t seed, std::vector<Command>& commands) {
 class HalvesExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X2", "A line and an area on one mesh",
-                "Figure 3: a line control at the left of a square and an area control at its right. The left half bends, the "
+        return {"X2",
+                "A line and an area on one mesh",
+                "Figure 3: a line control at the left of a square and an area control at its right. The left "
+                "half bends, the "
                 "right half keeps its shape.",
-                "A square of 64 in the open. Two touches on the left edge begin together and make a line; four touches on the "
-                "right half begin together later and make an area. The line is turned and drawn away while the area is "
-                "turned the other way. Measured when all fingers have come to rest and still hold: the mean over each "
-                "half of |F - R|, the distance of each triangle's deformation from a rotation. Seeds draw the line 0.6 to 1.2 times as far.",
+                "A square of 64 in the open. Two touches on the left edge begin together and make a line; "
+                "four touches on the "
+                "right half begin together later and make an area. The line is turned and drawn away while "
+                "the area is "
+                "turned the other way. Measured when all fingers have come to rest and still hold: the mean "
+                "over each "
+                "half of |F - R|, the distance of each triangle's deformation from a rotation. Seeds draw "
+                "the line 0.6 to 1.2 times as far.",
                 "x02-line-and-area",
-                "The right half is not left wholly at rest: supplementary points are held softly, and where the bent half pulls at "
-                "its edge it gives way a little. How little is a matter of control.softWeight: with 2, 6 and 20 the "
+                "The right half is not left wholly at rest: supplementary points are held softly, and where "
+                "the bent half pulls at "
+                "its edge it gives way a little. How little is a matter of control.softWeight: with 2, 6 and "
+                "20 the "
                 "ratio is 6, 11 and 29."};
     }
     std::vector<Arm> arms() const override { return {{"both", "Line and area"}}; }
@@ -62,7 +70,9 @@ public:
         RunSample sample;
         const double left = meanDistortion(mesh.formation().mesh, mesh.userMesh(), true);
         const double right = meanDistortion(mesh.formation().mesh, mesh.userMesh(), false);
-        sample.figures = {{"left", left}, {"right", right}, {"ratio", left / right},
+        sample.figures = {{"left", left},
+                          {"right", right},
+                          {"ratio", left / right},
                           {"energy", arapEnergy(mesh.formation().mesh, mesh.userMesh())}};
         trial->runUntil(trial->gesturesEnd() + 4.0);
         trial->shoot("let go: relaxed to a square");
@@ -77,6 +87,8 @@ public:
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeHalvesExperiment() { return std::make_unique<HalvesExperiment>(); }
+std::unique_ptr<Experiment> makeHalvesExperiment() {
+    return std::make_unique<HalvesExperiment>();
+}
 
 }  // namespace muster

@@ -13,27 +13,30 @@ constexpr MotionId kRun = 0;
 constexpr MotionId kDuck = 2;
 constexpr double kWoodBegins = -10.7;  // All branches hang between these [m].
 constexpr double kWoodEnds = 11.7;
-constexpr double kJitter = 1.5;        // Starts: so far from their places that they are not forgotten at once [m].
+// Starts: so far from their places that they are not forgotten at once [m].
+constexpr double kJitter = 1.5;
 constexpr double kHand = 0.5;      // How far the hand draws aside [m].
-constexpr double kLongest = 60.0;      // After the last gesture [s].
+constexpr double kLongest = 60.0;  // After the last gesture [s].
 
 class WoodlandExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X4", "Dense woodland",
-                "Figure 7a: a crowd goes through woodland. Trees are small obstacles; their branches overlap and "
-                "are patches of the ducking motion. The characters fit through the gaps and are slower there.",
-                "74 trees at least 2 m apart, each under branches of 1.2 to 1.55 m radius, fill the world from "
-                "edge to edge over 22 m. Four fingers draw a square of 36 through the wood, faster than one can "
-                "duck. Speed is the way that all of them walked under branches over the time they were there, "
-                "from positions, all waiting and walking round trunks included. By the seed starts are moved by "
-                "up to 1.5 m, and the hand, which begins at once, draws up to 0.5 m aside. The same wood without "
-                "branches is compared.",
-                "x04-woodland",
-                "Who ducks walks at the patch's speed nearly all the time: the mesh gets ahead, waits by the "
-                "opposing force, and the crowd keeps moving. Few steps are lost at the trunks. Without branches "
-                "the hand sets the pace, so the ratio of the crossing times is the least there can be. The paper "
-                "gives no numbers here; the limits are ours."};
+        return {
+            "X4",
+            "Dense woodland",
+            "Figure 7a: a crowd goes through woodland. Trees are small obstacles; their branches overlap and "
+            "are patches of the ducking motion. The characters fit through the gaps and are slower there.",
+            "74 trees at least 2 m apart, each under branches of 1.2 to 1.55 m radius, fill the world from "
+            "edge to edge over 22 m. Four fingers draw a square of 36 through the wood, faster than one can "
+            "duck. Speed is the way that all of them walked under branches over the time they were there, "
+            "from positions, all waiting and walking round trunks included. By the seed starts are moved by "
+            "up to 1.5 m, and the hand, which begins at once, draws up to 0.5 m aside. The same wood without "
+            "branches is compared.",
+            "x04-woodland",
+            "Who ducks walks at the patch's speed nearly all the time: the mesh gets ahead, waits by the "
+            "opposing force, and the crowd keeps moving. Few steps are lost at the trunks. Without branches "
+            "the hand sets the pace, so the ratio of the crossing times is the least there can be. The paper "
+            "gives no numbers here; the limits are ours."};
     }
     std::vector<Arm> arms() const override {
         return {{"branches", "With branches"},
@@ -134,14 +137,15 @@ Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
 void WoodlandExperiment::judge(const Samples& samples, Judge& judge) const {
     for (const std::string preset : {"muster", "paper"}) {
         const auto values = [&](const char* figure) { return samples.values("branches", preset, figure); };
-        judge.require("36 of 36 through the woodland in every seed", preset, values("through"), Aggregate::Lowest,
-                      Comparison::AtLeast, 36.0);
+        judge.require("36 of 36 through the woodland in every seed", preset, values("through"),
+                      Aggregate::Lowest, Comparison::AtLeast, 36.0);
         std::vector<double> off;
         for (const double ratio : values("ratio")) off.push_back(100.0 * std::fabs(ratio - 1.0));
         judge.require("mean speed under branches is within 10 % of the patches' travel speed in every seed",
                       preset, off, Aggregate::Highest, Comparison::AtMost, 10.0, "%");
-        judge.require("mean speed under branches over that between them, within the wood, in every seed", preset,
-                      ratios(values("speed"), values("openSpeed")), Aggregate::Highest, Comparison::AtMost, 0.75);
+        judge.require("mean speed under branches over that between them, within the wood, in every seed",
+                      preset, ratios(values("speed"), values("openSpeed")), Aggregate::Highest,
+                      Comparison::AtMost, 0.75);
         judge.require("all 36 duck in every seed", preset, values("duckers"), Aggregate::Lowest,
                       Comparison::AtLeast, 36.0);
         judge.require("under branches the motion id is ducking all the time in every seed", preset,
@@ -157,6 +161,8 @@ void WoodlandExperiment::judge(const Samples& samples, Judge& judge) const {
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeWoodlandExperiment() { return std::make_unique<WoodlandExperiment>(); }
+std::unique_ptr<Experiment> makeWoodlandExperiment() {
+    return std::make_unique<WoodlandExperiment>();
+}
 
 }  // namespace muster

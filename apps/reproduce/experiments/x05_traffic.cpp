@@ -4,18 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.h"
 #include "reproduce/experiments/car_watch.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/encounter_watch.h"
 #include "reproduce/experiments/hand_jitter.h"
-#include "base/random.h"
 #include "reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
 constexpr MotionId kJump = 5;
-constexpr double kJitter = 1.0;    // Starts: so far from their places that they are not forgotten at once [m].
+// Starts: so far from their places that they are not forgotten at once [m].
+constexpr double kJitter = 1.0;
 constexpr double kHand = 0.3;      // How far the hand draws aside [m].
 constexpr double kEarly = 1.0;     // How far each car is ahead or behind [m].
 constexpr double kLongest = 30.0;  // After the last gesture [s].
@@ -59,26 +60,29 @@ public:
 };
 
 ExperimentText TrafficExperiment::text() const {
-    return {"X5", "Cars and mice",
-            "Figure 7b: cars of two sizes drive at the crowd, which avoids them by the user's control and the "
-            "cars' potential field; the field's strength sets the distance from which characters give way. Mice "
-            "are moving patches: characters jump when one runs between them.",
-            "36 cross a street on two fingers: wait at the kerb, cross one lane, stand between a bus and a lorry "
-            "that pass at both sides, cross the other lane. Drawn without regard to the cars, the outer ranks "
-            "would stand in their way. Three mice run to and fro on each pavement. By the seed starts are moved "
-            "by up to 1 m, the hand draws up to 0.3 m aside and each car comes up to 1 m earlier or later. Gaps "
-            "are from disc to surface, in every step, to where the car stood when contacts were resolved and to "
-            "where it stands after the step; a contact makes them 0 or less. Encounters are one stay each in a "
-            "mouse's polygon, re-armed after 0.5 s, counted from positions and compared with the events step by "
-            "step.",
-            "x05-traffic",
-            "The field does what the paper says: with each doubling of its strength the crowd keeps farther off "
-            "and the mesh begins to give way earlier. Without it the outer ranks are run into and pushed. It has "
-            "a limit that the paper does not name: where a car drives through the middle of a mesh, vertices part "
-            "to both sides but triangles between them span the car, and places in them lead people into its way. "
-            "We tried this with a bus at 2 m/s and a small cart at 0.8 m/s, strengths 2 to 8 and ranges 2.5 to "
-            "4.5 m: contacts every time. So the user has to lead the mesh between the cars, and the field does "
-            "the rest."};
+    return {
+        "X5",
+        "Cars and mice",
+        "Figure 7b: cars of two sizes drive at the crowd, which avoids them by the user's control and the "
+        "cars' potential field; the field's strength sets the distance from which characters give way. Mice "
+        "are moving patches: characters jump when one runs between them.",
+        "36 cross a street on two fingers: wait at the kerb, cross one lane, stand between a bus and a lorry "
+        "that pass at both sides, cross the other lane. Drawn without regard to the cars, the outer ranks "
+        "would stand in their way. Three mice run to and fro on each pavement. By the seed starts are moved "
+        "by up to 1 m, the hand draws up to 0.3 m aside and each car comes up to 1 m earlier or later. Gaps "
+        "are from disc to surface, in every step, to where the car stood when contacts were resolved and to "
+        "where it stands after the step; a contact makes them 0 or less. Encounters are one stay each in a "
+        "mouse's polygon, re-armed after 0.5 s, counted from positions and compared with the events step by "
+        "step.",
+        "x05-traffic",
+        "The field does what the paper says: with each doubling of its strength the crowd keeps farther off "
+        "and the mesh begins to give way earlier. Without it the outer ranks are run into and pushed. It has "
+        "a limit that the paper does not name: where a car drives through the middle of a mesh, vertices "
+        "part "
+        "to both sides but triangles between them span the car, and places in them lead people into its way. "
+        "We tried this with a bus at 2 m/s and a small cart at 0.8 m/s, strengths 2 to 8 and ranges 2.5 to "
+        "4.5 m: contacts every time. So the user has to lead the mesh between the cars, and the field does "
+        "the rest."};
 }
 
 /// Each car a little ahead or behind along its street, by the seed.
@@ -142,7 +146,8 @@ std::vector<double> leastGrowth(const Samples& samples, const char* figure, std:
     for (std::size_t k = 0; k < weakest; ++k) {
         const std::vector<double> strong = samples.values(kStrengths[k].arm, "muster", figure);
         const std::vector<double> weak = samples.values(kStrengths[k + 1].arm, "muster", figure);
-        if (k == 0) least.assign(std::min(strong.size(), weak.size()), std::numeric_limits<double>::infinity());
+        if (k == 0)
+            least.assign(std::min(strong.size(), weak.size()), std::numeric_limits<double>::infinity());
         least.resize(std::min({least.size(), strong.size(), weak.size()}));
         for (std::size_t s = 0; s < least.size(); ++s) least[s] = std::min(least[s], strong[s] - weak[s]);
     }
@@ -151,38 +156,44 @@ std::vector<double> leastGrowth(const Samples& samples, const char* figure, std:
 
 void TrafficExperiment::judge(const Samples& samples, Judge& judge) const {
     for (const std::string preset : {"muster", "paper"}) {
-        const auto values = [&](const char* figure) { return samples.values(kStrengths[0].arm, preset, figure); };
+        const auto values = [&](const char* figure) {
+            return samples.values(kStrengths[0].arm, preset, figure);
+        };
         judge.require("no car touches anyone: smallest gap between anybody and a car in every seed", preset,
                       values("gap"), Aggregate::Lowest, Comparison::AtLeast, kClear, "m");
         judge.require("36 of 36 across the street in every seed", preset, values("across"), Aggregate::Lowest,
                       Comparison::AtLeast, 36.0);
-        judge.require("each encounter with a mouse has exactly one jump, in every seed", preset, values("mismatches"),
-                      Aggregate::Highest, Comparison::AtMost, 0.0);
+        judge.require("each encounter with a mouse has exactly one jump, in every seed", preset,
+                      values("mismatches"), Aggregate::Highest, Comparison::AtMost, 0.0);
         judge.require("encounters with mice in every seed", preset, values("met"), Aggregate::Lowest,
                       Comparison::AtLeast, 36.0);
-        judge.require("cars come nearer than 1 m to so many in every seed", preset, values("near"), Aggregate::Lowest,
-                      Comparison::AtLeast, 5.0);
+        judge.require("cars come nearer than 1 m to so many in every seed", preset, values("near"),
+                      Aggregate::Lowest, Comparison::AtLeast, 5.0);
     }
     const auto grows = [&](const char* criterion, const char* figure, std::size_t weakest, double least) {
         judge.require(criterion, "muster", leastGrowth(samples, figure, weakest), Aggregate::Lowest,
                       Comparison::AtLeast, least, "m");
     };
-    grows("strengths 0, 1, 2, 4: each step makes the mean gap that people keep grow in every seed", "keeps", 3, 0.01);
-    grows("strengths 1, 2, 4: with each step the mesh gives way from farther off in every seed", "gives", 2, 0.01);
-    judge.require("smallest gap with strength 4 less that without a field, in every seed", "muster",
-                  [&] {
-                      std::vector<double> more = samples.values("traffic", "muster", "gap");
-                      const std::vector<double> none = samples.values("s0", "muster", "gap");
-                      more.resize(std::min(more.size(), none.size()));
-                      for (std::size_t s = 0; s < more.size(); ++s) more[s] -= none[s];
-                      return more;
-                  }(),
-                  Aggregate::Lowest, Comparison::AtLeast, 0.3, "m");
+    grows("strengths 0, 1, 2, 4: each step makes the mean gap that people keep grow in every seed", "keeps",
+          3, 0.01);
+    grows("strengths 1, 2, 4: with each step the mesh gives way from farther off in every seed", "gives", 2,
+          0.01);
+    judge.require(
+        "smallest gap with strength 4 less that without a field, in every seed", "muster",
+        [&] {
+            std::vector<double> more = samples.values("traffic", "muster", "gap");
+            const std::vector<double> none = samples.values("s0", "muster", "gap");
+            more.resize(std::min(more.size(), none.size()));
+            for (std::size_t s = 0; s < more.size(); ++s) more[s] -= none[s];
+            return more;
+        }(),
+        Aggregate::Lowest, Comparison::AtLeast, 0.3, "m");
 }
 
 std::vector<ChartDef> TrafficExperiment::charts(const Samples& samples) const {
     ChartDef chart;
-    chart.title = "A stronger field makes the crowd keep away farther, and give way earlier (medians over the seeds)";
+    chart.title =
+        "A stronger field makes the crowd keep away farther, and give way earlier (medians over the seeds)";
     chart.xTitle = "strength of the cars' field";
     chart.yTitle = "distance [m]";
     const auto add = [&](const char* title, const char* figure) {
@@ -201,6 +212,8 @@ std::vector<ChartDef> TrafficExperiment::charts(const Samples& samples) const {
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeTrafficExperiment() { return std::make_unique<TrafficExperiment>(); }
+std::unique_ptr<Experiment> makeTrafficExperiment() {
+    return std::make_unique<TrafficExperiment>();
+}
 
 }  // namespace muster

@@ -14,47 +14,53 @@ namespace {
 
 constexpr MotionId kCrawl = 3, kSwim = 4, kJump = 5, kClimb = 6;
 constexpr std::array kTerrains{kClimb, kJump, kCrawl, kSwim};
-constexpr double kFinish = 23.5;   // Behind the pool [m].
-constexpr double kJitter = 1.0;    // Starts: so far from their places that they are not forgotten at once [m].
+constexpr double kFinish = 23.5;  // Behind the pool [m].
+// Starts: so far from their places that they are not forgotten at once [m].
+constexpr double kJitter = 1.0;
 constexpr double kHand = 0.4;      // How far the hand draws aside [m].
 constexpr double kLongest = 60.0;  // After the last gesture [s].
 
 class CourseExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X6", "Obstacle course",
-                "Figure 7c: a larger crowd goes through an obstacle course with narrow corridors, walls to climb "
-                "or to jump over, a net to crawl under and a pool to swim through, and has no difficulty.",
-                "A hundred climb a brick wall, go through two corridors of 3 m, take a wide formation at a "
-                "checkpoint behind them, jump a hedge, crawl under a net, swim a pool and become a square again "
-                "at a second checkpoint. Two fingers side by side carry the mesh all the way. Encounters with "
-                "wall and hedge are counted from positions and polygons and compared with the events that tell of "
-                "jumps and climbs, step by step. By the seed starts are moved by up to 1 m and the hand draws up "
-                "to 0.4 m aside.",
-                "x06-course",
-                "The hand draws over the wall at the pace of climbing, 0.6 m/s, and quicker than the crowd "
-                "elsewhere: the opposing force makes the mesh wait at net and pool. Drawn over the wall at 1.3 "
-                "m/s the ranks crowd before it, and in 4 of 10 seeds one of the hundred was pushed off its edge "
-                "again for more than half a second and then began to climb a second time: one climb for each "
-                "encounter still, but not for each crossing. The paper gives no numbers here; the limits are ours."};
+        return {
+            "X6",
+            "Obstacle course",
+            "Figure 7c: a larger crowd goes through an obstacle course with narrow corridors, walls to climb "
+            "or to jump over, a net to crawl under and a pool to swim through, and has no difficulty.",
+            "A hundred climb a brick wall, go through two corridors of 3 m, take a wide formation at a "
+            "checkpoint behind them, jump a hedge, crawl under a net, swim a pool and become a square again "
+            "at a second checkpoint. Two fingers side by side carry the mesh all the way. Encounters with "
+            "wall and hedge are counted from positions and polygons and compared with the events that tell "
+            "of "
+            "jumps and climbs, step by step. By the seed starts are moved by up to 1 m and the hand draws up "
+            "to 0.4 m aside.",
+            "x06-course",
+            "The hand draws over the wall at the pace of climbing, 0.6 m/s, and quicker than the crowd "
+            "elsewhere: the opposing force makes the mesh wait at net and pool. Drawn over the wall at 1.3 "
+            "m/s the ranks crowd before it, and in 4 of 10 seeds one of the hundred was pushed off its edge "
+            "again for more than half a second and then began to climb a second time: one climb for each "
+            "encounter still, but not for each crossing. The paper gives no numbers here; the limits are "
+            "ours."};
     }
     std::vector<Arm> arms() const override { return {{"course", "The course"}}; }
     std::vector<FigureInfo> figures() const override {
-        return {{"finished", "characters behind the pool", "", 0},
-                {"time", "last one behind the pool", "s", 1},
-                {"climbs", "climbs (events)", "", 0},
-                {"wallMet", "encounters with the wall (positions)", "", 0},
-                {"jumps", "jumps (events)", "", 0},
-                {"hedgeMet", "encounters with the hedge (positions)", "", 0},
-                {"mismatches", "encounters without exactly one event, and events without an encounter", "", 0},
-                {"once", "characters that climb once and jump once", "", 0},
-                {"allMotions", "characters seen climbing, jumping, crawling and swimming", "", 0},
-                {"transitions", "characters seen going into and out of crawling and swimming", "", 0},
-                {"changes", "changes of formation", "", 0},
-                {"crawlSpeed", "mean speed under the net", "m/s", 3},
-                {"swimSpeed", "mean speed in the pool", "m/s", 3},
-                {"stuck", "stuck", "", 0},
-                {"swaps", "changes of place per character and second", "1/s", 3}};
+        return {
+            {"finished", "characters behind the pool", "", 0},
+            {"time", "last one behind the pool", "s", 1},
+            {"climbs", "climbs (events)", "", 0},
+            {"wallMet", "encounters with the wall (positions)", "", 0},
+            {"jumps", "jumps (events)", "", 0},
+            {"hedgeMet", "encounters with the hedge (positions)", "", 0},
+            {"mismatches", "encounters without exactly one event, and events without an encounter", "", 0},
+            {"once", "characters that climb once and jump once", "", 0},
+            {"allMotions", "characters seen climbing, jumping, crawling and swimming", "", 0},
+            {"transitions", "characters seen going into and out of crawling and swimming", "", 0},
+            {"changes", "changes of formation", "", 0},
+            {"crawlSpeed", "mean speed under the net", "m/s", 3},
+            {"swimSpeed", "mean speed in the pool", "m/s", 3},
+            {"stuck", "stuck", "", 0},
+            {"swaps", "changes of place per character and second", "1/s", 3}};
     }
     Result<RunSample> run(const RunRequest& request) const override;
     void judge(const Samples& samples, Judge& judge) const override;
@@ -74,7 +80,8 @@ public:
             if (characters.phase[i] == MotionPhase::Entering) into_[i] |= bit;
             if (characters.phase[i] == MotionPhase::Leaving) outOf_[i] |= bit;
         }
-        for (const Event& event : world.events()) changes_ += event.kind == EventKind::FormationChange ? 1 : 0;
+        for (const Event& event : world.events())
+            changes_ += event.kind == EventKind::FormationChange ? 1 : 0;
     }
     std::int32_t everyMotion() const {
         std::uint32_t all = 0;
@@ -85,7 +92,8 @@ public:
     std::int32_t everyTransition() const {
         constexpr std::uint32_t kBoth = 1u << kCrawl | 1u << kSwim;
         std::int32_t count = 0;
-        for (std::size_t i = 0; i < into_.size(); ++i) count += (into_[i] & outOf_[i] & kBoth) == kBoth ? 1 : 0;
+        for (std::size_t i = 0; i < into_.size(); ++i)
+            count += (into_[i] & outOf_[i] & kBoth) == kBoth ? 1 : 0;
         return count;
     }
     std::int32_t changes() const { return changes_; }
@@ -101,11 +109,11 @@ struct Moment {
     const char* caption;
 };
 constexpr std::array<Moment, 6> kMoments{{{-19.5, "over the brick wall"},
-                                         {-10.5, "through two corridors"},
-                                         {0.5, "in the wide formation, over the hedge"},
-                                         {10.0, "under the net"},
-                                         {19.5, "through the pool"},
-                                         {1e9, "all there, a square again"}}};
+                                          {-10.5, "through two corridors"},
+                                          {0.5, "in the wide formation, over the hedge"},
+                                          {10.0, "under the net"},
+                                          {19.5, "through the pool"},
+                                          {1e9, "all there, a square again"}}};
 
 double middle(const World& world) {
     double sum = 0.0;
@@ -192,7 +200,8 @@ void CourseExperiment::judge(const Samples& samples, Judge& judge) const {
     all("100 of 100 through the course in every seed", "finished");
     all("100 of 100 are seen climbing, jumping, crawling and swimming in every seed", "allMotions");
     all("100 of 100 climb the wall once and jump the hedge once in every seed", "once");
-    none("each encounter by positions has exactly one climb or jump in the same step, in every seed", "mismatches");
+    none("each encounter by positions has exactly one climb or jump in the same step, in every seed",
+         "mismatches");
     all("100 of 100 are seen going into and out of crawling and swimming in every seed", "transitions");
     judge.require("changes of formation on the way in every seed", "muster",
                   samples.values("course", "muster", "changes"), Aggregate::Lowest, Comparison::AtLeast, 1.0);
@@ -201,6 +210,8 @@ void CourseExperiment::judge(const Samples& samples, Judge& judge) const {
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeCourseExperiment() { return std::make_unique<CourseExperiment>(); }
+std::unique_ptr<Experiment> makeCourseExperiment() {
+    return std::make_unique<CourseExperiment>();
+}
 
 }  // namespace muster

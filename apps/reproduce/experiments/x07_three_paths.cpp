@@ -11,37 +11,45 @@
 namespace muster {
 namespace {
 
-constexpr double kEntrance = -6.0;   // A metre before the lanes begin [m].
-constexpr double kMiddle = 0.0;      // Of the lanes: who is here has taken one [m].
-constexpr double kEnd = 5.0;         // The lanes end [m].
-constexpr double kLower = -1.5;      // The other gesture is this much lower [m].
-constexpr double kJitter = 0.8;      // Of starts [m].
-constexpr double kHand = 0.4;        // How far the hand draws aside [m].
-constexpr double kInPlace = 0.5;     // [m]
-constexpr double kLongest = 40.0;    // After the last gesture [s].
+constexpr double kEntrance = -6.0;  // A metre before the lanes begin [m].
+constexpr double kMiddle = 0.0;     // Of the lanes: who is here has taken one [m].
+constexpr double kEnd = 5.0;        // The lanes end [m].
+constexpr double kLower = -1.5;     // The other gesture is this much lower [m].
+constexpr double kJitter = 0.8;     // Of starts [m].
+constexpr double kHand = 0.4;       // How far the hand draws aside [m].
+constexpr double kInPlace = 0.5;    // [m]
+constexpr double kLongest = 40.0;   // After the last gesture [s].
 constexpr MotionId kCrawl = 3;
 constexpr MotionId kSwim = 4;
 
 enum Lane : std::int32_t { kPoolLane, kOpenLane, kNetLane };
 
-std::vector<double> hedges() { return {-2.0, 2.0}; }
+std::vector<double> hedges() {
+    return {-2.0, 2.0};
+}
 
 class ThreePathsExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X7", "Three paths",
-                "Figure 8a: a net to crawl under, open ground and a pool to swim lie side by side. A basic "
-                "multitouch gesture lays the mesh over them; the characters fit into the paths as the formation "
-                "lies.",
-                "A square of 36 is drawn over the three lanes by four fingers. Held places are looked at on the "
-                "entrance line, 1 m before the lanes; the lanes taken at x = 0, in their middle. The same gesture "
-                "is also made 1.5 m lower. Whole again means that everybody is within 0.5 m of the spot on the mesh "
-                "where its place is bound for: the travelling place itself may lag behind. It counts from when the "
-                "last has left the lanes. Seeds move starts by up to 0.8 m and the hand by up to 0.4 m.",
-                "x07-three-paths",
-                "The split is that of the mesh: drawn lower, one row moves from the net to the pool. Nobody leaves "
-                "a slow lane for the open one, because its place lies beyond the hedge. The mesh waits for those "
-                "who crawl."};
+        return {
+            "X7",
+            "Three paths",
+            "Figure 8a: a net to crawl under, open ground and a pool to swim lie side by side. A basic "
+            "multitouch gesture lays the mesh over them; the characters fit into the paths as the formation "
+            "lies.",
+            "A square of 36 is drawn over the three lanes by four fingers. Held places are looked at on the "
+            "entrance line, 1 m before the lanes; the lanes taken at x = 0, in their middle. The same "
+            "gesture "
+            "is also made 1.5 m lower. Whole again means that everybody is within 0.5 m of the spot on the "
+            "mesh "
+            "where its place is bound for: the travelling place itself may lag behind. It counts from when "
+            "the "
+            "last has left the lanes. Seeds move starts by up to 0.8 m and the hand by up to 0.4 m.",
+            "x07-three-paths",
+            "The split is that of the mesh: drawn lower, one row moves from the net to the pool. Nobody "
+            "leaves "
+            "a slow lane for the open one, because its place lies beyond the hedge. The mesh waits for those "
+            "who crawl."};
     }
     std::vector<Arm> arms() const override {
         return {{"middle", "Drawn along the middle"},
@@ -54,7 +62,8 @@ public:
                 {"net", "characters through the net", "", 0},
                 {"open", "characters through the open lane", "", 0},
                 {"pool", "characters through the pool", "", 0},
-                {"motions", "lanes' motions wrong: crawled less through the net, swam less through the pool", "", 0},
+                {"motions", "lanes' motions wrong: crawled less through the net, swam less through the pool",
+                 "", 0},
                 {"lanes", "the last leaves the lanes", "s", 1},
                 {"whole", "whole again after that", "s", 2},
                 {"swaps", "changes of place per character and second", "1/s", 3}};
@@ -67,7 +76,9 @@ public:
 class PathWatch {
 public:
     explicit PathWatch(const World& world)
-        : entrance_(kEntrance, hedges(), world), middle_(kMiddle, hedges(), world), end_(kEnd, hedges(), world),
+        : entrance_(kEntrance, hedges(), world),
+          middle_(kMiddle, hedges(), world),
+          end_(kEnd, hedges(), world),
           held_(world.characters().size(), -1) {}
 
     void observe(const World& world) {
@@ -78,14 +89,15 @@ public:
         const PlaceTracker& places = *world.group(0).places;
         for (const std::size_t i : entrance_.crossedNow()) {
             const std::int32_t place = characters.place[i];
-            held_[i] = place < 0 ? -1 : entrance_.laneAt(places.positions()[static_cast<std::size_t>(place)].y);
+            held_[i] = place < 0 ? -1 : entrance_.laneAt(places.positions()[place].y);
         }
         // Still whole at the end: an earlier moment does not count where somebody fell behind again.
         whole_ = !inPlace(world) ? -1.0 : whole_ < 0.0 ? world.time() : whole_;
     }
     double kept() const {
         std::int32_t same = 0;
-        for (std::size_t i = 0; i < held_.size(); ++i) same += held_[i] >= 0 && held_[i] == middle_.lanes()[i] ? 1 : 0;
+        for (std::size_t i = 0; i < held_.size(); ++i)
+            same += held_[i] >= 0 && held_[i] == middle_.lanes()[i] ? 1 : 0;
         return 100.0 * same / static_cast<double>(held_.size());
     }
     std::int32_t count(Lane lane) const { return middle_.count(lane); }
@@ -99,7 +111,7 @@ private:
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const std::int32_t place = characters.place[i];
             if (place < 0) return false;
-            if (distance(characters.position[i], goals[static_cast<std::size_t>(place)]) > kInPlace) return false;
+            if (distance(characters.position[i], goals[place]) > kInPlace) return false;
         }
         return true;
     }
@@ -138,7 +150,8 @@ Result<RunSample> ThreePathsExperiment::run(const RunRequest& request) const {
     RunSample sample;
     trial->report(sample);
     const std::int32_t net = paths.count(kNetLane), pool = paths.count(kPoolLane);
-    const std::int32_t wrong = std::abs(ground.visitors(kCrawl) - net) + std::abs(ground.visitors(kSwim) - pool);
+    const std::int32_t wrong = std::abs(ground.visitors(kCrawl) - net) +
+                               std::abs(ground.visitors(kSwim) - pool);
     sample.figures["kept"] = paths.kept();
     sample.figures["net"] = net;
     sample.figures["open"] = paths.count(kOpenLane);
@@ -154,8 +167,9 @@ void ThreePathsExperiment::judge(const Samples& samples, Judge& judge) const {
         for (const std::string arm : {"middle", "lower"}) {
             const std::string drawn = arm == "middle" ? "drawn along the middle: " : "drawn lower: ";
             const auto values = [&](const char* figure) { return samples.values(arm, preset, figure); };
-            judge.require(drawn + "characters that take the lane of the place held on the entrance line, in every seed",
-                          preset, values("kept"), Aggregate::Lowest, Comparison::AtLeast, 90.0, "%");
+            judge.require(
+                drawn + "characters that take the lane of the place held on the entrance line, in every seed",
+                preset, values("kept"), Aggregate::Lowest, Comparison::AtLeast, 90.0, "%");
             judge.require(drawn + "whole again after the last has left the lanes, in every seed", preset,
                           values("whole"), Aggregate::Highest, Comparison::AtMost, 5.0, "s");
             judge.require(drawn + "all who go through net and pool, and nobody else, crawl and swim", preset,
@@ -164,13 +178,15 @@ void ThreePathsExperiment::judge(const Samples& samples, Judge& judge) const {
         std::vector<double> more = samples.values("lower", preset, "pool");
         const std::vector<double> before = samples.values("middle", preset, "pool");
         for (std::size_t k = 0; k < more.size() && k < before.size(); ++k) more[k] -= before[k];
-        judge.require("drawn lower, so many more go through the pool, in every seed", preset, more, Aggregate::Lowest,
-                      Comparison::AtLeast, 4.0);
+        judge.require("drawn lower, so many more go through the pool, in every seed", preset, more,
+                      Aggregate::Lowest, Comparison::AtLeast, 4.0);
     }
 }
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeThreePathsExperiment() { return std::make_unique<ThreePathsExperiment>(); }
+std::unique_ptr<Experiment> makeThreePathsExperiment() {
+    return std::make_unique<ThreePathsExperiment>();
+}
 
 }  // namespace muster

@@ -1,4 +1,5 @@
-// X8 (paper fig. 8b): a narrow open way and two slow ones beside it; the crowded way drives some to the slow ones.
+// X8 (paper fig. 8b): a narrow open way and two slow ones beside it; the crowded way drives some to the slow
+// ones.
 #include <algorithm>
 #include <cmath>
 
@@ -9,36 +10,50 @@
 namespace muster {
 namespace {
 
-constexpr double kEntrance = -2.0;    // Of the alley [m].
-constexpr double kMiddle = 0.0;       // Of the ways: who is here has taken one [m].
-constexpr double kAlley = 1.5;        // The alley lies between -y and y, the slow ways beyond [m].
-constexpr double kQueueReach = 4.0;   // Before the entrance [m].
-constexpr double kStanding = 0.5;     // Slower than this one waits [m/s].
-constexpr double kLongest = 30.0;     // After the last gesture; who has not arrived then counts as arriving then [s].
+constexpr double kEntrance = -2.0;   // Of the alley [m].
+constexpr double kMiddle = 0.0;      // Of the ways: who is here has taken one [m].
+constexpr double kAlley = 1.5;       // The alley lies between -y and y, the slow ways beyond [m].
+constexpr double kQueueReach = 4.0;  // Before the entrance [m].
+constexpr double kStanding = 0.5;    // Slower than this one waits [m/s].
+// After the last gesture; who has not arrived then counts as arriving then [s].
+constexpr double kLongest = 30.0;
 constexpr double kCurvePeriod = 0.5;  // [s]
 constexpr std::int32_t kAlleyLane = 1;
 
 class CongestionExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X8", "A crowded way",
-                "Figure 8b: the user draws the whole crowd through a narrow open path. Two paths beside it are "
-                "slow: one has to climb. When the open path is crowded, some choose the slow ones rather than wait.",
-                "An alley 0.8 m wide and 4 m long between two ways of 2 m with a garden wall across. Four fingers "
-                "press the square of 36 to a strip, draw it through the alley at once and open it again: the crowd "
-                "arrives together and queues. Who takes which way is looked at in the middle of the ways. The same "
-                "is run without density in the cost. Last arrival counts from the last gesture; a run is cut 30 s "
-                "after it and then counts as 30 s.",
-                "x08-congestion",
-                "The queue forms in a half circle before the alley. The alley lets more than two a second through, "
-                "so the crowd must come at once to be worth a detour: the scene lets the mesh run ahead (opposing "
-                "force 0.05 per metre, controls and places at up to 4 m/s). Density is read over cells of 1 m, "
-                "which even out a queue at an entrance: density.min and density.max are set to 0.6 and 1.5, below the "
-                "defaults, with which nobody leaves the queue. Time weighs more than length (cost.beta 0.9, "
-                "cost.alpha 0.1), so that waiting counts in full; with equal weights some leave the queue too, but "
-                "too late to gain in every seed. The climb takes its clip's 2 s at the top speed of 2 m/s (0.26 of "
-                "running).\nWithout density all press at the alley. That everybody gets through at all, without friction and "
-                "noise, is owed to a rule of ours: who is behind does not press on who is held up (movement)."};
+        return {
+            "X8",
+            "A crowded way",
+            "Figure 8b: the user draws the whole crowd through a narrow open path. Two paths beside it are "
+            "slow: one has to climb. When the open path is crowded, some choose the slow ones rather than "
+            "wait.",
+            "An alley 0.8 m wide and 4 m long between two ways of 2 m with a garden wall across. Four "
+            "fingers "
+            "press the square of 36 to a strip, draw it through the alley at once and open it again: the "
+            "crowd "
+            "arrives together and queues. Who takes which way is looked at in the middle of the ways. The "
+            "same "
+            "is run without density in the cost. Last arrival counts from the last gesture; a run is cut 30 "
+            "s "
+            "after it and then counts as 30 s.",
+            "x08-congestion",
+            "The queue forms in a half circle before the alley. The alley lets more than two a second "
+            "through, "
+            "so the crowd must come at once to be worth a detour: the scene lets the mesh run ahead "
+            "(opposing "
+            "force 0.05 per metre, controls and places at up to 4 m/s). Density is read over cells of 1 m, "
+            "which even out a queue at an entrance: density.min and density.max are set to 0.6 and 1.5, "
+            "below the "
+            "defaults, with which nobody leaves the queue. Time weighs more than length (cost.beta 0.9, "
+            "cost.alpha 0.1), so that waiting counts in full; with equal weights some leave the queue too, "
+            "but "
+            "too late to gain in every seed. The climb takes its clip's 2 s at the top speed of 2 m/s (0.26 "
+            "of "
+            "running).\nWithout density all press at the alley. That everybody gets through at all, without "
+            "friction and "
+            "noise, is owed to a rule of ours: who is behind does not press on who is held up (movement)."};
     }
     std::vector<Arm> arms() const override {
         return {{"density", "Density in the cost"},
@@ -102,7 +117,8 @@ Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
     trial->runUntil(6.5, watch);
     trial->shoot("drawn through the alley: a queue forms");
     trial->runUntil(9.0, watch);
-    trial->shoot(request.arm.id == "blind" ? "everybody waits for the alley" : "some turn to the garden walls");
+    trial->shoot(request.arm.id == "blind" ? "everybody waits for the alley"
+                                           : "some turn to the garden walls");
     trial->runUntil(13.0, watch);
     trial->shoot("13 s: who is through");
     const bool settled = trial->runUntilSettled(kLongest, watch);
@@ -122,15 +138,19 @@ Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
 void CongestionExperiment::judge(const Samples& samples, Judge& judge) const {
     for (const std::string preset : {"muster", "paper"}) {
         judge.require("with density: characters that take the slow ways, in every seed", preset,
-                      samples.values("density", preset, "side"), Aggregate::Lowest, Comparison::AtLeast, 10.0, "%");
+                      samples.values("density", preset, "side"), Aggregate::Lowest, Comparison::AtLeast, 10.0,
+                      "%");
         judge.require("without density: characters that take the slow ways, in every seed", preset,
-                      samples.values("blind", preset, "side"), Aggregate::Highest, Comparison::AtMost, 5.0, "%");
-        judge.require("with density all 36 pass in every seed", preset, samples.values("density", preset, "through"),
-                      Aggregate::Lowest, Comparison::AtLeast, 36.0);
+                      samples.values("blind", preset, "side"), Aggregate::Highest, Comparison::AtMost, 5.0,
+                      "%");
+        judge.require("with density all 36 pass in every seed", preset,
+                      samples.values("density", preset, "through"), Aggregate::Lowest, Comparison::AtLeast,
+                      36.0);
         // Earlier in every seed: by a hundredth at least.
-        judge.require("last arrival with density over that without, in every seed", preset,
-                      ratios(samples.values("density", preset, "last"), samples.values("blind", preset, "last")),
-                      Aggregate::Highest, Comparison::AtMost, 0.99);
+        judge.require(
+            "last arrival with density over that without, in every seed", preset,
+            ratios(samples.values("density", preset, "last"), samples.values("blind", preset, "last")),
+            Aggregate::Highest, Comparison::AtMost, 0.99);
     }
 }
 
@@ -151,6 +171,8 @@ std::vector<ChartDef> CongestionExperiment::charts(const Samples& samples) const
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeCongestionExperiment() { return std::make_unique<CongestionExperiment>(); }
+std::unique_ptr<Experiment> makeCongestionExperiment() {
+    return std::make_unique<CongestionExperiment>();
+}
 
 }  // namespace muster

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/change_watch.h"
-#include "base/random.h"
 #include "reproduce/experiments/trial.h"
 
 namespace muster {
@@ -18,7 +18,8 @@ constexpr double kSkin = 0.05;       // Vertices that wait at the face of a hous
 constexpr double kView = 30.0;       // Width of a picture of the corridor [m].
 const char* const kShapes[] = {"wedge", "line", "ring", "crescent", "square"};
 
-/// Where seeds differ beyond their starts, which even out before the first change. The first keeps what is shipped.
+/// Where seeds differ beyond their starts, which even out before the first change. The first keeps what is
+/// shipped.
 struct Variation {
     Vec2 shift;
     double turn = 0.0;
@@ -36,8 +37,8 @@ struct Variation {
     }
 };
 
-/// A change by its shape's name: the bottleneck walking time, and the time taken over it, to arrive and to stand
-/// within 0.1 m.
+/// A change by its shape's name: the bottleneck walking time, and the time taken over it, to arrive and to
+/// stand within 0.1 m.
 void reportChange(const FormationChangeRecord& change, double speed, RunSample& sample) {
     const std::string name(formationName(change.kind));
     sample.figures["ratio_" + name] = change.ratio(speed);
@@ -123,7 +124,8 @@ struct ArrowWatch {
         if (extent.front < -kCorridor || extent.rear > kCorridor) return;
         lag = std::max(lag, world.group(0).meanLag);
         const auto& place = world.characters().place;
-        unmatched = std::max(unmatched, static_cast<std::int32_t>(std::count(place.begin(), place.end(), -1)));
+        unmatched = std::max(unmatched,
+                             static_cast<std::int32_t>(std::count(place.begin(), place.end(), -1)));
     }
 };
 
@@ -185,25 +187,41 @@ Result<RunSample> runCorridor(const RunRequest& request) {
 class ShapesExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X9", "Changes of formation",
-                "Figure 9a-c: a square turns into an arrow, which passes a narrow corridor, its sides deforming for "
-                "the time being, and then into other shapes. Checkpoints in the environment switch the formation. "
+        return {"X9",
+                "Changes of formation",
+                "Figure 9a-c: a square turns into an arrow, which passes a narrow corridor, its sides "
+                "deforming for "
+                "the time being, and then into other shapes. Checkpoints in the environment switch the "
+                "formation. "
                 "Changes are quick, with minimal congestion.",
-                "36 characters. In the open keys turn a square into an arrow, a line, a ring, a crescent and back, "
-                "while nobody drags. Each change is timed until 95 % have arrived (within 0.5 m of the place, for 1 "
-                "s) and divided by the bottleneck walking time: the least longest straight walk over all assignments "
-                "of where people stand to the new places, at top speed. In the corridor scene one finger draws the "
-                "crowd from hall to hall, through a passage 4 m wide and 12 m long. A checkpoint before it makes the "
-                "square an arrow, one behind it makes the arrow a crescent, where the finger stops. The width is the "
+                "36 characters. In the open keys turn a square into an arrow, a line, a ring, a crescent and "
+                "back, "
+                "while nobody drags. Each change is timed until 95 % have arrived (within 0.5 m of the "
+                "place, for 1 "
+                "s) and divided by the bottleneck walking time: the least longest straight walk over all "
+                "assignments "
+                "of where people stand to the new places, at top speed. In the corridor scene one finger "
+                "draws the "
+                "crowd from hall to hall, through a passage 4 m wide and 12 m long. A checkpoint before it "
+                "makes the "
+                "square an arrow, one behind it makes the arrow a crescent, where the finger stops. The "
+                "width is the "
                 "crowd's extent across the corridor.",
                 "x09-corridor",
-                "By the preset muster each change takes less than the bottleneck walking time, because who is within "
-                "half a metre has arrived; standing within a tenth of a metre takes up to 1.3 times that time, which "
-                "is the time to gather speed and to stop.\nBy the preset paper the changes to the line and to the "
-                "ring take half as long again as the bottleneck allows. The least sum of costs (exponent 1) does not "
-                "mind one long walk among many short ones; the least sum of squares does.\nIn the corridor the arrow "
-                "is half as wide as before, nobody loses the place, and the shape comes back by itself. Seeds turn "
-                "and shift the formation in the open and shift crowd and finger sideways before the corridor; little "
+                "By the preset muster each change takes less than the bottleneck walking time, because who "
+                "is within "
+                "half a metre has arrived; standing within a tenth of a metre takes up to 1.3 times that "
+                "time, which "
+                "is the time to gather speed and to stop.\nBy the preset paper the changes to the line and "
+                "to the "
+                "ring take half as long again as the bottleneck allows. The least sum of costs (exponent 1) "
+                "does not "
+                "mind one long walk among many short ones; the least sum of squares does.\nIn the corridor "
+                "the arrow "
+                "is half as wide as before, nobody loses the place, and the shape comes back by itself. "
+                "Seeds turn "
+                "and shift the formation in the open and shift crowd and finger sideways before the "
+                "corridor; little "
                 "depends on either."};
     }
     std::vector<Arm> arms() const override {
@@ -245,17 +263,20 @@ public:
     }
     void judge(const Samples& samples, Judge& judge) const override {
         for (const char* preset : {"muster", "paper"}) {
-            const auto highest = [&](const char* criterion, const char* arm, const char* figure, double most) {
+            const auto highest = [&](const char* criterion, const char* arm, const char* figure,
+                                     double most) {
                 judge.require(criterion, preset, samples.values(arm, preset, figure), Aggregate::Highest,
                               Comparison::AtMost, most);
             };
-            highest("slowest of five changes in the open, over the bottleneck walking time", "open", "worst", 1.3);
+            highest("slowest of five changes in the open, over the bottleneck walking time", "open", "worst",
+                    1.3);
             highest("stuck after any change in the open", "open", "stuck", 0.0);
             highest("crowd's width inside the corridor over that before it", "corridor", "narrowed", 0.6);
             judge.require("crowd's width behind the corridor over that before it", preset,
-                          samples.values("corridor", preset, "recovered"), Aggregate::Lowest, Comparison::AtLeast,
-                          0.95);
-            highest("change behind the corridor, over the bottleneck walking time", "corridor", "ratio_crescent", 1.3);
+                          samples.values("corridor", preset, "recovered"), Aggregate::Lowest,
+                          Comparison::AtLeast, 0.95);
+            highest("change behind the corridor, over the bottleneck walking time", "corridor",
+                    "ratio_crescent", 1.3);
             highest("stuck after any change about the corridor", "corridor", "stuck", 0.0);
         }
     }
@@ -263,6 +284,8 @@ public:
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeShapesExperiment() { return std::make_unique<ShapesExperiment>(); }
+std::unique_ptr<Experiment> makeShapesExperiment() {
+    return std::make_unique<ShapesExperiment>();
+}
 
 }  // namespace muster

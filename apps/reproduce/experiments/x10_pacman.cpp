@@ -2,19 +2,20 @@
 #include <algorithm>
 #include <array>
 
-#include "reproduce/experiments/catalogue.h"
-#include "reproduce/experiments/mouth.h"
 #include "base/maths.h"
 #include "base/random.h"
+#include "reproduce/experiments/catalogue.h"
+#include "reproduce/experiments/mouth.h"
 #include "reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
-constexpr double kShut = 60.0, kOpen = 120.0;    // Hysteresis of the mouth [degrees]; at rest it is open by 69.
-constexpr std::uint32_t kJaws[] = {11, 12};      // The touches that move the jaws, as in the gestures.
-constexpr double kTremor = 0.1;                  // Seeds move each finger by up to this [m].
+// Hysteresis of the mouth [degrees]; at rest it is open by 69.
+constexpr double kShut = 60.0, kOpen = 120.0;
+constexpr std::uint32_t kJaws[] = {11, 12};  // The touches that move the jaws, as in the gestures.
+constexpr double kTremor = 0.1;              // Seeds move each finger by up to this [m].
 
 bool isJaw(std::uint32_t touch) {
     return std::find(std::begin(kJaws), std::end(kJaws), touch) != std::end(kJaws);
@@ -38,7 +39,8 @@ void vary(std::uint64_t seed, std::vector<Command>& commands) {
         each.y = random.uniform(-kTremor, kTremor);
     }
     for (Command& command : commands)
-        if (auto* move = std::get_if<TouchMove>(&command.body)) move->position += offset[move->touch % offset.size()];
+        if (auto* move = std::get_if<TouchMove>(&command.body))
+            move->position += offset[move->touch % offset.size()];
 }
 
 /// Follows mouth and body.
@@ -78,21 +80,33 @@ private:
 class PacmanExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X10", "Pacman",
-                "Figure 9d: the crowd takes the form of Pacman. Simple gestures carry him along while they open and "
+        return {"X10",
+                "Pacman",
+                "Figure 9d: the crowd takes the form of Pacman. Simple gestures carry him along while they "
+                "open and "
                 "close his mouth, so that he collects items.",
-                "40 characters as Pacman. Three fingers that begin together carry his body along a winding path (an "
-                "area control). Two more, begun apart from them and from each other, hold the tips of his lips (two "
-                "points) and open and shut the mouth six times on the way. Five items lie on the path, twelve beside "
-                "it where the body does not come. The opening is the angle at the mouth's hinge between the tips of "
-                "the lips in the user mesh, counted with hysteresis: open above 120 degrees, having been below 60. "
-                "Without the mouth: the same fingers without the two at the lips. Seeds move starts, and each finger "
+                "40 characters as Pacman. Three fingers that begin together carry his body along a winding "
+                "path (an "
+                "area control). Two more, begun apart from them and from each other, hold the tips of his "
+                "lips (two "
+                "points) and open and shut the mouth six times on the way. Five items lie on the path, "
+                "twelve beside "
+                "it where the body does not come. The opening is the angle at the mouth's hinge between the "
+                "tips of "
+                "the lips in the user mesh, counted with hysteresis: open above 120 degrees, having been "
+                "below 60. "
+                "Without the mouth: the same fingers without the two at the lips. Seeds move starts, and "
+                "each finger "
                 "by up to 0.1 m.",
                 "x10-pacman",
-                "One mesh obeys both hands at once: an area control carries the body stiffly, the points bend what "
-                "is left. The mouth follows its fingers because control points are hard constraints; what limits it "
-                "is the speed of control points, so that fingers must open and shut at a pace that people can walk. "
-                "The preset paper gives the same figures, because all of them come from the mesh; so it is not run."};
+                "One mesh obeys both hands at once: an area control carries the body stiffly, the points "
+                "bend what "
+                "is left. The mouth follows its fingers because control points are hard constraints; what "
+                "limits it "
+                "is the speed of control points, so that fingers must open and shut at a pace that people "
+                "can walk. "
+                "The preset paper gives the same figures, because all of them come from the mesh; so it is "
+                "not run."};
     }
     std::vector<Arm> arms() const override {
         return {{"mouth", "With the mouth"}, {"still", "Without the mouth"}};
@@ -130,12 +144,13 @@ public:
         const auto still = [&](const char* figure) { return samples.values("still", "muster", figure); };
         judge.require("openings of the mouth on the way", "muster", mouth("openings"), Aggregate::Lowest,
                       Comparison::AtLeast, 5.0);
-        judge.require("items left with the mouth", "muster", mouth("missed"), Aggregate::Highest, Comparison::AtMost,
-                      0.0);
-        judge.require("items collected without the mouth over those with it", "muster",
-                      ratios(still("collected"), mouth("collected")), Aggregate::Highest, Comparison::AtMost, 0.5);
-        judge.require("openings without the touches at the lips", "muster", still("openings"), Aggregate::Highest,
+        judge.require("items left with the mouth", "muster", mouth("missed"), Aggregate::Highest,
                       Comparison::AtMost, 0.0);
+        judge.require("items collected without the mouth over those with it", "muster",
+                      ratios(still("collected"), mouth("collected")), Aggregate::Highest, Comparison::AtMost,
+                      0.5);
+        judge.require("openings without the touches at the lips", "muster", still("openings"),
+                      Aggregate::Highest, Comparison::AtMost, 0.0);
         judge.require("body's way until the last opening", "muster", mouth("way"), Aggregate::Lowest,
                       Comparison::AtLeast, 10.0, "m");
     }
@@ -159,7 +174,8 @@ private:
         // At rest; then shut and wide open in turn.
         for (const double moment : {0.5, 4.0, 7.2, 9.8, 19.2, 27.8, 37.2}) {
             trial.runUntil(moment, observe);
-            trial.shoot("mouth open by " + std::to_string(static_cast<int>(watch.angle() + 0.5)) + " degrees");
+            trial.shoot("mouth open by " + std::to_string(static_cast<int>(watch.angle() + 0.5)) +
+                        " degrees");
         }
         trial.runUntil(trial.gesturesEnd() + 2.0, observe);
         trial.shoot("at the end");
@@ -168,6 +184,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Experiment> makePacmanExperiment() { return std::make_unique<PacmanExperiment>(); }
+std::unique_ptr<Experiment> makePacmanExperiment() {
+    return std::make_unique<PacmanExperiment>();
+}
 
 }  // namespace muster

@@ -8,34 +8,38 @@
 namespace muster {
 namespace {
 
-constexpr double kJitter = 0.5;    // Of starts [m]: so that the first plan has something to assign.
-constexpr double kHand = 0.3;      // How far the hand draws aside [m].
-constexpr double kLongest = 30.0;  // After the last gesture; who has not arrived then counts as arriving then [s].
+constexpr double kJitter = 0.5;  // Of starts [m]: so that the first plan has something to assign.
+constexpr double kHand = 0.3;    // How far the hand draws aside [m].
+// After the last gesture; who has not arrived then counts as arriving then [s].
+constexpr double kLongest = 30.0;
 
 class TransportExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X11", "Transport against kept places",
-                "Figure 10: a dense square passes round an obstacle and merges again. Some are caught behind the "
-                "obstacle and come late. With fixed places those who came first stand in their way; with transport "
-                "these shift inward and the late take places at the rear.",
-                "A square of 36, places 0.6 m apart for characters 0.5 m wide, is drawn across a round well by four "
-                "fingers. Nothing differs between the arms but the plan: made anew (transport), assigned once at "
-                "the start, or character i keeps place i. Time counts from the last gesture until everybody is in "
-                "place; a run is cut 30 s after it and then counts as 30 s. Seeds move starts by up to 0.5 m and "
-                "the hand by up to 0.3 m.",
-                "x11-transport",
-                "Contacts are discs without friction, so that those in the way can be pushed aside; late ones with "
-                "a kept place do arrive in most runs, but only after squeezing through the ranks. With transport "
-                "the gap closes from behind."};
+        return {
+            "X11",
+            "Transport against kept places",
+            "Figure 10: a dense square passes round an obstacle and merges again. Some are caught behind the "
+            "obstacle and come late. With fixed places those who came first stand in their way; with "
+            "transport "
+            "these shift inward and the late take places at the rear.",
+            "A square of 36, places 0.6 m apart for characters 0.5 m wide, is drawn across a round well by "
+            "four "
+            "fingers. Nothing differs between the arms but the plan: made anew (transport), assigned once at "
+            "the start, or character i keeps place i. Time counts from the last gesture until everybody is "
+            "in "
+            "place; a run is cut 30 s after it and then counts as 30 s. Seeds move starts by up to 0.5 m and "
+            "the hand by up to 0.3 m.",
+            "x11-transport",
+            "Contacts are discs without friction, so that those in the way can be pushed aside; late ones "
+            "with "
+            "a kept place do arrive in most runs, but only after squeezing through the ranks. With transport "
+            "the gap closes from behind."};
     }
     std::vector<Arm> arms() const override {
-        return {{"transport", "Transport"},
-                {"fixed", "Fixed places"},
-                {"once", "Assigned once"},
-                {"transport", "Transport", "paper"},
-                {"fixed", "Fixed places", "paper"},
-                {"once", "Assigned once", "paper"}};
+        return {{"transport", "Transport"},         {"fixed", "Fixed places"},
+                {"once", "Assigned once"},          {"transport", "Transport", "paper"},
+                {"fixed", "Fixed places", "paper"}, {"once", "Assigned once", "paper"}};
     }
     std::vector<FigureInfo> figures() const override {
         return {{"time", "everybody in place after the last gesture (cut at 30 s)", "s", 2},
@@ -62,14 +66,15 @@ std::int32_t inPlace(const World& world) {
     std::int32_t count = 0;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const std::int32_t place = characters.place[i];
-        count += place >= 0 && distance(characters.position[i], places[static_cast<std::size_t>(place)]) <= 0.5 ? 1 : 0;
+        count += place >= 0 && distance(characters.position[i], places[place]) <= 0.5 ? 1 : 0;
     }
     return count;
 }
 
 Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
-    const TrialDef def{
-        .scenario = "x11-transport", .jitter = kJitter, .settings = {{"plan.mode", planMode(request.arm.id)}}};
+    const TrialDef def{.scenario = "x11-transport",
+                       .jitter = kJitter,
+                       .settings = {{"plan.mode", planMode(request.arm.id)}}};
     auto trial = Trial::open(request, def);
     if (!trial.ok()) return trial.status();
     jitterHand(trial->commands(), request.seed, kHand);
@@ -104,9 +109,12 @@ Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
 
 void TransportExperiment::judge(const Samples& samples, Judge& judge) const {
     for (const std::string preset : {"muster", "paper"}) {
-        const auto values = [&](const char* arm, const char* figure) { return samples.values(arm, preset, figure); };
-        judge.require("transport: everybody arrives, in every seed", preset, values("transport", "arrived100"),
-                      Aggregate::Highest, Comparison::AtMost, kLongest, "s");
+        const auto values = [&](const char* arm, const char* figure) {
+            return samples.values(arm, preset, figure);
+        };
+        judge.require("transport: everybody arrives, in every seed", preset,
+                      values("transport", "arrived100"), Aggregate::Highest, Comparison::AtMost, kLongest,
+                      "s");
         judge.require("time of transport over that of fixed places, in every seed", preset,
                       ratios(values("transport", "time"), values("fixed", "time")), Aggregate::Highest,
                       Comparison::AtMost, 0.6);
@@ -120,6 +128,8 @@ void TransportExperiment::judge(const Samples& samples, Judge& judge) const {
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeTransportExperiment() { return std::make_unique<TransportExperiment>(); }
+std::unique_ptr<Experiment> makeTransportExperiment() {
+    return std::make_unique<TransportExperiment>();
+}
 
 }  // namespace muster

@@ -19,12 +19,13 @@ struct Size {
 // Fewer steps where each is dear, so that a run takes seconds.
 constexpr Size kSizes[] = {{36, 40, 120}, {100, 24, 80}, {160, 16, 48}, {250, 12, 24}, {400, 12, 16},
                            {630, 8, 12},  {1000, 8, 8},  {1600, 8, 8},  {2500, 8, 8},  {5000, 8, 8}};
-constexpr std::uint64_t kLongSeeds = 2;   // The others end with the size below.
-constexpr std::int32_t kEnough = 160;     // The largest that a criterion asks for.
-constexpr double kSlowest = 10.0;    // Larger crowds are not tried once fewer steps were made [1/s].
-constexpr double kGrowth = 1.5;      // Steps cost at least so much of a power of the size; nearer to 2 as measured.
-constexpr double kReference = 100.0; // Characters in the scenario as it ships.
-constexpr Vec2 kStart{-4.0, 0.0};    // In the middle of the trees [m].
+constexpr std::uint64_t kLongSeeds = 2;  // The others end with the size below.
+constexpr std::int32_t kEnough = 160;    // The largest that a criterion asks for.
+constexpr double kSlowest = 10.0;        // Larger crowds are not tried once fewer steps were made [1/s].
+// Steps cost at least so much of a power of the size; nearer to 2 as measured.
+constexpr double kGrowth = 1.5;
+constexpr double kReference = 100.0;  // Characters in the scenario as it ships.
+constexpr Vec2 kStart{-4.0, 0.0};     // In the middle of the trees [m].
 
 /// Stages of a step as the chart shows them.
 struct Part {
@@ -32,18 +33,21 @@ struct Part {
     const char* title;
     std::uint32_t stages;  // Bits.
 };
-constexpr std::uint32_t bit(Stage stage) { return 1u << static_cast<std::uint32_t>(stage); }
+constexpr std::uint32_t bit(Stage stage) {
+    return 1u << static_cast<std::uint32_t>(stage);
+}
 constexpr Part kParts[] = {
     {"plan", "plan", bit(Stage::Plan)},
     {"density", "density and cost", bit(Stage::DensityAndCost)},
     {"mesh", "controls, meshes and places",
-     bit(Stage::Commands) | bit(Stage::Controls) | bit(Stage::UserMesh) | bit(Stage::FinalMesh) | bit(Stage::Places)},
+     bit(Stage::Commands) | bit(Stage::Controls) | bit(Stage::UserMesh) | bit(Stage::FinalMesh) |
+         bit(Stage::Places)},
     {"crowd", "steering, contacts, patches, events",
      bit(Stage::Steering) | bit(Stage::Contacts) | bit(Stage::Patches) | bit(Stage::Events)},
 };
 
-/// The scene for another number of people: ground and trees for as many people per square metre as a hundred have,
-/// the fingers at the same corners of the formation.
+/// The scene for another number of people: ground and trees for as many people per square metre as a hundred
+/// have, the fingers at the same corners of the formation.
 void enlarge(Trial& trial, std::int32_t count) {
     WorldDef& def = trial.def();
     GroupDef& group = def.groups[0];
@@ -96,7 +100,8 @@ StepCost measure(Trial& trial, const Size& size) {
     for (std::int32_t k = 0; k < size.steps; ++k) {
         trial.step();
         const StageTimes& times = trial.world().stageTimes();
-        for (std::size_t s = 0; s < cost.stage.size(); ++s) cost.stage[s] += times.milliseconds[s] / size.steps;
+        for (std::size_t s = 0; s < cost.stage.size(); ++s)
+            cost.stage[s] += times.milliseconds[s] / size.steps;
         cost.total += times.total / size.steps;
     }
     return cost;
@@ -105,26 +110,37 @@ StepCost measure(Trial& trial, const Size& size) {
 class ScaleExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X13", "Cost against crowd size",
-                "Section 7.6: on one core of a Core i7 with 2.67 GHz the simulation runs at about 32 frames per "
-                "second (its scenes have 36 and 100 characters); above 160 characters the rate falls to about 8 to 10.",
-                "A square formation follows two fingers among trees. Sizes from 36 rise as long as 10 steps in a second "
-                "are made, or can be expected of the next; only the first two seeds go beyond 160, to save time. Ground and trees grow with "
-                "the crowd above 100, so that the density of both stays. One thread, nothing else runs meanwhile; the "
-                "mean over a number of steps that is fixed for each size, after some that are not counted, among them "
-                "the first plan, which is made whole in one step. A step simulates 1/60 s.",
-                "x13-scale",
-                "Nearly all of a step is the plan: a cost field for each place, then the exact assignment. The "
-                "preset muster plans every fourth step and spreads the fields over these steps; the preset paper "
-                "does all of it in every step. Our machine is not the paper's, so its points show the shape of the "
-                "fall, not a race."};
+        return {
+            "X13",
+            "Cost against crowd size",
+            "Section 7.6: on one core of a Core i7 with 2.67 GHz the simulation runs at about 32 frames per "
+            "second (its scenes have 36 and 100 characters); above 160 characters the rate falls to about 8 "
+            "to 10.",
+            "A square formation follows two fingers among trees. Sizes from 36 rise as long as 10 steps in a "
+            "second "
+            "are made, or can be expected of the next; only the first two seeds go beyond 160, to save time. "
+            "Ground and trees grow with "
+            "the crowd above 100, so that the density of both stays. One thread, nothing else runs "
+            "meanwhile; the "
+            "mean over a number of steps that is fixed for each size, after some that are not counted, among "
+            "them "
+            "the first plan, which is made whole in one step. A step simulates 1/60 s.",
+            "x13-scale",
+            "Nearly all of a step is the plan: a cost field for each place, then the exact assignment. The "
+            "preset muster plans every fourth step and spreads the fields over these steps; the preset paper "
+            "does all of it in every step. Our machine is not the paper's, so its points show the shape of "
+            "the "
+            "fall, not a race."};
     }
-    std::vector<Arm> arms() const override { return {{"size", "Preset muster"}, {"size", "Preset paper", "paper"}}; }
+    std::vector<Arm> arms() const override {
+        return {{"size", "Preset muster"}, {"size", "Preset paper", "paper"}};
+    }
     std::vector<FigureInfo> figures() const override {
         std::vector<FigureInfo> all;
         for (const Size& size : kSizes)
             all.push_back({rateName(size), std::to_string(size.count) + " characters", "steps/s", 1});
-        for (const Part& part : kParts) all.push_back({part.name, std::string(part.title) + ", at 100", "ms", 3});
+        for (const Part& part : kParts)
+            all.push_back({part.name, std::string(part.title) + ", at 100", "ms", 3});
         all.push_back({"largest", "largest crowd at 10 steps per second or more", "", 0});
         return all;
     }
@@ -161,10 +177,16 @@ public:
         }
     }
     std::vector<ChartDef> charts(const Samples& samples) const override {
-        ChartDef rates{"Steps per second fall as the crowd grows.", "characters", "steps per second", true, true, {}};
-        ChartDef parts{"By the preset muster nearly all of a step is the plan.", "characters", "milliseconds per step",
-                       true, true, {}};
-        for (const Arm& arm : arms()) rates.series.push_back({arm.title, medians(samples, arm, "rate"), false});
+        ChartDef rates{
+            "Steps per second fall as the crowd grows.", "characters", "steps per second", true, true, {}};
+        ChartDef parts{"By the preset muster nearly all of a step is the plan.",
+                       "characters",
+                       "milliseconds per step",
+                       true,
+                       true,
+                       {}};
+        for (const Arm& arm : arms())
+            rates.series.push_back({arm.title, medians(samples, arm, "rate"), false});
         rates.series.push_back({"the paper's own figures", {{36, 32}, {100, 32}, {160, 8}, {160, 10}}, true});
         for (const Part& part : kParts)
             parts.series.push_back({part.title, medians(samples, arms()[0], part.name), false});
@@ -210,6 +232,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Experiment> makeScaleExperiment() { return std::make_unique<ScaleExperiment>(); }
+std::unique_ptr<Experiment> makeScaleExperiment() {
+    return std::make_unique<ScaleExperiment>();
+}
 
 }  // namespace muster

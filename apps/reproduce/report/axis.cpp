@@ -10,8 +10,8 @@
 namespace muster {
 namespace {
 
-constexpr double kLargest = 1e100;   // Beyond it differences would overflow.
-constexpr double kAlike = 1e-9;      // Values closer than this share of them count as one.
+constexpr double kLargest = 1e100;  // Beyond it differences would overflow.
+constexpr double kAlike = 1e-9;     // Values closer than this share of them count as one.
 constexpr double kWantedSteps = 4.0;
 constexpr double kLogSmallest = 1e-100;
 
@@ -19,8 +19,9 @@ std::string label(double value, double step) {
     const double size = std::max(std::abs(value), step);
     if (value != 0.0 && (size >= 1e7 || step < 1e-6)) {
         // As many digits as tell neighbours apart.
-        const int digits =
-            static_cast<int>(std::floor(std::log10(size) + 1e-9) - std::floor(std::log10(step) + 1e-9)) + 1;
+        const int digits = static_cast<int>(std::floor(std::log10(size) + 1e-9) -
+                                            std::floor(std::log10(step) + 1e-9)) +
+                           1;
         char buffer[32];
         std::snprintf(buffer, sizeof(buffer), "%.*g", std::clamp(digits, 1, 12), value);
         return buffer;
@@ -40,8 +41,10 @@ double stepFor(double range, bool whole) {
 
 Axis linearAxis(double low, double high, bool whole) {
     if (high - low <= kAlike * std::max(std::abs(low), std::abs(high))) {
-        if (low == 0.0) high = 1.0;
-        else (low > 0.0 ? low : high) = 0.0;
+        if (low == 0.0)
+            high = 1.0;
+        else
+            (low > 0.0 ? low : high) = 0.0;
     }
     if (low > 0.0 && low <= 0.5 * high) low = 0.0;
     if (high < 0.0 && high >= 0.5 * low) high = 0.0;
@@ -72,7 +75,8 @@ Axis logAxis(double low, double high) {
     }
     const int stride = decadesOnly ? 3 * std::max(1, (last - first) / 3 / 6) : 1;
     Axis axis{logStop(first), logStop(last), true, {}};
-    for (int k = first; k <= last; k += stride) axis.ticks.push_back({logStop(k), label(logStop(k), logStop(k))});
+    for (int k = first; k <= last; k += stride)
+        axis.ticks.push_back({logStop(k), label(logStop(k), logStop(k))});
     return axis;
 }
 

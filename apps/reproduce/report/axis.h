@@ -23,15 +23,16 @@ struct Axis {
     double place(double value) const;
 };
 
-/// Every how many ticks are labelled, so that labels of letters `letterWidth` wide fit side by side on an axis of that
-/// length, both in the same unit.
+/// Every how many ticks are labelled, so that labels of letters `letterWidth` wide fit side by side on an
+/// axis of that length, both in the same unit.
 std::size_t labelStride(const Axis& axis, double length, double letterWidth);
 
-/// The axis that shows low to high. A linear one begins with 0 where that costs at most half of it; `whole` asks for
-/// ticks at whole numbers. A logarithmic one needs low > 0, else it becomes linear.
+/// The axis that shows low to high. A linear one begins with 0 where that costs at most half of it; `whole`
+/// asks for ticks at whole numbers. A logarithmic one needs low > 0, else it becomes linear.
 Axis makeAxis(double low, double high, bool logarithmic, bool whole = false);
 
-/// The same for the values that can be shown: finite, and > 0 on a logarithmic axis. 0 to 1 (1 to 10) for none.
+/// The same for the values that can be shown: finite, and > 0 on a logarithmic axis. 0 to 1 (1 to 10) for
+/// none.
 Axis axisOf(const std::vector<double>& values, bool logarithmic, bool whole = false);
 
 }  // namespace muster

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "reproduce/report/axis.h"
-#include "reproduce/report/markup.h"
 #include "reproduce/report/marks.h"
+#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {
@@ -51,8 +51,8 @@ std::string text(double x, double y, const char* anchor, const std::string& word
 }
 
 std::string rule(double x1, double y1, double x2, double y2, const char* kind, const char* colour) {
-    return std::string("<line class=\"") + kind + "\" x1=\"" + svgNumber(x1) + "\" y1=\"" + svgNumber(y1) + "\" x2=\"" +
-           svgNumber(x2) + "\" y2=\"" + svgNumber(y2) + "\" stroke=\"" + colour + "\"/>\n";
+    return std::string("<line class=\"") + kind + "\" x1=\"" + svgNumber(x1) + "\" y1=\"" + svgNumber(y1) +
+           "\" x2=\"" + svgNumber(x2) + "\" y2=\"" + svgNumber(y2) + "\" stroke=\"" + colour + "\"/>\n";
 }
 
 std::string drawAxes(const Frame& frame, const ChartDef& chart) {
@@ -60,7 +60,8 @@ std::string drawAxes(const Frame& frame, const ChartDef& chart) {
     std::string out;
     for (const Tick& tick : frame.y.ticks) {
         const double y = frame.py(tick.value);
-        out += rule(frame.left, y, right, y, "grid", "#DDD8CF") + text(frame.left - 7.0, y + 4.0, "end", tick.label);
+        out += rule(frame.left, y, right, y, "grid", "#DDD8CF") +
+               text(frame.left - 7.0, y + 4.0, "end", tick.label);
     }
     const std::size_t stride = labelStride(frame.x, right - frame.left, kLetterWidth);
     for (std::size_t k = 0; k < frame.x.ticks.size(); ++k) {
@@ -70,7 +71,8 @@ std::string drawAxes(const Frame& frame, const ChartDef& chart) {
     }
     out += rule(frame.left, bottom, right, bottom, "axis", "#545C66");
     const std::string logX = chart.logX ? " (log)" : "", logY = chart.logY ? " (log)" : "";
-    out += text(right, bottom + 38.0, "end", chart.xTitle + logX) + text(4.0, 15.0, "start", chart.yTitle + logY);
+    out += text(right, bottom + 38.0, "end", chart.xTitle + logX) +
+           text(4.0, 15.0, "start", chart.yTitle + logY);
     return out;
 }
 
@@ -78,7 +80,8 @@ std::string linePath(const Frame& frame, const ChartSeries& series) {
     std::string data;
     bool pen = false;
     for (const Vec2 p : series.points) {
-        if (frame.shows(p)) data += (pen ? "L" : "M") + svgNumber(frame.px(p.x)) + " " + svgNumber(frame.py(p.y));
+        if (frame.shows(p))
+            data += (pen ? "L" : "M") + svgNumber(frame.px(p.x)) + " " + svgNumber(frame.py(p.y));
         pen = frame.shows(p);
     }
     return data;
@@ -94,10 +97,12 @@ std::string drawSeries(const Frame& frame, const ChartSeries& series, std::size_
     if (!path.empty())
         content += "<path d=\"" + path + "\" fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\"" +
                    dashOf(index) + "/>";
-    // Lines of many points carry a few marks, each series at other points, so that marks do not hide each other.
+    // Lines of many points carry a few marks, each series at other points, so that marks do not hide each
+    // other.
     const std::size_t count = series.points.size();
-    const std::size_t stride =
-        series.marksOnly || count <= kFewPoints ? 1 : (count + kMarksPerLine - 1) / kMarksPerLine;
+    const std::size_t stride = series.marksOnly || count <= kFewPoints
+                                   ? 1
+                                   : (count + kMarksPerLine - 1) / kMarksPerLine;
     const std::size_t first = stride > 1 ? (index * stride / 4) % stride : 0;
     for (std::size_t i = first; i < count; i += stride) {
         const Vec2 p = series.points[i];
@@ -109,8 +114,8 @@ std::string drawSeries(const Frame& frame, const ChartSeries& series, std::size_
 std::string legendSign(const ChartSeries& series, std::size_t index, double x, double y) {
     std::string content;
     if (!series.marksOnly) {
-        content = "<path d=\"M" + svgNumber(x) + " " + svgNumber(y) + "h24\" fill=\"none\" stroke-width=\"2\"" +
-                  dashOf(index) + "/>";
+        content = "<path d=\"M" + svgNumber(x) + " " + svgNumber(y) +
+                  "h24\" fill=\"none\" stroke-width=\"2\"" + dashOf(index) + "/>";
     }
     return seriesGroup(index, content + seriesMark(index, x + 12.0, y, 4.0));
 }
@@ -151,8 +156,8 @@ std::string chartSvg(const ChartDef& chart) {
     double bottom = kTop + kPlotHeight + kBelowPlot;
     if (chart.series.size() > 1) body += drawLegend(chart, bottom);
     const std::string width = svgNumber(kWidth), height = svgNumber(bottom + 6.0);
-    return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-           "\" viewBox=\"0 0 " + width + " " + height +
+    return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" +
+           height + "\" viewBox=\"0 0 " + width + " " + height +
            "\" role=\"img\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"13\" "
            "fill=\"#171B20\"><title>" +
            escaped(chart.title) + "</title>\n" + body + "</svg>\n";

@@ -9,7 +9,8 @@
 namespace muster {
 namespace {
 
-// All in pixels of the strip. 4 x 440 and what is between is 1,850: on 180 mm letters of 27 stand 7.5 points high.
+// All in pixels of the strip. 4 x 440 and what is between is 1,850: on 180 mm letters of 27 stand 7.5 points
+// high.
 constexpr double kWidth = 440.0, kEmptyHeight = 300.0, kGap = 24.0, kMargin = 8.0;
 constexpr double kLetter = 27.0, kLine = 34.0, kBelow = 10.0;
 constexpr std::size_t kLettersPerLine = 31;
@@ -34,8 +35,8 @@ std::string textAt(double x, double y, const std::string& words, const char* wei
 }
 
 std::string drawCell(const FilmFrame& frame, const Cell& cell, double x, double y, std::size_t index) {
-    const std::string box = " x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) + "\" width=\"" + svgNumber(kWidth) +
-                            "\" height=\"" + svgNumber(cell.height) + "\"";
+    const std::string box = " x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) + "\" width=\"" +
+                            svgNumber(kWidth) + "\" height=\"" + svgNumber(cell.height) + "\"";
     std::string out = nestedPicture(frame.svg, box, "p" + std::to_string(index) + "-");
     if (out.empty()) out = textAt(x + 12.0, y + 0.5 * cell.height, "no picture", "400");
     out += "\n<rect" + box + " fill=\"none\" stroke=\"#777166\" stroke-width=\"1.5\"/>\n";
@@ -71,7 +72,8 @@ std::string filmStrip(const std::vector<FilmFrame>& film, std::int32_t columns) 
     const std::string width = svgNumber(2.0 * kMargin + static_cast<double>(inRow) * (kWidth + kGap) - kGap);
     const std::string height = svgNumber(std::ceil(y - kGap + 2.0 * kMargin));
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-           "\" viewBox=\"0 0 " + width + " " + height + "\" font-family=\"Inter, Helvetica, Arial, sans-serif\">\n" +
+           "\" viewBox=\"0 0 " + width + " " + height +
+           "\" font-family=\"Inter, Helvetica, Arial, sans-serif\">\n" +
            "<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>\n" + body + "</svg>\n";
 }
 

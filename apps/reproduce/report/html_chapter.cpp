@@ -23,12 +23,14 @@ std::string filmOf(const ExperimentResult& experiment, const Arm& arm, const std
     html += "<div class=\"frames c" + std::to_string(stripColumns(film.size())) + "\">\n";
     for (std::size_t i = 0; i < film.size(); ++i) {
         const FilmFrame& frame = film[i];
-        const std::string prefix =
-            anchorOf(experiment) + "-" + std::to_string(&arm - experiment.arms.data()) + "-" + std::to_string(i) + "-";
-        const std::string picture =
-            nestedPicture(frame.svg, " role=\"img\" aria-label=\"" + escaped(frame.caption) + "\"", prefix);
-        html += "<figure>" + (picture.empty() ? "<p class=\"missing\">no picture</p>" : picture) + "<figcaption><b>" +
-                fixedNumber(frame.time, 1) + " s</b> " + escaped(frame.caption) + "</figcaption></figure>\n";
+        const std::string prefix = anchorOf(experiment) + "-" +
+                                   std::to_string(&arm - experiment.arms.data()) + "-" + std::to_string(i) +
+                                   "-";
+        const std::string picture = nestedPicture(
+            frame.svg, " role=\"img\" aria-label=\"" + escaped(frame.caption) + "\"", prefix);
+        html += "<figure>" + (picture.empty() ? "<p class=\"missing\">no picture</p>" : picture) +
+                "<figcaption><b>" + fixedNumber(frame.time, 1) + " s</b> " + escaped(frame.caption) +
+                "</figcaption></figure>\n";
     }
     return html + "</div>\n</section>\n";
 }
@@ -52,8 +54,10 @@ StripPlotDef plotOf(const ExperimentResult& experiment, const FigureInfo& figure
             const auto found = run.figures.find(figure.name);
             if (found == run.figures.end()) continue;
             measured = true;
-            if (std::isnan(found->second)) ++row.missing;
-            else row.values.push_back(found->second);
+            if (std::isnan(found->second))
+                ++row.missing;
+            else
+                row.values.push_back(found->second);
         }
         if (measured) plot.rows.push_back(std::move(row));
     }
@@ -82,8 +86,8 @@ std::string joined(const std::vector<std::string>& words) {
 std::string chartsOf(const ExperimentResult& experiment) {
     std::string html;
     for (const ChartDef& chart : experiment.charts)
-        html += "<figure class=\"plot\"><figcaption>" + escaped(chart.title) + "</figcaption>" + chartSvg(chart) +
-                "</figure>\n";
+        html += "<figure class=\"plot\"><figcaption>" + escaped(chart.title) + "</figcaption>" +
+                chartSvg(chart) + "</figure>\n";
     return html.empty() ? html : "<div class=\"plots charts\">\n" + html + "</div>\n";
 }
 
@@ -98,7 +102,8 @@ std::string again(const ExperimentResult& experiment, std::int32_t seeds) {
                 escaped("muster play scenarios/paper/" + name + ".json --demo") + "</pre>\n";
     }
     return html +
-           "<p>The world’s hash at the end of the run with seed 1. Whoever gets the same hash got the same run, bit "
+           "<p>The world’s hash at the end of the run with seed 1. Whoever gets the same hash got the same "
+           "run, bit "
            "for bit.</p>\n" +
            hashTable(experiment);
 }
@@ -106,9 +111,9 @@ std::string again(const ExperimentResult& experiment, std::int32_t seeds) {
 std::string chapterHead(const ExperimentResult& experiment) {
     const CriteriaCount count = countCriteria(experiment);
     const bool whole = count.passed == count.judged;
-    return "<h2><span class=\"id\">" + escaped(experiment.text.id) + "</span> " + escaped(experiment.text.title) +
-           "</h2>\n<p class=\"verdict " + (whole ? "pass" : "fail") + "\">" + shareText(count) + " " + holdText(count) +
-           "</p>\n";
+    return "<h2><span class=\"id\">" + escaped(experiment.text.id) + "</span> " +
+           escaped(experiment.text.title) + "</h2>\n<p class=\"verdict " + (whole ? "pass" : "fail") + "\">" +
+           shareText(count) + " " + holdText(count) + "</p>\n";
 }
 
 }  // namespace
@@ -125,8 +130,8 @@ std::string films(const ExperimentResult& experiment) {
     if (html.empty()) return html;
     // Short films stand beside each other, so that arms can be compared.
     const std::string kind = longest <= 2 ? " n" + std::to_string(longest) : "";
-    return "<p class=\"help\">Pictures of the run with seed 1.</p>\n<div class=\"films" + kind + "\">\n" + html +
-           "</div>\n";
+    return "<p class=\"help\">Pictures of the run with seed 1.</p>\n<div class=\"films" + kind + "\">\n" +
+           html + "</div>\n";
 }
 
 std::string stripPlots(const ExperimentResult& experiment) {
@@ -135,8 +140,8 @@ std::string stripPlots(const ExperimentResult& experiment) {
     for (const FigureInfo& figure : experiment.figures) {
         const StripPlotDef plot = plotOf(experiment, figure);
         if (plot.rows.empty()) continue;
-        const bool any =
-            std::any_of(plot.rows.begin(), plot.rows.end(), [](const StripRow& row) { return !row.values.empty(); });
+        const bool any = std::any_of(plot.rows.begin(), plot.rows.end(),
+                                     [](const StripRow& row) { return !row.values.empty(); });
         if (!varies(plot)) {
             (any ? alike : never).push_back(figure.title);
             continue;
@@ -147,26 +152,32 @@ std::string stripPlots(const ExperimentResult& experiment) {
     }
     if (!html.empty())
         html =
-            "<p class=\"help\">A mark is a seed, the bar the median; hollow marks are of the preset paper.</p>\n<div "
+            "<p class=\"help\">A mark is a seed, the bar the median; hollow marks are of the preset "
+            "paper.</p>\n<div "
             "class=\"plots\">\n" +
             html + "</div>\n";
-    if (!never.empty()) html += "<p class=\"help\">Without a value in any run: " + escaped(joined(never)) + ".</p>\n";
+    if (!never.empty())
+        html += "<p class=\"help\">Without a value in any run: " + escaped(joined(never)) + ".</p>\n";
     if (!alike.empty())
-        html += "<p class=\"help\">Not plotted, because all runs gave one value: " + escaped(joined(alike)) + ".</p>\n";
+        html += "<p class=\"help\">Not plotted, because all runs gave one value: " + escaped(joined(alike)) +
+                ".</p>\n";
     return html;
 }
 
 std::string chapter(const ExperimentResult& experiment, std::int32_t seeds) {
     return "<article class=\"chapter\" id=\"" + anchorOf(experiment) + "\">\n" + chapterHead(experiment) +
-           "<div class=\"pair\">\n<div>" + section("What the paper shows", paragraphs(experiment.text.paper)) +
-           "</div>\n<div>" + section("Our scene", paragraphs(experiment.text.scene)) + "</div>\n</div>\n" +
+           "<div class=\"pair\">\n<div>" +
+           section("What the paper shows", paragraphs(experiment.text.paper)) + "</div>\n<div>" +
+           section("Our scene", paragraphs(experiment.text.scene)) + "</div>\n</div>\n" +
            section("Film", films(experiment)) + section("Criteria", criteriaTable(experiment, seeds)) +
-           section("Findings", experiment.text.findings.empty()
-                                   ? ""
-                                   : "<div class=\"words\">" + paragraphs(experiment.text.findings) + "</div>\n") +
+           section("Findings",
+                   experiment.text.findings.empty()
+                       ? ""
+                       : "<div class=\"words\">" + paragraphs(experiment.text.findings) + "</div>\n") +
            section("Figures over the seeds", figuresTables(experiment, seeds)) + stripPlots(experiment) +
            section("Charts", chartsOf(experiment)) +
-           section("See it again", "<div class=\"again\">" + again(experiment, seeds) + "</div>\n") + "</article>\n";
+           section("See it again", "<div class=\"again\">" + again(experiment, seeds) + "</div>\n") +
+           "</article>\n";
 }
 
 }  // namespace muster

@@ -6,11 +6,13 @@ namespace muster {
 namespace {
 
 constexpr const char* kLight =
-    "--ground:#FFFFFF;--panel:#F7F5F1;--ink:#171B20;--ink2:#545C66;--line:#DDD8CF;--edge:#777166;--pass:#016553;--fail:"
+    "--ground:#FFFFFF;--panel:#F7F5F1;--ink:#171B20;--ink2:#545C66;--line:#DDD8CF;--edge:#777166;--pass:#"
+    "016553;--fail:"
     "#C3123A;"
     "--link:#1D5FD1;";
 constexpr const char* kDark =
-    "--ground:#171B20;--panel:#1F2429;--ink:#EEF1F4;--ink2:#B1B9C2;--line:#39414A;--edge:#6C7884;--pass:#90FBC9;--fail:"
+    "--ground:#171B20;--panel:#1F2429;--ink:#EEF1F4;--ink2:#B1B9C2;--line:#39414A;--edge:#6C7884;--pass:#"
+    "90FBC9;--fail:"
     "#FF5C77;"
     "--link:#74A9FF;";
 
@@ -177,8 +179,8 @@ pre{padding:3pt 6pt;margin-bottom:6pt}
 std::string pageStyle() {
     const std::string light = std::string(":root{") + kLight + seriesVariables(false) + "}\n";
     const std::string dark = std::string(":root{") + kDark + seriesVariables(true) + "}\n";
-    return light + "@media screen and (prefers-color-scheme:dark){\n" + dark + "}\n" + kRules + seriesRules() +
-           kNarrow + kPrint;
+    return light + "@media screen and (prefers-color-scheme:dark){\n" + dark + "}\n" + kRules +
+           seriesRules() + kNarrow + kPrint;
 }
 
 }  // namespace muster

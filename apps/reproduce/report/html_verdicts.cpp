@@ -21,9 +21,11 @@ bool sameCriterion(const Verdict& a, const Verdict& b) {
 
 const char* aggregateWords(Aggregate aggregate) {
     switch (aggregate) {
-        case Aggregate::Median: return "in the median";
+        case Aggregate::Median:
+            return "in the median";
         case Aggregate::Lowest:
-        case Aggregate::Highest: return "in every seed";
+        case Aggregate::Highest:
+            return "in every seed";
     }
     return "";
 }
@@ -60,7 +62,8 @@ CriteriaCount countCriteria(const Reproduction& reproduction) {
 }
 
 const Verdict& CriterionRow::any() const {
-    return **std::find_if(byPreset.begin(), byPreset.end(), [](const Verdict* verdict) { return verdict != nullptr; });
+    return **std::find_if(byPreset.begin(), byPreset.end(),
+                          [](const Verdict* verdict) { return verdict != nullptr; });
 }
 
 std::vector<std::string> presetsOf(const ExperimentResult& experiment) {
@@ -76,8 +79,8 @@ std::vector<CriterionRow> criterionRows(const ExperimentResult& experiment) {
     const std::vector<std::string> presets = presetsOf(experiment);
     std::vector<CriterionRow> rows;
     for (const Verdict& verdict : experiment.verdicts) {
-        const auto column =
-            static_cast<std::size_t>(std::find(presets.begin(), presets.end(), verdict.preset) - presets.begin());
+        const auto column = static_cast<std::size_t>(
+            std::find(presets.begin(), presets.end(), verdict.preset) - presets.begin());
         auto row = std::find_if(rows.begin(), rows.end(), [&](const CriterionRow& r) {
             return r.byPreset[column] == nullptr && sameCriterion(r.any(), verdict);
         });
@@ -106,13 +109,15 @@ std::string verdictValueText(const Verdict& verdict) {
 }
 
 std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds) {
-    const std::string all = counted(static_cast<std::size_t>(std::max(seeds, verdict.seeds)), "seed", "seeds");
+    const std::string all = counted(static_cast<std::size_t>(std::max(seeds, verdict.seeds)), "seed",
+                                    "seeds");
     if (verdict.seeds == 0) return "in none of " + all;
     const std::string low = judgedNumber(verdict.low, verdict.threshold),
                       high = judgedNumber(verdict.high, verdict.threshold);
     const std::string range = low == high ? low : low + " to " + high;
     if (verdict.seeds < seeds)
-        return range + ", " + missingWord(verdict.unit) + " in " + std::to_string(seeds - verdict.seeds) + " of " + all;
+        return range + ", " + missingWord(verdict.unit) + " in " + std::to_string(seeds - verdict.seeds) +
+               " of " + all;
     if (seeds == 1) return all;
     return low == high ? "the same in " + all : range + ", " + all;
 }
@@ -123,8 +128,8 @@ std::string armTitle(const Arm& arm) {
 
 std::string resultSign(const Verdict& verdict) {
     const std::string word = verdict.pass ? "✓ pass" : "✗ fail";
-    return std::string("<span class=\"sign ") + (verdict.pass ? "pass" : "fail") + (verdict.binding ? "" : " aside") +
-           "\">" + word + "</span>";
+    return std::string("<span class=\"sign ") + (verdict.pass ? "pass" : "fail") +
+           (verdict.binding ? "" : " aside") + "\">" + word + "</span>";
 }
 
 }  // namespace muster

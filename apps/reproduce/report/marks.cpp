@@ -17,8 +17,8 @@ std::string point(double x, double y) {
 
 std::string seriesGroup(std::size_t series, const std::string& content) {
     const std::size_t kind = series % kMarkKinds;
-    return "<g class=\"s" + std::to_string(kind) + "\" fill=\"" + kLight[kind] + "\" stroke=\"" + kLight[kind] + "\">" +
-           content + "</g>\n";
+    return "<g class=\"s" + std::to_string(kind) + "\" fill=\"" + kLight[kind] + "\" stroke=\"" +
+           kLight[kind] + "\">" + content + "</g>\n";
 }
 
 std::string seriesMark(std::size_t series, double x, double y, double r, bool hollow) {
@@ -29,22 +29,24 @@ std::string seriesMark(std::size_t series, double x, double y, double r, bool ho
     // Shapes of about the same area.
     const double s = 0.9 * r, d = 1.25 * r;
     if (kind == kCross) {
-        return "<path d=\"M" + point(x - r, y - r) + "L" + point(x + r, y + r) + "M" + point(x - r, y + r) + "L" +
-               point(x + r, y - r) + "\" fill=\"none\" stroke-width=\"" + (hollow ? "1.2" : "2.4") + "\"/>";
+        return "<path d=\"M" + point(x - r, y - r) + "L" + point(x + r, y + r) + "M" + point(x - r, y + r) +
+               "L" + point(x + r, y - r) + "\" fill=\"none\" stroke-width=\"" + (hollow ? "1.2" : "2.4") +
+               "\"/>";
     }
     if (kind == 1) {
         return "<path d=\"M" + point(x, y - d) + "L" + point(x + 1.15 * r, y + 0.8 * r) + "L" +
                point(x - 1.15 * r, y + 0.8 * r) + "Z\"" + paint;
     }
     if (kind == 2) {
-        return "<rect x=\"" + svgNumber(x - s) + "\" y=\"" + svgNumber(y - s) + "\" width=\"" + svgNumber(2.0 * s) +
-               "\" height=\"" + svgNumber(2.0 * s) + "\"" + paint;
+        return "<rect x=\"" + svgNumber(x - s) + "\" y=\"" + svgNumber(y - s) + "\" width=\"" +
+               svgNumber(2.0 * s) + "\" height=\"" + svgNumber(2.0 * s) + "\"" + paint;
     }
     if (kind == 3) {
-        return "<path d=\"M" + point(x, y - d) + "L" + point(x + d, y) + "L" + point(x, y + d) + "L" + point(x - d, y) +
-               "Z\"" + paint;
+        return "<path d=\"M" + point(x, y - d) + "L" + point(x + d, y) + "L" + point(x, y + d) + "L" +
+               point(x - d, y) + "Z\"" + paint;
     }
-    return "<circle cx=\"" + svgNumber(x) + "\" cy=\"" + svgNumber(y) + "\" r=\"" + svgNumber(r) + "\"" + paint;
+    return "<circle cx=\"" + svgNumber(x) + "\" cy=\"" + svgNumber(y) + "\" r=\"" + svgNumber(r) + "\"" +
+           paint;
 }
 
 std::string seriesVariables(bool dark) {

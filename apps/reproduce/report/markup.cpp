@@ -12,7 +12,9 @@ constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
 /// Bytes of the code point that begins there; 0 where it is no UTF-8, or none that XML allows.
 std::size_t codePointLength(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
+    const auto byte = [&](std::size_t i) {
+        return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i]));
+    };
     const std::uint32_t first = byte(at);
     if (first < 0x80) return 1;
     const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
@@ -32,12 +34,18 @@ std::size_t codePointLength(std::string_view text, std::size_t at) {
 }
 
 void addEscaped(std::string& out, char c) {
-    if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '&') out += "&amp;";
-    else if (c == '"') out += "&quot;";
-    else if (c == '\n' || c == '\t') out += ' ';
-    else if (static_cast<unsigned char>(c) >= 32 && c != 127) out += c;
+    if (c == '<')
+        out += "&lt;";
+    else if (c == '>')
+        out += "&gt;";
+    else if (c == '&')
+        out += "&amp;";
+    else if (c == '"')
+        out += "&quot;";
+    else if (c == '\n' || c == '\t')
+        out += ' ';
+    else if (static_cast<unsigned char>(c) >= 32 && c != 127)
+        out += c;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {
@@ -83,8 +91,10 @@ std::string escaped(std::string_view text) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = codePointLength(text, at);
-        if (length == 1) addEscaped(out, text[at]);
-        else out += length == 0 ? kReplacement : text.substr(at, length);
+        if (length == 1)
+            addEscaped(out, text[at]);
+        else
+            out += length == 0 ? kReplacement : text.substr(at, length);
         at += std::max<std::size_t>(length, 1);
     }
     return out;
@@ -116,8 +126,10 @@ std::size_t letters(std::string_view text) {
 std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
     std::vector<std::string> lines;
     for (const std::string& word : split(text, ' ')) {
-        if (lines.empty() || letters(lines.back()) + 1 + letters(word) > most) lines.push_back(word);
-        else lines.back() += " " + word;
+        if (lines.empty() || letters(lines.back()) + 1 + letters(word) > most)
+            lines.push_back(word);
+        else
+            lines.back() += " " + word;
     }
     return lines;
 }

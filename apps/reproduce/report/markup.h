@@ -7,8 +7,8 @@
 
 namespace muster {
 
-/// Text for HTML, XML and SVG: < > & and quotes escaped, control characters left out (but for line breaks and tabs,
-/// which become blanks), bytes that are no UTF-8 replaced by U+FFFD.
+/// Text for HTML, XML and SVG: < > & and quotes escaped, control characters left out (but for line breaks and
+/// tabs, which become blanks), bytes that are no UTF-8 replaced by U+FFFD.
 std::string escaped(std::string_view text);
 /// Paragraphs that end with line breaks as <p> elements, escaped; empty ones are left out.
 std::string paragraphs(std::string_view text);

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "muster/scenario.h"
 #include "reproduce/report/film_strip.h"
 #include "reproduce/report/markup.h"
 #include "reproduce/reproduce.h"
-#include "muster/scenario.h"
 
 namespace muster {
 namespace {
@@ -23,7 +23,8 @@ Status writeFilms(const ExperimentResult& experiment, const std::string& folder)
         const auto& runs = experiment.samples.runs(arm.id, arm.preset);
         if (runs.empty() || runs.front().film.empty()) continue;
         std::string name = lowerCase(experiment.text.id) + "-film";
-        if (experiment.arms.size() > 1) name += "-" + arm.id + (arm.preset == "muster" ? "" : "-" + arm.preset);
+        if (experiment.arms.size() > 1)
+            name += "-" + arm.id + (arm.preset == "muster" ? "" : "-" + arm.preset);
         const std::string path = folder + "/" + name + ".svg";
         if (Status s = writeTextFile(path, filmStrip(runs.front().film)); !s.ok()) return s;
     }
@@ -53,7 +54,8 @@ std::string resultsJson(const Reproduction& reproduction) {
 Status writeReport(const Reproduction& reproduction, const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder, error)) return {StatusCode::IoError, folder + ": cannot be made a folder"};
+    if (!std::filesystem::is_directory(folder, error))
+        return {StatusCode::IoError, folder + ": cannot be made a folder"};
     if (Status s = writeTextFile(folder + "/results.json", resultsJson(reproduction)); !s.ok()) return s;
     if (Status s = writeTextFile(folder + "/index.html", reportHtml(reproduction)); !s.ok()) return s;
     if (Status s = writeTextFile(folder + "/summary.md", summaryMarkdown(reproduction)); !s.ok()) return s;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reproduce/report/axis.h"
-#include "reproduce/report/markup.h"
-#include "reproduce/report/marks.h"
 #include "reproduce/experiments/samples.h"
+#include "reproduce/report/axis.h"
+#include "reproduce/report/marks.h"
+#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {
@@ -22,15 +22,16 @@ double across(const Axis& axis, double value) {
     return kLeft + axis.place(value) * (kWidth - kLeft - kRight);
 }
 
-std::string text(double x, double y, const char* anchor, const std::string& words, const char* kind = "note") {
+std::string text(double x, double y, const char* anchor, const std::string& words,
+                 const char* kind = "note") {
     return "<text class=\"" + std::string(kind) + "\" x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) +
            "\" text-anchor=\"" + anchor + "\">" + escaped(words) + "</text>\n";
 }
 
 std::string upright(double x, double top, double bottom, const char* kind, const char* colour, double width) {
-    return "<line class=\"" + std::string(kind) + "\" x1=\"" + svgNumber(x) + "\" y1=\"" + svgNumber(top) + "\" x2=\"" +
-           svgNumber(x) + "\" y2=\"" + svgNumber(bottom) + "\" stroke=\"" + colour + "\" stroke-width=\"" +
-           svgNumber(width) + "\"/>\n";
+    return "<line class=\"" + std::string(kind) + "\" x1=\"" + svgNumber(x) + "\" y1=\"" + svgNumber(top) +
+           "\" x2=\"" + svgNumber(x) + "\" y2=\"" + svgNumber(bottom) + "\" stroke=\"" + colour +
+           "\" stroke-width=\"" + svgNumber(width) + "\"/>\n";
 }
 
 /// Heights above or below the row's middle such that marks lie side by side as far as the row has room.
@@ -80,7 +81,8 @@ std::string drawRow(const StripRow& row, const Axis& axis, double y) {
             marks += seriesMark(row.series, xs[i], middle + heights[i], kRadius, row.hollow);
     }
     const double at = across(axis, median(finite));
-    out += upright(at, middle - 13.0, middle + 13.0, "median", "#171B20", 2.0) + seriesGroup(row.series, marks);
+    out += upright(at, middle - 13.0, middle + 13.0, "median", "#171B20", 2.0) +
+           seriesGroup(row.series, marks);
     if (alike) {
         const bool before = at > 0.7 * kWidth;
         out += text(at + (before ? -9.0 : 9.0), middle + 4.5, before ? "end" : "start",
@@ -106,8 +108,8 @@ std::string stripPlot(const StripPlotDef& plot) {
         y += kTitleHeight + kLane + kRowGap;
     }
     const std::string width = svgNumber(kWidth), height = svgNumber(bottom + kAxisHeight);
-    return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-           "\" viewBox=\"0 0 " + width + " " + height +
+    return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" +
+           height + "\" viewBox=\"0 0 " + width + " " + height +
            "\" role=\"img\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"12\" "
            "fill=\"#171B20\"><title>" +
            escaped(plot.title) + "</title>\n" + body + "</svg>\n";

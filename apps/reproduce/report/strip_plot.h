@@ -17,7 +17,7 @@ struct StripRow {
 
 /// What a plot shows.
 struct StripPlotDef {
-    std::string title;  ///< For those who do not see it.
+    std::string title;   ///< For those who do not see it.
     bool whole = false;  ///< Ticks at whole numbers only.
     std::vector<StripRow> rows;
 };

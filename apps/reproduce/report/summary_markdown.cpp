@@ -8,15 +8,16 @@ std::string summaryMarkdown(const Reproduction& reproduction) {
     const CriteriaCount count = countCriteria(reproduction);
     std::string text = shareText(count) + " " + holdText(count) + " over " +
                        counted(static_cast<std::size_t>(reproduction.seeds), "seed", "seeds") +
-                       ". Criteria of the preset `muster` decide; those of others, in brackets, are for comparison.\n\n"
+                       ". Criteria of the preset `muster` decide; those of others, in brackets, are for "
+                       "comparison.\n\n"
                        "| Experiment | Criterion | Preset | Value | Lowest to highest | Required | Result |\n"
                        "| --- | --- | --- | ---: | --- | --- | --- |\n";
     for (const ExperimentResult& experiment : reproduction.experiments) {
         for (const CriterionRow& row : criterionRows(experiment)) {
             for (const Verdict* verdict : row.byPreset) {
                 if (verdict == nullptr) continue;
-                const std::string result =
-                    verdict->binding ? (verdict->pass ? "pass" : "**fail**") : (verdict->pass ? "(pass)" : "(fail)");
+                const std::string result = verdict->binding ? (verdict->pass ? "pass" : "**fail**")
+                                                            : (verdict->pass ? "(pass)" : "(fail)");
                 text += "| " + markdownCell(experiment.text.id + " " + experiment.text.title) + " | " +
                         markdownCell(verdict->criterion) + " | " + markdownCell(verdict->preset) + " | " +
                         markdownCell(verdictValueText(*verdict)) + " | " +

@@ -49,7 +49,8 @@ PictureSize pictureSize(const std::string& svg) {
     const std::string tag = rootTag(svg);
     PictureSize size{positive(attributeOf(tag, "width")), positive(attributeOf(tag, "height"))};
     double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
-    const bool box = std::sscanf(attributeOf(tag, "viewBox").c_str(), "%lf %lf %lf %lf", &x, &y, &width, &height) == 4;
+    const bool box = std::sscanf(attributeOf(tag, "viewBox").c_str(), "%lf %lf %lf %lf", &x, &y, &width,
+                                 &height) == 4;
     if (size.width > 0.0 && size.height > 0.0) return size;
     return box && width > 0.0 && height > 0.0 ? PictureSize{width, height} : PictureSize{};
 }

@@ -14,8 +14,9 @@ struct PictureSize {
 /// Reads width and height, or else those of the viewBox.
 PictureSize pictureSize(const std::string& svg);
 
-/// The picture as an <svg> element with `attributes` (` x="3"`...) in place of its own place and size. Ids and what
-/// refers to them get the prefix, so that pictures in one document do not take each other's. Empty for no picture.
+/// The picture as an <svg> element with `attributes` (` x="3"`...) in place of its own place and size. Ids
+/// and what refers to them get the prefix, so that pictures in one document do not take each other's. Empty
+/// for no picture.
 std::string nestedPicture(const std::string& svg, const std::string& attributes, const std::string& prefix);
 
 }  // namespace muster

@@ -20,11 +20,12 @@ constexpr double kDustShare = 1e-12;
 Status checkAmounts(const char* what, std::span<const double> amounts, std::int32_t count) {
     if (amounts.empty()) return {};
     if (amounts.size() != static_cast<std::size_t>(count))
-        return invalidArgument(std::string(what) + " has " + std::to_string(amounts.size()) + " values, expected " +
-                               std::to_string(count));
+        return invalidArgument(std::string(what) + " has " + std::to_string(amounts.size()) +
+                               " values, expected " + std::to_string(count));
     for (std::size_t k = 0; k < amounts.size(); ++k)
         if (!(amounts[k] >= 0.0) || amounts[k] == kInfinite)
-            return invalidArgument(std::string(what) + " " + std::to_string(k) + " is not a finite number >= 0");
+            return invalidArgument(std::string(what) + " " + std::to_string(k) +
+                                   " is not a finite number >= 0");
     return {};
 }
 
@@ -36,9 +37,10 @@ Status check(const TransportProblem& problem) {
                                std::to_string(count));
     for (std::size_t k = 0; k < count; ++k)
         if (!(problem.cost[k] >= 0.0))
-            return invalidArgument("cost of row " + std::to_string(k / static_cast<std::size_t>(problem.columns)) +
-                                   ", column " + std::to_string(k % static_cast<std::size_t>(problem.columns)) +
-                                   " is negative or not a number");
+            return invalidArgument(
+                "cost of row " + std::to_string(k / static_cast<std::size_t>(problem.columns)) + ", column " +
+                std::to_string(k % static_cast<std::size_t>(problem.columns)) +
+                " is negative or not a number");
     if (Status status = checkAmounts("supply", problem.supply, problem.rows); !status.ok()) return status;
     return checkAmounts("demand", problem.demand, problem.columns);
 }
@@ -52,16 +54,16 @@ struct TransportSolver::Impl {
     std::vector<std::int32_t> columns;  // With something to fill.
     std::vector<double> supply;         // Of these.
     std::vector<double> demand;
-    std::vector<double> cost;           // Between these.
+    std::vector<double> cost;  // Between these.
     double dust = 0.0;
-    double unit = 0.0;                  // The one amount that all have; 0 where amounts differ.
+    double unit = 0.0;  // The one amount that all have; 0 where amounts differ.
 
     MatchingParts parts;
     std::vector<MatchingPart> rowPart;
     std::vector<MatchingPart> columnPart;
-    std::vector<std::int32_t> partRows;     // Positions in `rows` of the part under way.
+    std::vector<std::int32_t> partRows;  // Positions in `rows` of the part under way.
     std::vector<std::int32_t> partColumns;
-    std::vector<double> partCost;           // Transposed where rows are left over.
+    std::vector<double> partCost;  // Transposed where rows are left over.
     std::vector<double> partSupply;
     std::vector<double> partDemand;
     UnitMatching unitMatching;
@@ -98,7 +100,8 @@ void TransportSolver::Impl::gather() {
     keep(problem->demand, problem->columns, columns, demand);
     cost.clear();
     for (const std::int32_t i : rows) {
-        const double* from = problem->cost.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(problem->columns);
+        const double* from = problem->cost.data() +
+                             static_cast<std::size_t>(i) * static_cast<std::size_t>(problem->columns);
         if (columns.size() == static_cast<std::size_t>(problem->columns)) {
             cost.insert(cost.end(), from, from + problem->columns);
         } else {
@@ -120,8 +123,8 @@ void TransportSolver::Impl::gather() {
 void TransportSolver::Impl::split() {
     const bool allPossible = std::all_of(cost.begin(), cost.end(), [](double c) { return c < kInfinite; });
     if (!allPossible) {
-        parts.find(static_cast<std::int32_t>(rows.size()), static_cast<std::int32_t>(columns.size()), cost.data(), supply,
-                   demand, dust);
+        parts.find(static_cast<std::int32_t>(rows.size()), static_cast<std::int32_t>(columns.size()),
+                   cost.data(), supply, demand, dust);
         rowPart.assign(parts.rowPart().begin(), parts.rowPart().end());
         columnPart.assign(parts.columnPart().begin(), parts.columnPart().end());
         return;
@@ -181,7 +184,8 @@ void TransportSolver::Impl::takePrices(const Matching& matching, bool transposed
     const auto& rowPrice = transposed ? matching.columnPrice() : matching.rowPrice();
     const auto& columnPrice = transposed ? matching.rowPrice() : matching.columnPrice();
     for (std::size_t a = 0; a < partRows.size(); ++a) solution->rowPrice[rows[partRows[a]]] = rowPrice[a];
-    for (std::size_t b = 0; b < partColumns.size(); ++b) solution->columnPrice[columns[partColumns[b]]] = columnPrice[b];
+    for (std::size_t b = 0; b < partColumns.size(); ++b)
+        solution->columnPrice[columns[partColumns[b]]] = columnPrice[b];
     solution->augmentations += matching.augmentations();
 }
 
@@ -205,9 +209,9 @@ void TransportSolver::Impl::takeFlows(bool transposed) {
         }
 }
 
-// Between parts prices may be too high for pairs that no largest transport uses. A part whose rows are left over
-// has no way out of its columns, so these may become cheaper and its rows dearer by any amount; the part whose
-// columns are left over may do the reverse.
+// Between parts prices may be too high for pairs that no largest transport uses. A part whose rows are left
+// over has no way out of its columns, so these may become cheaper and its rows dearer by any amount; the part
+// whose columns are left over may do the reverse.
 void TransportSolver::Impl::levelPrices(MatchingPart part) {
     const bool left = part == MatchingPart::RowsLeft;
     double excess = 0.0;
@@ -231,9 +235,12 @@ void TransportSolver::Impl::levelPrices(MatchingPart part) {
 // Rows and columns without an amount take the highest price that breaks no arc.
 void TransportSolver::Impl::priceIdle() {
     const auto costOf = [&](std::int32_t i, std::int32_t j) {
-        return problem->cost[static_cast<std::size_t>(i) * static_cast<std::size_t>(problem->columns) + static_cast<std::size_t>(j)];
+        return problem->cost[static_cast<std::size_t>(i) * static_cast<std::size_t>(problem->columns) +
+                             static_cast<std::size_t>(j)];
     };
-    const auto idle = [](std::span<const double> amounts, std::int32_t k) { return !amounts.empty() && amounts[k] <= 0.0; };
+    const auto idle = [](std::span<const double> amounts, std::int32_t k) {
+        return !amounts.empty() && amounts[k] <= 0.0;
+    };
     for (std::int32_t j = 0; j < problem->columns; ++j) {
         if (!idle(problem->demand, j)) continue;
         double lowest = kInfinite;
@@ -243,7 +250,8 @@ void TransportSolver::Impl::priceIdle() {
     for (std::int32_t i = 0; i < problem->rows; ++i) {
         if (!idle(problem->supply, i)) continue;
         double lowest = kInfinite;
-        for (std::int32_t j = 0; j < problem->columns; ++j) lowest = std::min(lowest, costOf(i, j) - solution->columnPrice[j]);
+        for (std::int32_t j = 0; j < problem->columns; ++j)
+            lowest = std::min(lowest, costOf(i, j) - solution->columnPrice[j]);
         solution->rowPrice[i] = lowest < kInfinite ? lowest : 0.0;
     }
 }
@@ -253,7 +261,8 @@ void TransportSolver::Impl::total() {
         return a.character != b.character ? a.character < b.character : a.place < b.place;
     });
     for (const Flow& flow : solution->flows) {
-        const std::size_t k = static_cast<std::size_t>(flow.character) * static_cast<std::size_t>(problem->columns) +
+        const std::size_t k = static_cast<std::size_t>(flow.character) *
+                                  static_cast<std::size_t>(problem->columns) +
                               static_cast<std::size_t>(flow.place);
         solution->amount += flow.amount;
         solution->cost += problem->cost[k] * flow.amount;
@@ -278,7 +287,8 @@ Status TransportSolver::solve(const TransportProblem& problem, TransportSolution
     solution.columnPrice.assign(problem.columns, 0.0);
     m.gather();
     m.split();
-    for (const MatchingPart part : {MatchingPart::RowsLeft, MatchingPart::Even, MatchingPart::ColumnsLeft}) m.solvePart(part);
+    for (const MatchingPart part : {MatchingPart::RowsLeft, MatchingPart::Even, MatchingPart::ColumnsLeft})
+        m.solvePart(part);
     m.levelPrices(MatchingPart::RowsLeft);
     m.levelPrices(MatchingPart::ColumnsLeft);
     m.priceIdle();

@@ -25,26 +25,26 @@ struct Flow {
 
 /// Supplies, demands and costs.
 struct TransportProblem {
-    std::int32_t rows = 0;              ///< Characters.
-    std::int32_t columns = 0;           ///< Places.
-    std::span<const double> cost;       ///< rows x columns, row-major, >= 0; infinite where impossible.
-    std::span<const double> supply;     ///< Per row >= 0; empty for 1 each.
-    std::span<const double> demand;     ///< Per column >= 0; empty for 1 each.
+    std::int32_t rows = 0;           ///< Characters.
+    std::int32_t columns = 0;        ///< Places.
+    std::span<const double> cost;    ///< rows x columns, row-major, >= 0; infinite where impossible.
+    std::span<const double> supply;  ///< Per row >= 0; empty for 1 each.
+    std::span<const double> demand;  ///< Per column >= 0; empty for 1 each.
 };
 
 /// The optimum with its proof.
 struct TransportSolution {
-    std::vector<Flow> flows;         ///< Ordered by character, then place.
-    double amount = 0.0;             ///< Sum of flows: as much as can be matched.
-    double cost = 0.0;               ///< Sum of cost times flow: the least for that amount.
-    std::vector<double> rowPrice;    ///< Dual u; u_i + v_j <= c_ij, equal where flow runs.
-    std::vector<double> columnPrice; ///< Dual v.
-    std::int32_t augmentations = 0;  ///< Shortest paths searched.
+    std::vector<Flow> flows;          ///< Ordered by character, then place.
+    double amount = 0.0;              ///< Sum of flows: as much as can be matched.
+    double cost = 0.0;                ///< Sum of cost times flow: the least for that amount.
+    std::vector<double> rowPrice;     ///< Dual u; u_i + v_j <= c_ij, equal where flow runs.
+    std::vector<double> columnPrice;  ///< Dual v.
+    std::int32_t augmentations = 0;   ///< Shortest paths searched.
 };
 
 /// Matches as much as possible first, then at least cost (successive shortest augmenting paths with
-/// prices; for unit weights that is the algorithm of Jonker and Volgenant 1987). Ties fall to the lower index.
-/// Owns its working memory.
+/// prices; for unit weights that is the algorithm of Jonker and Volgenant 1987). Ties fall to the lower
+/// index. Owns its working memory.
 class TransportSolver {
 public:
     TransportSolver();  ///< Empty.

@@ -15,7 +15,9 @@ double costOf(const TransportProblem& problem, std::int32_t row, std::int32_t co
 }
 
 // Infinite pairs never match, whatever the bound.
-bool within(double cost, double most) { return cost <= most && cost < kInfinite; }
+bool within(double cost, double most) {
+    return cost <= most && cost < kInfinite;
+}
 
 }  // namespace
 
@@ -47,10 +49,14 @@ double BottleneckSolver::solve(const TransportProblem& problem) {
 }
 
 void BottleneckSolver::reset(const TransportProblem& problem) {
-    if (problem.supply.empty()) state_.supply.assign(static_cast<std::size_t>(problem.rows), 1.0);
-    else state_.supply.assign(problem.supply.begin(), problem.supply.end());
-    if (problem.demand.empty()) state_.demand.assign(static_cast<std::size_t>(problem.columns), 1.0);
-    else state_.demand.assign(problem.demand.begin(), problem.demand.end());
+    if (problem.supply.empty())
+        state_.supply.assign(static_cast<std::size_t>(problem.rows), 1.0);
+    else
+        state_.supply.assign(problem.supply.begin(), problem.supply.end());
+    if (problem.demand.empty())
+        state_.demand.assign(static_cast<std::size_t>(problem.columns), 1.0);
+    else
+        state_.demand.assign(problem.demand.begin(), problem.demand.end());
     state_.first.assign(static_cast<std::size_t>(problem.columns), -1);
     state_.shares.clear();
     state_.amount = 0.0;
@@ -69,12 +75,13 @@ void BottleneckSolver::grow(const TransportProblem& problem, double most) {
     while (layer(problem, most)) {
         next_.assign(static_cast<std::size_t>(problem.rows), 0);
         for (std::int32_t i = 0; i < problem.rows; ++i)
-            while (state_.supply[i] > dust_ && descend(problem, most, i)) {}
+            while (state_.supply[i] > dust_ && descend(problem, most, i)) {
+            }
     }
 }
 
-// Layers of rows and columns by the length of the shortest way from a row with something left. True where a column with
-// room is among them; layers end there.
+// Layers of rows and columns by the length of the shortest way from a row with something left. True where a
+// column with room is among them; layers end there.
 bool BottleneckSolver::layer(const TransportProblem& problem, double most) {
     rowLevel_.assign(static_cast<std::size_t>(problem.rows), -1);
     columnLevel_.assign(static_cast<std::size_t>(problem.columns), -1);
@@ -123,14 +130,16 @@ std::int32_t BottleneckSolver::shareTo(std::int32_t column, std::int32_t level) 
     return -1;
 }
 
-// Follows the layers from a row to a column with room and sends what the path can carry. What leads nowhere is not tried
-// again in this phase.
+// Follows the layers from a row to a column with room and sends what the path can carry. What leads nowhere
+// is not tried again in this phase.
 bool BottleneckSolver::descend(const TransportProblem& problem, double most, std::int32_t root) {
     path_.clear();
     std::int32_t row = root;
     for (;;) {
         std::int32_t& j = next_[row];
-        while (j < problem.columns && (columnLevel_[j] != rowLevel_[row] || !within(costOf(problem, row, j), most))) ++j;
+        while (j < problem.columns &&
+               (columnLevel_[j] != rowLevel_[row] || !within(costOf(problem, row, j), most)))
+            ++j;
         if (j == problem.columns) {
             if (path_.empty()) return false;
             rowLevel_[row] = -1;

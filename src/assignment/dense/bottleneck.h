@@ -8,11 +8,12 @@
 
 namespace muster {
 
-/// Finds the least cost T such that pairs no dearer than T match as much as all pairs together can (the bottleneck of the
-/// transportation problem). Owns its working memory.
+/// Finds the least cost T such that pairs no dearer than T match as much as all pairs together can (the
+/// bottleneck of the transportation problem). Owns its working memory.
 ///
-/// A search by halves over the costs that occur; for each, a greatest flow by phases of shortest augmenting paths (as
-/// Hopcroft and Karp 1973, Dinic 1970), begun from the flow of the greatest T that was found too small.
+/// A search by halves over the costs that occur; for each, a greatest flow by phases of shortest augmenting
+/// paths (as Hopcroft and Karp 1973, Dinic 1970), begun from the flow of the greatest T that was found too
+/// small.
 class BottleneckSolver {
 public:
     /// The problem is one that TransportSolver takes. 0 where nothing can be matched.
@@ -56,7 +57,7 @@ private:
     std::vector<std::int32_t> columnLevel_;
     std::vector<std::int32_t> unseen_;  // Columns that no layer holds yet.
     std::vector<std::int32_t> queue_;
-    std::vector<std::int32_t> next_;    // Per row: the column to look at.
+    std::vector<std::int32_t> next_;  // Per row: the column to look at.
     std::vector<Turn> path_;
 };
 

@@ -27,8 +27,8 @@ void FlowMatching::reset(std::span<const double> supply, std::span<const double>
     columnThrough_.assign(columns_, -1);
 }
 
-bool FlowMatching::solve(std::int32_t rows, std::int32_t columns, const double* cost, std::span<const double> supply,
-                         std::span<const double> demand, double dust) {
+bool FlowMatching::solve(std::int32_t rows, std::int32_t columns, const double* cost,
+                         std::span<const double> supply, std::span<const double> demand, double dust) {
     cost_ = cost;
     rows_ = rows;
     columns_ = columns;
@@ -58,8 +58,8 @@ void FlowMatching::relax(std::int32_t row) {
     }
 }
 
-// Position in open_ of the nearest column, -1 where none can be reached. Ties fall to a column with demand left,
-// then to the lower index.
+// Position in open_ of the nearest column, -1 where none can be reached. Ties fall to a column with demand
+// left, then to the lower index.
 std::int32_t FlowMatching::nearest() const {
     std::int32_t best = -1;
     for (std::int32_t k = 0; k < static_cast<std::int32_t>(open_.size()); ++k) {

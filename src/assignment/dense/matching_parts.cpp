@@ -6,12 +6,13 @@
 namespace muster {
 
 bool MatchingParts::possible(std::int32_t row, std::int32_t column) const {
-    const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                          static_cast<std::size_t>(column);
     return cost_[k] < std::numeric_limits<double>::infinity();
 }
 
-void MatchingParts::find(std::int32_t rows, std::int32_t columns, const double* cost, std::span<const double> supply,
-                         std::span<const double> demand, double dust) {
+void MatchingParts::find(std::int32_t rows, std::int32_t columns, const double* cost,
+                         std::span<const double> supply, std::span<const double> demand, double dust) {
     cost_ = cost;
     rows_ = rows;
     columns_ = columns;
@@ -22,8 +23,8 @@ void MatchingParts::find(std::int32_t rows, std::int32_t columns, const double* 
     rowThrough_.assign(rows, -1);
     columnThrough_.assign(columns, -1);
     fillGreedily();
-    // Within one round no column is looked at twice, so a round costs rows x columns at most; columns that led
-    // nowhere for one row lead nowhere for the next, unless a path was found meanwhile: hence the rounds.
+    // Within one round no column is looked at twice, so a round costs rows x columns at most; columns that
+    // led nowhere for one row lead nowhere for the next, unless a path was found meanwhile: hence the rounds.
     for (bool found = true; found;) {
         found = false;
         openAll();

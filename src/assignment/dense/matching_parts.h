@@ -14,8 +14,8 @@ enum class MatchingPart : std::uint8_t {
     ColumnsLeft = 2,  ///< Rows are emptied, some columns are not filled.
 };
 
-/// Splits a transport with impossible pairs into three that do not touch each other: no largest transport sends
-/// anything from one part to another. Owns its working memory.
+/// Splits a transport with impossible pairs into three that do not touch each other: no largest transport
+/// sends anything from one part to another. Owns its working memory.
 class MatchingParts {
 public:
     /// `cost` is row-major, infinite where impossible. Amounts up to `dust` count as nothing.
@@ -27,7 +27,8 @@ public:
 
 private:
     std::size_t at(std::int32_t row, std::int32_t column) const {
-        return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row);
+        return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_) +
+               static_cast<std::size_t>(row);
     }
     bool possible(std::int32_t row, std::int32_t column) const;
     void fillGreedily();

@@ -127,8 +127,9 @@ void UnitMatching::reduceRow(std::int32_t i, std::int32_t& budget) {
     freeNext_.push_back(i);
 }
 
-// Shortens the distances of open columns over row `i`; returns the least of them. The loops are straight so that
-// compilers can turn them into vector code: a scanned column has the price minus infinity, which no way can beat.
+// Shortens the distances of open columns over row `i`; returns the least of them. The loops are straight so
+// that compilers can turn them into vector code: a scanned column has the price minus infinity, which no way
+// can beat.
 double UnitMatching::relax(std::int32_t i, double offset) {
     const double* c = row(i);
     const double* price = openPrice_.data();

@@ -9,14 +9,16 @@ namespace muster {
 /// Matches every row of a dense matrix with a column of its own at least total cost. Owns its working memory.
 class UnitMatching {
 public:
-    /// `cost` is row-major, infinite where a pair is impossible; rows <= columns. Returns false (with the rows
-    /// matched so far) where not every row can be matched.
+    /// `cost` is row-major, infinite where a pair is impossible; rows <= columns. Returns false (with the
+    /// rows matched so far) where not every row can be matched.
     bool solve(std::int32_t rows, std::int32_t columns, const double* cost);
 
-    const std::vector<std::int32_t>& columnOf() const { return columnOf_; }      ///< Per row; -1 for none.
-    const std::vector<double>& rowPrice() const { return rowPrice_; }            ///< u_i = c_ij - v_j of its pair.
-    const std::vector<double>& columnPrice() const { return columnPrice_; }      ///< v_j <= 0 for rows < columns; 0 where unmatched.
-    std::int32_t augmentations() const { return augmentations_; }                ///< Shortest paths searched.
+    const std::vector<std::int32_t>& columnOf() const { return columnOf_; }  ///< Per row; -1 for none.
+    /// U_i = c_ij - v_j of its pair.
+    const std::vector<double>& rowPrice() const { return rowPrice_; }
+    /// V_j <= 0 for rows < columns; 0 where unmatched.
+    const std::vector<double>& columnPrice() const { return columnPrice_; }
+    std::int32_t augmentations() const { return augmentations_; }  ///< Shortest paths searched.
 
 private:
     struct TwoLowest {
@@ -31,7 +33,9 @@ private:
         double distance;  // Final.
     };
 
-    const double* row(std::int32_t i) const { return cost_ + static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_); }
+    const double* row(std::int32_t i) const {
+        return cost_ + static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_);
+    }
     void pair(std::int32_t i, std::int32_t j);
     void reduceColumns();
     void transferReduction();
@@ -51,7 +55,7 @@ private:
     std::vector<std::int32_t> rowOf_;
     std::vector<double> rowPrice_;
     std::vector<double> columnPrice_;
-    std::vector<std::int32_t> free_;      // Rows without a column.
+    std::vector<std::int32_t> free_;  // Rows without a column.
     std::vector<std::int32_t> freeNext_;
     // The search under way, per column: price and distance while open, and the row by which it was reached.
     std::vector<double> openPrice_;

@@ -11,14 +11,18 @@ constexpr std::size_t kPairsAtOnce = 4096;
 constexpr std::int32_t kManyViolated = 8;  // One in so many seats.
 constexpr std::int32_t kFitRests = 8;      // Repairs between two fits of prices...
 constexpr std::int32_t kFarFitRests = 40;  // ... where all is far away and little changes.
-constexpr std::int32_t kWholeTurns = 4;    // In every so many turns of a row all its arcs are asked for, else the tight ones.
-constexpr double kShortWay = 4.0;          // Over longer ways a jump is longer in proportion [m].
-constexpr double kLoose = 0.2;             // Arcs are tight that a holder's coming nearer by so much would violate [m]...
-constexpr double kLeastLoose = 1.0;        // ... at this cost or its own [m].
+// In every so many turns of a row all its arcs are asked for, else the tight ones.
+constexpr std::int32_t kWholeTurns = 4;
+constexpr double kShortWay = 4.0;  // Over longer ways a jump is longer in proportion [m].
+// Arcs are tight that a holder's coming nearer by so much would violate [m]...
+constexpr double kLoose = 0.2;
+constexpr double kLeastLoose = 1.0;  // ... at this cost or its own [m].
 
 }  // namespace
 
-void SparseMatching::clear() { *this = {}; }
+void SparseMatching::clear() {
+    *this = {};
+}
 
 void SparseMatching::reserve(const MatchingDef& def, std::size_t characters, std::size_t places) {
     prepare(def, characters, places);
@@ -39,20 +43,21 @@ void SparseMatching::prepare(const MatchingDef& def, std::size_t characters, std
     cost_.assign(characters, 0.0f);
     pairs_.reserve(kPairsAtOnce);
     answers_.reserve(kPairsAtOnce);
-    rows_.reserve(static_cast<std::size_t>(state_.seats.count()));
-    tightRows_.reserve(static_cast<std::size_t>(state_.seats.count()));
+    rows_.reserve(state_.seats.count());
+    tightRows_.reserve(state_.seats.count());
     staleArcs_.reserve(static_cast<std::size_t>(state_.seats.count()) * MatchingArcs::kLanes);
     margin_.assign(static_cast<std::size_t>(state_.seats.count()), 0.0);
 }
 
-MatchingContext SparseMatching::contextFor(const MatchingDef& def, const MatchingInput& input, PairCosts& costs,
-                                           ThreadPool& pool) const {
+MatchingContext SparseMatching::contextFor(const MatchingDef& def, const MatchingInput& input,
+                                           PairCosts& costs, ThreadPool& pool) const {
     MatchingContext context{def, input, costs, pool, CostPower(def.exponent), {}, {}, 0.0};
     context.threshold = def.threshold / context.power.units();
     return context;
 }
 
-void SparseMatching::coldStart(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool) {
+void SparseMatching::coldStart(const MatchingDef& def, const MatchingInput& input, PairCosts& costs,
+                               ThreadPool& pool) {
     adopt(def, input, {}, costs, pool);
     const MatchingContext first = contextFor(def, input, costs, pool);
     for (std::int32_t round = 0; round < def.coldRounds && state_.seats.count() > 0; ++round) {
@@ -64,8 +69,8 @@ void SparseMatching::coldStart(const MatchingDef& def, const MatchingInput& inpu
     }
 }
 
-void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, std::span<const std::int32_t> placeOf,
-                           PairCosts& costs, ThreadPool& pool) {
+void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input,
+                           std::span<const std::int32_t> placeOf, PairCosts& costs, ThreadPool& pool) {
     prepare(def, input.characters.size(), input.places.size());
     if (!placeOf.empty()) state_.seats.adopt(placeOf);
     MatchingContext context = contextFor(def, input, costs, pool);
@@ -79,7 +84,8 @@ void SparseMatching::adopt(const MatchingDef& def, const MatchingInput& input, s
     measureSlack(context);
 }
 
-void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool) {
+void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, PairCosts& costs,
+                            ThreadPool& pool) {
     if (static_cast<std::size_t>(state_.seats.characters()) != input.characters.size() ||
         static_cast<std::size_t>(state_.seats.places()) != input.places.size()) {
         coldStart(def, input, costs, pool);
@@ -97,7 +103,8 @@ void SparseMatching::update(const MatchingDef& def, const MatchingInput& input, 
     askOwn(context);
     if (turn_ < def.refreshTurns()) refreshSome(context);
     // Seats that flipped are priced by the arcs to them: as these are now.
-    if (turn_ + 1 == def.refreshTurns() || (turn_ < def.refreshTurns() && !flipped_.empty())) state_.arcs.sortByTarget();
+    if (turn_ + 1 == def.refreshTurns() || (turn_ < def.refreshTurns() && !flipped_.empty()))
+        state_.arcs.sortByTarget();
     repriceFlipped();
     if (turn_ >= def.turns - def.repairTurns()) repair(context);
     publish(context);
@@ -113,29 +120,33 @@ void SparseMatching::repair(const MatchingContext& context) {
         restOfFit_ = far_ ? kFarFitRests : kFitRests;
     }
     const double share = far_ ? std::min(def.searchShare, def.farSearchShare) : def.searchShare;
-    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()), far_ ? def.farRest : def.rest);
+    repair_.run(context, state_, static_cast<std::int64_t>(share * state_.seats.count()),
+                far_ ? def.farRest : def.rest);
     violated_ = repair_.violated();
     measureSlack(context);
 }
 
-// A seat that is another thing than before has a new price: between what its holder can pay elsewhere and what others
-// would pay for it.
+// A seat that is another thing than before has a new price: between what its holder can pay elsewhere and
+// what others would pay for it.
 void SparseMatching::repriceFlipped() {
     for (const std::int32_t s : flipped_) {
         double low = -std::numeric_limits<double>::infinity();
         double high = std::numeric_limits<double>::infinity();
         for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc) {
             const std::int32_t to = state_.arcs.target(arc);
-            if (to != s) low = std::max(low, state_.price[static_cast<std::size_t>(to)] - state_.arcs.weight(arc));
+            if (to != s) low = std::max(low, state_.price[to] - state_.arcs.weight(arc));
         }
         for (const std::int32_t arc : state_.arcs.into(s)) {
             const std::int32_t from = arc / MatchingArcs::kLanes;
-            if (from != s) high = std::min(high, state_.price[static_cast<std::size_t>(from)] + state_.arcs.weight(arc));
+            if (from != s) high = std::min(high, state_.price[from] + state_.arcs.weight(arc));
         }
-        double& price = state_.price[static_cast<std::size_t>(s)];
-        if (std::isfinite(low) && std::isfinite(high)) price = low < high ? std::clamp(price, low, high) : 0.5 * (low + high);
-        else if (std::isfinite(low)) price = low;
-        else if (std::isfinite(high)) price = high;
+        double& price = state_.price[s];
+        if (std::isfinite(low) && std::isfinite(high))
+            price = low < high ? std::clamp(price, low, high) : 0.5 * (low + high);
+        else if (std::isfinite(low))
+            price = low;
+        else if (std::isfinite(high))
+            price = high;
     }
 }
 
@@ -145,15 +156,15 @@ void SparseMatching::seatWaiting(const MatchingContext& context) {
     flipped_.clear();
     seats.follow(context.input, flipped_);
     for (const std::int32_t s : flipped_) jumped(s);
-    for (const std::int32_t s : seats.free()) state_.changed[static_cast<std::size_t>(s)] = 1;
+    for (const std::int32_t s : seats.free()) state_.changed[s] = 1;
     for (const std::int32_t i : seats.waiting())
-        if (seats.seatOf(i) >= 0) state_.changed[static_cast<std::size_t>(seats.seatOf(i))] = 1;
+        if (seats.seatOf(i) >= 0) state_.changed[seats.seatOf(i)] = 1;
     start_.seat(context, state_);
     seats.seatRest();
 }
 
-// For the squares of straight distances the prices' frame makes weights and prices independent of where the formation as
-// a whole is; for other costs and powers it takes away most of the change.
+// For the squares of straight distances the prices' frame makes weights and prices independent of where the
+// formation as a whole is; for other costs and powers it takes away most of the change.
 void SparseMatching::frame(MatchingContext& context) const {
     const MatchingSeats& seats = state_.seats;
     Vec2 places;
@@ -162,11 +173,11 @@ void SparseMatching::frame(MatchingContext& context) const {
     std::int32_t matched = 0;
     for (std::int32_t s = 0; s < seats.count(); ++s) {
         if (!seats.live(s)) continue;
-        const Vec2 place = context.input.places[static_cast<std::size_t>(s)];
+        const Vec2 place = context.input.places[s];
         places += place;
         ++live;
         if (seats.holder(s) < 0) continue;
-        away += place - context.input.characters[static_cast<std::size_t>(seats.holder(s))];
+        away += place - context.input.characters[seats.holder(s)];
         ++matched;
     }
     context.anchor = places / std::max(1, live);
@@ -177,8 +188,8 @@ void SparseMatching::frame(MatchingContext& context) const {
         double spread = 0.0;
         for (std::int32_t s = 0; s < seats.count(); ++s)
             if (seats.matched(s))
-                spread += lengthSquared(context.input.places[static_cast<std::size_t>(s)] -
-                                        context.input.characters[static_cast<std::size_t>(seats.holder(s))] - away);
+                spread += lengthSquared(context.input.places[s] - context.input.characters[seats.holder(s)] -
+                                        away);
         const double reach = std::sqrt(lengthSquared(away) + spread / std::max(1, matched)) + 1e-3;
         factor = p * context.power(reach) / (reach * reach);
     }
@@ -197,18 +208,19 @@ void SparseMatching::askOwn(const MatchingContext& context) {
         context.costs.fill(pairs_, answers_, context.pool);
         next = 0;
         for (std::int32_t t = first; t < s; ++t) {
-            const float cost = seats.matched(t) ? answers_[static_cast<std::size_t>(next++)] : 0.0f;
+            const float cost = seats.matched(t) ? answers_[next++] : 0.0f;
             const double jump = context.def.jump * std::max(1.0, static_cast<double>(cost) / kShortWay);
-            if (std::abs(cost - state_.asked[static_cast<std::size_t>(t)]) > jump) jumped(t);
+            if (std::abs(cost - state_.asked[t]) > jump) jumped(t);
             state_.setOwn(t, cost, context.power);
         }
     }
 }
 
-// A place that came to the other side of a wall, or whose cost drifted off: all arcs to it and from it are wrong.
+// A place that came to the other side of a wall, or whose cost drifted off: all arcs to it and from it are
+// wrong.
 void SparseMatching::jumped(std::int32_t seat) {
-    state_.changed[static_cast<std::size_t>(seat)] = 1;
-    stale_[static_cast<std::size_t>(seat)] = 1;
+    state_.changed[seat] = 1;
+    stale_[seat] = 1;
 }
 
 void SparseMatching::refreshAll(const MatchingContext& context) {
@@ -217,7 +229,7 @@ void SparseMatching::refreshAll(const MatchingContext& context) {
     rows_.clear();
     for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
         state_.arcs.chooseTargets(context, state_.seats, s);
-        state_.changed[static_cast<std::size_t>(s)] = 0;
+        state_.changed[s] = 0;
         rows_.push_back(s);
     }
     askRows(context);
@@ -225,7 +237,7 @@ void SparseMatching::refreshAll(const MatchingContext& context) {
 
 void SparseMatching::askRows(const MatchingContext& context) {
     state_.arcs.refresh(context, state_.seats, state_.ownPower, rows_, {});
-    for (const std::int32_t s : rows_) state_.asked[static_cast<std::size_t>(s)] = state_.own[static_cast<std::size_t>(s)];
+    for (const std::int32_t s : rows_) state_.asked[s] = state_.own[s];
 }
 
 // How much an arc may gain or lose until all arcs of its row are asked for again.
@@ -265,15 +277,15 @@ void SparseMatching::refreshSome(const MatchingContext& context) {
     collectStale();
     for (std::int32_t s = 0; s < count; ++s) {
         const bool turn = s >= first && s < end;
-        const bool anew = state_.changed[static_cast<std::size_t>(s)] != 0 || (turn && (s + step_) % targets == 0);
+        const bool anew = state_.changed[s] != 0 || (turn && (s + step_) % targets == 0);
         if (!anew && !(turn && (s + step_) % period == 0)) continue;
         if (anew) state_.arcs.chooseTargets(context, state_.seats, s);
-        state_.changed[static_cast<std::size_t>(s)] = 0;
+        state_.changed[s] = 0;
         if (anew || (s + step_) / period % kWholeTurns == 0 || unsteady(context, s)) {
             rows_.push_back(s);
         } else {
             tightRows_.push_back(s);
-            margin_[static_cast<std::size_t>(s)] = marginOf(context, static_cast<std::size_t>(s));
+            margin_[s] = marginOf(context, static_cast<std::size_t>(s));
         }
     }
     askRows(context);
@@ -288,8 +300,8 @@ void SparseMatching::collectStale() {
     staleArcs_.clear();
     if (turn_ != 0) return;
     for (std::int32_t s = 0; s < state_.seats.count(); ++s) {
-        if (stale_[static_cast<std::size_t>(s)] == 0) continue;
-        stale_[static_cast<std::size_t>(s)] = 0;
+        if (stale_[s] == 0) continue;
+        stale_[s] = 0;
         const auto into = state_.arcs.into(s);
         staleArcs_.insert(staleArcs_.end(), into.begin(), into.end());
     }
@@ -305,7 +317,7 @@ void SparseMatching::publish(const MatchingContext& context) {
         const std::int32_t seat = seats.seatOf(static_cast<std::int32_t>(i));
         const bool placed = seat >= 0 && seats.live(seat);
         placeOf_[i] = placed ? seat : -1;
-        cost_[i] = placed ? state_.own[static_cast<std::size_t>(seat)] : 0.0f;
+        cost_[i] = placed ? state_.own[seat] : 0.0f;
     }
     slope_ = context.slope;
     units_ = units;
@@ -319,10 +331,12 @@ void SparseMatching::measureSlack(const MatchingContext& context) {
 }
 
 void SparseMatching::prices(const MatchingInput& input, std::span<double> price) const {
-    for (std::size_t j = 0; j < price.size(); ++j) price[j] = units_ * (state_.price[j] + dot(slope_, input.places[j]));
+    for (std::size_t j = 0; j < price.size(); ++j)
+        price[j] = units_ * (state_.price[j] + dot(slope_, input.places[j]));
 }
 
-// Working memory for what was read; the order of arcs by target and the own costs of the last step are made again.
+// Working memory for what was read; the order of arcs by target and the own costs of the last step are made
+// again.
 void SparseMatching::afterReading() {
     const auto seats = static_cast<std::size_t>(state_.seats.count());
     searchLimit_ = 0;

@@ -13,8 +13,8 @@
 
 namespace muster {
 
-/// As many characters as possible get a place of their own, at near the least sum of cost^p. Within one call every
-/// character that takes part can come to every place that may be taken. Positions are finite.
+/// As many characters as possible get a place of their own, at near the least sum of cost^p. Within one call
+/// every character that takes part can come to every place that may be taken. Positions are finite.
 class SparseMatching {
 public:
     /// Forgets everything.
@@ -23,32 +23,36 @@ public:
     void reserve(const MatchingDef& def, std::size_t characters, std::size_t places);
     /// From nothing: matches parts of the crowd with parts of the formation, then improves.
     void coldStart(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool);
-    /// From given places (per character, -1 for none; of two that name one place the first has it): these are kept
-    /// until the next update() finds better ones.
+    /// From given places (per character, -1 for none; of two that name one place the first has it): these are
+    /// kept until the next update() finds better ones.
     void adopt(const MatchingDef& def, const MatchingInput& input, std::span<const std::int32_t> placeOf,
                PairCosts& costs, ThreadPool& pool);
-    /// One step: asks for costs, seats those who have no place while one is free, repairs. A cold start where sizes
-    /// are not those of the last one.
+    /// One step: asks for costs, seats those who have no place while one is free, repairs. A cold start where
+    /// sizes are not those of the last one.
     void update(const MatchingDef& def, const MatchingInput& input, PairCosts& costs, ThreadPool& pool);
 
     std::span<const std::int32_t> placeOf() const { return placeOf_; }  ///< Per character, -1 unmatched.
-    std::span<const float> cost() const { return cost_; }  ///< Per character, to its place by the last call [m]; 0 unmatched.
-    double objective() const { return objective_; }        ///< Sum of cost^p over the matched [m^p].
+    /// Per character, to its place by the last call [m]; 0 unmatched.
+    std::span<const float> cost() const { return cost_; }
+    double objective() const { return objective_; }  ///< Sum of cost^p over the matched [m^p].
     /// What the optimum on the arcs known may be below the objective at most [m^p], by the prices.
     double slack() const { return slack_; }
     std::int32_t exchanges() const { return repair_.exchanges(); }  ///< Cycles committed by the last call.
-    std::int32_t violated() const { return violated_; }             ///< Seats with a violated arc when repairs began last.
-    std::int64_t settled() const { return repair_.settled(); }      ///< Nodes settled by the last call.
-    /// Writes a price for each place [m^p]: with prices v the sum over characters of min_j (c_ij^p - v_j), and of all v, is
-    /// a lower bound of the optimum where there are as many characters as places.
+    /// Seats with a violated arc when repairs began last.
+    std::int32_t violated() const { return violated_; }
+    std::int64_t settled() const { return repair_.settled(); }  ///< Nodes settled by the last call.
+    /// Writes a price for each place [m^p]: with prices v the sum over characters of min_j (c_ij^p - v_j),
+    /// and of all v, is a lower bound of the optimum where there are as many characters as places.
     void prices(const MatchingInput& input, std::span<double> price) const;
 
     /// Lets an archive read or write all that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(step_, turn_, restOfFit_, violated_, far_, state_, stale_, placeOf_, cost_, objective_, slack_, slope_, units_, pricing_);
+        archive(step_, turn_, restOfFit_, violated_, far_, state_, stale_, placeOf_, cost_, objective_,
+                slack_, slope_, units_, pricing_);
         if constexpr (Archive::kReading) {
-            if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) || cost_.size() != placeOf_.size() ||
+            if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) ||
+                cost_.size() != placeOf_.size() ||
                 stale_.size() != static_cast<std::size_t>(state_.seats.count()))
                 archive.fail();
             if (!archive.ok()) clear();
@@ -102,8 +106,9 @@ private:
     std::vector<std::int32_t> rows_;
     std::vector<std::int32_t> tightRows_;  // Of these only the arcs are asked for that may soon be violated.
     std::vector<double> margin_;           // Per seat: what makes them so.
-    std::vector<std::int32_t> flipped_;  // Seats that became or ceased to be places, or lost their holder.
-    std::vector<std::uint8_t> stale_;  // Per seat: the weights of arcs to it are to be asked for in the next round.
+    std::vector<std::int32_t> flipped_;    // Seats that became or ceased to be places, or lost their holder.
+    // Per seat: the weights of arcs to it are to be asked for in the next round.
+    std::vector<std::uint8_t> stale_;
     std::vector<std::int32_t> staleArcs_;
 };
 

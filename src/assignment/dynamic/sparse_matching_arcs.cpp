@@ -51,31 +51,29 @@ void MatchingArcs::afterReading() {
     sortByTarget();
 }
 
-void MatchingArcs::look(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> price,
-                        std::span<const float> own) {
+void MatchingArcs::look(const MatchingContext& context, const MatchingSeats& seats,
+                        std::span<const double> price, std::span<const float> own) {
     nearPlaces_.sort(context.input.places, edgeFor(context.input.places));
     nearCharacters_.sort(context.input.characters, edgeFor(context.input.characters));
     own_ = own;
     double sum = 0.0;
     std::int32_t matched = 0;
     highest_ = highestWaiting_ = -1;
-    const auto higher = [&](std::int32_t a, std::int32_t b) {
-        return b < 0 || price[static_cast<std::size_t>(a)] > price[static_cast<std::size_t>(b)];
-    };
+    const auto higher = [&](std::int32_t a, std::int32_t b) { return b < 0 || price[a] > price[b]; };
     for (std::int32_t s = 0; s < seats.count(); ++s) {
         if (seats.holder(s) < 0) continue;
         if (!seats.live(s)) {
             if (higher(s, highestWaiting_)) highestWaiting_ = s;
             continue;
         }
-        sum += own[static_cast<std::size_t>(s)];
+        sum += own[s];
         ++matched;
         if (higher(s, highest_)) highest_ = s;
     }
     hotCost_ = kHotTimesMean * static_cast<float>(sum / std::max(matched, 1));
     hot_.clear();
     for (std::int32_t s = 0; s < seats.count(); ++s)
-        if (seats.matched(s) && own[static_cast<std::size_t>(s)] > hotCost_) hot_.push_back(s);
+        if (seats.matched(s) && own[s] > hotCost_) hot_.push_back(s);
 }
 
 void MatchingArcs::add(std::int32_t seat, std::int32_t& lane, std::int32_t end, std::int32_t to) {
@@ -87,7 +85,8 @@ void MatchingArcs::add(std::int32_t seat, std::int32_t& lane, std::int32_t end, 
 
 // Lanes without an arc.
 void MatchingArcs::leadHome(std::int32_t seat, std::int32_t& lane, std::int32_t end) {
-    for (; lane < end; ++lane) target_[static_cast<std::size_t>(seat) * kLanes + static_cast<std::size_t>(lane)] = seat;
+    for (; lane < end; ++lane)
+        target_[static_cast<std::size_t>(seat) * kLanes + static_cast<std::size_t>(lane)] = seat;
 }
 
 // The nearest seats among those that are hot; of very many some are looked at.
@@ -115,19 +114,20 @@ void MatchingArcs::addHot(const MatchingContext& context, const MatchingSeats& s
     for (std::int32_t k = 0; k < found; ++k) add(seat, lane, kPricedLane, best[k]);
 }
 
-void MatchingArcs::chooseTargets(const MatchingContext& context, const MatchingSeats& seats, std::int32_t seat) {
+void MatchingArcs::chooseTargets(const MatchingContext& context, const MatchingSeats& seats,
+                                 std::int32_t seat) {
     std::int32_t lane = 0;
     const std::int32_t pricedTo = target(priced(seat));
     const std::int32_t holder = seats.holder(seat);
     if (holder >= 0 || seats.live(seat)) {
-        const bool hot = seats.matched(seat) && own_[static_cast<std::size_t>(seat)] > hotCost_;
+        const bool hot = seats.matched(seat) && own_[seat] > hotCost_;
         const std::int32_t places = hot ? kHotNearPlaces : kNearPlaces;
         const std::int32_t people = hot ? kHotNearCharacters : kNearCharacters;
         const auto& characters = context.input.characters;
-        const Vec2 person = holder >= 0 ? characters[static_cast<std::size_t>(holder)] : seats.at(seat, context);
+        const Vec2 person = holder >= 0 ? characters[holder] : seats.at(seat, context);
         NearestPoints near;
-        near.find(nearPlaces_, context.input.places, seats.live(seat) ? seats.at(seat, context) : person, places,
-                  [&](std::int32_t p) { return p != seat && seats.live(p); });
+        near.find(nearPlaces_, context.input.places, seats.live(seat) ? seats.at(seat, context) : person,
+                  places, [&](std::int32_t p) { return p != seat && seats.live(p); });
         for (std::int32_t k = 0; k < near.size(); ++k) add(seat, lane, kPricedLane, near[k]);
         near.find(nearCharacters_, characters, person, people,
                   [&](std::int32_t i) { return i != holder && seats.seatOf(i) >= 0; });
@@ -163,12 +163,13 @@ void MatchingArcs::ask(const MatchingSeats& seats, std::int32_t seat, const Tigh
             setWeight(arc, kNever);
             continue;
         }
-        if (!all && !(weight(arc) - tight.price[static_cast<std::size_t>(to)] + own < margin)) continue;
+        if (!all && !(weight(arc) - tight.price[to] + own < margin)) continue;
         note(seats, arc);
     }
 }
 
-void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower) {
+void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& seats,
+                          std::span<const double> ownPower) {
     std::size_t next = 0;
     for (const std::int32_t arc : asked_) {
         const double there = pays(seats, arc) ? context.power(answers_[next++]) : 0.0;
@@ -176,18 +177,20 @@ void MatchingArcs::answer(const MatchingContext& context, const MatchingSeats& s
     }
 }
 
-float MatchingArcs::weightBy(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                             std::int32_t arc, double there) const {
+float MatchingArcs::weightBy(const MatchingContext& context, const MatchingSeats& seats,
+                             std::span<const double> ownPower, std::int32_t arc, double there) const {
     return weightFor(context, seats, ownPower, arc / kLanes, target(arc), there);
 }
 
-float MatchingArcs::weightFor(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower,
-                              std::int32_t from, std::int32_t to, double there) const {
+float MatchingArcs::weightFor(const MatchingContext& context, const MatchingSeats& seats,
+                              std::span<const double> ownPower, std::int32_t from, std::int32_t to,
+                              double there) const {
     const double frame = dot(context.slope, seats.at(to, context) - seats.at(from, context));
-    return static_cast<float>(there - ownPower[static_cast<std::size_t>(from)] - frame);
+    return static_cast<float>(there - ownPower[from] - frame);
 }
 
-void MatchingArcs::askFor(const MatchingContext& context, const MatchingSeats& seats, std::span<const double> ownPower) {
+void MatchingArcs::askFor(const MatchingContext& context, const MatchingSeats& seats,
+                          std::span<const double> ownPower) {
     answers_.resize(pairs_.size());
     context.costs.fill(pairs_, answers_, context.pool);
     answer(context, seats, ownPower);
@@ -206,7 +209,8 @@ void MatchingArcs::refreshArcs(const MatchingContext& context, const MatchingSea
 }
 
 void MatchingArcs::refresh(const MatchingContext& context, const MatchingSeats& seats,
-                           std::span<const double> ownPower, std::span<const std::int32_t> rows, const Tight& tight) {
+                           std::span<const double> ownPower, std::span<const std::int32_t> rows,
+                           const Tight& tight) {
     while (!rows.empty()) {
         const auto some = rows.first(std::min(rows.size(), kRowsAtOnce));
         clearQuestions();
@@ -231,7 +235,8 @@ void MatchingArcs::sortByTarget() {
     std::int32_t sum = 0;
     for (std::int32_t& s : start_) s = sum += s;
     for (std::size_t k = target_.size(); k-- > 0;)
-        into[static_cast<std::uint32_t>(--start[static_cast<std::uint32_t>(targets[k])])] = static_cast<std::int32_t>(k);
+        into[static_cast<std::uint32_t>(
+            --start[static_cast<std::uint32_t>(targets[k])])] = static_cast<std::int32_t>(k);
 }
 
 std::int32_t MatchingArcs::find(std::int32_t from, std::int32_t to) const {

@@ -5,32 +5,41 @@
 #include <cstdint>
 #include <span>
 
+#include "assignment/dynamic/pair_costs.h"
 #include "base/maths.h"
 #include "base/parallel.h"
 #include "muster/vec2.h"
-#include "assignment/dynamic/pair_costs.h"
 
 namespace muster {
 
 /// The objective, when changes are committed, and how much work a step may do (counts, never time).
 struct MatchingDef {
-    double exponent = 2.0;         ///< p of the objective sum c^p, 1 to 16.
-    double threshold = 0.1;        ///< A change (one cycle of exchanges) must gain more than this [cost^p] >= 0.
-    double thresholdShare = 0.001; ///< ... and more than this share of the objective of those it concerns >= 0.
-    std::int32_t refreshPeriod = 4;      ///< Every so many steps a row of arcs asks for its costs again, >= 1.
+    double exponent = 2.0;  ///< p of the objective sum c^p, 1 to 16.
+    /// A change (one cycle of exchanges) must gain more than this [cost^p] >= 0.
+    double threshold = 0.1;
+    /// ... and more than this share of the objective of those it concerns >= 0.
+    double thresholdShare = 0.001;
+    /// Every so many steps a row of arcs asks for its costs again, >= 1.
+    std::int32_t refreshPeriod = 4;
     std::int32_t farRefreshPeriod = 16;  ///< ... where the mean cost is above `farCost`.
-    std::int32_t nearRefreshPeriod = 2;  ///< ... where it is below `nearCost`: of what little is left small changes are much.
-    std::int32_t retargetPeriod = 32;    ///< Every so many steps a row looks for its neighbours anew.
-    double farCost = 15.0;               ///< [m]
-    double nearCost = 1.0;               ///< [m]
-    double searchShare = 3.0;            ///< Nodes settled in all searches of a step, per seat.
-    double farSearchShare = 0.4;         ///< ... where the mean cost is above `farCost`: changes are slow then.
-    std::int32_t rest = 5;               ///< Steps, at most 255, for which a change that gained too little is not tried again...
-    std::int32_t farRest = 16;           ///< ... where the mean cost is above `farCost`.
-    std::int32_t searchLimit = 600;      ///< Nodes settled in one search.
-    double jump = 0.3;                   ///< A place whose cost has changed by so much since asks at once for arcs to it [m].
-    std::int32_t coldRounds = 3;         ///< Repairs after a cold start.
-    std::int32_t turns = 1;              ///< Calls over which one round of asking and repairing is spread, >= 1. Periods are about twice as long then.
+    /// ... where it is below `nearCost`: of what little is left small changes are much.
+    std::int32_t nearRefreshPeriod = 2;
+    std::int32_t retargetPeriod = 32;  ///< Every so many steps a row looks for its neighbours anew.
+    double farCost = 15.0;             ///< [m]
+    double nearCost = 1.0;             ///< [m]
+    double searchShare = 3.0;          ///< Nodes settled in all searches of a step, per seat.
+    /// ... where the mean cost is above `farCost`: changes are slow then.
+    double farSearchShare = 0.4;
+    /// Steps, at most 255, for which a change that gained too little is not tried again...
+    std::int32_t rest = 5;
+    std::int32_t farRest = 16;       ///< ... where the mean cost is above `farCost`.
+    std::int32_t searchLimit = 600;  ///< Nodes settled in one search.
+    /// A place whose cost has changed by so much since asks at once for arcs to it [m].
+    double jump = 0.3;
+    std::int32_t coldRounds = 3;  ///< Repairs after a cold start.
+    /// Calls over which one round of asking and repairing is spread, >= 1. Periods are about twice as long
+    /// then.
+    std::int32_t turns = 1;
 
     /// Of these calls the last ones repair...
     std::int32_t repairTurns() const { return std::max(1, (turns + 1) / 3); }
@@ -44,10 +53,11 @@ struct MatchingDef {
 
 /// What a matching reads. Spans stay valid during the call only.
 struct MatchingInput {
-    std::span<const Vec2> characters;        ///< Positions [m].
-    std::span<const Vec2> places;            ///< Positions [m].
-    std::span<const std::uint8_t> usable;    ///< Per place, 0 for one nobody may take; empty for all.
-    std::span<const std::uint8_t> present;   ///< Per character, 0 for one that takes part in nothing; empty for all.
+    std::span<const Vec2> characters;      ///< Positions [m].
+    std::span<const Vec2> places;          ///< Positions [m].
+    std::span<const std::uint8_t> usable;  ///< Per place, 0 for one nobody may take; empty for all.
+    /// Per character, 0 for one that takes part in nothing; empty for all.
+    std::span<const std::uint8_t> present;
 
     /// True where somebody may take the place.
     bool mayTake(std::size_t place) const { return usable.empty() || usable[place] != 0; }
@@ -89,7 +99,8 @@ struct MatchingContext {
     PairCosts& costs;
     ThreadPool& pool;
     CostPower power;
-    Vec2 slope;            ///< Of the prices' frame: the true price of a seat is its price + slope . position.
+    /// Of the prices' frame: the true price of a seat is its price + slope . position.
+    Vec2 slope;
     Vec2 anchor;           ///< Stands for the position of seats without a place [m].
     double threshold = 0;  ///< def.threshold in the units of `power`.
 };

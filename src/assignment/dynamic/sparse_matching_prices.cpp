@@ -24,7 +24,7 @@ void PriceFit::run(const MatchingContext& context, MatchingState& state) {
     solveHeights();
     for (std::int32_t s = 0; s < state.seats.count(); ++s) {
         const Plane& plane = planes_[partOf(s)];
-        state.price[static_cast<std::size_t>(s)] = plane.height + dot(plane.slope, at(s) - plane.middle);
+        state.price[s] = plane.height + dot(plane.slope, at(s) - plane.middle);
     }
     smooth(state);
 }
@@ -46,7 +46,8 @@ void PriceFit::pairArcs(const MatchingState& state) {
             const double again = state.arcs.weight(back);
             const double width = std::max(there + again, 0.0);
             const auto weight = static_cast<float>((soft / (soft + width)) * (soft / (soft + width)));
-            if (weight > 0.0f) paired_.push_back({from, to, static_cast<float>(0.5 * (there - again)), weight});
+            if (weight > 0.0f)
+                paired_.push_back({from, to, static_cast<float>(0.5 * (there - again)), weight});
         }
         pairedEnd_.push_back(paired_.size());
     }
@@ -54,11 +55,11 @@ void PriceFit::pairArcs(const MatchingState& state) {
 
 void PriceFit::divide(const MatchingContext& context, const MatchingState& state) {
     const std::int32_t seats = state.seats.count();
-    at_.resize(static_cast<std::size_t>(seats));
+    at_.resize(seats);
     order_.resize(at_.size());
     for (std::int32_t s = 0; s < seats; ++s) {
-        at_[static_cast<std::size_t>(s)] = state.seats.at(s, context);
-        order_[static_cast<std::size_t>(s)] = s;
+        at_[s] = state.seats.at(s, context);
+        order_[s] = s;
     }
     ends_.clear();
     divideIntoLeaves(at_, order_, std::clamp(seats / kPerPart, 1, kMostParts), 0, ends_);
@@ -67,8 +68,8 @@ void PriceFit::divide(const MatchingContext& context, const MatchingState& state
     std::int32_t begin = 0;
     for (std::size_t k = 0; k < ends_.size(); ++k) {
         for (std::int32_t m = begin; m < ends_[k]; ++m) {
-            partOf_[static_cast<std::size_t>(order_[static_cast<std::size_t>(m)])] = static_cast<std::int32_t>(k);
-            planes_[k].middle += at_[static_cast<std::size_t>(order_[static_cast<std::size_t>(m)])];
+            partOf_[order_[m]] = static_cast<std::int32_t>(k);
+            planes_[k].middle += at_[order_[m]];
         }
         planes_[k].middle = planes_[k].middle / std::max(1.0, static_cast<double>(ends_[k] - begin));
         begin = ends_[k];
@@ -126,7 +127,8 @@ void PriceFit::listCoupled() {
     coupledEnd_.clear();
     for (std::size_t a = 0; a < parts; ++a) {
         for (std::size_t b = 0; b < parts; ++b)
-            if (const double weight = coupling_[a * parts + b]; weight != 0.0) coupled_.push_back({b, weight});
+            if (const double weight = coupling_[a * parts + b]; weight != 0.0)
+                coupled_.push_back({b, weight});
         coupledEnd_.push_back(coupled_.size());
     }
 }
@@ -157,7 +159,7 @@ void PriceFit::smooth(MatchingState& state) const {
             double weight = 0.0;
             for (; k < pairedEnd_[s]; ++k) {
                 const double w = paired_[k].weight;
-                sum += w * (state.price[static_cast<std::size_t>(paired_[k].to)] - paired_[k].middle);
+                sum += w * (state.price[paired_[k].to] - paired_[k].middle);
                 weight += w;
             }
             if (weight > 0.0) state.price[s] = sum / weight;

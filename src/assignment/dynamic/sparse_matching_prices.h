@@ -9,9 +9,9 @@
 
 namespace muster {
 
-/// Between two seats with arcs both ways the difference of prices may lie in an interval; prices are fitted to the middles of
-/// these, the narrow ones weighing most. First a plane for each of a few hundred parts of the formation, then a few
-/// rounds over all seats. Averages cannot run away, and the repair does the rest.
+/// Between two seats with arcs both ways the difference of prices may lie in an interval; prices are fitted
+/// to the middles of these, the narrow ones weighing most. First a plane for each of a few hundred parts of
+/// the formation, then a few rounds over all seats. Averages cannot run away, and the repair does the rest.
 class PriceFit {
 public:
     /// Writes state.price from the weights of all arcs.
@@ -51,21 +51,19 @@ private:
     void solveHeights();
     void smooth(MatchingState& state) const;
 
-    Vec2 at(std::int32_t seat) const { return at_[static_cast<std::size_t>(seat)]; }
-    std::size_t partOf(std::int32_t seat) const {
-        return static_cast<std::size_t>(partOf_[static_cast<std::size_t>(seat)]);
-    }
+    Vec2 at(std::int32_t seat) const { return at_[seat]; }
+    std::size_t partOf(std::int32_t seat) const { return static_cast<std::size_t>(partOf_[seat]); }
 
-    std::vector<Paired> paired_;           // Of all seats in turn...
-    std::vector<std::size_t> pairedEnd_;   // ... up to here.
+    std::vector<Paired> paired_;          // Of all seats in turn...
+    std::vector<std::size_t> pairedEnd_;  // ... up to here.
     std::vector<std::int32_t> partOf_;
     std::vector<Plane> planes_;
-    std::vector<double> coupling_;  // Parts x parts.
-    std::vector<Coupled> coupled_;  // Of all parts in turn...
+    std::vector<double> coupling_;         // Parts x parts.
+    std::vector<Coupled> coupled_;         // Of all parts in turn...
     std::vector<std::size_t> coupledEnd_;  // ... up to here.
-    std::vector<double> wanted_;    // Per part.
-    std::vector<Normal> normals_;   // Per part.
-    std::vector<Vec2> at_;          // Per seat.
+    std::vector<double> wanted_;           // Per part.
+    std::vector<Normal> normals_;          // Per part.
+    std::vector<Vec2> at_;                 // Per seat.
     std::vector<std::int32_t> order_;
     std::vector<std::int32_t> ends_;
 };

@@ -13,7 +13,8 @@ constexpr std::int32_t kMostTurns = 8;        // ... and no more than these,
 constexpr std::int32_t kMostBounds = 200000;  // and no more pairs than these are looked at.
 constexpr std::size_t kMostAsked = 64;        // Costs asked for one seat, from it and to it.
 constexpr double kRounded = 1.0 - 1e-12;      // Below what rounding takes off a square.
-constexpr double kMostSquare = 0.99 * PairCosts::kNoWay * PairCosts::kNoWay;  // No cost counts for more than no way at all.
+// No cost counts for more than no way at all.
+constexpr double kMostSquare = 0.99 * PairCosts::kNoWay * PairCosts::kNoWay;
 
 }  // namespace
 
@@ -23,9 +24,9 @@ void MatchingPricing::reset(std::int32_t seats) {
 }
 
 void MatchingPricing::makeRoom(std::int32_t seats) {
-    candidates_.reserve(static_cast<std::size_t>(seats));
-    leaving_.reserve(static_cast<std::size_t>(seats));
-    arriving_.reserve(static_cast<std::size_t>(seats));
+    candidates_.reserve(seats);
+    leaving_.reserve(seats);
+    arriving_.reserve(seats);
     pairs_.reserve(kMostAsked);
     answers_.reserve(kMostAsked);
 }
@@ -66,8 +67,8 @@ void MatchingPricing::noteEnds(const MatchingContext& context, const MatchingSta
     }
 }
 
-void MatchingPricing::price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
-                            double tolerance) {
+void MatchingPricing::price(const MatchingContext& context, MatchingState& state, std::int32_t seat,
+                            std::uint32_t round, double tolerance) {
     if (!state.seats.matched(seat)) return;
     collectFrom(context, state, seat, tolerance);
     ask(context, state, round, tolerance);
@@ -76,52 +77,55 @@ void MatchingPricing::price(const MatchingContext& context, MatchingState& state
 }
 
 // `rest`, below zero, is the reduced cost less what the way costs.
-inline void MatchingPricing::consider(const MatchingContext& context, const MatchingState& state, std::int32_t from,
-                                      std::int32_t to, double rest) {
+inline void MatchingPricing::consider(const MatchingContext& context, const MatchingState& state,
+                                      std::int32_t from, std::int32_t to, double rest) {
     if (from == to) return;
     const std::int32_t holder = state.seats.holder(from);
-    const double square = lengthSquared(context.input.places[static_cast<std::size_t>(to)] -
-                                        context.input.characters[static_cast<std::size_t>(holder)]);
+    const double square = lengthSquared(context.input.places[to] - context.input.characters[holder]);
     // Most are too far, which mostly can be told without a root.
     if (std::min(square * squareOver_, kMostSquare) + rest >= 0.0) return;
-    if (!(context.power(perMetre_ * std::sqrt(square)) + rest < 0.0) || state.arcs.find(from, to) >= 0) return;
+    if (!(context.power(perMetre_ * std::sqrt(square)) + rest < 0.0) || state.arcs.find(from, to) >= 0)
+        return;
     if (context.power(context.costs.atLeast(holder, to)) + rest < 0.0) candidates_.push_back({holder, to});
 }
 
 // Places to which the way of a seat's holder might pay, were it straight.
-void MatchingPricing::collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
-                                  double tolerance) {
+void MatchingPricing::collectFrom(const MatchingContext& context, const MatchingState& state,
+                                  std::int32_t seat, double tolerance) {
     candidates_.clear();
-    const double base = leaving_[static_cast<std::size_t>(seat)] + tolerance;
+    const double base = leaving_[seat] + tolerance;
     for (std::int32_t to = 0; to < state.seats.places(); ++to) {
-        const double rest = base + arriving_[static_cast<std::size_t>(to)];
+        const double rest = base + arriving_[to];
         if (rest < 0.0) consider(context, state, seat, to, rest);
     }
 }
 
 // Characters whose way to a place might pay, were it straight.
-void MatchingPricing::collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
-                                  double tolerance) {
+void MatchingPricing::collectInto(const MatchingContext& context, const MatchingState& state,
+                                  std::int32_t seat, double tolerance) {
     candidates_.clear();
-    const double base = arriving_[static_cast<std::size_t>(seat)] + tolerance;
+    const double base = arriving_[seat] + tolerance;
     for (std::int32_t from = 0; from < state.seats.count(); ++from) {
-        const double rest = base + leaving_[static_cast<std::size_t>(from)];
+        const double rest = base + leaving_[from];
         if (rest < 0.0) consider(context, state, from, seat, rest);
     }
 }
 
 // Takes in the most violated of each row.
-void MatchingPricing::ask(const MatchingContext& context, MatchingState& state, std::uint32_t round, double tolerance) {
+void MatchingPricing::ask(const MatchingContext& context, MatchingState& state, std::uint32_t round,
+                          double tolerance) {
     // Of very many some are asked for, others when it is the seat's turn again.
     const std::size_t stride = candidates_.size() / kMostAsked + 1;
     pairs_.clear();
-    for (std::size_t k = round % stride; k < candidates_.size(); k += stride) pairs_.push_back(candidates_[k]);
+    for (std::size_t k = round % stride; k < candidates_.size(); k += stride)
+        pairs_.push_back(candidates_[k]);
     answers_.resize(pairs_.size());
     context.costs.fill(pairs_, answers_, context.pool);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
         const std::int32_t from = state.seats.seatOf(pairs_[k].character);
         const std::int32_t to = pairs_[k].place;
-        const float weight = state.arcs.weightFor(context, state.seats, state.ownPower, from, to, context.power(answers_[k]));
+        const float weight = state.arcs.weightFor(context, state.seats, state.ownPower, from, to,
+                                                  context.power(answers_[k]));
         const double reduced = state.reduced(from, to, weight);
         if (!(reduced < std::min(-tolerance, state.reduced(state.arcs.priced(from))))) continue;
         state.arcs.putPriced(from, to, weight);

@@ -8,10 +8,10 @@
 
 namespace muster {
 
-/// Column generation: each step a few seats, in turn, are held against all others: their holders against all places, their
-/// places against all characters. The straight line bounds a cost from below; where even that could be violated the cost is
-/// asked for, and the most violated arc takes the row's priced lane.
-/// So prices hold for the complete graph in the end, not only for its sixteen arcs. Owns its working memory.
+/// Column generation: each step a few seats, in turn, are held against all others: their holders against all
+/// places, their places against all characters. The straight line bounds a cost from below; where even that
+/// could be violated the cost is asked for, and the most violated arc takes the row's priced lane. So prices
+/// hold for the complete graph in the end, not only for its sixteen arcs. Owns its working memory.
 class MatchingPricing {
 public:
     /// Makes room and begins anew.
@@ -45,17 +45,21 @@ private:
     void noteEnds(const MatchingContext& context, const MatchingState& state);
     void price(const MatchingContext& context, MatchingState& state, std::int32_t seat, std::uint32_t round,
                double tolerance);
-    void collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
-    void collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat, double tolerance);
-    void consider(const MatchingContext& context, const MatchingState& state, std::int32_t from, std::int32_t to, double rest);
+    void collectFrom(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
+                     double tolerance);
+    void collectInto(const MatchingContext& context, const MatchingState& state, std::int32_t seat,
+                     double tolerance);
+    void consider(const MatchingContext& context, const MatchingState& state, std::int32_t from,
+                  std::int32_t to, double rest);
     void ask(const MatchingContext& context, MatchingState& state, std::uint32_t round, double tolerance);
 
     Turns all_;
     Turns hot_;  // Of seats far dearer than the mean.
     std::int32_t found_ = 0;
-    double perMetre_ = 0.0;    // Of this run.
-    double squareOver_ = 0.0;  // Just below the least cost of a way of one metre, squared, where costs are; else 0.
-    std::vector<double> leaving_;   // Per seat, in this run.
+    double perMetre_ = 0.0;  // Of this run.
+    // Just below the least cost of a way of one metre, squared, where costs are; else 0.
+    double squareOver_ = 0.0;
+    std::vector<double> leaving_;  // Per seat, in this run.
     std::vector<double> arriving_;
     std::vector<Pair> candidates_;
     std::vector<Pair> pairs_;

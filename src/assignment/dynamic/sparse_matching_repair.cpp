@@ -6,11 +6,14 @@
 namespace muster {
 namespace {
 
-constexpr std::uint8_t kRestCapped = 3;        // Steps, after a search that was cut short, so that others get a turn.
-constexpr std::int32_t kTries = 3;             // Arcs of one seat in one step.
-constexpr double kTolerance = 0.5;             // Smaller violations, in thresholds, are let be: of two that gain enough one is larger...
-constexpr double kToleranceOfShare = 0.25;     // ... or than this in shares of the mean.
-constexpr double kStale = 2.0;                 // Times what was asked: seemed to gain so much by stale weights only.
+// Steps, after a search that was cut short, so that others get a turn.
+constexpr std::uint8_t kRestCapped = 3;
+constexpr std::int32_t kTries = 3;  // Arcs of one seat in one step.
+// Smaller violations, in thresholds, are let be: of two that gain enough one is larger...
+constexpr double kTolerance = 0.5;
+constexpr double kToleranceOfShare = 0.25;  // ... or than this in shares of the mean.
+// Times what was asked: seemed to gain so much by stale weights only.
+constexpr double kStale = 2.0;
 constexpr std::int32_t kLanes = MatchingArcs::kLanes;
 
 }  // namespace
@@ -19,12 +22,13 @@ double MatchingRepair::tolerance(const MatchingContext& context, const MatchingS
     double sum = 0.0;
     for (const double c : state.ownPower) sum += c;
     const double mean = sum / std::max(1.0, static_cast<double>(state.ownPower.size()));
-    return std::max({kTolerance * context.threshold, kToleranceOfShare * context.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
+    return std::max({kTolerance * context.threshold, kToleranceOfShare * context.def.thresholdShare * mean,
+                     1e-9 * mean, 1e-30});
 }
 
 void MatchingRepair::reset(std::int32_t seats, std::int32_t searchLimit) {
     search_.reset(seats, searchLimit);
-    violations_.reserve(static_cast<std::size_t>(seats));
+    violations_.reserve(seats);
     costs_.reserve(static_cast<std::size_t>(seats) + 1);
     holders_.reserve(static_cast<std::size_t>(seats) + 1);
 }
@@ -47,7 +51,7 @@ std::int32_t MatchingRepair::worstArc(const MatchingState& state, std::int32_t s
 void MatchingRepair::collect(const MatchingState& state, double tolerance, std::int32_t most) {
     violations_.clear();
     for (std::int32_t s = 0; s < state.seats.count(); ++s) {
-        if (state.resting[static_cast<std::size_t>(s)] > 0) continue;
+        if (state.resting[s] > 0) continue;
         const double size = -state.leastFrom(s);
         if (size > tolerance) violations_.push_back({size, worstArc(state, s)});
     }
@@ -57,12 +61,13 @@ void MatchingRepair::collect(const MatchingState& state, double tolerance, std::
     };
     if (violations_.size() > static_cast<std::size_t>(most)) {
         std::nth_element(violations_.begin(), violations_.begin() + most, violations_.end(), worse);
-        violations_.resize(static_cast<std::size_t>(most));
+        violations_.resize(most);
     }
     std::sort(violations_.begin(), violations_.end(), worse);
 }
 
-void MatchingRepair::run(const MatchingContext& context, MatchingState& state, std::int64_t budget, std::int32_t rest) {
+void MatchingRepair::run(const MatchingContext& context, MatchingState& state, std::int64_t budget,
+                         std::int32_t rest) {
     rest_ = static_cast<std::uint8_t>(rest);
     exchanges_ = 0;
     settled_ = 0;
@@ -87,8 +92,9 @@ double MatchingRepair::backAgain(const MatchingContext& context, MatchingState& 
     const std::int32_t holder = state.seats.holder(to);
     // Nobody waits there any more: whoever went there would leave a place empty.
     if (holder < 0 && !state.seats.live(to)) return std::numeric_limits<double>::infinity();
-    const double there =
-        holder >= 0 && state.seats.live(from) ? context.power(context.costs.cost(holder, from)) : 0.0;
+    const double there = holder >= 0 && state.seats.live(from)
+                             ? context.power(context.costs.cost(holder, from))
+                             : 0.0;
     const double frame = dot(context.slope, state.seats.at(from, context) - state.seats.at(to, context));
     return std::max(there - state.ownPower[a] - frame - state.price[b] + state.price[a], 0.0);
 }
@@ -107,14 +113,15 @@ void MatchingRepair::repairSeat(const MatchingContext& context, MatchingState& s
         settled_ += search_.settled() + 1;
         search_.movePrices(state.price);
         if (end == SearchEnd::Capped) {
-            state.resting[static_cast<std::size_t>(seat)] = kRestCapped;
+            state.resting[seat] = kRestCapped;
             return;
         }
         if (end != SearchEnd::Cycle || commit(context, state)) continue;
-        // Where much is left the weights were out of date, and another search may help; else it is the threshold.
+        // Where much is left the weights were out of date, and another search may help; else it is the
+        // threshold.
         const double left = -state.reduced(arc);
         if (left > tolerance && left < kStale * asked_) {
-            state.resting[static_cast<std::size_t>(seat)] = rest_;
+            state.resting[seat] = rest_;
             return;
         }
     }
@@ -138,7 +145,7 @@ bool MatchingRepair::commit(const MatchingContext& context, MatchingState& state
     double after = 0.0;
     for (std::size_t k = 0; k < cycle.size(); ++k) {
         const std::int32_t to = cycle[(k + 1) % cycle.size()];
-        before += state.ownPower[static_cast<std::size_t>(cycle[k])];
+        before += state.ownPower[cycle[k]];
         if (state.seats.live(to) && state.seats.holder(cycle[k]) >= 0) after += context.power(costs_[k]);
     }
     asked_ = std::max(context.threshold, context.def.thresholdShare * before);
@@ -172,8 +179,8 @@ void MatchingRepair::rotate(const MatchingContext& context, MatchingState& state
         const std::int32_t to = cycle[(k + 1) % cycle.size()];
         state.seats.put(to, holders_[k]);
         state.setOwn(to, costs_[k], context.power);
-        state.changed[static_cast<std::size_t>(to)] = 1;
-        state.resting[static_cast<std::size_t>(to)] = 0;
+        state.changed[to] = 1;
+        state.resting[to] = 0;
     }
     state.arcs.refresh(context, state.seats, state.ownPower, cycle, {});
 }

@@ -10,8 +10,8 @@
 
 namespace muster {
 
-/// Takes violated arcs, the worst first, and either exchanges places along a cycle or moves prices until no arc is
-/// violated by more than some tolerance, or the step's work is used up. Owns its working memory.
+/// Takes violated arcs, the worst first, and either exchanges places along a cycle or moves prices until no
+/// arc is violated by more than some tolerance, or the step's work is used up. Owns its working memory.
 class MatchingRepair {
 public:
     /// Makes room.
@@ -36,7 +36,8 @@ private:
     std::int32_t worstArc(const MatchingState& state, std::int32_t seat) const;
     void repairSeat(const MatchingContext& context, MatchingState& state, std::int32_t seat, double tolerance,
                     std::int64_t budget);
-    double backAgain(const MatchingContext& context, MatchingState& state, std::int32_t from, std::int32_t to);
+    double backAgain(const MatchingContext& context, MatchingState& state, std::int32_t from,
+                     std::int32_t to);
     bool commit(const MatchingContext& context, MatchingState& state);
     void askCycle(const MatchingContext& context, const MatchingState& state);
     void rotate(const MatchingContext& context, MatchingState& state);
@@ -44,9 +45,10 @@ private:
 
     CycleSearch search_;
     std::vector<Violation> violations_;
-    std::vector<float> costs_;           // Of the cycle: each holder to the next seat, 0 where one is missing.
+    // Of the cycle: each holder to the next seat, 0 where one is missing.
+    std::vector<float> costs_;
     std::vector<std::int32_t> holders_;  // Of the cycle: holders before it.
-    double asked_ = 0.0;  // What the last cycle looked at had to gain.
+    double asked_ = 0.0;                 // What the last cycle looked at had to gain.
     std::uint8_t rest_ = 0;
     std::int32_t exchanges_ = 0;
     std::int32_t violated_ = 0;

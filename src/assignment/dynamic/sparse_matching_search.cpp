@@ -42,25 +42,25 @@ void CycleSearch::begin(Side& side, std::int32_t seat) {
     side.order.clear();
     side.radius = 0.0;
     side.lost = kInfinite;
-    side.node[static_cast<std::size_t>(seat)] = {0.0, -1, stamp_};
+    side.node[seat] = {0.0, -1, stamp_};
     side.heap.push_back({0.0, seat});
 }
 
 // The least distance not settled yet.
 double CycleSearch::top(Side& side) {
-    while (!side.heap.empty() && side.node[static_cast<std::size_t>(side.heap.front().seat)].stamp == stamp_ + 1) {
+    while (!side.heap.empty() && side.node[side.heap.front().seat].stamp == stamp_ + 1) {
         std::pop_heap(side.heap.begin(), side.heap.end(), kLater);
         side.heap.pop_back();
     }
     return side.heap.empty() ? side.lost : std::min(side.heap.front().distance, side.lost);
 }
 
-void CycleSearch::label(Side& side, const Side& other, std::int32_t seat, std::int32_t through, double distance,
-                        double bound) {
-    Node& node = side.node[static_cast<std::size_t>(seat)];
+void CycleSearch::label(Side& side, const Side& other, std::int32_t seat, std::int32_t through,
+                        double distance, double bound) {
+    Node& node = side.node[seat];
     if (node.stamp == stamp_ && !(distance < node.distance)) return;
     node = {distance, through, stamp_};
-    const Node& there = other.node[static_cast<std::size_t>(seat)];
+    const Node& there = other.node[seat];
     if (there.stamp >= stamp_ && distance + there.distance < best_) {
         best_ = distance + there.distance;
         meeting_ = seat;
@@ -76,16 +76,16 @@ void CycleSearch::label(Side& side, const Side& other, std::int32_t seat, std::i
 }
 
 template <bool kForward>
-void CycleSearch::settle(const MatchingArcs& arcs, std::span<const double> price, Side& side, const Side& other,
-                         double bound) {
+void CycleSearch::settle(const MatchingArcs& arcs, std::span<const double> price, Side& side,
+                         const Side& other, double bound) {
     const Entry entry = side.heap.front();
     std::pop_heap(side.heap.begin(), side.heap.end(), kLater);
     side.heap.pop_back();
     const std::int32_t seat = entry.seat;
-    side.node[static_cast<std::size_t>(seat)].stamp = stamp_ + 1;
+    side.node[seat].stamp = stamp_ + 1;
     side.order.push_back(seat);
     ++settledCount_;
-    const double own = price[static_cast<std::size_t>(seat)];
+    const double own = price[seat];
     const Node* nodes = side.node.data();
     const std::uint32_t done = stamp_ + 1;
     const double soFar = entry.distance;
@@ -99,18 +99,18 @@ void CycleSearch::settle(const MatchingArcs& arcs, std::span<const double> price
         const std::int32_t* targets = arcs.targets().data() + first;
         double distance[MatchingArcs::kLanes];
         for (std::int32_t k = 0; k < MatchingArcs::kLanes; ++k)
-            distance[k] = soFar + std::max(weights[first + k] - price[static_cast<std::size_t>(targets[k])] + own, 0.0);
+            distance[k] = soFar + std::max(weights[first + k] - price[targets[k]] + own, 0.0);
         for (std::int32_t k = 0; k < MatchingArcs::kLanes; ++k) reach(targets[k], distance[k]);
     } else {
         for (const std::int32_t arc : arcs.into(seat)) {
             const std::int32_t next = arc / MatchingArcs::kLanes;
-            reach(next, soFar + std::max(weights[arc] - own + price[static_cast<std::size_t>(next)], 0.0));
+            reach(next, soFar + std::max(weights[arc] - own + price[next], 0.0));
         }
     }
 }
 
-SearchEnd CycleSearch::run(const MatchingArcs& arcs, std::span<const double> price, std::int32_t from, std::int32_t to,
-                           double violation, double direct, std::int32_t limit) {
+SearchEnd CycleSearch::run(const MatchingArcs& arcs, std::span<const double> price, std::int32_t from,
+                           std::int32_t to, double violation, double direct, std::int32_t limit) {
     newStamp();
     settledCount_ = 0;
     best_ = direct;
@@ -146,9 +146,9 @@ void CycleSearch::finish(double forwardTop, double backwardTop, double length) {
 
 void CycleSearch::movePrices(std::span<double> price) const {
     for (const std::int32_t s : forward_.order)
-        price[static_cast<std::size_t>(s)] -= std::max(forward_.radius - forward_.node[static_cast<std::size_t>(s)].distance, 0.0);
+        price[s] -= std::max(forward_.radius - forward_.node[s].distance, 0.0);
     for (const std::int32_t s : backward_.order)
-        price[static_cast<std::size_t>(s)] += std::max(backward_.radius - backward_.node[static_cast<std::size_t>(s)].distance, 0.0);
+        price[s] += std::max(backward_.radius - backward_.node[s].distance, 0.0);
 }
 
 // Writes the cycle. Ways of length zero may lead past one seat twice: the loop between is left out.
@@ -157,10 +157,10 @@ void CycleSearch::trace(std::int32_t from, std::int32_t to) {
     cycle_.push_back(to);
     if (meeting_ >= 0) {
         cycle_.clear();
-        for (std::int32_t s = meeting_; s >= 0; s = forward_.node[static_cast<std::size_t>(s)].through) cycle_.push_back(s);
+        for (std::int32_t s = meeting_; s >= 0; s = forward_.node[s].through) cycle_.push_back(s);
         std::reverse(cycle_.begin(), cycle_.end());
-        std::int32_t s = backward_.node[static_cast<std::size_t>(meeting_)].through;
-        for (; s >= 0; s = backward_.node[static_cast<std::size_t>(s)].through) cycle_.push_back(s);
+        std::int32_t s = backward_.node[meeting_].through;
+        for (; s >= 0; s = backward_.node[s].through) cycle_.push_back(s);
         std::size_t kept = 0;
         for (std::size_t k = 0; k < cycle_.size(); ++k) {
             const std::int32_t seat = cycle_[k];

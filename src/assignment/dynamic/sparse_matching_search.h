@@ -1,4 +1,5 @@
-// One violated arc: either a cycle of exchanges that gains, or prices under which the arc is no longer violated.
+// One violated arc: either a cycle of exchanges that gains, or prices under which the arc is no longer
+// violated.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +17,18 @@ enum class SearchEnd : std::uint8_t {
     Capped,   ///< The work allowed did not suffice: the prices can be moved some of the way.
 };
 
-/// Searches forward from the head of an arc and backward from its tail, over arcs whose reduced costs (negative ones
-/// count as zero) are lengths. Owns its working memory.
+/// Searches forward from the head of an arc and backward from its tail, over arcs whose reduced costs
+/// (negative ones count as zero) are lengths. Owns its working memory.
 class CycleSearch {
 public:
     /// Makes room for searches that settle at most `limit` nodes.
     void reset(std::int32_t seats, std::int32_t limit);
-    /// Looks for a way from seat `to` back to seat `from` that is shorter than the violation (> 0) of the arc between
-    /// them. `direct` is the length of going straight back. Settles at most `limit` nodes.
+    /// Looks for a way from seat `to` back to seat `from` that is shorter than the violation (> 0) of the arc
+    /// between them. `direct` is the length of going straight back. Settles at most `limit` nodes.
     SearchEnd run(const MatchingArcs& arcs, std::span<const double> price, std::int32_t from, std::int32_t to,
                   double violation, double direct, std::int32_t limit);
-    /// Moves prices as far as the last search allows: lower behind the arc, higher before it. No reduced cost that is
-    /// not negative becomes so, none that is negative sinks further.
+    /// Moves prices as far as the last search allows: lower behind the arc, higher before it. No reduced cost
+    /// that is not negative becomes so, none that is negative sinks further.
     void movePrices(std::span<double> price) const;
 
     /// After SearchEnd::Cycle: each seat's holder moves to the next seat, the last one's to the first.
@@ -57,15 +58,17 @@ private:
     void newStamp();
     void begin(Side& side, std::int32_t seat);
     double top(Side& side);
-    void label(Side& side, const Side& other, std::int32_t seat, std::int32_t through, double distance, double bound);
+    void label(Side& side, const Side& other, std::int32_t seat, std::int32_t through, double distance,
+               double bound);
     template <bool kForward>
-    void settle(const MatchingArcs& arcs, std::span<const double> price, Side& side, const Side& other, double bound);
+    void settle(const MatchingArcs& arcs, std::span<const double> price, Side& side, const Side& other,
+                double bound);
     void finish(double forwardTop, double backwardTop, double length);
     void trace(std::int32_t from, std::int32_t to);
 
     Side forward_;
     Side backward_;
-    std::uint32_t stamp_ = 0;   // Even.
+    std::uint32_t stamp_ = 0;  // Even.
     std::int32_t settledCount_ = 0;
     double best_ = 0.0;         // Shortest way back that is known.
     std::int32_t meeting_ = 0;  // A seat on it; -1 for the direct one.

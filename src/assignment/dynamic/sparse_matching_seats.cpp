@@ -16,7 +16,7 @@ void MatchingSeats::reset(std::int32_t characters, std::int32_t places) {
 
 void MatchingSeats::adopt(std::span<const std::int32_t> placeOf) {
     for (std::int32_t i = 0; i < characters(); ++i) {
-        const std::int32_t place = placeOf[static_cast<std::size_t>(i)];
+        const std::int32_t place = placeOf[i];
         if (place >= 0 && place < places_ && holder(place) < 0) put(place, i);
     }
 }
@@ -26,8 +26,8 @@ void MatchingSeats::follow(const MatchingInput& input, std::vector<std::int32_t>
     free_.clear();
     for (std::int32_t s = 0; s < count(); ++s) {
         const std::uint8_t live = s < places_ && input.mayTake(static_cast<std::size_t>(s)) ? 1 : 0;
-        if (live != live_[static_cast<std::size_t>(s)]) flipped.push_back(s);
-        live_[static_cast<std::size_t>(s)] = live;
+        if (live != live_[s]) flipped.push_back(s);
+        live_[s] = live;
     }
     for (std::int32_t i = 0; i < characters(); ++i) {
         const std::int32_t seat = seatOf(i);
@@ -36,7 +36,7 @@ void MatchingSeats::follow(const MatchingInput& input, std::vector<std::int32_t>
                 put(seat, -1);
                 flipped.push_back(seat);
             }
-            seatOf_[static_cast<std::size_t>(i)] = -1;
+            seatOf_[i] = -1;
         } else if (seat < 0 || !live(seat)) {
             waiting_.push_back(i);
         }
@@ -64,9 +64,11 @@ bool MatchingSeats::consistent() const {
     const auto seats = std::max(seatOf_.size(), static_cast<std::size_t>(std::max(places_, 0)));
     if (places_ < 0 || holder_.size() != seats || live_.size() != seats) return false;
     for (std::int32_t s = 0; s < count(); ++s)
-        if (holder(s) < -1 || holder(s) >= characters() || (holder(s) >= 0 && seatOf(holder(s)) != s)) return false;
+        if (holder(s) < -1 || holder(s) >= characters() || (holder(s) >= 0 && seatOf(holder(s)) != s))
+            return false;
     for (std::int32_t i = 0; i < characters(); ++i)
-        if (seatOf(i) < -1 || seatOf(i) >= count() || (seatOf(i) >= 0 && holder(seatOf(i)) != i)) return false;
+        if (seatOf(i) < -1 || seatOf(i) >= count() || (seatOf(i) >= 0 && holder(seatOf(i)) != i))
+            return false;
     return true;
 }
 

@@ -8,8 +8,8 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kFewPairs = 4096;    // So many are all compared.
-constexpr std::size_t kTruePairs = 256;    // So many by their costs, more by straight distance.
+constexpr std::size_t kFewPairs = 4096;  // So many are all compared.
+constexpr std::size_t kTruePairs = 256;  // So many by their costs, more by straight distance.
 constexpr std::size_t kFewOnOneSide = 16;
 constexpr std::int32_t kPerPart = 48;
 constexpr std::int32_t kMostParts = 256;
@@ -17,7 +17,7 @@ constexpr std::size_t kExact = 16;  // Parts this small are matched exactly.
 
 Vec2 meanOf(std::span<const Vec2> points, std::span<const std::int32_t> some) {
     Vec2 sum;
-    for (const std::int32_t k : some) sum += points[static_cast<std::size_t>(k)];
+    for (const std::int32_t k : some) sum += points[k];
     return some.empty() ? sum : sum / static_cast<double>(some.size());
 }
 
@@ -27,7 +27,7 @@ std::int32_t middleOf(std::span<const Vec2> points, std::span<const std::int32_t
     double least = std::numeric_limits<double>::infinity();
     std::int32_t middle = -1;
     for (const std::int32_t k : some) {
-        const double d = lengthSquared(points[static_cast<std::size_t>(k)] - mean);
+        const double d = lengthSquared(points[k] - mean);
         if (!(d < least)) continue;
         least = d;
         middle = k;
@@ -35,7 +35,8 @@ std::int32_t middleOf(std::span<const Vec2> points, std::span<const std::int32_t
     return middle;
 }
 
-std::span<std::int32_t> part(std::vector<std::int32_t>& all, const std::vector<std::int32_t>& ends, std::size_t k) {
+std::span<std::int32_t> part(std::vector<std::int32_t>& all, const std::vector<std::int32_t>& ends,
+                             std::size_t k) {
     const auto begin = static_cast<std::size_t>(k > 0 ? ends[k - 1] : 0);
     return {all.data() + begin, static_cast<std::size_t>(ends[k]) - begin};
 }
@@ -65,7 +66,8 @@ void MatchingStart::seat(const MatchingContext& context, MatchingState& state) {
 }
 
 void MatchingStart::keepOpen(const MatchingSeats& seats) {
-    std::erase_if(people_, [&](std::int32_t i) { return seats.seatOf(i) >= 0 && seats.live(seats.seatOf(i)); });
+    std::erase_if(people_,
+                  [&](std::int32_t i) { return seats.seatOf(i) >= 0 && seats.live(seats.seatOf(i)); });
     std::erase_if(places_, [&](std::int32_t s) { return seats.holder(s) >= 0; });
     std::sort(people_.begin(), people_.end());
     std::sort(places_.begin(), places_.end());
@@ -77,8 +79,7 @@ void MatchingStart::few(const MatchingContext& context, MatchingSeats& seats) {
     const bool byCost = people_.size() * places_.size() <= kTruePairs;
     for (const std::int32_t i : people_)
         for (const std::int32_t s : places_) {
-            const Vec2 way = context.input.places[static_cast<std::size_t>(s)] -
-                             context.input.characters[static_cast<std::size_t>(i)];
+            const Vec2 way = context.input.places[s] - context.input.characters[i];
             choices_.push_back({lengthSquared(way), i, s});
             if (byCost) pairs_.push_back({i, s});
         }
@@ -91,7 +92,8 @@ void MatchingStart::few(const MatchingContext& context, MatchingSeats& seats) {
     });
     for (const Choice& choice : choices_) {
         const std::int32_t at = seats.seatOf(choice.character);
-        if ((at < 0 || !seats.live(at)) && seats.holder(choice.seat) < 0) seats.take(choice.character, choice.seat);
+        if ((at < 0 || !seats.live(at)) && seats.holder(choice.seat) < 0)
+            seats.take(choice.character, choice.seat);
     }
 }
 
@@ -106,7 +108,7 @@ void MatchingStart::nearestOfMany(const MatchingContext& context, MatchingSeats&
         std::size_t best = 0;
         for (std::size_t k = 0; k < many.size(); ++k) {
             if (many[k] < 0) continue;
-            const double d = lengthSquared(manyAt[static_cast<std::size_t>(many[k])] - fewAt[static_cast<std::size_t>(one)]);
+            const double d = lengthSquared(manyAt[many[k]] - fewAt[one]);
             if (!(d < least)) continue;
             least = d;
             best = k;
@@ -129,7 +131,8 @@ void MatchingStart::parts(const MatchingContext& context, MatchingSeats& seats) 
     const auto n = static_cast<std::size_t>(count);
     matrix_.resize(n * n);
     placeMiddles_.clear();
-    for (std::size_t b = 0; b < n; ++b) placeMiddles_.push_back(middleOf(placesAt, part(places_, placeEnds_, b)));
+    for (std::size_t b = 0; b < n; ++b)
+        placeMiddles_.push_back(middleOf(placesAt, part(places_, placeEnds_, b)));
     for (std::size_t a = 0; a < n; ++a) {
         pairs_.clear();
         const std::int32_t person = middleOf(characters, part(people_, peopleEnds_, a));
@@ -147,8 +150,8 @@ void MatchingStart::parts(const MatchingContext& context, MatchingSeats& seats) 
 }
 
 // Halves both along the places' longer side until they are small.
-void MatchingStart::within(const MatchingContext& context, MatchingSeats& seats, std::span<std::int32_t> people,
-                           std::span<std::int32_t> places, Vec2 shift) {
+void MatchingStart::within(const MatchingContext& context, MatchingSeats& seats,
+                           std::span<std::int32_t> people, std::span<std::int32_t> places, Vec2 shift) {
     if (people.empty() || places.empty()) return;
     if (std::max(people.size(), places.size()) <= kExact || std::min(people.size(), places.size()) < 2) {
         std::sort(people.begin(), people.end());
@@ -164,7 +167,8 @@ void MatchingStart::within(const MatchingContext& context, MatchingSeats& seats,
 }
 
 void MatchingStart::exactly(const MatchingContext& context, MatchingSeats& seats,
-                            std::span<const std::int32_t> people, std::span<const std::int32_t> places, Vec2 shift) {
+                            std::span<const std::int32_t> people, std::span<const std::int32_t> places,
+                            Vec2 shift) {
     const bool turned = people.size() > places.size();
     const auto rows = turned ? places : people;
     const auto columns = turned ? people : places;
@@ -173,14 +177,14 @@ void MatchingStart::exactly(const MatchingContext& context, MatchingSeats& seats
         for (std::size_t b = 0; b < columns.size(); ++b) {
             const std::int32_t person = turned ? columns[b] : rows[a];
             const std::int32_t place = turned ? rows[a] : columns[b];
-            matrix_[a * columns.size() + b] =
-                lengthSquared(context.input.places[static_cast<std::size_t>(place)] -
-                              context.input.characters[static_cast<std::size_t>(person)] - shift);
+            matrix_[a * columns.size() + b] = lengthSquared(context.input.places[place] -
+                                                            context.input.characters[person] - shift);
         }
-    small_.solve(static_cast<std::int32_t>(rows.size()), static_cast<std::int32_t>(columns.size()), matrix_.data());
+    small_.solve(static_cast<std::int32_t>(rows.size()), static_cast<std::int32_t>(columns.size()),
+                 matrix_.data());
     for (std::size_t a = 0; a < rows.size(); ++a) {
         const std::int32_t b = small_.columnOf()[a];
-        if (b >= 0) seats.take(turned ? columns[static_cast<std::size_t>(b)] : rows[a], turned ? rows[a] : columns[static_cast<std::size_t>(b)]);
+        if (b >= 0) seats.take(turned ? columns[b] : rows[a], turned ? rows[a] : columns[b]);
     }
 }
 

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "assignment/dynamic/sparse_matching_state.h"
 #include "assignment/dense/unit_matching.h"
+#include "assignment/dynamic/sparse_matching_state.h"
 
 namespace muster {
 
-/// Seats as many of those who wait as there are free places. A few: nearest first. Many: both sets are divided into parts
-/// of equal counts, the parts are assigned exactly by the costs between their middles, and within each pair of parts
-/// smaller and smaller parts meet. Owns its working memory.
+/// Seats as many of those who wait as there are free places. A few: nearest first. Many: both sets are
+/// divided into parts of equal counts, the parts are assigned exactly by the costs between their middles, and
+/// within each pair of parts smaller and smaller parts meet. Owns its working memory.
 class MatchingStart {
 public:
     /// Room for the few.

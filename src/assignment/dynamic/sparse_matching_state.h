@@ -15,12 +15,16 @@ namespace muster {
 struct MatchingState {
     MatchingSeats seats;
     MatchingArcs arcs;
-    std::vector<double> price;          ///< Per seat, in the frame of the step (MatchingContext::slope).
-    std::vector<std::uint8_t> changed;  ///< Per seat: has another holder, or another standing, since its targets were chosen.
-    std::vector<std::uint8_t> resting;  ///< Per seat: steps for which a change that did not gain enough is not tried again.
-    std::vector<float> own;             ///< Per seat: cost of its holder to its place [m]; 0 where one is missing.
-    std::vector<float> asked;           ///< Per seat: that cost when all arcs of its row were asked for last [m].
-    std::vector<double> ownPower;       ///< The same to the power; worked out in each step.
+    std::vector<double> price;  ///< Per seat, in the frame of the step (MatchingContext::slope).
+    /// Per seat: has another holder, or another standing, since its targets were chosen.
+    std::vector<std::uint8_t> changed;
+    /// Per seat: steps for which a change that did not gain enough is not tried again.
+    std::vector<std::uint8_t> resting;
+    /// Per seat: cost of its holder to its place [m]; 0 where one is missing.
+    std::vector<float> own;
+    /// Per seat: that cost when all arcs of its row were asked for last [m].
+    std::vector<float> asked;
+    std::vector<double> ownPower;  ///< The same to the power; worked out in each step.
 
     /// Room for so many, nobody seated.
     void reset(std::int32_t characters, std::int32_t places) {
@@ -35,19 +39,25 @@ struct MatchingState {
         ownPower.assign(n, 0.0);
     }
     /// Reduced cost of an arc: what it would gain if the prices were right; negative where it is violated.
-    double reduced(std::int32_t arc) const { return reduced(arc / MatchingArcs::kLanes, arcs.target(arc), arcs.weight(arc)); }
+    double reduced(std::int32_t arc) const {
+        return reduced(arc / MatchingArcs::kLanes, arcs.target(arc), arcs.weight(arc));
+    }
     /// The same for an arc of this weight between two seats.
     double reduced(std::int32_t from, std::int32_t to, float weight) const {
-        return weight - price[static_cast<std::size_t>(to)] + price[static_cast<std::size_t>(from)];
+        return weight - price[to] + price[from];
     }
-    /// The least reduced cost of the arcs from a seat. (Rounding keeps the order, so what all have in common is added last.)
+    /// The least reduced cost of the arcs from a seat. (Rounding keeps the order, so what all have in common
+    /// is added last.)
     double leastFrom(std::int32_t seat) const {
-        const std::int32_t* target = arcs.targets().data() + static_cast<std::ptrdiff_t>(seat) * MatchingArcs::kLanes;
-        const float* weight = arcs.weights().data() + static_cast<std::ptrdiff_t>(seat) * MatchingArcs::kLanes;
+        const std::int32_t* target = arcs.targets().data() +
+                                     static_cast<std::ptrdiff_t>(seat) * MatchingArcs::kLanes;
+        const float* weight = arcs.weights().data() +
+                              static_cast<std::ptrdiff_t>(seat) * MatchingArcs::kLanes;
         double least[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
         for (std::int32_t k = 0; k < MatchingArcs::kLanes; k += 2)
-            for (std::int32_t m = 0; m < 2; ++m) least[m] = std::min(least[m], weight[k + m] - price[static_cast<std::size_t>(target[k + m])]);
-        return std::min(least[0], least[1]) + price[static_cast<std::size_t>(seat)];
+            for (std::int32_t m = 0; m < 2; ++m)
+                least[m] = std::min(least[m], weight[k + m] - price[target[k + m]]);
+        return std::min(least[0], least[1]) + price[seat];
     }
     /// The part of the reduced costs from a seat that is the same for all arcs.
     double leaving(const MatchingContext& context, std::int32_t seat) const {
@@ -56,12 +66,12 @@ struct MatchingState {
     }
     /// The part of the reduced costs to a seat that is the same for all arcs.
     double arriving(const MatchingContext& context, std::int32_t seat) const {
-        return -price[static_cast<std::size_t>(seat)] - dot(context.slope, seats.at(seat, context));
+        return -price[seat] - dot(context.slope, seats.at(seat, context));
     }
     /// Sets the cost of a seat's holder.
     void setOwn(std::int32_t seat, float cost, const CostPower& power) {
-        own[static_cast<std::size_t>(seat)] = cost;
-        ownPower[static_cast<std::size_t>(seat)] = seats.matched(seat) ? power(cost) : 0.0;
+        own[seat] = cost;
+        ownPower[seat] = seats.matched(seat) ? power(cost) : 0.0;
     }
 
     /// Lets an archive read or write all that influences later steps.
@@ -70,8 +80,8 @@ struct MatchingState {
         archive(seats, arcs, price, changed, resting, own, asked);
         if constexpr (Archive::kReading) {
             const auto n = static_cast<std::size_t>(seats.count());
-            if (arcs.targets().size() != n * MatchingArcs::kLanes || price.size() != n || changed.size() != n ||
-                resting.size() != n || own.size() != n || asked.size() != n)
+            if (arcs.targets().size() != n * MatchingArcs::kLanes || price.size() != n ||
+                changed.size() != n || resting.size() != n || own.size() != n || asked.size() != n)
                 archive.fail();
             ownPower.assign(n, 0.0);
         }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "muster/vec3.h"
 #include "muster/pose.h"
+#include "muster/vec3.h"
 
 namespace muster {
 

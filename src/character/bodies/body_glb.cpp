@@ -1,7 +1,7 @@
 #include <numeric>
 
-#include "character/bodies/glb_file.h"
 #include "character/bodies/body.h"
+#include "character/bodies/glb_file.h"
 
 namespace muster {
 namespace {
@@ -70,8 +70,8 @@ std::string bodyGlb(BodyKind kind, BodyLevel level) {
 
     std::vector<std::size_t> joints(kJointCount);
     std::iota(joints.begin(), joints.end(), std::size_t{2});
-    Json nodes =
-        Json::array({{{"name", name}, {"mesh", 0}, {"skin", 0}}, {{"name", "Root"}, {"children", {2}}}});
+    Json nodes = Json::array(
+        {{{"name", name}, {"mesh", 0}, {"skin", 0}}, {{"name", "Root"}, {"children", {2}}}});
     addJointNodes(2, nodes);
 
     Json document;
@@ -82,8 +82,8 @@ std::string bodyGlb(BodyKind kind, BodyLevel level) {
     document["meshes"] = Json::array({{{"name", name}, {"primitives", Json::array({std::move(primitive)})}}});
     document["materials"] = Json::array(
         {{{"name", "Body"}, {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.85}}}}});
-    document["skins"] =
-        Json::array({{{"inverseBindMatrices", addInverseBinds(file)}, {"skeleton", 1}, {"joints", joints}}});
+    document["skins"] = Json::array(
+        {{{"inverseBindMatrices", addInverseBinds(file)}, {"skeleton", 1}, {"joints", joints}}});
     return file.bytes(std::move(document));
 }
 

@@ -59,8 +59,8 @@ Ring Sculptor::shoeRing(float x, float width, float top) {
                                          Corner{-0.86f, 0.62f, false}, Corner{-1.0f, 0.24f, false}};
     static constexpr std::array kFew{Corner{-1.0f, 0.0f, true}, Corner{1.0f, 0.0f, true},
                                      Corner{0.6f, 1.0f, false}, Corner{-0.6f, 1.0f, false}};
-    const std::span<const Corner> corners =
-        detail_.fine ? std::span<const Corner>(kCorners) : std::span<const Corner>(kFew);
+    const std::span<const Corner> corners = detail_.fine ? std::span<const Corner>(kCorners)
+                                                         : std::span<const Corner>(kFew);
     // The sole curls up a little at heel and toes.
     const float curl = x > 0.15f ? (x - 0.15f) * 0.25f : x < -0.06f ? 0.004f : 0.0f;
     Ring ring;

@@ -21,7 +21,7 @@ std::vector<Vec3> posedPlaces(std::span<const BvhJoint> joints, std::span<const 
     std::vector<Vec3> places;
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const std::int32_t parent = joints[j].parent;
-        posed.push_back(parent < 0 ? frame[j] : posed[static_cast<std::size_t>(parent)] * frame[j]);
+        posed.push_back(parent < 0 ? frame[j] : posed[parent] * frame[j]);
         places.push_back(posed.back().translation);
     }
     return places;
@@ -38,15 +38,15 @@ Vec3 nearestAxis(Vec3 v) {
 
 /// From the feet, or knees, to the hips and on; null where there are no legs.
 Vec3 upward(const RoleJoints& roles, const std::vector<Vec3>& places) {
-    const auto at = [&](JointRole role) { return places[static_cast<std::size_t>(roles[index(role)])]; };
+    const auto at = [&](JointRole role) { return places[roles[index(role)]]; };
     if (!hasBody(roles).ok()) return {};
     return at(JointRole::Hips) - 0.5f * (at(JointRole::LeftFoot) + at(JointRole::RightFoot));
 }
 
 Vec3 leftward(const RoleJoints& roles, const std::vector<Vec3>& places, Vec3 up) {
     if (!hasBody(roles).ok()) return {};
-    const Vec3 across = places[static_cast<std::size_t>(roles[index(JointRole::LeftUpLeg)])] -
-                        places[static_cast<std::size_t>(roles[index(JointRole::RightUpLeg)])];
+    const Vec3 across = places[roles[index(JointRole::LeftUpLeg)]] -
+                        places[roles[index(JointRole::RightUpLeg)]];
     return nearestAxis(across - dot(across, up) * up);
 }
 

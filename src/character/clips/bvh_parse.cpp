@@ -3,18 +3,18 @@
 #include <cmath>
 #include <cstdio>
 
-#include "character/clips/bvh_axes.h"
-#include "character/clips/bvh_scanner.h"
 #include "base/maths.h"
 #include "base/text_file.h"
+#include "character/clips/bvh_axes.h"
+#include "character/clips/bvh_scanner.h"
 #include "muster/bvh.h"
 
 namespace muster {
 namespace {
 
 constexpr double kLargestOffset = 1e6;  // Units of the file.
-constexpr double kRateGrain =
-    2e-4;  // Rates so near to a whole number are that number: frame times are rounded.
+constexpr double
+    kRateGrain = 2e-4;  // Rates so near to a whole number are that number: frame times are rounded.
 
 /// What a column of the motion moves: position along x, y, z or rotation about x, y, z.
 using Channel = std::uint8_t;
@@ -77,7 +77,7 @@ private:
 
     /// One entry between a joint's braces, its first word read.
     Status jointEntry(const std::string& word) {
-        BvhJoint& joint = motion_.joints[static_cast<std::size_t>(open_)];
+        BvhJoint& joint = motion_.joints[open_];
         if (word == "offset") return point(joint.offset);
         if (word == "channels") return channels();
         if (word == "joint") return beginJoint();
@@ -174,8 +174,8 @@ private:
                  : channel == 1 ? out.translation.y
                                 : out.translation.z) = static_cast<float>(number);
             } else {
-                out.rotation =
-                    normalized(out.rotation * axisAngle(kAxes[channel - 3], number * (kPi / 180.0)));
+                out.rotation = normalized(out.rotation *
+                                          axisAngle(kAxes[channel - 3], number * (kPi / 180.0)));
             }
         }
         return {};

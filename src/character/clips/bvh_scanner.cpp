@@ -72,8 +72,8 @@ double valueOf(const Decimal& number, std::string_view text) {
     if (!number.exact || number.digits >= (1ull << 53) || number.exponent < -22 || number.exponent > 22)
         return std::strtod(std::string(text).c_str(), nullptr);
     const auto digits = static_cast<double>(number.digits);
-    const double size =
-        number.exponent < 0 ? digits / kPowers[-number.exponent] : digits * kPowers[number.exponent];
+    const double size = number.exponent < 0 ? digits / kPowers[-number.exponent]
+                                            : digits * kPowers[number.exponent];
     return number.negative ? -size : size;
 }
 

@@ -79,8 +79,8 @@ BvhFrameWriter::Angles BvhFrameWriter::anglesOf(Quat rotation, const Angles& bef
         const double a = first + other * kPi, c = cosine(a), s = sine(a);
         const Angles found{nearest(a, before.z), nearest(arcTangent2(r21, c * r11 - s * r01), before.x),
                            nearest(arcTangent2(c * r02 + s * r12, c * r00 + s * r10), before.y)};
-        const double change =
-            std::fabs(found.z - before.z) + std::fabs(found.x - before.x) + std::fabs(found.y - before.y);
+        const double change = std::fabs(found.z - before.z) + std::fabs(found.x - before.x) +
+                              std::fabs(found.y - before.y);
         if (change >= least) continue;
         least = change;
         best = found;

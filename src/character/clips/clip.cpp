@@ -20,17 +20,21 @@ FrameAt frameAt(double time, double rate, std::size_t last) {
 }
 
 /// Whole cycles before a time.
-double cyclesBefore(double time, double duration) { return duration > 0.0 ? std::floor(time / duration) : 0.0; }
+double cyclesBefore(double time, double duration) {
+    return duration > 0.0 ? std::floor(time / duration) : 0.0;
+}
 
 Travel power(const Travel& cycle, double times) {
     Travel base = cycle;
     if (times < 0.0) {
         // The inverse of a travel: back along it.
         const double c = cosine(-base.yaw), s = sine(-base.yaw);
-        base = {static_cast<float>(-(c * base.x - s * base.y)), static_cast<float>(-(s * base.x + c * base.y)), -base.yaw};
+        base = {static_cast<float>(-(c * base.x - s * base.y)),
+                static_cast<float>(-(s * base.x + c * base.y)), -base.yaw};
         times = -times;
     }
-    if (base.yaw == 0.0f) return {static_cast<float>(base.x * times), static_cast<float>(base.y * times), 0.0f};
+    if (base.yaw == 0.0f)
+        return {static_cast<float>(base.x * times), static_cast<float>(base.y * times), 0.0f};
     Travel sum;
     for (auto n = static_cast<std::uint64_t>(times); n > 0; n >>= 1) {
         if (n & 1u) sum = sum * base;
@@ -42,13 +46,14 @@ Travel power(const Travel& cycle, double times) {
 }  // namespace
 
 const char* limbName(Limb limb) {
-    static constexpr const char* kNames[] = {"left foot", "right foot", "left hand", "right hand", "left knee", "right knee"};
+    static constexpr const char* kNames[] = {"left foot",  "right foot", "left hand",
+                                             "right hand", "left knee",  "right knee"};
     return kNames[static_cast<std::size_t>(limb)];
 }
 
 JointRole limbJoint(Limb limb) {
-    static constexpr JointRole kJoints[] = {JointRole::LeftFoot, JointRole::RightFoot, JointRole::LeftHand,
-                                            JointRole::RightHand, JointRole::LeftLeg, JointRole::RightLeg};
+    static constexpr JointRole kJoints[] = {JointRole::LeftFoot,  JointRole::RightFoot, JointRole::LeftHand,
+                                            JointRole::RightHand, JointRole::LeftLeg,   JointRole::RightLeg};
     return kJoints[static_cast<std::size_t>(limb)];
 }
 
@@ -59,14 +64,16 @@ Travel operator*(const Travel& first, const Travel& then) {
 }
 
 double Clip::duration() const {
-    const std::size_t intervals = cyclic ? poses.size() : poses.size() - std::min<std::size_t>(poses.size(), 1);
+    const std::size_t intervals = cyclic ? poses.size()
+                                         : poses.size() - std::min<std::size_t>(poses.size(), 1);
     return static_cast<double>(intervals) / rate;
 }
 
 double Clip::length() const {
     if (travel.empty()) return 0.0;
     const Travel &a = travel.front(), &b = travel.back();
-    return std::sqrt(static_cast<double>(b.x - a.x) * (b.x - a.x) + static_cast<double>(b.y - a.y) * (b.y - a.y));
+    return std::sqrt(static_cast<double>(b.x - a.x) * (b.x - a.x) +
+                     static_cast<double>(b.y - a.y) * (b.y - a.y));
 }
 
 double Clip::speed() const {
@@ -108,34 +115,43 @@ const Contact* Clip::contactAt(Limb limb, double time) const {
     return nullptr;
 }
 
-bool Clip::touches(Limb limb, double time) const { return contactAt(limb, time) != nullptr; }
+bool Clip::touches(Limb limb, double time) const {
+    return contactAt(limb, time) != nullptr;
+}
 
 const Clip* ClipLibrary::find(std::string_view name) const {
     const std::int32_t at = indexOf(name);
-    return at < 0 ? nullptr : &clips[static_cast<std::size_t>(at)];
+    return at < 0 ? nullptr : &clips[at];
 }
 
 std::int32_t ClipLibrary::indexOf(std::string_view name) const {
-    const auto at = std::find_if(clips.begin(), clips.end(), [&](const Clip& clip) { return clip.name == name; });
+    const auto at = std::find_if(clips.begin(), clips.end(),
+                                 [&](const Clip& clip) { return clip.name == name; });
     return at == clips.end() ? -1 : static_cast<std::int32_t>(at - clips.begin());
 }
 
 Status validate(const Clip& clip) {
-    const auto bad = [&](const std::string& what) { return Status(StatusCode::InvalidArgument, "clip \"" + clip.name + "\": " + what); };
+    const auto bad = [&](const std::string& what) {
+        return Status(StatusCode::InvalidArgument, "clip \"" + clip.name + "\": " + what);
+    };
     if (!(clip.rate > 0.0) || !std::isfinite(clip.rate)) return bad("its rate is not a positive number");
     if (clip.poses.size() < 2) return bad("it has fewer than two poses");
-    if (clip.travel.size() != clip.poses.size() + (clip.cyclic ? 1 : 0)) return bad("its travel does not fit its poses");
+    if (clip.travel.size() != clip.poses.size() + (clip.cyclic ? 1 : 0))
+        return bad("its travel does not fit its poses");
     for (const BodyPose& pose : clip.poses) {
         bool finite = isFinite(pose.hips);
         for (const Quat& q : pose.rotation) finite = finite && std::fabs(dot(q, q) - 1.0f) < 1e-3f;
         if (!finite) return bad("a pose holds numbers that are no rotation or no place");
     }
     for (const Travel& at : clip.travel)
-        if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.yaw)) return bad("its travel is not finite");
+        if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.yaw))
+            return bad("its travel is not finite");
     for (const Contact& contact : clip.contacts) {
-        const bool inside = contact.begin >= 0.0 && contact.begin < clip.duration() && contact.end > contact.begin &&
+        const bool inside = contact.begin >= 0.0 && contact.begin < clip.duration() &&
+                            contact.end > contact.begin &&
                             contact.end <= clip.duration() * (clip.cyclic ? 2.0 : 1.0) + 1e-9;
-        if (!inside || !isFinite(contact.anchor)) return bad(std::string("a contact of the ") + limbName(contact.limb) + " lies outside it");
+        if (!inside || !isFinite(contact.anchor))
+            return bad(std::string("a contact of the ") + limbName(contact.limb) + " lies outside it");
     }
     return {};
 }

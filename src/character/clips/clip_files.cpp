@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text_file.h"
-#include "muster/bvh.h"
 #include "character/clips/motion_facts.h"
 #include "character/clips/retarget.h"
+#include "muster/bvh.h"
 
 namespace muster {
 namespace {

@@ -23,7 +23,7 @@ std::vector<Vec3> shapeOf(const BvhMotion& motion, std::size_t frame, const Role
     const Quat back = yawTurn(-facing);
     for (const std::int32_t joint : roles) {
         if (joint < 0) continue;
-        const Vec3 p = joints[static_cast<std::size_t>(joint)].translation, h = joints[hips].translation;
+        const Vec3 p = joints[joint].translation, h = joints[hips].translation;
         shape.push_back(rotate(back, p - Vec3{h.x, h.y, 0.0f}));
     }
     return shape;
@@ -40,9 +40,7 @@ double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 double facingAt(const BvhMotion& motion, std::size_t frame, const RoleJoints& roles) {
     std::vector<Transform> joints;
     globalTransforms(motion, frame, joints);
-    const auto place = [&](JointRole role) {
-        return joints[static_cast<std::size_t>(roles[index(role)])].translation;
-    };
+    const auto place = [&](JointRole role) { return joints[roles[index(role)]].translation; };
     const Vec3 left = place(JointRole::LeftUpLeg) - place(JointRole::RightUpLeg);
     return arcTangent2(-left.x, left.y);
 }

@@ -92,10 +92,10 @@ private:
                    speed(limb, frame, &LimbAt::joint) < slow_;
         }
         const float floor = floor_[static_cast<std::size_t>(limb)];
-        const bool heel =
-            here.joint.z - kAnkle - floor < kFootHeight && speed(limb, frame, &LimbAt::joint) < slow_;
-        const bool ball =
-            here.tip.z - kBall - floor < kFootHeight && speed(limb, frame, &LimbAt::tip) < slow_;
+        const bool heel = here.joint.z - kAnkle - floor < kFootHeight &&
+                          speed(limb, frame, &LimbAt::joint) < slow_;
+        const bool ball = here.tip.z - kBall - floor < kFootHeight &&
+                          speed(limb, frame, &LimbAt::tip) < slow_;
         return heel || ball;
     }
 
@@ -128,10 +128,10 @@ private:
             }
             std::size_t end = begin;
             while (end < frames_ && touch[end]) ++end;
-            const std::size_t more =
-                wraps && end == frames_
-                    ? static_cast<std::size_t>(std::find(touch.begin(), touch.end(), 0) - touch.begin())
-                    : 0;
+            const std::size_t more = wraps && end == frames_
+                                         ? static_cast<std::size_t>(std::find(touch.begin(), touch.end(), 0) -
+                                                                    touch.begin())
+                                         : 0;
             add(limb, begin, end, more);
             begin = end;
         }

@@ -13,7 +13,7 @@ inline void globalTransforms(const BvhMotion& motion, std::size_t frame, std::ve
     joints.resize(local.size());
     for (std::size_t j = 0; j < local.size(); ++j) {
         const std::int32_t parent = motion.joints[j].parent;
-        joints[j] = parent < 0 ? local[j] : joints[static_cast<std::size_t>(parent)] * local[j];
+        joints[j] = parent < 0 ? local[j] : joints[parent] * local[j];
     }
 }
 
@@ -21,8 +21,7 @@ inline void globalTransforms(const BvhMotion& motion, std::size_t frame, std::ve
 inline std::vector<Vec3> restPlaces(std::span<const BvhJoint> joints) {
     std::vector<Vec3> places;
     for (const BvhJoint& joint : joints)
-        places.push_back(joint.parent < 0 ? joint.offset
-                                          : places[static_cast<std::size_t>(joint.parent)] + joint.offset);
+        places.push_back(joint.parent < 0 ? joint.offset : places[joint.parent] + joint.offset);
     return places;
 }
 

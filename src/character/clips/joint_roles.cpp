@@ -154,7 +154,7 @@ private:
     }
 
     bool isBelow(std::int32_t joint, std::int32_t ancestor) const {
-        for (; joint >= 0; joint = joints_[static_cast<std::size_t>(joint)].parent)
+        for (; joint >= 0; joint = joints_[joint].parent)
             if (joint == ancestor) return true;
         return false;
     }
@@ -194,8 +194,8 @@ private:
                            right = role(JointRole::RightUpLeg);
         if (left < 0 || right < 0) return named;
         if (named >= 0 && isBelow(left, named) && isBelow(right, named)) return named;
-        std::int32_t joint = joints_[static_cast<std::size_t>(left)].parent;
-        while (joint >= 0 && !isBelow(right, joint)) joint = joints_[static_cast<std::size_t>(joint)].parent;
+        std::int32_t joint = joints_[left].parent;
+        while (joint >= 0 && !isBelow(right, joint)) joint = joints_[joint].parent;
         return joint;
     }
 
@@ -204,13 +204,12 @@ private:
     void findSpine() {
         std::int32_t end = role(JointRole::Neck) >= 0 ? role(JointRole::Neck) : role(JointRole::Head);
         if (end < 0)
-            end =
-                role(JointRole::LeftShoulder) >= 0 ? role(JointRole::LeftShoulder) : role(JointRole::LeftArm);
+            end = role(JointRole::LeftShoulder) >= 0 ? role(JointRole::LeftShoulder)
+                                                     : role(JointRole::LeftArm);
         if (end < 0 || role(JointRole::Hips) < 0) return;
         std::vector<std::int32_t> chain;
-        for (std::int32_t joint = joints_[static_cast<std::size_t>(end)].parent;
-             joint >= 0 && joint != role(JointRole::Hips);
-             joint = joints_[static_cast<std::size_t>(joint)].parent)
+        for (std::int32_t joint = joints_[end].parent; joint >= 0 && joint != role(JointRole::Hips);
+             joint = joints_[joint].parent)
             chain.push_back(joint);
         if (chain.empty() || !isBelow(chain.back(), role(JointRole::Hips))) return;
         role(JointRole::Chest) = chain.front();

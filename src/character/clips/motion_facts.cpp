@@ -14,9 +14,8 @@ constexpr float kLeastMotion = 1e-6f;  // A joint that stays within that does no
 Vec3 placeOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
     const auto local = motion.frame(frame);
     Vec3 place = local[joint].translation;
-    for (std::int32_t up = motion.joints[joint].parent; up >= 0;
-         up = motion.joints[static_cast<std::size_t>(up)].parent)
-        place = local[static_cast<std::size_t>(up)].apply(place);
+    for (std::int32_t up = motion.joints[joint].parent; up >= 0; up = motion.joints[up].parent)
+        place = local[up].apply(place);
     return place;
 }
 

@@ -31,8 +31,8 @@ MotionFacts factsOf(const BvhMotion& motion);
 /// Speed relative to running at `runSpeed` [m/s] > 0, at least kLeastRatio.
 double speedRatio(double speed, double runSpeed);
 
-/// What simulation reads of a file: how far its root goes. The root is the first joint that changes its place; of
-/// files of Muster's own skeleton, the first joint.
+/// What simulation reads of a file: how far its root goes. The root is the first joint that changes its
+/// place; of files of Muster's own skeleton, the first joint.
 struct RootPath {
     double length = 0.0;    ///< Net ground covered [m].
     double duration = 0.0;  ///< [s]

@@ -12,7 +12,7 @@ void jointTransforms(const BodyPose& pose, const Transform& root, JointTransform
     const auto& bones = skeleton();
     joints[0] = root * Transform{pose.rotation[0], pose.hips};
     for (std::size_t j = 1; j < kJointCount; ++j)
-        joints[j] = joints[static_cast<std::size_t>(bones[j].parent)] * Transform{pose.rotation[j], bones[j].offset};
+        joints[j] = joints[bones[j].parent] * Transform{pose.rotation[j], bones[j].offset};
 }
 
 void blend(const BodyPose& a, const BodyPose& b, float t, BodyPose& out) {

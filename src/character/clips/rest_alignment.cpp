@@ -42,9 +42,7 @@ public:
 
     bool isRest() const { return rest_; }
     const Transform& joint(std::size_t j) const { return joints_[j]; }
-    Vec3 at(JointRole role) const {
-        return joints_[static_cast<std::size_t>(roles_[index(role)])].translation;
-    }
+    Vec3 at(JointRole role) const { return joints_[roles_[index(role)]].translation; }
 
     /// From the hips to the highest joint of the trunk that there is; up the legs where there is none.
     Vec3 trunk() const {
@@ -93,7 +91,7 @@ public:
         RestAlignment turns, world;  // Of our bones, against the file's joints and in the reference pose.
         for (std::size_t r = 0; r < kJointCount; ++r) {
             const std::int32_t parent = skeleton()[r].parent;
-            world[r] = parent < 0 ? bodyTurn() : world[static_cast<std::size_t>(parent)];
+            world[r] = parent < 0 ? bodyTurn() : world[parent];
             const Vec3 theirs = theirBone(static_cast<JointRole>(r));
             if (r > 0 && lengthSquared(theirs) > 0.0f)
                 world[r] = align(static_cast<JointRole>(r), world[r], theirs);
@@ -137,8 +135,8 @@ private:
     Quat align(JointRole role, Quat base, Vec3 theirs) const {
         const JointRole end = bodyEnd(role);
         const Joint& bone = skeleton()[index(role)];
-        const Vec3 ours =
-            rotate(base, normalized(end == JointRole::Count ? bone.tip : skeleton()[index(end)].offset));
+        const Vec3 ours = rotate(
+            base, normalized(end == JointRole::Count ? bone.tip : skeleton()[index(end)].offset));
         if (isTrunk(role) && dot(ours, theirs) > kBuild) return base;
         if (isFoot(role) && reference_.isRest()) {
             const Vec3 up = rotate(base, {0.0f, 0.0f, 1.0f}), ahead = rotate(base, {1.0f, 0.0f, 0.0f});
@@ -161,7 +159,7 @@ RestAlignment restAlignment(const BvhMotion& motion, const RoleJoints& roles) {
 
 float legScale(const BvhMotion& motion, const RoleJoints& roles) {
     const std::vector<Vec3> rest = restPlaces(motion.joints);
-    const auto at = [&](JointRole role) { return rest[static_cast<std::size_t>(roles[index(role)])]; };
+    const auto at = [&](JointRole role) { return rest[roles[index(role)]]; };
     float theirs = 0.0f, ours = 0.0f;
     using enum JointRole;
     for (const auto& [hip, knee, ankle] :

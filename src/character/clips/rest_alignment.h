@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "muster/bvh.h"
 #include "character/clips/joint_roles.h"
+#include "muster/bvh.h"
 
 namespace muster {
 

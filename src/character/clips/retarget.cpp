@@ -31,9 +31,9 @@ public:
         for (std::size_t r = 0; r < kJointCount; ++r) {
             const std::int32_t parent = skeleton()[r].parent;
             if (roles_[r] >= 0)
-                world_[r] = normalized(joints[static_cast<std::size_t>(roles_[r])].rotation * turns_[r]);
+                world_[r] = normalized(joints[roles_[r]].rotation * turns_[r]);
             else if (parent >= 0)
-                world_[r] = world_[static_cast<std::size_t>(parent)];
+                world_[r] = world_[parent];
         }
         // Who has no joint of its own bends half as its neighbours do.
         halve(JointRole::Hips, JointRole::Spine, JointRole::Chest);
@@ -60,13 +60,12 @@ Track trackOf(const BvhMotion& motion, const RoleJoints& roles) {
     for (std::size_t f = 0; f < motion.frames; ++f) {
         globalTransforms(motion, f, joints);
         const auto& world = rotations.of(joints);
-        const Vec3 hips = joints[static_cast<std::size_t>(roles[0])].translation * scale;
+        const Vec3 hips = joints[roles[0]].translation * scale;
         track.root.push_back({world[0], hips});
         track.hips.push_back({hips.x, hips.y, facingOf(world[0])});
         BodyPose& pose = track.poses.emplace_back();
         for (std::size_t r = 1; r < kJointCount; ++r)
-            pose.rotation[r] =
-                normalized(conjugate(world[static_cast<std::size_t>(skeleton()[r].parent)]) * world[r]);
+            pose.rotation[r] = normalized(conjugate(world[skeleton()[r].parent]) * world[r]);
     }
     unwrap(track.hips);
     return track;
@@ -101,8 +100,8 @@ float lowestPoint(const BodyPose& pose) {
 void settle(std::vector<BodyPose>& poses) {
     std::vector<float> lowest;
     for (const BodyPose& pose : poses) lowest.push_back(lowestPoint(pose));
-    const auto at =
-        lowest.begin() + static_cast<std::ptrdiff_t>(kFloorShare * static_cast<double>(lowest.size()));
+    const auto at = lowest.begin() +
+                    static_cast<std::ptrdiff_t>(kFloorShare * static_cast<double>(lowest.size()));
     std::nth_element(lowest.begin(), at, lowest.end());
     const float floor = *at;
     for (BodyPose& pose : poses) pose.hips.z -= floor;
@@ -167,8 +166,8 @@ Result<Clip> retarget(const BvhMotion& motion, const RetargetOptions& options) {
         const RoleJoints roles = findRoles(motion.joints);
         if (Status s = hasBody(roles); !s.ok()) return s;
         const Track track = trackOf(motion, roles);
-        clip.travel =
-            clip.cyclic ? evenTravel(track.hips) : smoothTravel(track.hips, motion.rate, kSmoothing);
+        clip.travel = clip.cyclic ? evenTravel(track.hips)
+                                  : smoothTravel(track.hips, motion.rate, kSmoothing);
         place(track, clip.travel, clip.poses);
         settle(clip.poses);
         if (clip.cyclic) closeCycle(clip.poses);

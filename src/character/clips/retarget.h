@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "muster/bvh.h"
 #include "character/clips/joint_roles.h"
+#include "muster/bvh.h"
 
 namespace muster {
 

@@ -186,9 +186,9 @@ Stands standsOf(const Course& course) {
     right.yaw = -left.yaw;
     Step landed = jogs.after.step(1, 0, course), leaving = landed;
     landed.begin = kTouchDown;
-    landed.anchor.x =
-        static_cast<float>(course.travel(kEnd).x + jogs.after.step(1, 0, jogs.after.course()).anchor.x -
-                           jogs.after.travel(kEnd).x);
+    landed.anchor.x = static_cast<float>(course.travel(kEnd).x +
+                                         jogs.after.step(1, 0, jogs.after.course()).anchor.x -
+                                         jogs.after.travel(kEnd).x);
     landed.strike = degrees(kLandingPitch);
     landed.flat = 0.12;
     leaving = landed;

@@ -25,8 +25,8 @@ Stroke strokeAt(double phase) {
     if (phase < CrawlTrack::kContact) return {half - CrawlTrack::kSpeed * phase * cycle, 0.0};
     const double length = (1.0 - CrawlTrack::kContact) * cycle,
                  since = (phase - CrawlTrack::kContact) * cycle;
-    const Curve along =
-        Curve::spline({{0.0, -half}, {length, half}}, -CrawlTrack::kSpeed, -CrawlTrack::kSpeed);
+    const Curve along = Curve::spline({{0.0, -half}, {length, half}}, -CrawlTrack::kSpeed,
+                                      -CrawlTrack::kSpeed);
     return {along.at(since), hump(0.0, length, since)};
 }
 
@@ -121,8 +121,8 @@ Figure CrawlTrack::figure(double time) const {
     rest(figure.body, knees);
     for (std::size_t side = 0; side < 2; ++side) {
         knees[side].z += static_cast<float>(0.03 * stroke[side].lift);
-        figure.legs[side] =
-            kneelingLeg(figure.body, side, knees[side], -degrees(1) + degrees(3) * stroke[side].lift);
+        figure.legs[side] = kneelingLeg(figure.body, side, knees[side],
+                                        -degrees(1) + degrees(3) * stroke[side].lift);
         const Stroke hand = strokeAt(phase - kHandLate - (side == 0 ? 0.5 : 0.0));
         const float out = side == 0 ? 1.0f : -1.0f;
         Reach& reach = figure.reach[side];

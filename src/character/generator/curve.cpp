@@ -48,8 +48,8 @@ double Curve::at(double time) const {
     if (keys_.empty()) return 0.0;
     if (time <= keys_.front().time) return keys_.front().value;
     if (time >= keys_.back().time) return keys_.back().value;
-    const auto next =
-        std::upper_bound(keys_.begin(), keys_.end(), time, [](double t, const Key& k) { return t < k.time; });
+    const auto next = std::upper_bound(keys_.begin(), keys_.end(), time,
+                                       [](double t, const Key& k) { return t < k.time; });
     const auto i = static_cast<std::size_t>(next - keys_.begin()) - 1;
     const double h = keys_[i + 1].time - keys_[i].time, u = (time - keys_[i].time) / h, v = 1.0 - u;
     return keys_[i].value * v * v * (1.0 + 2.0 * u) + slopes_[i] * h * u * v * v +

@@ -62,8 +62,8 @@ struct Frames {
 };
 
 void putTrunk(const Body& body, Frames& frames) {
-    const Quat pelvis =
-        turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll], body[Channel::PelvisYaw]);
+    const Quat pelvis = turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll],
+                               body[Channel::PelvisYaw]);
     const Quat chest = turned(body[Channel::ChestPitch], body[Channel::ChestRoll], body[Channel::ChestYaw]);
     const Quat head = turned(body[Channel::HeadPitch], body[Channel::HeadRoll], body[Channel::HeadYaw]);
     frames.turn[0] = pelvis;
@@ -122,8 +122,8 @@ ArmTurns freeArm(const Body& body, std::size_t side) {
 
 /// The wrist where `reach` says, all in the frame of a left arm; `shoulder` is the upper arm's joint.
 ArmTurns reachingArm(const Reach& reach, std::size_t side, Quat chest, Vec3 shoulder) {
-    const TwoBones bones =
-        solve(shoulder, sided(side, reach.wrist), 0.28f, 0.25f, normalized(sided(side, reach.elbow)));
+    const TwoBones bones = solve(shoulder, sided(side, reach.wrist), 0.28f, 0.25f,
+                                 normalized(sided(side, reach.elbow)));
     const auto hinge = [&](Vec3 bone) { return fromAxes(cross(bone, -bones.bend), bone, -bones.bend); };
     const Quat upper = hinge(bones.first);
     Quat fore = hinge(bones.second);
@@ -146,8 +146,8 @@ void putArm(const Body& body, const Reach& reach, std::size_t side, Frames& fram
     put(upper, chest);
     Vec3 direction = rotate(arm.upper, {0.0f, 1.0f, 0.0f});
     if (share > 0.0f) {
-        const Vec3 aim =
-            normalized(rotate(conjugate(chest), sided(side, reach.wrist) - shoulder()), direction);
+        const Vec3 aim = normalized(rotate(conjugate(chest), sided(side, reach.wrist) - shoulder()),
+                                    direction);
         direction = normalized(lerp(direction, aim, share), aim);
     }
     put(collar, chest * turned(0.0, collarLift(direction), 0.0));
@@ -193,8 +193,8 @@ Figure blend(const Figure& a, const Figure& b, double t) {
 }
 
 Vec3 hipJoint(const Body& body, std::size_t side) {
-    const Quat pelvis =
-        turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll], body[Channel::PelvisYaw]);
+    const Quat pelvis = turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll],
+                               body[Channel::PelvisYaw]);
     const Vec3 hips{static_cast<float>(body[Channel::HipsX]), static_cast<float>(body[Channel::HipsY]),
                     static_cast<float>(body[Channel::HipsZ])};
     return hips + rotate(pelvis, skeleton()[at(JointRole::LeftUpLeg, side, JointRole::RightUpLeg)].offset);

@@ -60,8 +60,8 @@ void GaitTrack::addArms(double phase, Body& body) const {
         body.arm(side, Channel::LeftArmForward) = gait_.arm.middle + gait_.arm.swing * forward;
         body.arm(side, Channel::LeftArmOut) = gait_.armOut;
         body.arm(side, Channel::LeftArmTurn) = gait_.armTurn + gait_.armAcross * forward;
-        body.arm(side, Channel::LeftElbow) =
-            gait_.elbow.middle - gait_.elbow.swing * wave(phase + half - gait_.elbow.late);
+        body.arm(side, Channel::LeftElbow) = gait_.elbow.middle -
+                                             gait_.elbow.swing * wave(phase + half - gait_.elbow.late);
         body.arm(side, Channel::LeftWrist) = gait_.wrist;
     }
 }
@@ -103,10 +103,10 @@ Step GaitTrack::step(std::size_t side, int cycle, const Course& course) const {
     const Place middle = course.travel(0.5 * (step.begin + step.end));
     const double sign = side == 0 ? 1.0 : -1.0;
     const double bank = 0.8 * arcTangent2(gait_.speed * gait_.speed * gait_.bend, kGravity);
-    step.anchor =
-        toGround(middle, {static_cast<float>(gait_.footForward),
-                          static_cast<float>(sign * gait_.footOut - 0.4 * gait_.height * sine(bank)),
-                          static_cast<float>(kAnkleHeight)});
+    step.anchor = toGround(middle,
+                           {static_cast<float>(gait_.footForward),
+                            static_cast<float>(sign * gait_.footOut - 0.4 * gait_.height * sine(bank)),
+                            static_cast<float>(kAnkleHeight)});
     step.yaw = middle.yaw + sign * gait_.toeOut;
     step.strike = gait_.strike;
     step.flat = gait_.flat * gait_.cycle;

@@ -30,9 +30,9 @@ bool isPlace(Channel channel) {
 
 LegShape shapeOf(const Leg& leg, Vec3 hip) {
     const Vec3 way = leg.ankle - hip;
-    const double d =
-        std::clamp(std::sqrt(static_cast<double>(way.x) * way.x + static_cast<double>(way.z) * way.z), 0.05,
-                   (kThigh + kShin) * 0.9999);
+    const double d = std::clamp(
+        std::sqrt(static_cast<double>(way.x) * way.x + static_cast<double>(way.z) * way.z), 0.05,
+        (kThigh + kShin) * 0.9999);
     const auto arcCosine = [](double c) { return arcTangent2(std::sqrt(std::max(0.0, 1.0 - c * c)), c); };
     LegShape shape;
     shape.knee = kPi - arcCosine((kThigh * kThigh + kShin * kShin - d * d) / (2.0 * kThigh * kShin));
@@ -40,8 +40,8 @@ LegShape shapeOf(const Leg& leg, Vec3 hip) {
                   arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
     if (shape.thigh > 0.75 * kPi) shape.thigh -= 2.0 * kPi;
     const Vec3 toes = rotate(leg.foot, {1.0f, 0.0f, 0.0f});
-    const double flat =
-        std::sqrt(static_cast<double>(toes.x) * toes.x + static_cast<double>(toes.y) * toes.y);
+    const double flat = std::sqrt(static_cast<double>(toes.x) * toes.x +
+                                  static_cast<double>(toes.y) * toes.y);
     shape.ankle = arcTangent2(toes.z, toes.x < 0.0f ? -flat : flat) - (shape.thigh - shape.knee);
     if (shape.ankle > 1.5) shape.ankle -= 2.0 * kPi;
     if (shape.ankle < -2.5) shape.ankle += 2.0 * kPi;
@@ -88,8 +88,8 @@ Reach reachAt(const std::vector<HandHold>& holds, std::size_t side, double time)
         if (near <= 0.0) continue;
         // Between two holds the hand goes from one to the other.
         sum += near;
-        const Vec3 above =
-            hold.wrist + Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.15 * (1.0 - near)) : 0.0f};
+        const Vec3 above = hold.wrist +
+                           Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.15 * (1.0 - near)) : 0.0f};
         reach.wrist = lerp(reach.wrist, above, static_cast<float>(near / sum));
     }
     reach.weight = std::min(1.0, sum);

@@ -33,8 +33,8 @@ Vec3 kneeAhead(Vec3 hip, Vec3 ankle, double yaw) {
 void keepClear(double share, Leg& leg) {
     const Quat toes = leg.foot * axisAngle({0.0f, 1.0f, 0.0f}, leg.toe);
     const Vec3 ball = rotate(leg.foot, kBall);
-    const float low =
-        leg.ankle.z + std::min({rotate(leg.foot, kHeel).z, rotate(leg.foot, kBall - kSole).z,
+    const float low = leg.ankle.z +
+                      std::min({rotate(leg.foot, kHeel).z, rotate(leg.foot, kBall - kSole).z,
                                 (ball + rotate(toes, kToeTip - kBall)).z, (ball - rotate(toes, kSole)).z});
     const double lack = 0.015 * share - low, soft = 0.01 * share;
     leg.ankle.z += static_cast<float>(0.5 * (lack + std::sqrt(lack * lack + soft * soft)));
@@ -126,8 +126,8 @@ LegShape LegTrack::standingShape(const Step& step, double time) const {
     const double d = std::clamp(std::sqrt(x * x + z * z), 0.05, (kThigh + kShin) * 0.9999);
     LegShape shape;
     shape.knee = kPi - arcCosine((kThigh * kThigh + kShin * kShin - d * d) / (2.0 * kThigh * kShin));
-    shape.thigh =
-        arcTangent2(x, z) + arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
+    shape.thigh = arcTangent2(x, z) +
+                  arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
     shape.ankle = pitch - (shape.thigh - shape.knee);
     shape.side = ankle.y - hip.y;
     shape.yaw = step.yaw - place.yaw;

@@ -65,8 +65,8 @@ float sunk(const LimbTarget& target, Quat toes) {
     const auto height = [&](Vec3 p) { return target.place.z + rotate(target.rotation, p).z; };
     const Vec3 toeBase = skeleton()[at(JointRole::LeftToeBase)].offset;
     const Vec3 tip = toeBase + rotate(toes, Vec3{0.07f, 0.0f, -kSole - toeBase.z});
-    const float lowest =
-        std::min({height({-0.05f, 0.0f, -kSole}), height({toeBase.x, 0.0f, -kSole}), height(tip)});
+    const float lowest = std::min(
+        {height({-0.05f, 0.0f, -kSole}), height({toeBase.x, 0.0f, -kSole}), height(tip)});
     return std::max(0.0f, -lowest - kSink);
 }
 
@@ -75,8 +75,8 @@ float kneesSunk(const BodyPose& pose) {
     const auto& joints = skeleton();
     float lowest = kKnee;
     for (const std::size_t hip : {at(JointRole::LeftUpLeg), at(JointRole::RightUpLeg)}) {
-        const Vec3 knee =
-            rotate(pose.rotation[0], joints[hip].offset + rotate(pose.rotation[hip], joints[hip + 1].offset));
+        const Vec3 knee = rotate(pose.rotation[0],
+                                 joints[hip].offset + rotate(pose.rotation[hip], joints[hip + 1].offset));
         lowest = std::min(lowest, pose.hips.z + knee.z);
     }
     return kKnee - lowest;
@@ -155,9 +155,9 @@ public:
 private:
     // A knee never snaps: rather the foot is late. Returns where it is.
     Vec3 stretch(const LimbPose& leg, std::size_t side, LimbTarget target, BodyPose& pose) {
-        if (!body_.fresh) target.place = pacedTarget(leg.bones, target.place, body_.knees[side], kKneePace * dt_);
-        const bool there =
-            lengthSquared(target.place - leg.bones.end) < 1e-10f && target.rotation == leg.end;
+        if (!body_.fresh)
+            target.place = pacedTarget(leg.bones, target.place, body_.knees[side], kKneePace * dt_);
+        const bool there = lengthSquared(target.place - leg.bones.end) < 1e-10f && target.rotation == leg.end;
         const Vec3 forward = rotate(leg.upper, {1.0f, 0.0f, 0.0f});
         const Vec3 end = there ? leg.bones.end : bend(leg, target, forward, kChains[side], pose);
         body_.knees[side] = middleCosine(leg.bones, distance(leg.bones.root, end));

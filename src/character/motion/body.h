@@ -12,9 +12,9 @@ namespace muster {
 
 /// A foot or a hand between world and body.
 struct HeldLimb {
-    bool held = false;  ///< It stays where it is.
-    bool steps =
-        false;  ///< It was let go because the body had moved on; it is on its way to where it belongs.
+    bool held = false;         ///< It stays where it is.
+    bool steps = false;        ///< It was let go because the body had moved on; it is on its way to where it
+                               ///< belongs.
     bool used = false;         ///< `place` and `rotation` are of the last step.
     Vec2 anchor;               ///< Where it is held [m], in the world.
     float height = 0.0f;       ///< Of the anchor [m].
@@ -37,9 +37,9 @@ struct Body {
     BodyPose before;  ///< ... two steps ago.
     Inertia inertia;
     std::array<HeldLimb, kHeldLimbCount> limbs;
-    std::array<Vec3, 2> stance;  ///< About which steps are stretched: those of the clip, smoothed [m].
+    std::array<Vec3, 2> stance;    ///< About which steps are stretched: those of the clip, smoothed [m].
     std::array<float, 2> knees{};  ///< Cosines of the angles in the knees, as shown last.
-    float drop = 0.0f;           ///< By which the hips are lowered so that held feet are reached [m].
+    float drop = 0.0f;             ///< By which the hips are lowered so that held feet are reached [m].
 };
 
 /// Makes `body.pose` for this step. `decay` = exp(-kInertiaRate dt).

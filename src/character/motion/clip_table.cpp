@@ -143,14 +143,14 @@ void ClipTable::addContacts(ClipEntry& entry) const {
         }
         if (contact.limb == Limb::LeftFoot || contact.limb == Limb::RightFoot)
             plant(std::span(entry.frames).subspan(held.frames, held.count));
-        entry.contacts[static_cast<std::size_t>(limb - kHeldLimbs.begin())].push_back(held);
+        entry.contacts[limb - kHeldLimbs.begin()].push_back(held);
     }
 }
 
 float ClipTable::speedAt(std::size_t clip, float time) const {
     const ClipEntry& entry = entries_[clip];
-    const auto frame =
-        static_cast<std::size_t>(std::max(0.0f, time * static_cast<float>(entry.clip->rate) + 0.5f));
+    const auto frame = static_cast<std::size_t>(
+        std::max(0.0f, time * static_cast<float>(entry.clip->rate) + 0.5f));
     return entry.localSpeed[std::min(frame, entry.localSpeed.size() - 1)];
 }
 
@@ -166,8 +166,8 @@ const HeldContact* ClipTable::contactAt(std::size_t clip, std::size_t limb, floa
 HeldFrame ClipTable::heldAt(std::size_t clip, const HeldContact& contact, float time) const {
     const ClipEntry& entry = entries_[clip];
     if (time < contact.begin && entry.cyclic) time += entry.duration;
-    const float at =
-        std::max(0.0f, time * static_cast<float>(entry.clip->rate) - static_cast<float>(contact.firstFrame));
+    const float at = std::max(
+        0.0f, time * static_cast<float>(entry.clip->rate) - static_cast<float>(contact.firstFrame));
     const auto frame = std::min(static_cast<std::uint32_t>(at), contact.count - 2);
     const float share = std::clamp(at - static_cast<float>(frame), 0.0f, 1.0f);
     const HeldFrame& a = entry.frames[contact.frames + frame];

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "muster/bvh.h"
 #include "character/clips/retarget.h"
+#include "muster/bvh.h"
 #include "muster/own_clips.h"
 
 namespace muster {
@@ -31,10 +31,10 @@ Result<ClipLibrary> clipsFor(std::span<const ClipFacts> facts, const std::string
     for (const ClipFacts& fact : facts) {
         if (fact.file.empty()) continue;
         const std::int32_t own = library.indexOf(fact.name);
-        auto clip = clipOf(fact, folder, own < 0 ? nullptr : &library.clips[static_cast<std::size_t>(own)]);
+        auto clip = clipOf(fact, folder, own < 0 ? nullptr : &library.clips[own]);
         if (!clip.ok()) return clip.status().within("motion \"" + fact.name + "\"");
         if (own >= 0) {
-            library.clips[static_cast<std::size_t>(own)] = std::move(clip).value();
+            library.clips[own] = std::move(clip).value();
         } else {
             library.clips.push_back(std::move(clip).value());
         }

@@ -141,7 +141,7 @@ void FeatureBase::fillBlocks() {
                 blocks_.emplace_back();
                 for (auto& feature : blocks_.back()) feature.fill(kNowhere);
             }
-            const Features& row = rows_[static_cast<std::size_t>(range.firstRow + r)];
+            const Features& row = rows_[range.firstRow + r];
             for (std::size_t f = 0; f < kFeatureCount; ++f) blocks_.back()[f][lane] = row[f];
         }
         range.blocks = static_cast<std::int32_t>(blocks_.size()) - range.firstBlock;
@@ -157,13 +157,13 @@ std::int32_t FeatureBase::rowOf(std::size_t clip, float time) const {
 Features FeatureBase::query(const Trajectory& trajectory, std::int32_t row) const {
     Features sought;
     for (std::size_t f = 0; f < kTrajectoryCount; ++f) sought[f] = (trajectory[f] - mean_[f]) * scale_[f];
-    const Features& now = rows_[static_cast<std::size_t>(row)];
+    const Features& now = rows_[row];
     for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f) sought[f] = now[f];
     return sought;
 }
 
 float FeatureBase::cost(const Features& query, std::int32_t row) const {
-    const Features& it = rows_[static_cast<std::size_t>(row)];
+    const Features& it = rows_[row];
     float sum = 0.0f;
     for (std::size_t f = 0; f < kFeatureCount; ++f) sum += (query[f] - it[f]) * (query[f] - it[f]);
     return sum;
@@ -171,7 +171,7 @@ float FeatureBase::cost(const Features& query, std::int32_t row) const {
 
 void FeatureBase::searchBlocks(const Features& query, const Range& range, Match& best) const {
     for (std::int32_t b = range.firstBlock; b < range.firstBlock + range.blocks; ++b) {
-        const Block& block = blocks_[static_cast<std::size_t>(b)];
+        const Block& block = blocks_[b];
         std::array<float, kLanes> sum{};
         const auto add = [&](std::size_t from, std::size_t to) {
             for (std::size_t f = from; f < to; ++f)
@@ -210,11 +210,11 @@ Match FeatureBase::search(const Features& query, ClipFilter filter, float below)
 
 std::int32_t FeatureBase::nearestPose(std::size_t clip, std::int32_t row) const {
     const Range& range = ranges_[clip];
-    const Features& now = rows_[static_cast<std::size_t>(row)];
+    const Features& now = rows_[row];
     Match best{-1, 0.0f};
     for (std::int32_t r = range.firstRow; r < range.firstRow + range.rows; ++r) {
         float sum = 0.0f;
-        const Features& it = rows_[static_cast<std::size_t>(r)];
+        const Features& it = rows_[r];
         for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f)
             sum += (it[f] - now[f]) * (it[f] - now[f]);
         if (best.row < 0 || sum < best.cost) best = {r, sum};

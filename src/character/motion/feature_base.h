@@ -11,8 +11,8 @@
 namespace muster {
 
 inline constexpr std::size_t kTrajectoryCount = 12;  ///< Numbers of a trajectory.
-inline constexpr std::size_t kPoseCount =
-    17;  ///< Feet's places and velocities, velocity of the hips, feet that touch.
+inline constexpr std::size_t
+    kPoseCount = 17;  ///< Feet's places and velocities, velocity of the hips, feet that touch.
 inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;       ///< 29.
 inline constexpr std::array<float, 3> kHorizons{1.0f / 3.0f, 2.0f / 3.0f, 1.0f};  ///< Looked ahead [s].
 
@@ -42,12 +42,8 @@ public:
 
     /// The row of a clip's frame nearest to a time [s].
     std::int32_t rowOf(std::size_t clip, float time) const;
-    std::size_t clipOf(std::int32_t row) const {
-        return clipOfRow_[static_cast<std::size_t>(row)];
-    }  ///< Of a row.
-    float timeOf(std::int32_t row) const {
-        return timeOfRow_[static_cast<std::size_t>(row)];
-    }  ///< Of a row [s].
+    std::size_t clipOf(std::int32_t row) const { return clipOfRow_[row]; }  ///< Of a row.
+    float timeOf(std::int32_t row) const { return timeOfRow_[row]; }        ///< Of a row [s].
 
     /// What is sought: to go that way, from the body as it is at a row.
     Features query(const Trajectory& trajectory, std::int32_t row) const;

@@ -31,8 +31,8 @@ void Inertia::begin(const BodyPose& before, const BodyPose& shown, const BodyPos
         velocity_[j] = limited((moved - plays) * perStep, kMostVelocity);
     }
     offset_[kJointCount] = shown.hips - playedBefore.hips;
-    velocity_[kJointCount] =
-        limited((shown.hips - before.hips - played.hips + playedBefore.hips) * perStep, kMostVelocity);
+    velocity_[kJointCount] = limited((shown.hips - before.hips - played.hips + playedBefore.hips) * perStep,
+                                     kMostVelocity);
     active_ = true;
 }
 

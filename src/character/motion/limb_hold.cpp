@@ -129,9 +129,7 @@ private:
     }
 
     // Heel or ball of a foot, whichever is lower; of a hand the wrist.
-    Vec3 touching(Quat rotation) const {
-        return number_ < 2 ? touchingPoint(rotation) : Vec3{};
-    }
+    Vec3 touching(Quat rotation) const { return number_ < 2 ? touchingPoint(rotation) : Vec3{}; }
 
     Vec2 under(const Spot& spot, Vec3 point) const {
         const Vec3 p = rotate(spot.rotation, point) * frame_.size;

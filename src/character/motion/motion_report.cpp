@@ -30,7 +30,7 @@ double quantile(std::vector<float> values, double share) {
     if (values.empty()) return 0.0;
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + k, values.end());
-    return static_cast<double>(values[static_cast<std::size_t>(k)]);
+    return static_cast<double>(values[k]);
 }
 
 float flatLength(Vec3 v) {

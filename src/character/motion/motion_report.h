@@ -14,8 +14,8 @@ namespace muster {
 struct MotionFigures {
     std::uint64_t bodySteps = 0;  ///< Bodies seen times steps.
     std::uint64_t contacts = 0;   ///< Contacts of feet that ended.
-    double slideMedian =
-        0.0;                ///< Way that the touching point of the sole went over the floor in a contact [m].
+    double
+        slideMedian = 0.0;  ///< Way that the touching point of the sole went over the floor in a contact [m].
     double slide95 = 0.0;   ///< Of 95 in 100 contacts it was no more [m].
     double slideMax = 0.0;  ///< [m]
     double lowFast = 0.0;   ///< Of soles lower than 2 cm, the share that goes faster than 0.5 m/s.

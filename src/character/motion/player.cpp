@@ -50,7 +50,7 @@ void Player::learnMotions(const Environment& environment) {
         motion.transition = fact.transitionTime;
         motion.movingClip = motion.clip;
         if (fact.name == "jump" && table_.find("jump-over") >= 0) motion.clip = table_.find("jump-over");
-        if (motion.clip >= 0) motion.use = table_[static_cast<std::size_t>(motion.clip)].use;
+        if (motion.clip >= 0) motion.use = table_[motion.clip].use;
         motions_.push_back(motion);
         motionNames_.push_back(fact.name);
     }
@@ -131,10 +131,10 @@ void Player::advance(Mover& mover, double dt) const {
 
 void Player::play(Mover& mover, const Step& step) {
     const Characters& characters = *step.crowd->characters;
-    const Motion& motion = motions_[static_cast<std::size_t>(characters.motion[step.i])];
+    const Motion& motion = motions_[characters.motion[step.i]];
     if (playAction(mover, step)) return;
     if (motion.clip < 0 || motion.use != ClipUse::Cycle) return playLocomotion(mover, step);
-    const ClipEntry& cycle = table_[static_cast<std::size_t>(motion.clip)];
+    const ClipEntry& cycle = table_[motion.clip];
     switch (characters.phase[step.i]) {
         case MotionPhase::Entering:
             if (cycle.enter >= 0) return playTransition(mover, step, cycle.enter, motion.transition);
@@ -148,7 +148,7 @@ void Player::play(Mover& mover, const Step& step) {
 }
 
 void Player::playTransition(Mover& mover, const Step& step, std::int32_t clip, double transition) const {
-    const ClipEntry& entry = table_[static_cast<std::size_t>(clip)];
+    const ClipEntry& entry = table_[clip];
     const double share = transition > 0.0 ? step.crowd->characters->motionTime[step.i] / transition : 1.0;
     if (mover.clip != clip) show(mover, static_cast<std::size_t>(clip), 0.0f);
     mover.rate = transition > 0.0 ? entry.duration / static_cast<float>(transition) : 1.0f;
@@ -157,7 +157,7 @@ void Player::playTransition(Mover& mover, const Step& step, std::int32_t clip, d
 }
 
 void Player::playCycle(Mover& mover, const Step& step, std::int32_t clip) const {
-    const ClipEntry& entry = table_[static_cast<std::size_t>(clip)];
+    const ClipEntry& entry = table_[clip];
     if (mover.clip != clip) {
         const bool entered = mover.clip == entry.enter;
         const std::int32_t row = entered ? -1
@@ -182,11 +182,11 @@ void Player::turnToCrossing(Mover& mover, const Step& step) const {
     const Vec2 heading = step.crowd->characters->heading[step.i];
     double wanted = 0.0;
     if (mover.action.patch != 0 && !mover.action.timed)
-        wanted =
-            std::clamp(arcTangent2(cross(heading, mover.action.normal), dot(heading, mover.action.normal)),
-                       -kMost, kMost);
-    mover.shift +=
-        (static_cast<float>(wanted) - mover.shift) * std::min(1.0f, static_cast<float>(step.dt) / 0.12f);
+        wanted = std::clamp(
+            arcTangent2(cross(heading, mover.action.normal), dot(heading, mover.action.normal)), -kMost,
+            kMost);
+    mover.shift += (static_cast<float>(wanted) - mover.shift) *
+                   std::min(1.0f, static_cast<float>(step.dt) / 0.12f);
     const double yaw = arcTangent2(heading.y, heading.x) + static_cast<double>(mover.shift);
     mover.yaw = static_cast<float>(yaw);
     mover.facing = mover.shift == 0.0f ? Rotation{heading.x, heading.y} : Rotation{cosine(yaw), sine(yaw)};
@@ -200,8 +200,8 @@ void Player::setStride(Mover& mover, const Step& step) const {
     if (entry.use == ClipUse::Action && !mover.action.timed && mover.action.patch != 0) {
         stride = static_cast<float>(mover.action.length) / (std::max(0.1f, entry.length) * mover.size);
     } else if (entry.strides) {
-        const float clipSpeed =
-            std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size * std::max(0.3f, mover.rate);
+        const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size *
+                                std::max(0.3f, mover.rate);
         const bool leaps = entry.use == ClipUse::Action;  // Tucked legs bear no stretching.
         stride = std::clamp(step.speed / clipSpeed, leaps ? 0.7f : 0.0f, leaps ? 1.15f : 1.6f);
         if (!leaps) way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});

@@ -59,8 +59,8 @@ Bound Player::boundOf(const Step& step) const {
     const Characters& characters = *step.crowd->characters;
     const std::size_t i = step.i;
     Bound bound;
-    bound.topSpeed =
-        step.crowd->maxSpeed * step.crowd->environment->ground(characters.position[i]).travelSpeed;
+    bound.topSpeed = step.crowd->maxSpeed *
+                     step.crowd->environment->ground(characters.position[i]).travelSpeed;
     bound.cruise = characters.direction[i] * bound.topSpeed;
     const std::int32_t place = characters.place[i];
     const std::uint32_t group = characters.group[i];
@@ -95,8 +95,8 @@ float Player::costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int3
     const ClipEntry& entry = table_[mover.clip];
     if (!entry.standing && entry.speed > 0.0f) {
         const auto speed = static_cast<float>(length(mover.velocity)) / mover.size;
-        const float slower =
-            1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)), 0.85f, 1.15f);
+        const float slower = 1.0f / std::clamp(speed / std::max(0.3f, table_.speedAt(mover.clip, mover.time)),
+                                               0.85f, 1.15f);
         for (std::size_t f = 0; f < 6; ++f) trajectory[f] *= slower;
     }
     return features_.cost(features_.query(trajectory, row), row);
@@ -137,7 +137,7 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
 
 void Player::startAction(Mover& mover, const Step& step) const {
     const Characters& characters = *step.crowd->characters;
-    const Motion& motion = motions_[static_cast<std::size_t>(characters.motion[step.i])];
+    const Motion& motion = motions_[characters.motion[step.i]];
     const std::uint32_t patch = characters.patch[step.i];
     if (motion.use != ClipUse::Action || patch == 0) return;
     const PatchDef* def = step.crowd->environment->patch(PatchId{patch});
@@ -145,7 +145,7 @@ void Player::startAction(Mover& mover, const Step& step) const {
     const std::int32_t clip = moves ? motion.movingClip : motion.clip;
     if (clip < 0) return;
     mover.action = crossing(*step.crowd->environment, patch, mover.position, characters.heading[step.i],
-                            static_cast<double>(table_[static_cast<std::size_t>(clip)].length));
+                            static_cast<double>(table_[clip].length));
     mover.action.clip = clip;
 }
 

@@ -27,8 +27,8 @@ TwoBoneTurn reach(const TwoBones& limb, Vec3 target, Vec3 pole) {
             cross(std::fabs(along.x) < 0.9f ? Vec3{1.0f, 0.0f, 0.0f} : Vec3{0.0f, 1.0f, 0.0f}, along));
     }
     // Law of cosines at the root.
-    const float cosine =
-        (limb.upper * limb.upper + d * d - limb.lower * limb.lower) / (2.0f * limb.upper * d);
+    const float cosine = (limb.upper * limb.upper + d * d - limb.lower * limb.lower) /
+                         (2.0f * limb.upper * d);
     const float c = std::clamp(cosine, -1.0f, 1.0f);
     const float s = std::sqrt(std::max(0.0f, 1.0f - c * c));
     const Vec3 upperNow = along * c + side * s;

@@ -36,8 +36,8 @@ TwoBoneTurn reach(const TwoBones& limb, Vec3 target, Vec3 pole);
 /// Cosine of the angle between the bones at the middle joint, where root and end are `distance` apart [m].
 float middleCosine(const TwoBones& limb, float distance);
 
-/// The target, drawn nearer to the root or away from it so that the middle joint's angle, of which `before` is the
-/// cosine, changes by at most `most` [rad], below a right angle.
+/// The target, drawn nearer to the root or away from it so that the middle joint's angle, of which `before`
+/// is the cosine, changes by at most `most` [rad], below a right angle.
 Vec3 pacedTarget(const TwoBones& limb, Vec3 target, float before, float most);
 
 }  // namespace muster

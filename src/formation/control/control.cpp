@@ -18,7 +18,8 @@ ControlKind kindFor(std::size_t points) {
 }
 
 bool anyDown(const Control& control) {
-    return std::any_of(control.points.begin(), control.points.end(), [](const ControlPoint& p) { return p.down; });
+    return std::any_of(control.points.begin(), control.points.end(),
+                       [](const ControlPoint& p) { return p.down; });
 }
 
 std::int32_t nearestVertex(std::span<const Vec2> vertices, Vec2 p) {
@@ -32,7 +33,7 @@ ControlPoint grabVertex(std::int32_t vertex, std::uint32_t touch, Vec2 finger, s
     ControlPoint point;
     point.vertex = vertex;
     point.touch = touch;
-    point.position = held[static_cast<std::size_t>(vertex)];
+    point.position = held[vertex];
     point.grab = point.position - finger;
     return point;
 }
@@ -91,7 +92,8 @@ bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uin
                            double time, const TriangleMesh& rest, std::span<const Vec2> vertices,
                            std::span<const Vec2> held) {
     if (held.empty()) held = vertices;
-    if (!isFinite(position) || !std::isfinite(time) || !goodMesh(rest, vertices) || !goodMesh(rest, held)) return false;
+    if (!isFinite(position) || !std::isfinite(time) || !goodMesh(rest, vertices) || !goodMesh(rest, held))
+        return false;
     if (findFinger(controls_, client, touch) != nullptr) return false;
     if (fingersDown(controls_, client) >= kMaxFingersPerClient) return false;
     const std::int32_t vertex = nearestVertex(vertices, position);
@@ -118,8 +120,8 @@ bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uin
 }
 
 bool ControlSet::addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
-                            std::span<const std::uint32_t> touches, std::span<const Vec2> positions, double time,
-                            const TriangleMesh& rest, std::span<const Vec2> vertices,
+                            std::span<const std::uint32_t> touches, std::span<const Vec2> positions,
+                            double time, const TriangleMesh& rest, std::span<const Vec2> vertices,
                             std::span<const Vec2> held) {
     if (held.empty()) held = vertices;
     const std::size_t n = positions.size();
@@ -195,13 +197,16 @@ bool ControlSet::setPinned(ControlId id, bool pinned) {
 }
 
 bool ControlSet::remove(ControlId id) {
-    const auto found = std::find_if(controls_.begin(), controls_.end(), [&](const Control& c) { return c.id == id; });
+    const auto found = std::find_if(controls_.begin(), controls_.end(),
+                                    [&](const Control& c) { return c.id == id; });
     if (found == controls_.end()) return false;
     controls_.erase(found);
     return true;
 }
 
-void ControlSet::clear() { controls_.clear(); }
+void ControlSet::clear() {
+    controls_.clear();
+}
 
 bool ControlSet::advance(const ControlDef& def, double dt, double now, double pace) {
     // A control that reached its end in the last step has been shown there; now it goes.
@@ -231,7 +236,7 @@ void ControlSet::rebind(const ControlDef& def, const TriangleMesh& rest, std::sp
     for (Control& control : controls_) {
         std::erase_if(control.points, [&](ControlPoint& point) {
             point.vertex = nearestVertex(vertices, point.position);
-            std::uint8_t& mark = held[static_cast<std::size_t>(point.vertex)];
+            std::uint8_t& mark = held[point.vertex];
             const bool taken = mark != 0;
             mark = 1;
             return taken;
@@ -243,8 +248,9 @@ void ControlSet::rebind(const ControlDef& def, const TriangleMesh& rest, std::sp
     std::erase_if(controls_, [](const Control& control) { return control.points.empty(); });
 }
 
-void ControlSet::constraints(const ControlDef& def, std::vector<std::int32_t>& hard, std::vector<Vec2>& hardTargets,
-                             std::vector<SoftConstraint>& soft, std::vector<Vec2>& softTargets) const {
+void ControlSet::constraints(const ControlDef& def, std::vector<std::int32_t>& hard,
+                             std::vector<Vec2>& hardTargets, std::vector<SoftConstraint>& soft,
+                             std::vector<Vec2>& softTargets) const {
     hard.clear();
     hardTargets.clear();
     soft.clear();
@@ -257,7 +263,8 @@ void ControlSet::constraints(const ControlDef& def, std::vector<std::int32_t>& h
         const std::size_t columns = control.points.size();
         for (std::size_t k = 0; k < control.supplementary.size(); ++k) {
             Vec2 target;
-            for (std::size_t c = 0; c < columns; ++c) target += control.points[c].position * control.weights[k * columns + c];
+            for (std::size_t c = 0; c < columns; ++c)
+                target += control.points[c].position * control.weights[k * columns + c];
             soft.push_back({control.supplementary[k], def.softWeight});
             softTargets.push_back(target);
         }

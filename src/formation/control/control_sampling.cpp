@@ -16,8 +16,7 @@ class Sampler {
 public:
     Sampler(Control& control, const TriangleMesh& rest, double spacing)
         : control_(control), rest_(rest), spacing_(spacing) {
-        for (const ControlPoint& point : control.points)
-            corner_.push_back(rest.vertices[static_cast<std::size_t>(point.vertex)]);
+        for (const ControlPoint& point : control.points) corner_.push_back(rest.vertices[point.vertex]);
         const Box box = boundsOf(rest.vertices);
         tolerance_ = 1e-6 * (box.width() + box.height());
         control.supplementary.clear();
@@ -26,7 +25,8 @@ public:
 
     // Between the points with indices i and j, both left out.
     void line(std::size_t i, std::size_t j) {
-        const double parts = std::min(kMostPerLine, std::ceil(distance(corner_[i], corner_[j]) / spacing_ - 1e-9));
+        const double parts = std::min(kMostPerLine,
+                                      std::ceil(distance(corner_[i], corner_[j]) / spacing_ - 1e-9));
         for (double k = 1.0; k < parts; k += 1.0) {
             row_.assign(corner_.size(), 0.0);
             row_[i] = 1.0 - k / parts;
@@ -43,7 +43,8 @@ public:
         }
         std::vector<std::size_t> index;
         for (const Vec2 c : hull)
-            index.push_back(static_cast<std::size_t>(std::find(corner_.begin(), corner_.end(), c) - corner_.begin()));
+            index.push_back(
+                static_cast<std::size_t>(std::find(corner_.begin(), corner_.end(), c) - corner_.begin()));
         for (std::size_t k = 0; k < hull.size(); ++k) line(index[k], index[(k + 1) % hull.size()]);
         inside(hull, index);
     }

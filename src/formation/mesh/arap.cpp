@@ -14,11 +14,17 @@ namespace {
 // that fits all targets best, so that both systems stay solvable.
 constexpr double kWeakPull = 1e-4;
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
 
 // Complex product: b turned and scaled by a.
-constexpr Vec2 times(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-constexpr Vec2 conjugate(Vec2 a) { return {a.x, -a.y}; }
+constexpr Vec2 times(Vec2 a, Vec2 b) {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+constexpr Vec2 conjugate(Vec2 a) {
+    return {a.x, -a.y};
+}
 
 std::array<Vec2, 3> corners(const Triangle& t, std::span<const Vec2> vertices) {
     return {vertices[at(t[0])], vertices[at(t[1])], vertices[at(t[2])]};
@@ -81,8 +87,8 @@ struct ArapSolver::Impl {
 
     std::vector<Vec2> restPoints;  // Of hard, then soft constraints.
     std::vector<Vec2> targets;
-    std::vector<double> right;       // Of the first step: x and y of each free vertex in turn.
-    std::vector<Vec2> rightPoints;   // Of the second.
+    std::vector<double> right;      // Of the first step: x and y of each free vertex in turn.
+    std::vector<Vec2> rightPoints;  // Of the second.
 
     Status check(std::span<const std::int32_t> newHard, std::span<const SoftConstraint> newSoft);
     void indexVertices();
@@ -97,11 +103,13 @@ struct ArapSolver::Impl {
     Pose placement() const;
 };
 
-Status ArapSolver::Impl::check(std::span<const std::int32_t> newHard, std::span<const SoftConstraint> newSoft) {
+Status ArapSolver::Impl::check(std::span<const std::int32_t> newHard,
+                               std::span<const SoftConstraint> newSoft) {
     freeIndex.assign(rest.vertices.size(), 0);
     for (const std::int32_t v : newHard) {
         if (v < 0 || at(v) >= rest.vertices.size())
-            return invalidArgument("hard constraint on vertex " + std::to_string(v) + ", which the mesh does not have");
+            return invalidArgument("hard constraint on vertex " + std::to_string(v) +
+                                   ", which the mesh does not have");
         if (freeIndex[at(v)] != 0) return invalidArgument("vertex " + std::to_string(v) + " is held twice");
         freeIndex[at(v)] = 1;
     }
@@ -112,11 +120,13 @@ Status ArapSolver::Impl::check(std::span<const std::int32_t> newHard, std::span<
                                    std::to_string(s.point.triangle) + ", which the mesh does not have");
         const auto& w = s.point.weight;
         if (!(s.weight > 0.0) || !std::isfinite(s.weight) || !std::isfinite(w[0] + w[1] + w[2]))
-            return invalidArgument("soft constraint " + std::to_string(k) + " has a weight that is not positive and finite");
+            return invalidArgument("soft constraint " + std::to_string(k) +
+                                   " has a weight that is not positive and finite");
     }
     restPoints.clear();
     for (const std::int32_t v : newHard) restPoints.push_back(rest.vertices[at(v)]);
-    for (const SoftConstraint& s : newSoft) restPoints.push_back(s.point.position(rest.triangles, rest.vertices));
+    for (const SoftConstraint& s : newSoft)
+        restPoints.push_back(s.point.position(rest.triangles, rest.vertices));
     const Box box = boundsOf(rest.vertices);
     const double apart = 1e-9 * (box.width() + box.height());
     for (const Vec2 p : restPoints)
@@ -159,8 +169,10 @@ void ArapSolver::Impl::addEdge(std::int32_t a, std::int32_t b, double factor) {
     const std::int32_t row = freeIndex[at(a)];
     const std::int32_t column = freeIndex[at(b)];
     if (row < 0) return;
-    if (column < 0) edgesKnown.push_back({row, -1 - column, {factor, 0.0}});
-    else entries.emplace_back(row, column, factor);
+    if (column < 0)
+        edgesKnown.push_back({row, -1 - column, {factor, 0.0}});
+    else
+        entries.emplace_back(row, column, factor);
 }
 
 void ArapSolver::Impl::addSoft(bool forSimilarity) {
@@ -170,14 +182,18 @@ void ArapSolver::Impl::addSoft(bool forSimilarity) {
             for (std::size_t j = 0; j < 3; ++j) {
                 const double factor = s.weight * s.point.weight[i] * s.point.weight[j];
                 if (factor == 0.0) continue;
-                if (forSimilarity) addSimilarity(t[i], t[j], {factor, 0.0});
-                else addEdge(t[i], t[j], factor);
+                if (forSimilarity)
+                    addSimilarity(t[i], t[j], {factor, 0.0});
+                else
+                    addEdge(t[i], t[j], factor);
             }
         }
     }
     for (const Pull& pull : pulls) {
-        if (forSimilarity) addSimilarity(pull.vertex, pull.vertex, {pull.weight, 0.0});
-        else addEdge(pull.vertex, pull.vertex, pull.weight);
+        if (forSimilarity)
+            addSimilarity(pull.vertex, pull.vertex, {pull.weight, 0.0});
+        else
+            addEdge(pull.vertex, pull.vertex, pull.weight);
     }
 }
 
@@ -191,10 +207,12 @@ bool ArapSolver::Impl::factorise() {
             // Corner c in the frame of the edge a b: c = (1 - z) a + z b, as complex numbers.
             const std::array<std::int32_t, 3> v{t[(k + 1) % 3], t[(k + 2) % 3], t[k]};
             const Vec2 edge = rest.vertices[at(v[1])] - rest.vertices[at(v[0])];
-            const Vec2 z = times(conjugate(edge), rest.vertices[at(v[2])] - rest.vertices[at(v[0])]) / lengthSquared(edge);
+            const Vec2 z = times(conjugate(edge), rest.vertices[at(v[2])] - rest.vertices[at(v[0])]) /
+                           lengthSquared(edge);
             const std::array<Vec2, 3> row{Vec2{z.x - 1.0, z.y}, -z, Vec2{1.0, 0.0}};
             for (std::size_t i = 0; i < 3; ++i)
-                for (std::size_t j = 0; j < 3; ++j) addSimilarity(v[i], v[j], times(conjugate(row[i]), row[j]));
+                for (std::size_t j = 0; j < 3; ++j)
+                    addSimilarity(v[i], v[j], times(conjugate(row[i]), row[j]));
         }
     }
     addSoft(true);
@@ -215,7 +233,9 @@ bool ArapSolver::Impl::factorise() {
 }
 
 // Where the weak pull draws: the rest shape as the targets place it best.
-Pose ArapSolver::Impl::placement() const { return bestRigidFit(restPoints, targets); }
+Pose ArapSolver::Impl::placement() const {
+    return bestRigidFit(restPoints, targets);
+}
 
 void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
     std::fill(right.begin(), right.end(), 0.0);
@@ -232,11 +252,13 @@ void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
     }
     for (std::size_t k = 0; k < soft.size(); ++k) {
         const Triangle& t = rest.triangles[at(soft[k].point.triangle)];
-        for (std::size_t i = 0; i < 3; ++i) add(t[i], targets[hard.size() + k] * (soft[k].weight * soft[k].point.weight[i]));
+        for (std::size_t i = 0; i < 3; ++i)
+            add(t[i], targets[hard.size() + k] * (soft[k].weight * soft[k].point.weight[i]));
     }
     if (!pulls.empty()) {
         const Pose pose = placement();
-        for (const Pull& pull : pulls) add(pull.vertex, pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
+        for (const Pull& pull : pulls)
+            add(pull.vertex, pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
     }
     similarity.solve(right);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -245,7 +267,8 @@ void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
     }
 }
 
-// What the edges of each triangle ask for where the triangle is turned as it fits the first step's shape best.
+// What the edges of each triangle ask for where the triangle is turned as it fits the first step's shape
+// best.
 void ArapSolver::Impl::addTriangles(const std::vector<Vec2>& vertices) {
     for (std::size_t n = 0; n < rest.triangles.size(); ++n) {
         const Triangle& t = rest.triangles[n];
@@ -258,8 +281,10 @@ void ArapSolver::Impl::addTriangles(const std::vector<Vec2>& vertices) {
             if (row < 0) continue;
             Vec2& sum = rightPoints[at(row)];
             // In the order of edges: the first corner has the edge from it before the one to it.
-            if (k == 0) sum = (sum - edge[0]) + edge[2];
-            else sum = (sum + edge[k - 1]) - edge[k];
+            if (k == 0)
+                sum = (sum - edge[0]) + edge[2];
+            else
+                sum = (sum + edge[k - 1]) - edge[k];
         }
     }
 }
@@ -278,7 +303,8 @@ void ArapSolver::Impl::secondStep(std::vector<Vec2>& vertices) {
     }
     if (!pulls.empty()) {
         const Pose pose = placement();
-        for (const Pull& pull : pulls) add(freeIndex[at(pull.vertex)], pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
+        for (const Pull& pull : pulls)
+            add(freeIndex[at(pull.vertex)], pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
     }
     edges.solve(rightPoints);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -296,16 +322,18 @@ Status ArapSolver::setMesh(const TriangleMesh& rest) {
     const auto count = static_cast<std::int32_t>(rest.vertices.size());
     if (rest.triangles.empty()) return invalidArgument("the mesh has no triangles");
     for (std::size_t v = 0; v < rest.vertices.size(); ++v)
-        if (!isFinite(rest.vertices[v])) return invalidArgument("vertex " + std::to_string(v) + " is not finite");
+        if (!isFinite(rest.vertices[v]))
+            return invalidArgument("vertex " + std::to_string(v) + " is not finite");
     std::vector<std::uint8_t> used(rest.vertices.size(), 0);
     for (std::size_t k = 0; k < rest.triangles.size(); ++k) {
         const Triangle& t = rest.triangles[k];
         for (const std::int32_t v : t)
             if (v < 0 || v >= count)
-                return invalidArgument("triangle " + std::to_string(k) + " names vertex " + std::to_string(v) +
-                                       ", which the mesh does not have");
+                return invalidArgument("triangle " + std::to_string(k) + " names vertex " +
+                                       std::to_string(v) + ", which the mesh does not have");
         const auto c = corners(t, rest.vertices);
-        const double longest = std::max({lengthSquared(c[1] - c[0]), lengthSquared(c[2] - c[1]), lengthSquared(c[0] - c[2])});
+        const double longest = std::max(
+            {lengthSquared(c[1] - c[0]), lengthSquared(c[2] - c[1]), lengthSquared(c[0] - c[2])});
         if (!(cross(c[1] - c[0], c[2] - c[0]) > 1e-10 * longest))
             return invalidArgument("triangle " + std::to_string(k) + " is degenerate or runs clockwise");
         for (const std::int32_t v : t) used[at(v)] = 1;
@@ -318,7 +346,8 @@ Status ArapSolver::setMesh(const TriangleMesh& rest) {
     impl_->hard.clear();
     impl_->soft.clear();
     impl_->restTriangles.clear();
-    for (const Triangle& t : rest.triangles) impl_->restTriangles.push_back(restTriangle(corners(t, rest.vertices)));
+    for (const Triangle& t : rest.triangles)
+        impl_->restTriangles.push_back(restTriangle(corners(t, rest.vertices)));
     return {};
 }
 
@@ -335,7 +364,8 @@ Status ArapSolver::setConstraints(std::span<const std::int32_t> hard, std::span<
     s.soft.assign(soft.begin(), soft.end());
     s.indexVertices();
     s.findPulls();
-    if (!s.factorise()) return invalidArgument("the constrained mesh cannot be factorised: its triangles are too thin");
+    if (!s.factorise())
+        return invalidArgument("the constrained mesh cannot be factorised: its triangles are too thin");
     s.right.assign(at(2 * s.freeCount), 0.0);
     s.rightPoints.assign(at(s.freeCount), {});
     s.targets.resize(hard.size() + soft.size());
@@ -377,7 +407,8 @@ Pose bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices) {
     restMean = restMean / static_cast<double>(rest.size());
     mean = mean / static_cast<double>(rest.size());
     Vec2 sum;
-    for (std::size_t k = 0; k < rest.size(); ++k) sum += times(conjugate(rest[k] - restMean), vertices[k] - mean);
+    for (std::size_t k = 0; k < rest.size(); ++k)
+        sum += times(conjugate(rest[k] - restMean), vertices[k] - mean);
     const double l = length(sum);
     if (l > 1e-300) pose.rotation = {sum.x / l, sum.y / l};
     pose.position = mean - pose.rotation.apply(restMean);

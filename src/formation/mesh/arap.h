@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "muster/status.h"
 #include "geometry/triangulation.h"
+#include "muster/status.h"
 
 namespace muster {
 

@@ -13,13 +13,17 @@ constexpr std::string_view kNames[] = {"square", "line",     "column", "wedge", 
 constexpr std::int32_t kMostPlaces = 200000;
 
 Status check(const FormationDef& def, std::int32_t count) {
-    if (static_cast<std::size_t>(def.kind) >= std::size(kNames)) return invalidArgument("the formation's kind is unknown");
+    if (static_cast<std::size_t>(def.kind) >= std::size(kNames))
+        return invalidArgument("the formation's kind is unknown");
     if (count < 1 || count > kMostPlaces)
-        return invalidArgument("found count " + std::to_string(count) + ", expected 1 to " + std::to_string(kMostPlaces));
+        return invalidArgument("found count " + std::to_string(count) + ", expected 1 to " +
+                               std::to_string(kMostPlaces));
     if (!(def.spacing > 1e-6 && def.spacing < 1e6))
-        return invalidArgument("found spacing " + std::to_string(def.spacing) + ", expected more than 0 and less than 1e6 m");
+        return invalidArgument("found spacing " + std::to_string(def.spacing) +
+                               ", expected more than 0 and less than 1e6 m");
     if (!(def.opening > 0.0 && def.opening <= 6.0))
-        return invalidArgument("found opening " + std::to_string(def.opening) + ", expected more than 0 and at most 6 rad");
+        return invalidArgument("found opening " + std::to_string(def.opening) +
+                               ", expected more than 0 and at most 6 rad");
     return {};
 }
 
@@ -42,10 +46,11 @@ Result<Layout> outlineOf(const FormationDef& def, std::int32_t count) {
 
 Result<Layout> pointsOf(const FormationDef& def, std::int32_t count) {
     if (static_cast<std::size_t>(count) > def.points.size())
-        return invalidArgument("found " + std::to_string(def.points.size()) + " points for " + std::to_string(count) +
-                               " places");
+        return invalidArgument("found " + std::to_string(def.points.size()) + " points for " +
+                               std::to_string(count) + " places");
     for (std::size_t k = 0; k < def.points.size(); ++k)
-        if (!isFinite(def.points[k]) || std::fmax(std::fabs(def.points[k].x), std::fabs(def.points[k].y)) > 1e7)
+        if (!isFinite(def.points[k]) ||
+            std::fmax(std::fabs(def.points[k].x), std::fabs(def.points[k].y)) > 1e7)
             return invalidArgument("point " + std::to_string(k) + " is not finite or farther than 1e7 m");
     Layout layout;
     layout.places.assign(def.points.begin(), def.points.begin() + count);
@@ -55,16 +60,26 @@ Result<Layout> pointsOf(const FormationDef& def, std::int32_t count) {
 
 Result<Layout> layoutOf(const FormationDef& def, std::int32_t count) {
     switch (def.kind) {
-        case FormationKind::Square: return squareLayout(count, def.spacing);
-        case FormationKind::Line: return lineLayout(count, def.spacing);
-        case FormationKind::Column: return columnLayout(count, def.spacing);
-        case FormationKind::Wedge: return wedgeLayout(count, def.spacing);
-        case FormationKind::Ring: return ringLayout(count, def.spacing);
-        case FormationKind::Circle: return circleLayout(count, def.spacing);
-        case FormationKind::Crescent: return crescentLayout(count, def.spacing, def.opening);
-        case FormationKind::Pacman: return pacmanLayout(count, def.spacing, def.opening);
-        case FormationKind::Outline: return outlineOf(def, count);
-        case FormationKind::Points: break;
+        case FormationKind::Square:
+            return squareLayout(count, def.spacing);
+        case FormationKind::Line:
+            return lineLayout(count, def.spacing);
+        case FormationKind::Column:
+            return columnLayout(count, def.spacing);
+        case FormationKind::Wedge:
+            return wedgeLayout(count, def.spacing);
+        case FormationKind::Ring:
+            return ringLayout(count, def.spacing);
+        case FormationKind::Circle:
+            return circleLayout(count, def.spacing);
+        case FormationKind::Crescent:
+            return crescentLayout(count, def.spacing, def.opening);
+        case FormationKind::Pacman:
+            return pacmanLayout(count, def.spacing, def.opening);
+        case FormationKind::Outline:
+            return outlineOf(def, count);
+        case FormationKind::Points:
+            break;
     }
     return pointsOf(def, count);
 }
@@ -99,7 +114,8 @@ Result<FormationKind> formationKind(std::string_view name) {
         if (kNames[k] == name) return static_cast<FormationKind>(k);
         all += (k == 0 ? "" : ", ") + std::string(kNames[k]);
     }
-    return Status(StatusCode::NotFound, "found formation '" + std::string(name) + "', expected one of " + all);
+    return Status(StatusCode::NotFound,
+                  "found formation '" + std::string(name) + "', expected one of " + all);
 }
 
 Result<Formation> makeFormation(const FormationDef& def, std::int32_t count) {

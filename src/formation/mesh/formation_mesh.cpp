@@ -42,7 +42,8 @@ void applyPose(const Pose& pose, const std::vector<Vec2>& rest, std::vector<Vec2
 
 bool FormationMesh::consistent() const {
     const std::size_t n = formation_.mesh.vertices.size();
-    if (user_.size() != n || final_.size() != n || displacement_.size() != n || residual_.size() != n) return false;
+    if (user_.size() != n || final_.size() != n || displacement_.size() != n || residual_.size() != n)
+        return false;
     for (const Triangle& t : formation_.mesh.triangles)
         for (const std::int32_t v : t)
             if (v < 0 || static_cast<std::size_t>(v) >= n) return false;
@@ -53,7 +54,8 @@ bool FormationMesh::consistent() const {
 }
 
 Status FormationMesh::reset(const Formation& formation, const Pose& pose) {
-    if (!goodPose(pose)) return invalidArgument("the formation's pose is not finite or its rotation not of unit length");
+    if (!goodPose(pose))
+        return invalidArgument("the formation's pose is not finite or its rotation not of unit length");
     Status status = checkPlaces(formation);
     ArapSolver solver;
     if (status.ok()) status = solver.setMesh(formation.mesh);
@@ -78,7 +80,8 @@ Status FormationMesh::change(const Formation& formation) {
     for (std::size_t v = 0; v < final_.size() && !oldFinal.empty(); ++v) {
         std::size_t nearest = 0;
         for (std::size_t o = 1; o < oldFinal.size(); ++o)
-            if (lengthSquared(oldFinal[o] - user_[v]) < lengthSquared(oldFinal[nearest] - user_[v])) nearest = o;
+            if (lengthSquared(oldFinal[o] - user_[v]) < lengthSquared(oldFinal[nearest] - user_[v]))
+                nearest = o;
         displacement_[v] = oldDisplacement[nearest];
         final_[v] = user_[v] + displacement_[v];
     }
@@ -126,11 +129,12 @@ Status FormationMesh::findGoal() {
     if (hard_.size() == 1) {
         const std::int32_t v = hard_[0];
         if (v < 0 || static_cast<std::size_t>(v) >= rest.size())
-            return invalidArgument("a control holds vertex " + std::to_string(v) + ", which the mesh does not have");
-        pose_.position = hardTargets_[0] - pose_.rotation.apply(rest[static_cast<std::size_t>(v)]);
+            return invalidArgument("a control holds vertex " + std::to_string(v) +
+                                   ", which the mesh does not have");
+        pose_.position = hardTargets_[0] - pose_.rotation.apply(rest[v]);
     }
     applyPose(pose_, rest, goal_);
-    if (hard_.size() == 1) goal_[static_cast<std::size_t>(hard_[0])] = hardTargets_[0];
+    if (hard_.size() == 1) goal_[hard_[0]] = hardTargets_[0];
     return {};
 }
 
@@ -145,8 +149,8 @@ void FormationMesh::decayResidual(const FormationMeshDef& def, double dt) {
     }
 }
 
-Status FormationMesh::deform(const FormationMeshDef& def, const ControlDef& controlDef, const ControlSet& controls,
-                             double dt) {
+Status FormationMesh::deform(const FormationMeshDef& def, const ControlDef& controlDef,
+                             const ControlSet& controls, double dt) {
     controls.constraints(controlDef, hard_, hardTargets_, soft_, softTargets_);
     const std::uint64_t key = keyOfConstraints();
     // What is let go stays where the mesh stands, in the orientation that fits it best.
@@ -159,7 +163,7 @@ Status FormationMesh::deform(const FormationMeshDef& def, const ControlDef& cont
         for (std::size_t v = 0; v < goal_.size(); ++v) residual_[v] = user_[v] - goal_[v];
         // A held vertex follows its control without lag, unless it was taken up elsewhere.
         for (const std::int32_t v : hard_) {
-            Vec2& r = residual_[static_cast<std::size_t>(v)];
+            Vec2& r = residual_[v];
             if (length(r) <= def.morphSpeed * dt) r = {};
         }
         constraintKey_ = key;

@@ -13,11 +13,11 @@ namespace muster {
 
 /// How the mesh gives way and comes back.
 struct FormationMeshDef {
-    double relaxTime = 1.0;       ///< To return to the rest shape after the last control [s] > 0.
-    bool environmentField = true; ///< Potential field and contact displace vertices.
-    double fieldGain = 1.0;       ///< Displacement per unit of field [m].
-    double fieldSpeed = 1.5;      ///< Bound on the change of a vertex's displacement [m/s] > 0.
-    double morphSpeed = 3.0;      ///< Bound on vertex speed while relaxing or changing formation [m/s] > 0.
+    double relaxTime = 1.0;        ///< To return to the rest shape after the last control [s] > 0.
+    bool environmentField = true;  ///< Potential field and contact displace vertices.
+    double fieldGain = 1.0;        ///< Displacement per unit of field [m].
+    double fieldSpeed = 1.5;       ///< Bound on the change of a vertex's displacement [m/s] > 0.
+    double morphSpeed = 3.0;       ///< Bound on vertex speed while relaxing or changing formation [m/s] > 0.
 };
 
 /// Vertices and what they remember. The rest shape is the registered formation, never a deformed mesh.
@@ -40,15 +40,16 @@ public:
     /// Computes Vu from the controls: two and more constraints by the ARAP solver; one translates the
     /// rest placement; none relaxes to the rest shape best fitted where it stands. Fails only where the
     /// controls are bound to another mesh (Vu then stays).
-    Status deform(const FormationMeshDef& def, const ControlDef& controlDef, const ControlSet& controls, double dt);
+    Status deform(const FormationMeshDef& def, const ControlDef& controlDef, const ControlSet& controls,
+                  double dt);
     /// Computes Vf: the potential field displaces each vertex at bounded speed, decays where none acts,
     /// and vertices inside obstacles move to the nearest surface.
     void meet(const FormationMeshDef& def, const Environment& environment, double dt);
 
-    const Formation& formation() const { return formation_; }         ///< Rest shape and places.
-    const Pose& pose() const { return pose_; }                        ///< Pose of the rest shape.
-    const std::vector<Vec2>& userMesh() const { return user_; }       ///< Vu [m].
-    const std::vector<Vec2>& finalMesh() const { return final_; }     ///< Vf [m].
+    const Formation& formation() const { return formation_; }      ///< Rest shape and places.
+    const Pose& pose() const { return pose_; }                     ///< Pose of the rest shape.
+    const std::vector<Vec2>& userMesh() const { return user_; }    ///< Vu [m].
+    const std::vector<Vec2>& finalMesh() const { return final_; }  ///< Vf [m].
     /// Positions of all places on Vf [m].
     void placePositions(std::vector<Vec2>& positions) const;
 

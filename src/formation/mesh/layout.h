@@ -14,7 +14,8 @@ struct Layout {
     PolygonWithHoles outline;  ///< Empty for a rectangle.
 };
 
-Layout squareLayout(std::int32_t count, double spacing);  ///< As many files as ranks; a short rear rank is centred.
+/// As many files as ranks; a short rear rank is centred.
+Layout squareLayout(std::int32_t count, double spacing);
 Layout lineLayout(std::int32_t count, double spacing);    ///< Two ranks abreast.
 Layout columnLayout(std::int32_t count, double spacing);  ///< Two files along the heading.
 Layout wedgeLayout(std::int32_t count, double spacing);   ///< Filled triangle with its tip in front.

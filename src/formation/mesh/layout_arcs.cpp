@@ -2,15 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formation/mesh/layout.h"
 #include "base/maths.h"
+#include "formation/mesh/layout.h"
 
 namespace muster {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
 
-Vec2 onCircle(double radius, double angle) { return {radius * cosine(angle), radius * sine(angle)}; }
+Vec2 onCircle(double radius, double angle) {
+    return {radius * cosine(angle), radius * sine(angle)};
+}
 
 // Turns wishes into whole numbers with the right sum: the largest remainders are rounded up.
 std::vector<std::int32_t> share(const std::vector<double>& wishes, std::int32_t count) {
@@ -52,7 +54,9 @@ void addPlaces(Layout& layout, const Arcs& arcs, double spacing) {
     for (std::size_t a = 0; a < arcs.counts.size(); ++a) {
         const std::int32_t n = arcs.counts[a];
         for (std::int32_t k = 0; k < n; ++k) {
-            const double t = closed ? static_cast<double>(k) / n : n > 1 ? static_cast<double>(k) / (n - 1) : 0.5;
+            const double t = closed  ? static_cast<double>(k) / n
+                             : n > 1 ? static_cast<double>(k) / (n - 1)
+                                     : 0.5;
             const double angle = kPi - 0.5 * arcs.angle + arcs.angle * t + (closed ? kPi : 0.0);
             layout.places.push_back(onCircle((arcs.first + static_cast<double>(a)) * spacing, angle));
         }
@@ -75,7 +79,9 @@ Arcs ringArcs(std::int32_t count) {
 }
 
 // The arc's angle, so that its ends stay a spacing apart on the innermost arc.
-double openAngle(double first, double opening) { return std::min(kTurn - opening, kTurn - 1.1 / std::max(first, 0.3)); }
+double openAngle(double first, double opening) {
+    return std::min(kTurn - opening, kTurn - 1.1 / std::max(first, 0.3));
+}
 
 // The innermost radius at which `n` open arcs hold `count` places, or a negative number.
 double crescentRadius(std::int32_t count, std::int32_t n, double opening) {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "formation/mesh/layout.h"
 #include "base/maths.h"
+#include "formation/mesh/layout.h"
 
 namespace muster {
 namespace {
@@ -34,7 +34,8 @@ std::vector<Vec2> nearestLatticePoints(std::int32_t count, double reach, Wanted 
         for (std::int32_t i = -columns; i <= columns; ++i) {
             const Vec2 p{i + (j % 2 != 0 ? 0.5 : 0.0), j * kRow};
             // Rounded, so that points at one distance tie on every machine.
-            if (length(p) <= reach && wanted(p)) found.push_back({std::floor(lengthSquared(p) * 1024.0 + 0.5), p});
+            if (length(p) <= reach && wanted(p))
+                found.push_back({std::floor(lengthSquared(p) * 1024.0 + 0.5), p});
         }
     }
     std::sort(found.begin(), found.end());
@@ -105,7 +106,8 @@ std::vector<Vec2> latticeInside(const PolygonWithHoles& shape, double scale) {
         for (std::size_t k = 0; k + 1 < lines[1].size(); k += 2) {
             const double last = lines[1][k + 1] - kOutlineMargin;
             for (double x = std::ceil(lines[1][k] + kOutlineMargin - shift) + shift; x <= last; x += 1.0)
-                if (Scanline::inside(lines[0], x, 0.0) && Scanline::inside(lines[2], x, 0.0)) points.push_back({x, y});
+                if (Scanline::inside(lines[0], x, 0.0) && Scanline::inside(lines[2], x, 0.0))
+                    points.push_back({x, y});
         }
     }
     return points;
@@ -115,7 +117,8 @@ std::vector<Vec2> latticeInside(const PolygonWithHoles& shape, double scale) {
 class Patchwork {
 public:
     // Points come row by row.
-    explicit Patchwork(const std::vector<Vec2>& points) : points_(points), kept_(points.size(), 1), count_(points.size()) {
+    explicit Patchwork(const std::vector<Vec2>& points)
+        : points_(points), kept_(points.size(), 1), count_(points.size()) {
         neighbours_.resize(points.size());
         for (std::size_t a = 0; a < points.size(); ++a) {
             for (std::size_t b = a + 1; b < points.size() && points[b].y - points[a].y < 1.5 * kRow; ++b) {
@@ -143,7 +146,9 @@ public:
     // the number of points where there is none.
     std::size_t mostExposed() const {
         std::size_t best = points_.size();
-        const auto rank = [&](std::size_t k) { return -std::floor(lengthSquared(points_[k]) * 1024.0 + 0.5); };
+        const auto rank = [&](std::size_t k) {
+            return -std::floor(lengthSquared(points_[k]) * 1024.0 + 0.5);
+        };
         for (std::size_t k = 0; k < points_.size(); ++k) {
             if (kept_[k] == 0) continue;
             const bool better = best == points_.size() || degree_[k] < degree_[best] ||
@@ -195,7 +200,8 @@ std::vector<Vec2> fillShape(const PolygonWithHoles& shape, double scale, std::si
 Layout circleLayout(std::int32_t count, double spacing) {
     Layout layout;
     layout.places = nearestLatticePoints(count, reachFor(count, 2.0 * kPi), [](Vec2) { return true; });
-    // An even share round a centre that is not itself a place would be no rounder; the mean becomes the centre.
+    // An even share round a centre that is not itself a place would be no rounder; the mean becomes the
+    // centre.
     Vec2 mean;
     for (Vec2& p : layout.places) mean += p = p * spacing;
     mean = mean / static_cast<double>(count);
@@ -203,7 +209,8 @@ Layout circleLayout(std::int32_t count, double spacing) {
     const double sides = 36.0;
     for (double k = 0.0; k < sides; k += 1.0) {
         const double angle = 2.0 * kPi * k / sides;
-        layout.outline.outline.push_back(mean + Vec2{cosine(angle), sine(angle)} * (radius / cosine(kPi / sides)));
+        layout.outline.outline.push_back(mean +
+                                         Vec2{cosine(angle), sine(angle)} * (radius / cosine(kPi / sides)));
     }
     return layout;
 }
@@ -258,7 +265,8 @@ Result<Layout> outlineLayout(std::int32_t count, double spacing, const PolygonWi
     const auto wanted = static_cast<std::size_t>(count);
     double high = 1.0;
     while (high < 60.0 && latticeInside(unit, high).size() < wanted) high *= 1.25;
-    if (high >= 60.0) return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
+    if (high >= 60.0)
+        return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
     double low = high / 1.25;
     for (int k = 0; k < 24; ++k) {
         const double scale = 0.5 * (low + high);
@@ -267,7 +275,8 @@ Result<Layout> outlineLayout(std::int32_t count, double spacing, const PolygonWi
     Layout layout;
     // The few scales at which no even choice exists are stepped over.
     while ((layout.places = fillShape(unit, high, wanted)).empty() && high < 60.0) high *= 1.01;
-    if (layout.places.empty()) return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
+    if (layout.places.empty())
+        return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
     for (Vec2& p : layout.places) p = p * spacing;
     for (Vec2& p : unit.outline) p = p * (high * spacing);
     for (Polygon& hole : unit.holes)

@@ -15,15 +15,18 @@ TriangleMesh stripMesh(const Box& box, std::int32_t columns, std::int32_t rows) 
     const auto vertex = [&](std::int32_t i, std::int32_t j) { return j * (columns + 1) + i; };
     for (std::int32_t j = 0; j <= rows; ++j)
         for (std::int32_t i = 0; i <= columns; ++i)
-            mesh.vertices.push_back({box.min.x + box.width() * i / columns, box.min.y + box.height() * j / rows});
+            mesh.vertices.push_back(
+                {box.min.x + box.width() * i / columns, box.min.y + box.height() * j / rows});
     for (std::int32_t j = 0; j < rows; ++j) {
         for (std::int32_t i = 0; i < columns; ++i) {
             const std::int32_t a = vertex(i, j);
             const std::int32_t b = vertex(i + 1, j);
             const std::int32_t c = vertex(i + 1, j + 1);
             const std::int32_t d = vertex(i, j + 1);
-            if ((i + j) % 2 == 0) mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
-            else mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
+            if ((i + j) % 2 == 0)
+                mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+            else
+                mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
         }
     }
     return mesh;
@@ -44,7 +47,8 @@ TriangleMesh rectangleMesh(const std::vector<Vec2>& places, double spacing) {
 
 double perimeter(const Polygon& polygon) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) sum += distance(polygon[k], polygon[(k + 1) % polygon.size()]);
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        sum += distance(polygon[k], polygon[(k + 1) % polygon.size()]);
     return sum;
 }
 

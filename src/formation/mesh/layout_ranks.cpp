@@ -31,7 +31,9 @@ Layout lineLayout(std::int32_t count, double spacing) {
     return ranks(count, count < 4 ? count : (count + 1) / 2, spacing);
 }
 
-Layout columnLayout(std::int32_t count, double spacing) { return ranks(count, count < 4 ? 1 : 2, spacing); }
+Layout columnLayout(std::int32_t count, double spacing) {
+    return ranks(count, count < 4 ? 1 : 2, spacing);
+}
 
 // Rank k holds k + 1 places, as on a triangular lattice. The rest at the rear is centred: its places
 // stand behind gaps or behind places, either way at least 0.86 spacings from all others.

@@ -8,9 +8,9 @@ namespace {
 
 // The root of a triangle's set, halving the way to it.
 std::int32_t rootOf(std::vector<std::int32_t>& parent, std::int32_t i) {
-    while (parent[static_cast<std::size_t>(i)] != i) {
-        std::int32_t& up = parent[static_cast<std::size_t>(i)];
-        up = parent[static_cast<std::size_t>(up)];
+    while (parent[i] != i) {
+        std::int32_t& up = parent[i];
+        up = parent[up];
         i = up;
     }
     return i;
@@ -23,8 +23,10 @@ struct Held {
     Vec2 first;
 
     void add(Vec2 p, double apart) {
-        if (!any) first = p;
-        else if (distance(first, p) > apart) enough = true;
+        if (!any)
+            first = p;
+        else if (distance(first, p) > apart)
+            enough = true;
         any = true;
     }
 };
@@ -49,7 +51,7 @@ MeshComponents::MeshComponents(const TriangleMesh& mesh) {
         if (sides[k][0] != sides[k - 1][0] || sides[k][1] != sides[k - 1][1]) continue;
         const std::int32_t a = rootOf(parent, sides[k - 1][2]);
         const std::int32_t b = rootOf(parent, sides[k][2]);
-        parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        parent[std::max(a, b)] = std::min(a, b);
     }
     part_.assign(n, -1);
     for (std::size_t k = 0; k < n; ++k) {
@@ -65,21 +67,21 @@ std::vector<std::uint8_t> MeshComponents::heldByFewerThanTwo(const TriangleMesh&
     const double apart = 1e-9 * (box.width() + box.height());
     std::vector<Held> held(static_cast<std::size_t>(count_));
     std::vector<std::uint8_t> isHard(mesh.vertices.size(), 0);
-    for (const std::int32_t v : hard) isHard[static_cast<std::size_t>(v)] = 1;
+    for (const std::int32_t v : hard) isHard[v] = 1;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         for (const std::int32_t v : mesh.triangles[k]) {
             const auto vertex = static_cast<std::size_t>(v);
-            if (isHard[vertex] != 0) held[static_cast<std::size_t>(part_[k])].add(mesh.vertices[vertex], apart);
+            if (isHard[vertex] != 0) held[part_[k]].add(mesh.vertices[vertex], apart);
         }
     }
     for (const SoftConstraint& s : soft) {
         const Vec2 p = s.point.position(mesh.triangles, mesh.vertices);
-        held[static_cast<std::size_t>(part_[static_cast<std::size_t>(s.point.triangle)])].add(p, apart);
+        held[part_[s.point.triangle]].add(p, apart);
     }
     std::vector<std::uint8_t> needy(mesh.vertices.size(), 0);
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-        if (held[static_cast<std::size_t>(part_[k])].enough) continue;
-        for (const std::int32_t v : mesh.triangles[k]) needy[static_cast<std::size_t>(v)] = 1;
+        if (held[part_[k]].enough) continue;
+        for (const std::int32_t v : mesh.triangles[k]) needy[v] = 1;
     }
     return needy;
 }

@@ -28,9 +28,9 @@ public:
 private:
     void findPairs();
 
-    std::vector<int> order_;     ///< Position of each unknown in the factor.
-    std::vector<int> start_;     ///< Where each column of L begins; unit diagonal left out.
-    std::vector<int> paired_;    ///< From where on a column's rows come two by two, one just after the other.
+    std::vector<int> order_;   ///< Position of each unknown in the factor.
+    std::vector<int> start_;   ///< Where each column of L begins; unit diagonal left out.
+    std::vector<int> paired_;  ///< From where on a column's rows come two by two, one just after the other.
     std::vector<int> row_;
     std::vector<double> value_;
     std::vector<double> diagonal_;

@@ -12,11 +12,14 @@ constexpr std::size_t kChunk = 256;        // Places a task carries.
 constexpr std::size_t kLeapShare = 8;      // More than one of so many that leap: all seats are sought anew.
 constexpr std::int32_t kLeastSpots = 400;  // Looked at in a step for those without a good seat,
 constexpr std::size_t kPlacesPerSpot = 5;  // and one more for so many places.
-constexpr std::int32_t kSpared = 4;        // Of these one in so many is for those who have a seat, but not a good one.
-constexpr std::int32_t kSeekCost = 8;      // In spots, of asking where one could best be.
-constexpr std::int32_t kRings = 8;         // Round that spot, one diameter wide each.
-constexpr double kWorthwhile = 2.0;        // A new seat is this much nearer, in diameters, but on the target itself.
-constexpr double kTouch = 1.0 - 1e-9;      // Of what is asked for: seats that touch stay so while they are carried.
+// Of these one in so many is for those who have a seat, but not a good one.
+constexpr std::int32_t kSpared = 4;
+constexpr std::int32_t kSeekCost = 8;  // In spots, of asking where one could best be.
+constexpr std::int32_t kRings = 8;     // Round that spot, one diameter wide each.
+// A new seat is this much nearer, in diameters, but on the target itself.
+constexpr double kWorthwhile = 2.0;
+// Of what is asked for: seats that touch stay so while they are carried.
+constexpr double kTouch = 1.0 - 1e-9;
 
 }  // namespace
 
@@ -81,8 +84,10 @@ void GoalCarrier::part(std::size_t a, std::size_t b) {
 
 void GoalCarrier::lower(std::size_t k) {
     m_.losing[k] = 0;
-    if (m_.level[k] == Stays) s_.fit[k] = 0;
-    else m_.level[k] = m_.level[k] == Drawn ? Carried : Stays;
+    if (m_.level[k] == Stays)
+        s_.fit[k] = 0;
+    else
+        m_.level[k] = m_.level[k] == Drawn ? Carried : Stays;
     m_.next[k] = m_.level[k] == Carried ? m_.carried[k] : s_.goal[k];
     // An obstacle may have come to where it stood.
     if (m_.level[k] == Stays && !ground_.standable(s_.goal[k])) s_.fit[k] = 0;
@@ -110,7 +115,7 @@ void GoalCarrier::giveWay() {
 bool GoalCarrier::offer(std::size_t k, Vec2 spot) {
     const double least = apart_ * apart_;
     for (const std::int32_t taken : m_.taken)
-        if (lengthSquared(s_.goal[static_cast<std::size_t>(taken)] - spot) < least) return false;
+        if (lengthSquared(s_.goal[taken] - spot) < least) return false;
     if (m_.seats.occupied(spot, s_.goal, s_.fit, k) || !ground_.standable(spot)) return false;
     s_.goal[k] = spot;
     s_.fit[k] = 1;
@@ -162,7 +167,8 @@ void GoalCarrier::listSeekers(std::span<const Vec2> targets, std::size_t first) 
     m_.seekers.clear();
     const auto list = [&](std::size_t from, std::size_t to) {
         for (std::size_t k = from; k < to; ++k)
-            if (s_.fit[k] == 0 || s_.goal[k] != targets[k]) m_.seekers.push_back(static_cast<std::int32_t>(k));
+            if (s_.fit[k] == 0 || s_.goal[k] != targets[k])
+                m_.seekers.push_back(static_cast<std::int32_t>(k));
     };
     list(first, targets.size());
     list(0, first);
@@ -174,7 +180,8 @@ bool GoalCarrier::run(std::span<const Vec2> targets, ThreadPool* pool) {
     for (auto* points : {&m_.next, &m_.carried}) points->resize(n);
     for (auto* marks : {&m_.level, &m_.exact, &m_.losing}) marks->resize(n);
     forChunks(pool, n, kChunk, [&](std::size_t k) { carry(k, targets[k]); });
-    const auto leapt = static_cast<std::size_t>(std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Leapt}));
+    const auto leapt = static_cast<std::size_t>(
+        std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Leapt}));
     if (leapt * kLeapShare > n) return false;
     for (std::size_t k = 0; k < n; ++k) {
         if (m_.level[k] == Carried || m_.level[k] == Drawn) continue;

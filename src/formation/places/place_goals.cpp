@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formation/places/place_spacing.h"
 #include "base/maths.h"
+#include "formation/places/place_spacing.h"
 
 namespace muster {
 namespace {
@@ -29,7 +29,8 @@ bool PlaceGround::inRegion(Vec2 p) const {
         for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {
             if (!grid.contains({x, y})) continue;
             const Vec2 centre = grid.centre({x, y});
-            if (environment_.region(centre, def_.radius) == region_ && environment_.clearLine(p, centre, lineRadius(def_)))
+            if (environment_.region(centre, def_.radius) == region_ &&
+                environment_.clearLine(p, centre, lineRadius(def_)))
                 return true;
         }
     }
@@ -38,7 +39,8 @@ bool PlaceGround::inRegion(Vec2 p) const {
 
 bool PlaceGround::standableByRegion(Vec2 p) const {
     // In an undivided world the raster has been asked in vain.
-    const bool room = undivided_ ? inner_.contains(p) && roomyExactly(p, clearRadius()) : roomy(p, clearRadius());
+    const bool room = undivided_ ? inner_.contains(p) && roomyExactly(p, clearRadius())
+                                 : roomy(p, clearRadius());
     return room && inRegion(p);
 }
 
@@ -55,8 +57,8 @@ Vec2 PlaceGround::reachable(Vec2 p) const {
 namespace {
 
 // Tries the spots round a goal, from the inside out; counts them off `left`.
-bool seatOne(const PlaceGround& ground, double apart, const std::vector<std::uint8_t>& fit, NearSearch& search,
-             std::vector<Vec2>& goals, std::size_t goal, std::int32_t& left) {
+bool seatOne(const PlaceGround& ground, double apart, const std::vector<std::uint8_t>& fit,
+             NearSearch& search, std::vector<Vec2>& goals, std::size_t goal, std::int32_t& left) {
     const Vec2 middle = goals[goal];
     for (std::int32_t ring = 1; ring <= kRings; ++ring) {
         const std::int32_t spots = 6 * ring;
@@ -74,8 +76,8 @@ bool seatOne(const PlaceGround& ground, double apart, const std::vector<std::uin
 
 }  // namespace
 
-void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals, std::vector<std::uint8_t>& fit,
-               SpacingMemory& memory) {
+void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals,
+               std::vector<std::uint8_t>& fit, SpacingMemory& memory) {
     if (std::find(fit.begin(), fit.end(), std::uint8_t{0}) == fit.end()) return;
     NearSearch search(goals, apart, memory);
     std::int32_t left = kMostSpots;

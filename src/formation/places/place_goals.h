@@ -11,8 +11,12 @@ namespace muster {
 class PlaceGround {
 public:
     PlaceGround(const PlaceDef& def, const Environment& environment, std::int32_t region)
-        : def_(def), environment_(environment), region_(region), inner_(environment.def().box.grown(-clearRadius())),
-          grid_(environment.grid()), known_(environment.clearance()),
+        : def_(def),
+          environment_(environment),
+          region_(region),
+          inner_(environment.def().box.grown(-clearRadius())),
+          grid_(environment.grid()),
+          known_(environment.clearance()),
           unknown_(0.5 * std::sqrt(2.0) * grid_.cell + kRounding),
           undivided_(region < 0 || (region == 0 && environment.regionCount(def.radius) == 1)) {}
 
@@ -20,8 +24,8 @@ public:
     double clearRadius() const { return def_.radius + def_.clearance; }
     /// The cell that holds `p`, or the nearest to it.
     std::size_t cellOf(Vec2 p) const { return static_cast<std::size_t>(grid_.index(grid_.nearestCell(p))); }
-    /// Nothing, the edge of the box included, lies nearer than this [m] to any point whose cell this is. Negative at the
-    /// edge, and so for all points outside.
+    /// Nothing, the edge of the box included, lies nearer than this [m] to any point whose cell this is.
+    /// Negative at the edge, and so for all points outside.
     double roomAt(std::size_t cell) const { return known_[cell] - unknown_; }
     /// True where nothing lies within `distance` [m] of `p` and the box holds `p` with its clearance.
     bool roomy(Vec2 p, double distance) const {
@@ -53,16 +57,19 @@ private:
     Box inner_;
     Grid grid_;
     std::span<const float> known_;  // Clearance of cells [m].
-    double unknown_;                // What the clearance anywhere in a cell may fall short of that of the cell [m].
-    bool undivided_;                // All cells with room are in the region asked for.
+    // What the clearance anywhere in a cell may fall short of that of the cell [m].
+    double unknown_;
+    bool undivided_;  // All cells with room are in the region asked for.
 };
 
 /// Lines are tested with slightly less than the radius: places stand and ways run exactly at it.
-inline double lineRadius(const PlaceDef& def) { return def.radius - std::fmin(1e-3, 0.01 * def.radius); }
+inline double lineRadius(const PlaceDef& def) {
+    return def.radius - std::fmin(1e-3, 0.01 * def.radius);
+}
 
 /// Finds free room near by for goals marked 0 in `fit`, a diameter from all others, and marks those that
 /// found some with 1. They are tried in ascending order, until so many spots were looked at as a step allows.
-void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals, std::vector<std::uint8_t>& fit,
-               SpacingMemory& memory);
+void seatUnfit(const PlaceGround& ground, double apart, std::vector<Vec2>& goals,
+               std::vector<std::uint8_t>& fit, SpacingMemory& memory);
 
 }  // namespace muster

@@ -15,7 +15,8 @@ void forRow(const CellList& cells, std::int32_t left, std::int32_t right, std::i
     left = std::max(left, 0);
     right = std::min(right, grid.width - 1);
     if (y < 0 || y >= grid.height || left > right) return;
-    for (const std::int32_t k : cells.within(grid.index({left, y}), grid.index({right, y}))) visit(static_cast<std::size_t>(k));
+    for (const std::int32_t k : cells.within(grid.index({left, y}), grid.index({right, y})))
+        visit(static_cast<std::size_t>(k));
 }
 
 // Pairs are listed up to this much farther apart than asked, and listed anew once a point moved half of that.
@@ -32,12 +33,15 @@ void listPairs(const std::vector<Vec2>& points, double apart, SpacingMemory& mem
     memory.foundAt = points;
     if (points.empty()) return;
     memory.cells.sort(points, reach);
-    memory.cells.forPairs(reach, [&](std::int32_t low, std::int32_t high) { memory.near.push_back({low, high}); });
+    memory.cells.forPairs(reach, [&](std::int32_t low, std::int32_t high) {
+        memory.near.push_back({low, high});
+    });
 }
 
 }  // namespace
 
-bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& moved) {
+bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memory,
+                    std::vector<std::uint8_t>& moved) {
     listPairs(points, apart, memory);
     memory.push.assign(points.size(), {});
     bool any = false;
@@ -69,11 +73,12 @@ bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memo
     return true;
 }
 
-void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& fit) {
+void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory,
+               std::vector<std::uint8_t>& fit) {
     listPairs(points, apart, memory);
     memory.close.clear();
     for (const SpacingMemory::Pair pair : memory.near) {
-        const Vec2 way = points[static_cast<std::size_t>(pair.high)] - points[static_cast<std::size_t>(pair.low)];
+        const Vec2 way = points[pair.high] - points[pair.low];
         if (lengthSquared(way) < apart * apart) memory.close.push_back(pair);
     }
     // In the order of the higher ones, so that each learns first whether those before it stay.
@@ -81,7 +86,7 @@ void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& mem
         return a.high != b.high ? a.high < b.high : a.low < b.low;
     });
     for (const SpacingMemory::Pair pair : memory.close)
-        if (fit[static_cast<std::size_t>(pair.low)] != 0) fit[static_cast<std::size_t>(pair.high)] = 0;
+        if (fit[pair.low] != 0) fit[pair.high] = 0;
 }
 
 NearSearch::NearSearch(const std::vector<Vec2>& points, double apart, SpacingMemory& memory)
@@ -91,7 +96,8 @@ NearSearch::NearSearch(const std::vector<Vec2>& points, double apart, SpacingMem
     memory_.push.clear();
 }
 
-bool NearSearch::occupied(Vec2 spot, const std::vector<std::uint8_t>& fit, const std::vector<Vec2>& points) const {
+bool NearSearch::occupied(Vec2 spot, const std::vector<std::uint8_t>& fit,
+                          const std::vector<Vec2>& points) const {
     const double limit = apart_ * apart_;
     for (const Vec2 p : memory_.push)
         if (lengthSquared(p - spot) < limit) return true;

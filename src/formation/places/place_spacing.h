@@ -11,10 +11,12 @@ namespace muster {
 /// Moves points that lie nearer than `apart` [m] away from each other, once. Looks only at pairs with
 /// a point marked in `moved` (those that moved since all was well); afterwards the marks tell what has
 /// moved now. Returns false where none were too near. Coincident points part in fixed directions.
-bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& moved);
+bool partClosePairs(std::vector<Vec2>& points, double apart, SpacingMemory& memory,
+                    std::vector<std::uint8_t>& moved);
 
 /// Marks with 0 every point that lies nearer than `apart` [m] to one of lower index marked with 1.
-void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory, std::vector<std::uint8_t>& fit);
+void markUnfit(const std::vector<Vec2>& points, double apart, SpacingMemory& memory,
+               std::vector<std::uint8_t>& fit);
 
 /// Looks up whether a spot is taken, among points as they were sorted when this was made and spots
 /// taken since. Uses the memory of its maker; one search at a time.

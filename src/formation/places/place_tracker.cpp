@@ -15,10 +15,11 @@ constexpr int kSpacingRounds = 8;          // Of moving targets apart.
 constexpr std::int32_t kPathsPerStep = 3;  // Searches for a way round, so that the cost of a step is bounded.
 constexpr double kMetresPerStep = 12.0;    // As the crow flies, of all these searches but the last.
 constexpr double kGrazed = 0.1;            // Who gets on by less than this share of a step is blocked.
-constexpr double kDrawn = 2.0;             // Goals beside their targets are drawn to them at so many top speeds.
-constexpr std::size_t kChunk = 256;        // Places a task moves.
-constexpr double kReplanDistance = 1.0;    // A goal that moved farther asks for a new way [m],
-constexpr double kReplanShare = 0.25;      // and farther than this share of what is left as the crow flies.
+// Goals beside their targets are drawn to them at so many top speeds.
+constexpr double kDrawn = 2.0;
+constexpr std::size_t kChunk = 256;      // Places a task moves.
+constexpr double kReplanDistance = 1.0;  // A goal that moved farther asks for a new way [m],
+constexpr double kReplanShare = 0.25;    // and farther than this share of what is left as the crow flies.
 
 }  // namespace
 
@@ -37,7 +38,8 @@ bool PlaceTracker::consistent() const {
             if (!sane(p) || fit_[k] > 1) return false;
     std::int32_t last = -1;
     for (const Detour& detour : detours_) {
-        if (detour.place <= last || static_cast<std::size_t>(detour.place) >= n || !sane(detour.goal)) return false;
+        if (detour.place <= last || static_cast<std::size_t>(detour.place) >= n || !sane(detour.goal))
+            return false;
         if (!std::all_of(detour.way.begin(), detour.way.end(), sane)) return false;
         last = detour.place;
     }
@@ -75,8 +77,13 @@ void PlaceTracker::findGoals(const PlaceDef& def, const Environment& environment
 class PlaceTracker::Mover {
 public:
     Mover(PlaceTracker& tracker, const PlaceDef& def, const Environment& environment, double dt)
-        : tracker_(tracker), def_(def), environment_(environment), speed_(environment.travelSpeed()),
-          ground_(def, environment, -1), dt_(dt), radius_(lineRadius(def)) {}
+        : tracker_(tracker),
+          def_(def),
+          environment_(environment),
+          speed_(environment.travelSpeed()),
+          ground_(def, environment, -1),
+          dt_(dt),
+          radius_(lineRadius(def)) {}
 
     // What a place needs after its step.
     enum class Need { Nothing, Way, KeepsDetour };
@@ -90,8 +97,10 @@ public:
         const double way = distance(before, goal);
         Need need = Need::Nothing;
         // Mostly there is room all round up to the goal.
-        if (ground_.roomAt(cell) < way + radius_) need = moveAmong(position, goal, way, reach, detour);
-        else if (before != goal) position = stepTowards(before, goal, way, reach);
+        if (ground_.roomAt(cell) < way + radius_)
+            need = moveAmong(position, goal, way, reach, detour);
+        else if (before != goal)
+            position = stepTowards(before, goal, way, reach);
         tracker_.velocity_[place] = dt_ > 0.0 ? (position - before) / dt_ : Vec2{};
         return need;
     }
@@ -104,7 +113,8 @@ private:
             position = stepTowards(position, goal, way, reach);
             return Need::Nothing;
         }
-        if (environment_.distanceToObstacle(position) < radius_ || !environment_.def().box.contains(position)) {
+        if (environment_.distanceToObstacle(position) < radius_ ||
+            !environment_.def().box.contains(position)) {
             escape(position, reach);
             return detour != nullptr ? Need::KeepsDetour : Need::Nothing;
         }
@@ -125,7 +135,9 @@ private:
     static Vec2 stepTowards(Vec2 from, Vec2 to, double way, double reach) {
         return way <= reach ? to : from + (to - from) * (reach / way);
     }
-    static Vec2 stepTowards(Vec2 from, Vec2 to, double reach) { return stepTowards(from, to, distance(from, to), reach); }
+    static Vec2 stepTowards(Vec2 from, Vec2 to, double reach) {
+        return stepTowards(from, to, distance(from, to), reach);
+    }
 
     // A moving obstacle has run over the place: out by the nearest way, never through.
     void escape(Vec2& position, double reach) {
@@ -152,7 +164,8 @@ private:
         return blocked || detour.way.empty() ? Need::Way : Need::KeepsDetour;
     }
 
-    // Ways lead from cell to cell, and between two free cells an obstacle may stand out by a few centimetres: along it.
+    // Ways lead from cell to cell, and between two free cells an obstacle may stand out by a few centimetres:
+    // along it.
     bool graze(Vec2 position, Vec2& next, double reach) const {
         next = stepTowards(position, environment_.pushOut(next, def_.radius), reach);
         return distance(position, next) > kGrazed * reach && environment_.clearLine(position, next, radius_);
@@ -224,7 +237,8 @@ auto& detourFor(Detours& detours, Ways& spareWays, std::size_t place) {
 }
 
 // The first of the places in [from, to) that bears a mark, or `to`.
-std::size_t firstMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark, std::size_t from, std::size_t to) {
+std::size_t firstMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark, std::size_t from,
+                        std::size_t to) {
     const void* const at = from < to ? std::memchr(marks.data() + from, mark, to - from) : nullptr;
     return at != nullptr ? static_cast<std::size_t>(static_cast<const std::uint8_t*>(at) - marks.data()) : to;
 }
@@ -270,8 +284,10 @@ void PlaceTracker::moveAll(Mover& mover, ThreadPool* pool) {
         }
     };
     const auto chunks = static_cast<std::int32_t>((n + kChunk - 1) / kChunk);
-    if (pool != nullptr && chunks > 1) pool->run(chunks, task);
-    else for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
+    if (pool != nullptr && chunks > 1)
+        pool->run(chunks, task);
+    else
+        for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
 }
 
 void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
@@ -290,7 +306,7 @@ void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, c
     dropDetours([&](const Detour& d) { return d.place < 0 || static_cast<std::size_t>(d.place) >= n; });
     Mover mover(*this, def, environment, dt);
     moveAll(mover, pool);
-    dropDetours([&](const Detour& d) { return mark_[static_cast<std::size_t>(d.place)] == 0; });
+    dropDetours([&](const Detour& d) { return mark_[d.place] == 0; });
     findWays(def, environment);
 }
 

@@ -20,18 +20,18 @@ struct SpacingMemory {
         std::int32_t high = 0;  ///< Index of a point.
     };
 
-    CellList cells;            ///< The points, in cells at least as large as the distance looked for.
-    std::vector<Vec2> push;    ///< Of each point [m].
-    std::vector<Pair> near;    ///< Pairs that may come too near.
-    std::vector<Vec2> foundAt; ///< Where the points were when these were looked for [m]; empty for never.
-    std::vector<Pair> close;   ///< Pairs too near.
+    CellList cells;             ///< The points, in cells at least as large as the distance looked for.
+    std::vector<Vec2> push;     ///< Of each point [m].
+    std::vector<Pair> near;     ///< Pairs that may come too near.
+    std::vector<Vec2> foundAt;  ///< Where the points were when these were looked for [m]; empty for never.
+    std::vector<Pair> close;    ///< Pairs too near.
 };
 
 /// How places travel.
 struct PlaceDef {
-    double radius = 0.25;    ///< Of the characters [m] > 0.
-    double clearance = 0.02; ///< Kept from obstacles beyond the radius [m] >= 0.
-    double maxSpeed = 2.0;   ///< [m/s] > 0, times the ground's travel speed.
+    double radius = 0.25;     ///< Of the characters [m] > 0.
+    double clearance = 0.02;  ///< Kept from obstacles beyond the radius [m] >= 0.
+    double maxSpeed = 2.0;    ///< [m/s] > 0, times the ground's travel speed.
 };
 
 struct CarryMemory;  // Working memory of goals that are carried from step to step.
@@ -39,7 +39,7 @@ struct CarryMemory;  // Working memory of goals that are carried from step to st
 /// Places of one group: each follows its target continuously, along ways a character could take.
 class PlaceTracker {
 public:
-    PlaceTracker();                                    ///< No places.
+    PlaceTracker();  ///< No places.
     ~PlaceTracker();
     PlaceTracker(PlaceTracker&&) noexcept;             ///< Moves.
     PlaceTracker& operator=(PlaceTracker&&) noexcept;  ///< Moves.
@@ -47,17 +47,17 @@ public:
     /// Puts every place on its reachable target at once (a new group).
     void reset(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                std::int32_t region);
-    /// Moves places towards `targets` (one per place) for `dt` [s]. Where targets are clear of obstacles and of each
-    /// other they are the places' goals; goals of others are seats near by, in the region with clearance and a
-    /// diameter apart. These are carried from step to step, and better ones sought in turns; those that find no room
-    /// are marked unfit.
-    /// A place whose straight way is blocked follows a path round the obstacle; it never crosses one.
-    /// A changed number of targets adds places at their reachable targets or drops the last ones.
+    /// Moves places towards `targets` (one per place) for `dt` [s]. Where targets are clear of obstacles and
+    /// of each other they are the places' goals; goals of others are seats near by, in the region with
+    /// clearance and a diameter apart. These are carried from step to step, and better ones sought in turns;
+    /// those that find no room are marked unfit. A place whose straight way is blocked follows a path round
+    /// the obstacle; it never crosses one. A changed number of targets adds places at their reachable targets
+    /// or drops the last ones.
     void advance(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
                  std::int32_t region, double dt, ThreadPool* pool = nullptr);
 
-    const std::vector<Vec2>& positions() const { return position_; }    ///< [m]
-    const std::vector<Vec2>& velocities() const { return velocity_; }   ///< [m/s]
+    const std::vector<Vec2>& positions() const { return position_; }   ///< [m]
+    const std::vector<Vec2>& velocities() const { return velocity_; }  ///< [m/s]
     /// 1 where a character can stand, 0 where the place is unfit and stays unmatched.
     const std::vector<std::uint8_t>& fit() const { return fit_; }
 
@@ -76,8 +76,8 @@ private:
     /// The rest of a way round an obstacle.
     struct Detour {
         std::int32_t place = 0;
-        Vec2 goal;               ///< The target it was made for [m].
-        std::vector<Vec2> way;   ///< Corners still ahead [m]; empty where none was found.
+        Vec2 goal;              ///< The target it was made for [m].
+        std::vector<Vec2> way;  ///< Corners still ahead [m]; empty where none was found.
 
         /// Lets an archive read or write the detour.
         template <class Archive>

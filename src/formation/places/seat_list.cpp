@@ -6,7 +6,8 @@
 namespace muster {
 namespace {
 
-// Pairs are listed up to this much farther apart than asked, and a seat is listed anew once it moved half of that.
+// Pairs are listed up to this much farther apart than asked, and a seat is listed anew once it moved half of
+// that.
 constexpr double kMargin = 0.8;
 constexpr Vec2 kNowhere{1e300, 1e300};
 constexpr std::size_t kStrayShare = 32;  // More strays than one of so many seats: all are listed anew;
@@ -73,7 +74,7 @@ void SeatList::listAll(const std::vector<Vec2>& seats, const std::vector<std::ui
     pairs_.clear();
     if (!listed_.empty())
         cells_.forPairs(reach, [&](std::int32_t a, std::int32_t b) {
-            pairs_.push_back({listed_[static_cast<std::size_t>(a)], listed_[static_cast<std::size_t>(b)]});
+            pairs_.push_back({listed_[a], listed_[b]});
         });
     linkPairs();
 }
@@ -85,15 +86,15 @@ void SeatList::linkPairs() {
     laterIn_.assign(static_cast<std::size_t>(cells_.grid().count()), -1);
     start_.assign(foundAt_.size() + 1, 0);
     for (const Pair pair : pairs_) {
-        ++start_[static_cast<std::size_t>(pair.low)];
-        ++start_[static_cast<std::size_t>(pair.high)];
+        ++start_[pair.low];
+        ++start_[pair.high];
     }
     std::int32_t sum = 0;
     for (std::int32_t& s : start_) s = sum += s;
     other_.resize(2 * pairs_.size());
     for (const Pair pair : pairs_) {
-        other_[static_cast<std::size_t>(--start_[static_cast<std::size_t>(pair.low)])] = pair.high;
-        other_[static_cast<std::size_t>(--start_[static_cast<std::size_t>(pair.high)])] = pair.low;
+        other_[--start_[pair.low]] = pair.high;
+        other_[--start_[pair.high]] = pair.low;
     }
 }
 
@@ -110,10 +111,10 @@ bool SeatList::anyRound(Vec2 p, const Visit& visit) const {
     const std::int32_t left = std::max(cell.x - 1, 0), right = std::min(cell.x + 1, grid.width - 1);
     for (std::int32_t y = std::max(cell.y - 1, 0); y <= std::min(cell.y + 1, grid.height - 1); ++y) {
         for (const std::int32_t at : cells_.within(grid.index({left, y}), grid.index({right, y})))
-            if (visit(static_cast<std::size_t>(listed_[static_cast<std::size_t>(at)]))) return true;
+            if (visit(static_cast<std::size_t>(listed_[at]))) return true;
         if (links_.empty()) continue;
         for (std::int32_t x = left; x <= right; ++x)
-            for (std::int32_t at = laterIn_[static_cast<std::size_t>(grid.index({x, y}))]; at >= 0; at = link(at).next)
+            for (std::int32_t at = laterIn_[grid.index({x, y})]; at >= 0; at = link(at).next)
                 if (visit(static_cast<std::size_t>(link(at).seat))) return true;
     }
     return false;
@@ -133,7 +134,7 @@ void SeatList::listAnew(std::size_t seat, Vec2 at) {
         return false;
     });
     const Grid& grid = cells_.grid();
-    chain(laterIn_[static_cast<std::size_t>(grid.index(grid.nearestCell(at)))], seat);
+    chain(laterIn_[grid.index(grid.nearestCell(at))], seat);
 }
 
 bool SeatList::occupied(Vec2 spot, const std::vector<Vec2>& seats, const std::vector<std::uint8_t>& fit,

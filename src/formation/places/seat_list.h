@@ -10,19 +10,21 @@
 
 namespace muster {
 
-/// The seats of those that have one (marked in `fit`), in cells, and for each the others that may come near. The list
-/// holds while seats move alike; those that have moved otherwise than most are listed anew, or all where these are many.
+/// The seats of those that have one (marked in `fit`), in cells, and for each the others that may come near.
+/// The list holds while seats move alike; those that have moved otherwise than most are listed anew, or all
+/// where these are many.
 class SeatList {
 public:
-    /// Brings the list up to date with seats and with where they may move now. Both must lie within slack() of each
-    /// other.
-    void update(const std::vector<Vec2>& seats, const std::vector<Vec2>& next, const std::vector<std::uint8_t>& fit,
-                double apart);
-    /// Calls `visit(other)` for the others that may be nearer than `apart` to this one, for some twice; only for seats of
-    /// the last update().
+    /// Brings the list up to date with seats and with where they may move now. Both must lie within slack()
+    /// of each other.
+    void update(const std::vector<Vec2>& seats, const std::vector<Vec2>& next,
+                const std::vector<std::uint8_t>& fit, double apart);
+    /// Calls `visit(other)` for the others that may be nearer than `apart` to this one, for some twice; only
+    /// for seats of the last update().
     template <class Visit>
     void forNear(std::size_t seat, const Visit& visit) const {
-        for (auto at = static_cast<std::size_t>(start_[seat]); at < static_cast<std::size_t>(start_[seat + 1]); ++at)
+        for (auto at = static_cast<std::size_t>(start_[seat]);
+             at < static_cast<std::size_t>(start_[seat + 1]); ++at)
             visit(static_cast<std::size_t>(other_[at]));
         for (std::int32_t at = laterOther_[seat]; at >= 0; at = link(at).next)
             visit(static_cast<std::size_t>(link(at).seat));
@@ -30,9 +32,11 @@ public:
     /// Calls `visit(a, b)` for all pairs that may be nearer than `apart`, some twice, in a fixed order.
     template <class Visit>
     void forPairs(const Visit& visit) const {
-        for (const Pair pair : pairs_) visit(static_cast<std::size_t>(pair.low), static_cast<std::size_t>(pair.high));
+        for (const Pair pair : pairs_)
+            visit(static_cast<std::size_t>(pair.low), static_cast<std::size_t>(pair.high));
     }
-    /// True where a seat that is listed and marked in `fit` lies nearer than `apart` to a spot, `self` left out.
+    /// True where a seat that is listed and marked in `fit` lies nearer than `apart` to a spot, `self` left
+    /// out.
     bool occupied(Vec2 spot, const std::vector<Vec2>& seats, const std::vector<std::uint8_t>& fit,
                   std::size_t self) const;
     /// What a seat may move within a step, relative to the others [m].
@@ -49,13 +53,15 @@ private:
         std::int32_t next = 0;  // Another link of the same chain, or negative.
     };
 
-    bool findStrays(const std::vector<Vec2>& seats, const std::vector<Vec2>& next, const std::vector<std::uint8_t>& fit);
+    bool findStrays(const std::vector<Vec2>& seats, const std::vector<Vec2>& next,
+                    const std::vector<std::uint8_t>& fit);
     void listAll(const std::vector<Vec2>& seats, const std::vector<std::uint8_t>& fit);
     void linkPairs();
     void listAnew(std::size_t seat, Vec2 at);
     void chain(std::int32_t& first, std::size_t seat);
-    const Link& link(std::int32_t at) const { return links_[static_cast<std::size_t>(at)]; }
-    // True once `visit(seat)` is, called for the seats that were found in the nine cells round a point, some twice.
+    const Link& link(std::int32_t at) const { return links_[at]; }
+    // True once `visit(seat)` is, called for the seats that were found in the nine cells round a point, some
+    // twice.
     template <class Visit>
     bool anyRound(Vec2 p, const Visit& visit) const;
 

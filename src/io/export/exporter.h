@@ -15,11 +15,11 @@ namespace muster {
 
 /// A character in one frame.
 struct ExportCharacter {
-    std::uint32_t id = 0;        ///< Of the character: its own in the whole take.
-    std::uint32_t group = 0;     ///< Index of its group.
-    Vec2 position;               ///< Of its own frame on the ground [m].
-    float yaw = 0.0f;            ///< It faces (cos, sin) of this [rad].
-    float size = 1.0f;           ///< Of the skeleton; hips and offsets of the pose are to be scaled by it.
+    std::uint32_t id = 0;     ///< Of the character: its own in the whole take.
+    std::uint32_t group = 0;  ///< Index of its group.
+    Vec2 position;            ///< Of its own frame on the ground [m].
+    float yaw = 0.0f;         ///< It faces (cos, sin) of this [rad].
+    float size = 1.0f;        ///< Of the skeleton; hips and offsets of the pose are to be scaled by it.
     const BodyPose* pose = nullptr;  ///< For a body of size 1; null where the exporter wants none.
 };
 
@@ -45,8 +45,8 @@ struct ExportInfo {
 /// the last.
 class Exporter {
 public:
-    Exporter() = default;                           ///< Nothing is open.
-    Exporter(const Exporter&) = delete;             ///< A file has one writer.
+    Exporter() = default;                ///< Nothing is open.
+    Exporter(const Exporter&) = delete;  ///< A file has one writer.
     Exporter& operator=(const Exporter&) = delete;
     /// Removes what was written, unless finish() went well.
     virtual ~Exporter() = default;

@@ -6,15 +6,16 @@
 #include <string>
 #include <string_view>
 
-#include "muster/status.h"
 #include "io/export/exporter.h"
+#include "muster/status.h"
 
 namespace muster {
 
 /// A format by name.
 struct ExportFormat {
-    const char* name;                                            ///< "glb", "bvh"...
-    const char* ending;                                          ///< Of files: ".glb"; of bvh's folder: "-bvh".
+    const char* name;  ///< "glb", "bvh"...
+    /// Of files: ".glb"; of bvh's folder: "-bvh".
+    const char* ending;
     const char* about;                                           ///< One line for people.
     std::unique_ptr<Exporter> (*make)(const std::string& path);  ///< An exporter that writes to `path`.
 };

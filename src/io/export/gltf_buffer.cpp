@@ -53,8 +53,8 @@ Status GltfBuffer::copyTo(OutputFile& file) {
     std::rewind(file_.get());
     std::vector<char> block(kCopyBytes);
     for (std::uint64_t done = 0; done < size_;) {
-        const std::size_t wanted =
-            static_cast<std::size_t>(std::min<std::uint64_t>(kCopyBytes, size_ - done));
+        const std::size_t wanted = static_cast<std::size_t>(
+            std::min<std::uint64_t>(kCopyBytes, size_ - done));
         const std::size_t got = std::fread(block.data(), 1, wanted, file_.get());
         if (std::ferror(file_.get())) return failed();
         // Behind the last byte written.

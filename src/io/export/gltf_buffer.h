@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/status.h"
 #include "io/export/output_file.h"
+#include "muster/status.h"
 
 namespace muster {
 

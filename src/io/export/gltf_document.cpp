@@ -62,8 +62,8 @@ std::string GltfList::member(const char* name) const {
 }
 
 std::uint32_t GltfDocument::addView(std::uint64_t offset, std::uint64_t bytes, GltfTarget target) {
-    std::string text =
-        "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) + ",\"byteLength\":" + std::to_string(bytes);
+    std::string text = "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
+                       ",\"byteLength\":" + std::to_string(bytes);
     if (target != GltfTarget::None) text += ",\"target\":" + std::to_string(static_cast<int>(target));
     return views.add(text + "}");
 }
@@ -89,9 +89,9 @@ std::uint32_t GltfDocument::addMaterial(std::string_view name, Vec3 colour, doub
 
 void GltfDocument::animate(std::uint32_t node, const char* path, std::uint32_t times, std::uint32_t values,
                            bool steps) {
-    const std::uint32_t sampler =
-        samplers.add("{\"input\":" + std::to_string(times) + ",\"output\":" + std::to_string(values) +
-                     (steps ? ",\"interpolation\":\"STEP\"}" : "}"));
+    const std::uint32_t sampler = samplers.add("{\"input\":" + std::to_string(times) +
+                                               ",\"output\":" + std::to_string(values) +
+                                               (steps ? ",\"interpolation\":\"STEP\"}" : "}"));
     channels.add("{\"sampler\":" + std::to_string(sampler) + ",\"target\":{\"node\":" + std::to_string(node) +
                  ",\"path\":\"" + path + "\"}}");
 }

@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <optional>
 
+#include "io/export/gltf_export.h"
 #include "io/export/gltf_people.h"
 #include "io/export/scene_camera.h"
-#include "io/export/gltf_export.h"
 
 namespace muster {
 namespace {
@@ -109,8 +109,8 @@ private:
         for (SceneThing& thing : makeScene(world)) {
             const auto mesh = meshes_.thing(thing);
             if (!mesh.ok()) return mesh.status();
-            const Vec3 place =
-                gltfAxes(Vec3{static_cast<float>(thing.pivot.x), static_cast<float>(thing.pivot.y), 0});
+            const Vec3 place = gltfAxes(
+                Vec3{static_cast<float>(thing.pivot.x), static_cast<float>(thing.pivot.y), 0});
             const std::uint32_t node = document_.nodes.add("{\"name\":" + jsonText(thing.name) +
                                                            ",\"mesh\":" + std::to_string(*mesh) +
                                                            ",\"translation\":" + jsonNumbers(place) + "}");
@@ -137,8 +137,8 @@ private:
     }
 
     void animate(const MovingThing& moving) {
-        const std::uint32_t view =
-            document_.addView(moving.track.begin(), moving.track.bytes(), GltfTarget::None);
+        const std::uint32_t view = document_.addView(moving.track.begin(), moving.track.bytes(),
+                                                     GltfTarget::None);
         const auto add = [&](const char* path, std::size_t value, const char* type) {
             const GltfValues values{GltfNumber::Float, type, info_.frames};
             const std::uint32_t accessor = document_.addAccessor(view, moving.track.offset(value), values);

@@ -27,9 +27,9 @@ std::uint32_t GltfMeshes::material(Finish finish) {
     const FinishLook& look = finishLook(finish);
     const auto found = materials_.find(look.name);
     if (found != materials_.end()) return found->second;
-    const std::uint32_t made =
-        document_.addMaterial(look.name, linearColour(look.colour), static_cast<double>(look.alpha),
-                              static_cast<double>(look.roughness));
+    const std::uint32_t made = document_.addMaterial(look.name, linearColour(look.colour),
+                                                     static_cast<double>(look.alpha),
+                                                     static_cast<double>(look.roughness));
     return materials_[look.name] = made;
 }
 
@@ -103,8 +103,8 @@ Status GltfMeshes::writeBody(const BodyMesh& mesh, BodyParts& parts) {
     const char* const names[] = {"POSITION", "NORMAL", "JOINTS_0", "WEIGHTS_0"};
     for (std::size_t k = 0; k < 4; ++k) {
         if (!accessors[k].ok()) return accessors[k].status();
-        parts.attributes +=
-            (k == 0 ? "\"" : ",\"") + std::string(names[k]) + "\":" + std::to_string(*accessors[k]);
+        parts.attributes += (k == 0 ? "\"" : ",\"") + std::string(names[k]) +
+                            "\":" + std::to_string(*accessors[k]);
     }
     for (std::size_t r = 0; r < kBodyRegionCount; ++r) {
         const std::size_t from = mesh.regionBegin[r], to = mesh.regionBegin[r + 1];
@@ -139,8 +139,8 @@ Result<std::uint32_t> GltfMeshes::body(const CharacterLook& look) {
                       ",\"material\":" + std::to_string(dressed) + "}";
     }
     const std::string name = "body " + std::to_string(static_cast<int>(look.body) + 1);
-    const std::uint32_t mesh =
-        document_.meshes.add("{\"name\":" + jsonText(name) + ",\"primitives\":[" + primitives + "]}");
+    const std::uint32_t mesh = document_.meshes.add("{\"name\":" + jsonText(name) + ",\"primitives\":[" +
+                                                    primitives + "]}");
     return meshes_[look] = mesh;
 }
 

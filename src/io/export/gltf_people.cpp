@@ -133,8 +133,8 @@ void GltfPeople::makeRecord(const ExportCharacter& character, Person& person) {
     const Vec3 hips = gltfAxes(character.pose->hips), root = gltfAxes(placeOf(character));
     putFloats(record_, std::array{hips.x, hips.y, hips.z});
     putFloats(record_, std::array{root.x, root.y, root.z});
-    const Quat turn =
-        beside(gltfAxes(yawTurn(static_cast<double>(character.yaw))), person.before[kJointCount]);
+    const Quat turn = beside(gltfAxes(yawTurn(static_cast<double>(character.yaw))),
+                             person.before[kJointCount]);
     putFloats(record_, std::array{turn.x, turn.y, turn.z, turn.w});
 }
 
@@ -152,8 +152,8 @@ Status GltfPeople::finish(std::uint32_t times, double fps) {
 }
 
 void GltfPeople::animate(const Person& person, std::uint32_t times) {
-    const std::uint32_t view =
-        document_.addView(person.track.begin(), person.track.bytes(), GltfTarget::None);
+    const std::uint32_t view = document_.addView(person.track.begin(), person.track.bytes(),
+                                                 GltfTarget::None);
     const GltfValues turns{GltfNumber::Short, "VEC4", frames_, true};
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const std::uint32_t values = document_.addAccessor(view, person.track.offset(j), turns);

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "io/export/gltf_meshes.h"
 #include "io/export/exporter.h"
+#include "io/export/gltf_meshes.h"
 
 namespace muster {
 

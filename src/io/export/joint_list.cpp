@@ -16,8 +16,8 @@ public:
     Status begin(const ExportInfo& info) override {
         from_ = info.from;
         if (Status s = file_.open(path_); !s.ok()) return s;
-        std::string text =
-            "{\"name\":" + jsonText(info.name) + ",\"fps\":" + jsonNumber(info.fps) + ",\"joints\":[";
+        std::string text = "{\"name\":" + jsonText(info.name) + ",\"fps\":" + jsonNumber(info.fps) +
+                           ",\"joints\":[";
         for (std::size_t j = 0; j < kJointCount; ++j)
             text += (j == 0 ? "\"" : ",\"") + std::string(skeleton()[j].name) + "\"";
         return file_.write(text + "],\"frames\":[\n");

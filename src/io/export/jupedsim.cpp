@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "muster/hash.h"
 #include "base/maths.h"
 #include "io/export/output_file.h"
+#include "muster/hash.h"
 #endif
 
 namespace muster {
@@ -75,8 +75,8 @@ public:
             return failed();
         box_ = info.world->environment().def().box;
         addFrame_ = std::make_unique<Statement>(base, "INSERT INTO frame_data VALUES(?, ?)");
-        addCharacter_ =
-            std::make_unique<Statement>(base, "INSERT INTO trajectory_data VALUES(?, ?, ?, ?, ?, ?)");
+        addCharacter_ = std::make_unique<Statement>(base,
+                                                    "INSERT INTO trajectory_data VALUES(?, ?, ?, ?, ?, ?)");
         return metadata("version", "2") && metadata("fps", numberText(info.fps)) ? Status() : failed();
     }
 
@@ -97,10 +97,11 @@ public:
     }
 
     Status finish() override {
-        const bool good =
-            metadata("xmin", numberText(box_.min.x)) && metadata("xmax", numberText(box_.max.x)) &&
-            metadata("ymin", numberText(box_.min.y)) && metadata("ymax", numberText(box_.max.y)) &&
-            execute("CREATE INDEX frame_id_idx ON trajectory_data(frame, id); COMMIT;");
+        const bool good = metadata("xmin", numberText(box_.min.x)) &&
+                          metadata("xmax", numberText(box_.max.x)) &&
+                          metadata("ymin", numberText(box_.min.y)) &&
+                          metadata("ymax", numberText(box_.max.y)) &&
+                          execute("CREATE INDEX frame_id_idx ON trajectory_data(frame, id); COMMIT;");
         if (!good) return failed();
         addFrame_.reset();
         addCharacter_.reset();

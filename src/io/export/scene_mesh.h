@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "muster/vec3.h"
-#include "muster/timed_path.h"
 #include "geometry/polygon.h"
+#include "muster/timed_path.h"
+#include "muster/vec3.h"
 #include "muster/world.h"
 
 namespace muster {

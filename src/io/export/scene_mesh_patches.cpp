@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "io/export/scene_mesh.h"
 #include "base/maths.h"
+#include "io/export/scene_mesh.h"
 
 namespace muster {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <set>
 
-#include "io/export/scene_mesh.h"
 #include "geometry/triangulation.h"
+#include "io/export/scene_mesh.h"
 
 namespace muster {
 namespace {
@@ -38,7 +38,7 @@ bool addGround(const Environment& environment, const std::vector<Polygon>& pools
     const auto mesh = triangulate(shape, spacing);
     if (!mesh.ok()) return false;
     const auto corner = [&](std::int32_t v) {
-        const Vec2 p = mesh->vertices[static_cast<std::size_t>(v)];
+        const Vec2 p = mesh->vertices[v];
         return Vec3{static_cast<float>(p.x), static_cast<float>(p.y), 0.0f};
     };
     for (const Triangle& t : mesh->triangles)

@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <map>
 
-#include "io/export/usd_text.h"
 #include "base/maths.h"
 #include "io/export/usd_export.h"
+#include "io/export/usd_text.h"
 
 namespace muster {
 namespace {
@@ -170,11 +170,11 @@ private:
         char name[40];
         std::snprintf(name, sizeof(name), "character_%04u", character.id);
         const std::string size = usdNumber(static_cast<double>(character.size));
-        std::string text =
-            "    def SkelRoot \"" + std::string(name) + "\"\n    {\n" + "        float3 xformOp:scale = (" +
-            size + ", " + size + ", " + size + ")\n" +
-            "        uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:rotateZ\", " +
-            "\"xformOp:scale\"]\n        token visibility.timeSamples = {\n";
+        std::string
+            text = "    def SkelRoot \"" + std::string(name) + "\"\n    {\n" +
+                   "        float3 xformOp:scale = (" + size + ", " + size + ", " + size + ")\n" +
+                   "        uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:rotateZ\", " +
+                   "\"xformOp:scale\"]\n        token visibility.timeSamples = {\n";
         person.visibility = file_.size() + text.size();
         text.append(kMostChanges * kChangeWidth, ' ');
         if (Status s = file_.write(text + "\n        }\n"); !s.ok()) return s;
@@ -205,10 +205,10 @@ private:
     }
 
     static std::string bodyOf(const std::string& root, const CharacterLook& look) {
-        std::string text =
-            "        def Mesh \"Body\" (\n            prepend references = </World/Bodies/Body" +
-            std::to_string(static_cast<int>(look.body) + 1) + ">\n        )\n        {\n" +
-            "            rel skel:skeleton = " + root + "/Skeleton>\n";
+        std::string
+            text = "        def Mesh \"Body\" (\n            prepend references = </World/Bodies/Body" +
+                   std::to_string(static_cast<int>(look.body) + 1) + ">\n        )\n        {\n" +
+                   "            rel skel:skeleton = " + root + "/Skeleton>\n";
         for (std::size_t r = 0; r < kBodyRegionCount; ++r) {
             const auto region = static_cast<BodyRegion>(r);
             text += std::string("            over \"") + bodyRegionName(region) + "\"\n            {\n" +

@@ -153,22 +153,22 @@ std::string usdMaterials() {
 std::string usdJoints() {
     std::vector<std::string> paths;
     for (const Joint& joint : skeleton())
-        paths.push_back((joint.parent < 0 ? "" : paths[static_cast<std::size_t>(joint.parent)] + "/") +
-                        joint.name);
+        paths.push_back((joint.parent < 0 ? "" : paths[joint.parent] + "/") + joint.name);
     return listOf(paths, [](const std::string& path) { return "\"" + path + "\""; });
 }
 
 std::string usdBodies() {
     JointTransforms rest;
     jointTransforms(restPose(), {}, rest);
-    std::string text =
-        "    class Scope \"Bodies\"\n    {\n        def Skeleton \"Skeleton\" (\n" +
-        std::string("            prepend apiSchemas = [\"SkelBindingAPI\"]\n        )\n        {\n") +
-        "            uniform matrix4d[] bindTransforms = " +
-        listOf(rest, [](const Transform& joint) { return moved(joint.translation); }) + "\n" +
-        "            uniform token[] joints = " + usdJoints() + "\n" +
-        "            uniform matrix4d[] restTransforms = " +
-        listOf(skeleton(), [](const Joint& joint) { return moved(joint.offset); }) + "\n        }\n";
+    std::string text = "    class Scope \"Bodies\"\n    {\n        def Skeleton \"Skeleton\" (\n" +
+                       std::string(
+                           "            prepend apiSchemas = [\"SkelBindingAPI\"]\n        )\n        {\n") +
+                       "            uniform matrix4d[] bindTransforms = " +
+                       listOf(rest, [](const Transform& joint) { return moved(joint.translation); }) + "\n" +
+                       "            uniform token[] joints = " + usdJoints() + "\n" +
+                       "            uniform matrix4d[] restTransforms = " +
+                       listOf(skeleton(), [](const Joint& joint) { return moved(joint.offset); }) +
+                       "\n        }\n";
     for (std::size_t k = 0; k < kBodyKindCount; ++k) text += body(static_cast<BodyKind>(k));
     return text + "    }\n";
 }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "io/export/character_look.h"
+#include "io/export/output_file.h"
 #include "io/export/scene_camera.h"
 #include "io/export/scene_mesh.h"
-#include "io/export/output_file.h"
 
 namespace muster {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "muster/patch.h"
 #include "io/scenario/fields.h"
+#include "muster/patch.h"
 
 namespace muster {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "world/commands/validation.h"
-#include "muster/world_def.h"
 #include "io/scenario/fields.h"
+#include "muster/world_def.h"
+#include "world/commands/validation.h"
 
 namespace muster {
 
@@ -34,7 +34,8 @@ void describeFormation(Visitor& v, FormationDef& formation) {
         }
     }
     v.number("spacing", formation.spacing, {0.05, 100.0, "m"}, "Distance between neighbouring places.");
-    v.number("opening", formation.opening, {0.01, 6.0, "rad"}, "Full angle of Pacman's mouth or the crescent's gap.");
+    v.number("opening", formation.opening, {0.01, 6.0, "rad"},
+             "Full angle of Pacman's mouth or the crescent's gap.");
     v.points("outline", formation.outline.outline, 3, kMaxCorners, "For outline: its corners, of any size.");
     if constexpr (Visitor::kSchema) {
         v.set("holes",
@@ -43,7 +44,8 @@ void describeFormation(Visitor& v, FormationDef& formation) {
     } else {
         describeHoles(v, formation.outline.holes);
     }
-    v.points("points", formation.points, 1, kMaxCharacters, "For points: places in the local frame, facing +x.");
+    v.points("points", formation.points, 1, kMaxCharacters,
+             "For points: places in the local frame, facing +x.");
 }
 
 /// Holes are polygons, so a list of lists of points.
@@ -114,7 +116,8 @@ void describePatch(Visitor& v, PatchDef& patch, const std::vector<std::string>& 
     v.text("name", patch.name, "Shown on its tag.");
     v.points("polygon", patch.polygon, 3, kMaxCorners, "Its corners.", Need::Required);
     describePath(v, patch.path);
-    v.nameOrIndex("motion", patch.motion, motions, "Clip played on it: a name or index of `clips`.", Need::Required);
+    v.nameOrIndex("motion", patch.motion, motions, "Clip played on it: a name or index of `clips`.",
+                  Need::Required);
     v.optionalNumber("speed", patch.speed, {0.01, 100.0},
                      "Travel speed relative to running; left out: the clip's.");
 }
@@ -129,15 +132,17 @@ void describeGroup(Visitor& v, GroupDef& group) {
     v.number("angle", group.angle, kAngle, "Where it faces, from +x counter-clockwise.");
     v.points("starts", group.starts, 0, kMaxCharacters,
              "Where characters stand at first, one point each; left out: on their places.");
-    v.number("jitter", group.jitter, {0.0, 100.0, "m"}, "Start positions are moved by up to this, by the seed.");
+    v.number("jitter", group.jitter, {0.0, 100.0, "m"},
+             "Start positions are moved by up to this, by the seed.");
 }
 
 template <class Visitor>
 void describeCheckpoint(Visitor& v, FormationCheckpointDef& checkpoint, std::size_t groups) {
     v.point("position", checkpoint.position, "Where it lies.", Need::Required);
     v.number("radius", checkpoint.radius, {0.01, 1e4, "m"}, "Works where a mesh centre comes within it.");
-    v.objectOrKind("formation", "What the group becomes.",
-                   [&](auto& inner) { describeFormation(inner, checkpoint.formation); }, Need::Required);
+    v.objectOrKind(
+        "formation", "What the group becomes.",
+        [&](auto& inner) { describeFormation(inner, checkpoint.formation); }, Need::Required);
     if (Visitor::kReading || Visitor::kSchema || checkpoint.group >= 0) {
         const double most = Visitor::kSchema ? 999.0 : static_cast<double>(groups) - 1.0;
         v.whole("group", checkpoint.group, {-1.0, most}, "Index of the group it concerns; -1 for any.");

@@ -88,7 +88,8 @@ void FieldReader::text(std::string_view key, std::string& value, const char*, Ne
     value = found->get<std::string>();
 }
 
-bool FieldReader::readNumber(const Json& value, std::string_view key, const NumberRange& range, double& number) {
+bool FieldReader::readNumber(const Json& value, std::string_view key, const NumberRange& range,
+                             double& number) {
     if (value.is_number()) {
         const double read = value.get<double>();
         if (read >= range.minimum && read <= range.maximum && (!range.whole || read == std::floor(read))) {
@@ -100,7 +101,8 @@ bool FieldReader::readNumber(const Json& value, std::string_view key, const Numb
     return false;
 }
 
-void FieldReader::number(std::string_view key, double& value, const NumberRange& range, std::string_view, Need need) {
+void FieldReader::number(std::string_view key, double& value, const NumberRange& range, std::string_view,
+                         Need need) {
     if (const Json* found = find(key, need)) readNumber(*found, key, range, value);
 }
 
@@ -137,23 +139,25 @@ void FieldReader::points(std::string_view key, std::vector<Vec2>& value, std::si
     for (std::size_t i = 0; i < value.size(); ++i) {
         const Json& item = (*found)[i];
         const bool good = item.is_array() && item.size() == 2 && item[0].is_number() && item[1].is_number();
-        if (!readPoint(item, good ? pathOf(key) : pathOf(key) + "[" + std::to_string(i) + "]", value[i])) return;
+        if (!readPoint(item, good ? pathOf(key) : pathOf(key) + "[" + std::to_string(i) + "]", value[i]))
+            return;
     }
 }
 
-void FieldReader::choice(std::string_view key, std::string& value, const std::vector<std::string>& names, const char*,
-                         Need need) {
+void FieldReader::choice(std::string_view key, std::string& value, const std::vector<std::string>& names,
+                         const char*, Need need) {
     const Json* found = find(key, need);
     if (found == nullptr) return;
-    if (found->is_string() && std::find(names.begin(), names.end(), found->get<std::string>()) != names.end()) {
+    if (found->is_string() &&
+        std::find(names.begin(), names.end(), found->get<std::string>()) != names.end()) {
         value = found->get<std::string>();
         return;
     }
     fail(key, describeJson(*found), listNames(names));
 }
 
-void FieldReader::nameOrIndex(std::string_view key, std::int32_t& value, const std::vector<std::string>& names,
-                              const char*, Need need) {
+void FieldReader::nameOrIndex(std::string_view key, std::int32_t& value,
+                              const std::vector<std::string>& names, const char*, Need need) {
     const Json* found = find(key, need);
     if (found == nullptr) return;
     if (found->is_string()) {

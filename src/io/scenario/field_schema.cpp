@@ -67,18 +67,19 @@ void FieldSchema::point(std::string_view key, Vec2 value, const char* about, Nee
 
 void FieldSchema::points(std::string_view key, const std::vector<Vec2>&, std::size_t least, std::size_t most,
                          const char* about, Need need) {
-    set(key, {{"type", "array"}, {"items", pointSchema()}, {"minItems", least}, {"maxItems", most}}, about, need);
+    set(key, {{"type", "array"}, {"items", pointSchema()}, {"minItems", least}, {"maxItems", most}}, about,
+        need);
 }
 
-void FieldSchema::choice(std::string_view key, const std::string& value, const std::vector<std::string>& names,
-                         const char* about, Need need) {
+void FieldSchema::choice(std::string_view key, const std::string& value,
+                         const std::vector<std::string>& names, const char* about, Need need) {
     Json schema = {{"enum", names}};
     if (need == Need::Optional && !value.empty()) schema["default"] = value;
     set(key, std::move(schema), about, need);
 }
 
-void FieldSchema::nameOrIndex(std::string_view key, std::int32_t, const std::vector<std::string>&, const char* about,
-                              Need need) {
+void FieldSchema::nameOrIndex(std::string_view key, std::int32_t, const std::vector<std::string>&,
+                              const char* about, Need need) {
     Json number = {{"type", "integer"}, {"minimum", 0}, {"maximum", 999}};
     set(key, {{"anyOf", Json::array({Json{{"type", "string"}}, number})}}, about, need);
 }

@@ -7,7 +7,8 @@ void FieldWriter::text(std::string_view key, const std::string& value, const cha
     if (!value.empty() || !fallback.empty() || need == Need::Required) set(key, value);
 }
 
-void FieldWriter::number(std::string_view key, double value, const NumberRange& range, std::string_view, Need) {
+void FieldWriter::number(std::string_view key, double value, const NumberRange& range, std::string_view,
+                         Need) {
     if (range.whole) return set(key, static_cast<std::int64_t>(value));
     set(key, value);
 }
@@ -24,16 +25,16 @@ void FieldWriter::point(std::string_view key, Vec2 value, const char*, Need) {
     set(key, Json::array({value.x, value.y}));
 }
 
-void FieldWriter::points(std::string_view key, const std::vector<Vec2>& value, std::size_t, std::size_t, const char*,
-                         Need need) {
+void FieldWriter::points(std::string_view key, const std::vector<Vec2>& value, std::size_t, std::size_t,
+                         const char*, Need need) {
     if (value.empty() && need == Need::Optional) return;
     Json array = Json::array();
     for (Vec2 p : value) array.push_back(Json::array({p.x, p.y}));
     set(key, std::move(array));
 }
 
-void FieldWriter::choice(std::string_view key, const std::string& value, const std::vector<std::string>&, const char*,
-                         Need) {
+void FieldWriter::choice(std::string_view key, const std::string& value, const std::vector<std::string>&,
+                         const char*, Need) {
     if (!value.empty()) set(key, value);
 }
 

@@ -1,7 +1,7 @@
 // One description of each file object serves loading, saving and the schema.
 //
-// describe functions (describe.h) call the same methods on each of three visitors: FieldReader takes values out of
-// JSON, FieldWriter puts them in, FieldSchema writes down what is allowed.
+// describe functions (describe.h) call the same methods on each of three visitors: FieldReader takes values
+// out of JSON, FieldWriter puts them in, FieldSchema writes down what is allowed.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/vec2.h"
-#include "muster/formation.h"
 #include "io/scenario/json.h"
+#include "muster/formation.h"
+#include "muster/vec2.h"
 
 namespace muster {
 
@@ -56,17 +56,17 @@ public:
     }
     void flag(std::string_view key, bool& value, const char* about);
     void point(std::string_view key, Vec2& value, const char* about, Need need = Need::Optional);
-    void points(std::string_view key, std::vector<Vec2>& value, std::size_t least, std::size_t most, const char* about,
-                Need need = Need::Optional);
-    void choice(std::string_view key, std::string& value, const std::vector<std::string>& names, const char* about,
-                Need need = Need::Optional);
+    void points(std::string_view key, std::vector<Vec2>& value, std::size_t least, std::size_t most,
+                const char* about, Need need = Need::Optional);
+    void choice(std::string_view key, std::string& value, const std::vector<std::string>& names,
+                const char* about, Need need = Need::Optional);
     /// A word out of a list, or its number.
     void nameOrIndex(std::string_view key, std::int32_t& value, const std::vector<std::string>& names,
                      const char* about, Need need = Need::Optional);
     /// Objects; `describe(visitor, item)` is called for each.
     template <class Item, class Describe>
-    void list(std::string_view key, std::vector<Item>& items, std::size_t most, const char*, Describe describe,
-              Need need = Need::Optional) {
+    void list(std::string_view key, std::vector<Item>& items, std::size_t most, const char*,
+              Describe describe, Need need = Need::Optional) {
         const Json* found = findArray(key, most, need);
         if (found == nullptr) return;
         items.clear();
@@ -122,8 +122,8 @@ private:
     std::vector<std::string_view> known_;  // Keys asked for.
 };
 
-/// Puts fields into one JSON object. Empty lists, negative optional numbers, and texts that are empty where leaving
-/// them out makes them so, are left out.
+/// Puts fields into one JSON object. Empty lists, negative optional numbers, and texts that are empty where
+/// leaving them out makes them so, are left out.
 class FieldWriter {
 public:
     explicit FieldWriter(Json& object) : object_(&object) { *object_ = Json::object(); }
@@ -168,7 +168,8 @@ public:
         return true;
     }
     template <class Describe>
-    bool objectOrKind(std::string_view key, const char* about, Describe describe, Need need = Need::Optional) {
+    bool objectOrKind(std::string_view key, const char* about, Describe describe,
+                      Need need = Need::Optional) {
         return object(key, about, describe, need);
     }
     bool failed() const { return false; }  ///< Writing cannot fail.
@@ -212,8 +213,8 @@ public:
     void nameOrIndex(std::string_view key, std::int32_t value, const std::vector<std::string>& names,
                      const char* about, Need need = Need::Optional);
     template <class Item, class Describe>
-    void list(std::string_view key, std::vector<Item>&, std::size_t most, const char* about, Describe describe,
-              Need need = Need::Optional) {
+    void list(std::string_view key, std::vector<Item>&, std::size_t most, const char* about,
+              Describe describe, Need need = Need::Optional) {
         Json items;
         FieldSchema child(items);
         Item item{};
@@ -229,7 +230,8 @@ public:
         return true;
     }
     template <class Describe>
-    bool objectOrKind(std::string_view key, const char* about, Describe describe, Need need = Need::Optional) {
+    bool objectOrKind(std::string_view key, const char* about, Describe describe,
+                      Need need = Need::Optional) {
         Json inner;
         FieldSchema child(inner);
         describe(child);

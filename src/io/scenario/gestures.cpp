@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "muster/scenario.h"
 #include "io/scenario/describe.h"
+#include "muster/scenario.h"
 
 namespace muster {
 namespace {
@@ -15,10 +15,10 @@ namespace {
 constexpr const char* kFormat = "muster-gestures";
 constexpr std::size_t kMaxEvents = 1000000;
 constexpr NumberRange kNumber{0.0, 4294967295.0};
-constexpr const char* kKinds[] = {"down",   "move",        "up",       "cancel",   "control",
-                                  "pin",    "remove",      "release",  "formation", "count",
-                                  "pose",   "group",       "removeGroup", "obstacle", "changeObstacle",
-                                  "removeObstacle", "patch", "changePatch", "removePatch", "parameter"};
+constexpr const char* kKinds[] = {
+    "down",           "move",           "up",    "cancel",      "control",     "pin",         "remove",
+    "release",        "formation",      "count", "pose",        "group",       "removeGroup", "obstacle",
+    "changeObstacle", "removeObstacle", "patch", "changePatch", "removePatch", "parameter"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandBody>);
 
 /// An event of the file: a command with its time.
@@ -45,7 +45,8 @@ struct BodyFields {
     void operator()(TouchDown& c) {
         finger(c.touch);
         spot(c.position);
-        if (Visitor::kReading || c.group) v.whole("group", c.group.value, kNumber, "Group; left out: the nearest mesh.");
+        if (Visitor::kReading || c.group)
+            v.whole("group", c.group.value, kNumber, "Group; left out: the nearest mesh.");
         c.time = time;
     }
     void operator()(TouchMove& c) {
@@ -65,7 +66,8 @@ struct BodyFields {
         v.choice("control", control, names, "Kind of control.", Need::Required);
         c.kind = static_cast<ControlKind>(std::find(names.begin(), names.end(), control) - names.begin());
         std::vector<std::pair<std::uint32_t, Vec2>> points;
-        for (std::size_t i = 0; i < c.positions.size(); ++i) points.emplace_back(c.touches[i], c.positions[i]);
+        for (std::size_t i = 0; i < c.positions.size(); ++i)
+            points.emplace_back(c.touches[i], c.positions[i]);
         v.list(
             "points", points, 64, "Its fingers.",
             [](auto& item, std::pair<std::uint32_t, Vec2>& point) {
@@ -94,7 +96,8 @@ struct BodyFields {
     void operator()(ReleaseClient&) {}
     void operator()(SetFormation& c) {
         id("group", c.group);
-        v.objectOrKind("formation", "", [&](auto& inner) { describeFormation(inner, c.formation); }, Need::Required);
+        v.objectOrKind(
+            "formation", "", [&](auto& inner) { describeFormation(inner, c.formation); }, Need::Required);
     }
     void operator()(SetCount& c) {
         id("group", c.group);
@@ -106,7 +109,8 @@ struct BodyFields {
         v.number("angle", c.angle, kAngle, "Where it faces.");
     }
     void operator()(AddGroup& c) {
-        v.object("definition", "", [&](auto& inner) { describeGroup(inner, c.group); }, Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describeGroup(inner, c.group); }, Need::Required);
     }
     void operator()(RemoveGroup& c) { id("group", c.group); }
     void operator()(AddObstacle& c) { obstacle(c.obstacle); }
@@ -126,10 +130,12 @@ struct BodyFields {
         v.number("value", c.value, {-1e9, 1e9}, "Its new value.", Need::Required);
     }
     void obstacle(ObstacleDef& def) {
-        v.object("definition", "", [&](auto& inner) { describeObstacle(inner, def); }, Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describeObstacle(inner, def); }, Need::Required);
     }
     void patch(PatchDef& def) {
-        v.object("definition", "", [&](auto& inner) { describePatch(inner, def, {}); }, Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describePatch(inner, def, {}); }, Need::Required);
     }
 };
 
@@ -178,8 +184,9 @@ void describeFile(Visitor& v, std::vector<Event>& events, double stepTime) {
     std::int32_t version = 1;
     v.choice("format", format, {kFormat}, "What this file is.", Need::Required);
     v.whole("version", version, {1.0, 1.0}, "Of the format.", Need::Required);
-    v.list("events", events, kMaxEvents, "Those of one step and client apply in this order.",
-           [&](auto& item, Event& event) { describeEvent(item, event, stepTime); }, Need::Required);
+    v.list(
+        "events", events, kMaxEvents, "Those of one step and client apply in this order.",
+        [&](auto& item, Event& event) { describeEvent(item, event, stepTime); }, Need::Required);
 }
 
 /// Time stamp of a command that bears one; else the start of its step.
@@ -203,7 +210,8 @@ Result<std::vector<Command>> loadGestures(const std::string& path, double stepTi
     return parseGestures(*text, path, stepTime);
 }
 
-Result<std::vector<Command>> parseGestures(std::string_view text, const std::string& sourceName, double stepTime) {
+Result<std::vector<Command>> parseGestures(std::string_view text, const std::string& sourceName,
+                                           double stepTime) {
     const auto json = parseJson(text, sourceName);
     if (!json.ok()) return json.status();
     std::vector<Event> events;

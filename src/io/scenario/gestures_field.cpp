@@ -26,7 +26,8 @@ Result<std::vector<Command>> loadScenarioGestures(const std::string& scenarioPat
     if (def.gestures.empty()) return std::vector<Command>();
     const std::string where = scenarioPath + ": $.gestures";
     if (!staysInside(def.gestures)) {
-        return invalidArgument(where + ": found " + describeJson(def.gestures) + ", expected " + kInsideExpected);
+        return invalidArgument(where + ": found " + describeJson(def.gestures) + ", expected " +
+                               kInsideExpected);
     }
     auto commands = loadGestures(folderOf(scenarioPath) + def.gestures, def.parameters.stepTime);
     if (!commands.ok()) return commands.status().within(where);

@@ -18,9 +18,11 @@ inline constexpr const char* kInsideExpected = "a file in the scenario's folder 
 
 template <class Visitor>
 void describeGestures(Visitor& v, std::string& gestures) {
-    v.text("gestures", gestures, "File of the touches that belong to it, in the scenario's folder or below it.");
+    v.text("gestures", gestures,
+           "File of the touches that belong to it, in the scenario's folder or below it.");
     if constexpr (Visitor::kReading) {
-        if (!v.failed() && !staysInside(gestures)) v.fail("gestures", describeJson(gestures), kInsideExpected);
+        if (!v.failed() && !staysInside(gestures))
+            v.fail("gestures", describeJson(gestures), kInsideExpected);
     }
 }
 

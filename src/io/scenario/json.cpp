@@ -42,10 +42,12 @@ public:
         key_ = name;
         return true;
     }
-    bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& e) override {
+    bool parse_error(std::size_t position, const std::string& token,
+                     const nlohmann::detail::exception& e) override {
         const std::string what = e.what();
         const std::size_t expected = what.rfind("expected ");
-        std::string found = token.empty() || token == "<end of input>" ? "the end" : "`" + token.substr(0, 40) + "`";
+        std::string found = token.empty() || token == "<end of input>" ? "the end"
+                                                                       : "`" + token.substr(0, 40) + "`";
         if (position > text_.size()) found = "the end";
         error_ = lineAndColumn(text_, position) + ": found " + found + ", expected " +
                  (expected == std::string::npos ? "valid JSON" : what.substr(expected + 9));

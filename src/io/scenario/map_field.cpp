@@ -27,9 +27,11 @@ std::string mapText(FieldReader& v, const std::string& file, const Json* rows, c
         if (!text.ok()) v.fail("file", text.status().message(), "a MovingAI map");
         return text.ok() ? *text : std::string();
     }
-    const std::size_t width = !rows->empty() && rows->front().is_string() ? rows->front().get<std::string>().size() : 0;
-    std::string text = "type octile\nheight " + std::to_string(rows->size()) + "\nwidth " + std::to_string(width) +
-                       "\nmap\n";
+    const std::size_t width = !rows->empty() && rows->front().is_string()
+                                  ? rows->front().get<std::string>().size()
+                                  : 0;
+    std::string text = "type octile\nheight " + std::to_string(rows->size()) + "\nwidth " +
+                       std::to_string(width) + "\nmap\n";
     for (std::size_t i = 0; i < rows->size(); ++i) {
         const Json& row = (*rows)[i];
         if (!row.is_string() || row.get<std::string>().size() != width || width > kMaxMapSide) {
@@ -54,7 +56,8 @@ void readMap(FieldReader& v, MapGround& map, const std::string& folder) {
     const std::string text = mapText(v, file, rows, folder);
     if (v.failed()) return;
     auto grid = parseMap(text);
-    if (!grid.ok()) return v.fail(rows != nullptr ? "rows" : "file", grid.status().message(), "a MovingAI map");
+    if (!grid.ok())
+        return v.fail(rows != nullptr ? "rows" : "file", grid.status().message(), "a MovingAI map");
     map.grid = std::move(grid).value();
 }
 
@@ -66,7 +69,8 @@ Box mapBox(const MapGround& map) {
 }
 
 bool describeMap(FieldReader& v, std::optional<MapGround>& map, const std::string& folder) {
-    const bool found = v.object("map", kAbout, [&](FieldReader& inner) { readMap(inner, map.emplace(), folder); });
+    const bool found = v.object("map", kAbout,
+                                [&](FieldReader& inner) { readMap(inner, map.emplace(), folder); });
     return found && !v.failed();
 }
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "muster/world_def.h"
 #include "io/scenario/fields.h"
+#include "muster/world_def.h"
 
 namespace muster {
 

@@ -35,7 +35,8 @@ template <class Visitor>
 void describeBox(Visitor& v, Box& box) {
     std::vector<Vec2> corners{box.min, box.max};
     v.points("box", corners, 2, 2,
-             "Lower left and upper right corner of the world; left out: the map's, or 32 x 32 m about the origin.");
+             "Lower left and upper right corner of the world; left out: the map's, or 32 x 32 m about the "
+             "origin.");
     if constexpr (Visitor::kReading) {
         if (!v.failed()) box = {corners[0], corners[1]};
     }
@@ -62,7 +63,8 @@ void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
     describeBox(v, def.box);
     v.number("cell", def.cell, {0.01, 100.0, "m"}, "Edge of a ground cell.");
     v.whole("seed", def.seed, {0.0, kLargestSeed}, "Of all random numbers.");
-    v.list("clips", def.clips, 1000, "Facts of motion clips; left out: run, walk, duck, crawl, swim, jump, climb, idle.",
+    v.list("clips", def.clips, 1000,
+           "Facts of motion clips; left out: run, walk, duck, crawl, swim, jump, climb, idle.",
            [&](auto& item, ClipFacts& clip) {
                // The first is running: all speeds are relative to it.
                const bool running = def.clips.empty() || &clip == &def.clips.front();
@@ -106,7 +108,8 @@ Result<WorldDef> loadScenario(const std::string& path) {
     return parseScenario(*text, path, folderOf(path));
 }
 
-Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceName, const std::string& baseFolder) {
+Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceName,
+                               const std::string& baseFolder) {
     if (text.size() > kMaxScenarioBytes) {
         return Status(StatusCode::LimitExceeded, sourceName + ": found more than 64 MB");
     }
@@ -141,9 +144,10 @@ std::string scenarioSchema() {
     FieldSchema schema(body);
     WorldDef def;
     describeWorld(schema, def, {});
-    Json json = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                 {"title", "Muster scenario"},
-                 {"description", "Metres, seconds, radians; x right, y forward. See docs/scenario-format.md."}};
+    Json json = {
+        {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+        {"title", "Muster scenario"},
+        {"description", "Metres, seconds, radians; x right, y forward. See docs/scenario-format.md."}};
     for (auto item = body.begin(); item != body.end(); ++item) json[item.key()] = *item;
     return printJson(json);
 }

@@ -18,12 +18,14 @@ std::string at(Vec2 p) {
 
 /// The definition's ground as it stands at the start.
 Result<Environment> groundOf(const WorldDef& def) {
-    EnvironmentDef ground{def.box, def.cell, def.parameters.fieldRange, def.parameters.fieldStrength, def.clips};
+    EnvironmentDef ground{def.box, def.cell, def.parameters.fieldRange, def.parameters.fieldStrength,
+                          def.clips};
     auto environment = Environment::create(ground);
     if (!environment.ok()) return environment;
     std::vector<ObstacleDef> obstacles = def.obstacles;
     if (def.map) {
-        for (ObstacleDef& piece : mapObstacles(def.map->grid, def.map->def)) obstacles.push_back(std::move(piece));
+        for (ObstacleDef& piece : mapObstacles(def.map->grid, def.map->def))
+            obstacles.push_back(std::move(piece));
     }
     for (const ObstacleDef& obstacle : obstacles) {
         if (const auto id = environment->addObstacle(obstacle); !id.ok()) return id.status();
@@ -73,14 +75,15 @@ double widthOf(std::span<const Vec2> polygon) {
 /// SPEC C3: a single-step motion runs once, so its patch must be as long as its clip.
 void warnOfSingleSteps(const WorldDef& def, std::size_t most, std::vector<std::string>& warnings) {
     for (std::size_t i = 0; i < def.patches.size() && warnings.size() < most; ++i) {
-        const ClipFacts& clip = def.clips[static_cast<std::size_t>(def.patches[i].motion)];
+        const ClipFacts& clip = def.clips[def.patches[i].motion];
         if (clip.cyclic || clip.length <= 0.0) continue;
         const double found = widthOf(def.patches[i].polygon);
         if (std::fabs(found - clip.length) <= kLengthShare * clip.length) continue;
         char text[160];
-        std::snprintf(text, sizeof(text), ": found %.2f m across, expected %.2f to %.2f m, as a play of \"%.40s\" covers %.2f m",
-                      found, (1.0 - kLengthShare) * clip.length, (1.0 + kLengthShare) * clip.length, clip.name.c_str(),
-                      clip.length);
+        std::snprintf(text, sizeof(text),
+                      ": found %.2f m across, expected %.2f to %.2f m, as a play of \"%.40s\" covers %.2f m",
+                      found, (1.0 - kLengthShare) * clip.length, (1.0 + kLengthShare) * clip.length,
+                      clip.name.c_str(), clip.length);
         warnings.push_back("$.patches[" + std::to_string(i) + "].polygon" + text);
     }
 }

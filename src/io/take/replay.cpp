@@ -45,9 +45,10 @@ Result<ReplayReport> replayTake(const Take& take, std::int32_t threads,
         if (!go) return report;
         report.hash = world->hash();
         if (report.hash != mark.hash) {
-            return Status(StatusCode::Corrupt, "step " + std::to_string(mark.step) + ": found the hash " +
-                                                   toHex(report.hash) + ", expected " + toHex(mark.hash) +
-                                                   (report.compared == 0 ? "" : " (all marks before it match)"));
+            return Status(StatusCode::Corrupt,
+                          "step " + std::to_string(mark.step) + ": found the hash " + toHex(report.hash) +
+                              ", expected " + toHex(mark.hash) +
+                              (report.compared == 0 ? "" : " (all marks before it match)"));
         }
         ++report.compared;
     }

@@ -1,8 +1,8 @@
 #include <cstring>
 
+#include "io/take/take_format.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
-#include "io/take/take_format.h"
 
 namespace muster {
 namespace {

@@ -9,9 +9,9 @@ namespace muster {
 
 inline constexpr std::array<std::uint8_t, 8> kTakeMagic{'M', 'U', 'S', 'T', 'A', 'K', 'E', '\n'};
 inline constexpr std::uint32_t kTakeVersion = 1;
-inline constexpr std::size_t kTakeHeaderBytes = 12;      ///< Magic and version.
-inline constexpr std::size_t kRecordHeadBytes = 9;       ///< Length, kind, checksum of these two.
-inline constexpr std::size_t kRecordTailBytes = 4;       ///< Checksum of the payload.
+inline constexpr std::size_t kTakeHeaderBytes = 12;  ///< Magic and version.
+inline constexpr std::size_t kRecordHeadBytes = 9;   ///< Length, kind, checksum of these two.
+inline constexpr std::size_t kRecordTailBytes = 4;   ///< Checksum of the payload.
 inline constexpr std::uint32_t kMaxRecordBytes = 1u << 28;
 
 /// What a record holds.

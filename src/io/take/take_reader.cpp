@@ -1,8 +1,8 @@
 #include <cstring>
 
+#include "io/take/take_format.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
-#include "io/take/take_format.h"
 
 namespace muster {
 namespace {
@@ -18,15 +18,18 @@ std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t offset) {
 /// Walks through the records of a take.
 class TakeParser {
 public:
-    TakeParser(std::span<const std::uint8_t> bytes, std::string source) : bytes_(bytes), source_(std::move(source)) {}
+    TakeParser(std::span<const std::uint8_t> bytes, std::string source)
+        : bytes_(bytes), source_(std::move(source)) {}
 
     Result<Take> parse() {
         if (bytes_.size() < kTakeHeaderBytes || std::memcmp(bytes_.data(), kTakeMagic.data(), 8) != 0) {
-            return Status(StatusCode::ParseError, source_ + ": found no take, expected one to begin with MUSTAKE");
+            return Status(StatusCode::ParseError,
+                          source_ + ": found no take, expected one to begin with MUSTAKE");
         }
         if (const std::uint32_t version = wordAt(bytes_, 8); version != kTakeVersion) {
-            return Status(StatusCode::Unsupported, source_ + ": found a take of version " + std::to_string(version) +
-                                                       ", expected version " + std::to_string(kTakeVersion));
+            return Status(StatusCode::Unsupported, source_ + ": found a take of version " +
+                                                       std::to_string(version) + ", expected version " +
+                                                       std::to_string(kTakeVersion));
         }
         offset_ = kTakeHeaderBytes;
         while (offset_ < bytes_.size()) {
@@ -36,14 +39,16 @@ public:
         }
         take_.tornBytes = bytes_.size() - offset_;
         if (!haveScenario_) {
-            return Status(StatusCode::ParseError, source_ + ": found the end of the file, expected the whole scenario");
+            return Status(StatusCode::ParseError,
+                          source_ + ": found the end of the file, expected the whole scenario");
         }
         return std::move(take_);
     }
 
 private:
     Status corrupt(const std::string& what) const {
-        return {StatusCode::Corrupt, source_ + ": " + what + " in the record at offset " + std::to_string(offset_)};
+        return {StatusCode::Corrupt,
+                source_ + ": " + what + " in the record at offset " + std::to_string(offset_)};
     }
 
     /// Reads one record; `torn` where the file ends inside it.
@@ -68,7 +73,8 @@ private:
     }
 
     Status accept(RecordKind kind, std::span<const std::uint8_t> payload) {
-        if (haveScenario_ == (kind == RecordKind::Scenario)) return corrupt("found the scenario out of its turn");
+        if (haveScenario_ == (kind == RecordKind::Scenario))
+            return corrupt("found the scenario out of its turn");
         switch (kind) {
             case RecordKind::Scenario:
                 return scenario(payload);
@@ -107,7 +113,8 @@ private:
         HashMark mark;
         reader(mark.step, mark.hash);
         if (!reader.ok() || reader.remaining() > 0) return corrupt("found a mark of the wrong size");
-        if (!take_.marks.empty() && mark.step < take_.marks.back().step) return corrupt("found an earlier mark");
+        if (!take_.marks.empty() && mark.step < take_.marks.back().step)
+            return corrupt("found an earlier mark");
         mark.commands = static_cast<std::uint32_t>(take_.commands.size());
         take_.marks.push_back(mark);
         return {};

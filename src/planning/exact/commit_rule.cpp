@@ -39,8 +39,8 @@ void CommitRule::merge(std::span<const Flow> incumbent, std::span<const Flow> be
     }
 }
 
-// Where the longest walk counts first, a piece also changes for shortening it, from its own dearest pair to the dearest
-// of the best flows.
+// Where the longest walk counts first, a piece also changes for shortening it, from its own dearest pair to
+// the dearest of the best flows.
 bool CommitRule::worthwhile(const PlanDef& def, const Piece& piece, double dearest) const {
     const auto least = [&](double cost) { return std::max(def.threshold, def.thresholdShare * cost); };
     if (piece.moreMatched > dust_) return true;
@@ -48,8 +48,9 @@ bool CommitRule::worthwhile(const PlanDef& def, const Piece& piece, double deare
     return piece.incumbentCost - piece.bestCost > least(piece.incumbentCost);
 }
 
-void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_t places, std::span<const double> cost,
-                        std::span<const Flow> incumbent, std::span<const Flow> best, std::vector<Flow>& committed) {
+void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_t places,
+                        std::span<const double> cost, std::span<const Flow> incumbent,
+                        std::span<const Flow> best, std::vector<Flow>& committed) {
     const auto nodes = static_cast<std::size_t>(characters) + static_cast<std::size_t>(places);
     parent_.resize(nodes);
     for (std::size_t k = 0; k < nodes; ++k) parent_[k] = static_cast<std::int32_t>(k);

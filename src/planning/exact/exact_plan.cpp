@@ -12,12 +12,15 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::size_t pairIndex(std::int32_t character, std::int32_t place, std::int32_t places) {
-    return static_cast<std::size_t>(character) * static_cast<std::size_t>(places) + static_cast<std::size_t>(place);
+    return static_cast<std::size_t>(character) * static_cast<std::size_t>(places) +
+           static_cast<std::size_t>(place);
 }
 
 }  // namespace
 
-std::unique_ptr<Plan> makeExactPlan() { return std::make_unique<ExactPlan>(); }
+std::unique_ptr<Plan> makeExactPlan() {
+    return std::make_unique<ExactPlan>();
+}
 
 Status ExactPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = checkPlan(def, input); !status.ok()) return status;
@@ -27,7 +30,8 @@ Status ExactPlan::start(const PlanDef& def, const PlanInput& input) {
 
 void ExactPlan::advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) {
     if (!pending() || slices <= 0 || slice < 0) return;
-    const std::int64_t end = static_cast<std::int64_t>(pending_.places()) * (static_cast<std::int64_t>(slice) + 1) / slices;
+    const std::int64_t end = static_cast<std::int64_t>(pending_.places()) *
+                             (static_cast<std::int64_t>(slice) + 1) / slices;
     pending_.solve(static_cast<std::int32_t>(std::min<std::int64_t>(end, pending_.places())), pool, workers_);
 }
 
@@ -54,8 +58,8 @@ void ExactPlan::fillCosts(std::int32_t place) {
     }
 }
 
-// What the incumbents still hold: a place that nobody may take or that cannot be reached any more is lost, and
-// where several claim more than a place can take, the later ones get what is left.
+// What the incumbents still hold: a place that nobody may take or that cannot be reached any more is lost,
+// and where several claim more than a place can take, the later ones get what is left.
 void ExactPlan::collectIncumbents() {
     left_ = demand_;
     incumbents_.clear();
@@ -69,7 +73,8 @@ void ExactPlan::collectIncumbents() {
     }
 }
 
-// Least longest walk: how long it must be tells which pairs may be used; among matchings of these the least sum is chosen.
+// Least longest walk: how long it must be tells which pairs may be used; among matchings of these the least
+// sum is chosen.
 Status ExactPlan::solveOnce() {
     TransportProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(), demand_};
     if (pending_.def().longestWalk) {
@@ -82,10 +87,12 @@ Status ExactPlan::solveOnce() {
     return solver_.solve(problem, solution_).within("plan");
 }
 
-// Fronts stop where a place is unlikely to find a better character; pairs beyond have a lower bound for a cost. An optimum
-// that uses no such pair is the optimum of the true costs, and so is its longest walk. Else the fronts concerned go on, and it is sought again.
+// Fronts stop where a place is unlikely to find a better character; pairs beyond have a lower bound for a
+// cost. An optimum that uses no such pair is the optimum of the true costs, and so is its longest walk. Else
+// the fronts concerned go on, and it is sought again.
 Status ExactPlan::solveProven(ThreadPool& pool) {
-    cost_.resize(static_cast<std::size_t>(pending_.characters()) * static_cast<std::size_t>(pending_.places()));
+    cost_.resize(static_cast<std::size_t>(pending_.characters()) *
+                 static_cast<std::size_t>(pending_.places()));
     powered_.resize(cost_.size());
     for (std::int32_t j = 0; j < pending_.places(); ++j) fillCosts(j);
     for (;;) {
@@ -106,8 +113,8 @@ Status ExactPlan::assign(ThreadPool& pool, PlanResult& result) {
     for (std::int32_t j = 0; j < pending_.places(); ++j) demand_.push_back(pending_.demandOf(j));
     if (Status status = solveProven(pool); !status.ok()) return status;
     collectIncumbents();
-    rule_.choose(pending_.def(), pending_.characters(), pending_.places(), powered_, incumbents_, solution_.flows,
-                 result.flows);
+    rule_.choose(pending_.def(), pending_.characters(), pending_.places(), powered_, incumbents_,
+                 solution_.flows, result.flows);
     report(result);
     result.gapBound = std::max(0.0, result.objective - solution_.cost);
     return {};
@@ -115,7 +122,9 @@ Status ExactPlan::assign(ThreadPool& pool, PlanResult& result) {
 
 void ExactPlan::keepIncumbents(PlanResult& result) {
     result.flows.clear();
-    cost_.assign(static_cast<std::size_t>(pending_.characters()) * static_cast<std::size_t>(pending_.places()), kInfinite);
+    cost_.assign(
+        static_cast<std::size_t>(pending_.characters()) * static_cast<std::size_t>(pending_.places()),
+        kInfinite);
     powered_ = cost_;
     for (std::int32_t i = 0; i < pending_.characters(); ++i) {
         const std::int32_t j = pending_.incumbent(i);

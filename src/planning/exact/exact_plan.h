@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "planning/plan.h"
 #include "assignment/dense/bottleneck.h"
 #include "planning/exact/commit_rule.h"
 #include "planning/exact/plan_generation.h"
+#include "planning/plan.h"
 
 namespace muster {
 
@@ -21,7 +21,8 @@ public:
     bool pending() const override { return pending_.valid(); }
     void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
-    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) override;
+    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction,
+               std::span<double> cost) override;
     std::int32_t waitingPlace(std::int32_t character) const override {
         const bool known = finished_.valid() && character >= 0 && character < finished_.characters();
         return known ? finished_.waitingPlace(character) : -1;
@@ -47,7 +48,8 @@ private:
     void fillCosts(std::int32_t place);
     void collectIncumbents();
     void report(PlanResult& result);
-    Heading head(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment, double direct) const;
+    Heading head(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment,
+                 double direct) const;
     Heading headUnknown(Vec2 p, const CostField* field, Vec2 placeNow, const Environment& environment) const;
     double steerRadius() const;
 
@@ -59,11 +61,11 @@ private:
     BottleneckSolver bottleneck_;
     TransportSolution solution_;
     CommitRule rule_;
-    std::vector<double> cost_;      // Characters x places.
-    std::vector<double> powered_;   // The same to the power of the objective.
-    std::vector<double> allowed_;   // ... where no pair may be dearer than the longest walk must be.
+    std::vector<double> cost_;     // Characters x places.
+    std::vector<double> powered_;  // The same to the power of the objective.
+    std::vector<double> allowed_;  // ... where no pair may be dearer than the longest walk must be.
     std::vector<double> demand_;
-    std::vector<double> left_;      // Demand not taken by incumbents.
+    std::vector<double> left_;  // Demand not taken by incumbents.
     std::vector<Flow> incumbents_;
     std::vector<std::int32_t> unproven_;  // Places that were given to characters their fronts have not met.
 };

@@ -8,15 +8,17 @@
 
 namespace muster {
 
-/// Labels free cells by the part they are connected with (over edges, as fast marching goes). Tells in advance which
-/// places a character can never reach, so that no front floods the ground for it. Owns its working memory.
+/// Labels free cells by the part they are connected with (over edges, as fast marching goes). Tells in
+/// advance which places a character can never reach, so that no front floods the ground for it. Owns its
+/// working memory.
 class GroundRegions {
 public:
     /// Labels every cell that is no wall.
     void label(const UnitCost& cost);
     /// Label of the cell under `p`, or of the free cell nearest to `p`; -1 where all is wall.
     std::int32_t at(Vec2 p) const;
-    /// `p` where one of the four cells around it is free, else the centre of the nearest free cell (`p` where all is wall).
+    /// `p` where one of the four cells around it is free, else the centre of the nearest free cell (`p` where
+    /// all is wall).
     Vec2 standing(Vec2 p) const;
 
 private:

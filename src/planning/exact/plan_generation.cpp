@@ -13,7 +13,8 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // How far off reached ground a character still finds back to it [cells].
 constexpr std::int32_t kReach = 4;
-// A front first goes to characters within this many times the way of the place's incumbent, and a little more [m].
+// A front first goes to characters within this many times the way of the place's incumbent, and a little more
+// [m].
 constexpr double kReachFactor = 1.5;
 constexpr double kReachMore = 2.0;
 // ... but to all where that is not much farther.
@@ -45,7 +46,8 @@ void PlanGeneration::freeze(const PlanDef& def, const PlanInput& input, const Pl
     prepare();
 }
 
-// A front that had to go on once will have to again soon: better within its share of the work than at its end.
+// A front that had to go on once will have to again soon: better within its share of the work than at its
+// end.
 void PlanGeneration::setWide(const PlanGeneration& former) {
     wide_.assign(places_.size(), 0);
     if (!former.valid_ || former.wide_.size() != wide_.size()) return;
@@ -96,7 +98,8 @@ void PlanGeneration::setReach() {
     reach_.assign(places_.size(), -1.0);
     for (std::int32_t i = 0; i < characters(); ++i) {
         const std::int32_t j = incumbent_[i];
-        if (holds(i)) reach_[j] = std::max(reach_[j], kReachFactor * distance(characters_[i], places_[j]) + kReachMore);
+        if (holds(i))
+            reach_[j] = std::max(reach_[j], kReachFactor * distance(characters_[i], places_[j]) + kReachMore);
     }
     for (std::int32_t j = 0; j < places(); ++j) {
         double farthest = 0.0;
@@ -109,22 +112,29 @@ void PlanGeneration::setReach() {
 bool PlanGeneration::met(std::int32_t character, std::int32_t place) const {
     if (characterRegion_[character] != placeRegion_[place] || supplyOf(character) <= 0.0) return false;
     if (incumbent_[character] == place || waits_[character] == place) return true;
-    return def_.reassign && (wide_[place] > 0 || distance(characters_[character], places_[place]) <= reach_[place]);
+    return def_.reassign &&
+           (wide_[place] > 0 || distance(characters_[character], places_[place]) <= reach_[place]);
 }
 
 void PlanGeneration::solve(std::int32_t end, ThreadPool& pool, std::vector<FieldWorker>& workers) {
     end = std::clamp(end, solved_, places());
     if (static_cast<std::int32_t>(workers.size()) < pool.threads()) workers.resize(pool.threads());
-    const auto work = [&](std::int32_t item, std::int32_t worker) { solveOne(solved_ + item, workers[worker]); };
+    const auto work = [&](std::int32_t item, std::int32_t worker) {
+        solveOne(solved_ + item, workers[worker]);
+    };
     pool.run(end - solved_, std::ref(work));
     solved_ = end;
 }
 
-void PlanGeneration::widen(std::span<const std::int32_t> places, ThreadPool& pool, std::vector<FieldWorker>& workers) {
+void PlanGeneration::widen(std::span<const std::int32_t> places, ThreadPool& pool,
+                           std::vector<FieldWorker>& workers) {
     if (static_cast<std::int32_t>(workers.size()) < pool.threads()) workers.resize(pool.threads());
     // Not all for equally long, so that not all have to go on again in one plan.
-    for (const std::int32_t j : places) wide_[j] = static_cast<std::uint8_t>(kWidePlans + (j * 5) % kWidePlans);
-    const auto work = [&](std::int32_t item, std::int32_t worker) { solveOne(places[item], workers[worker]); };
+    for (const std::int32_t j : places)
+        wide_[j] = static_cast<std::uint8_t>(kWidePlans + (j * 5) % kWidePlans);
+    const auto work = [&](std::int32_t item, std::int32_t worker) {
+        solveOne(places[item], workers[worker]);
+    };
     pool.run(static_cast<std::int32_t>(places.size()), std::ref(work));
 }
 
@@ -156,8 +166,8 @@ double PlanGeneration::pairCost(std::int32_t character, std::int32_t place) cons
 
 template <class Self, class Archive>
 void PlanGeneration::visitInputs(Self& self, Archive& archive) {
-    archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_, self.incumbent_,
-            self.solved_, self.wide_);
+    archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_,
+            self.incumbent_, self.solved_, self.wide_);
 }
 
 void PlanGeneration::save(Writer& archive) const {
@@ -197,7 +207,8 @@ bool nearestReached(const CostField& field, const Grid& grid, Vec2 p, Cell& foun
     const Cell from = grid.nearestCell(p);
     double best = kInfinite;
     for (std::int32_t y = std::max(0, from.y - kReach); y <= std::min(grid.height - 1, from.y + kReach); ++y)
-        for (std::int32_t x = std::max(0, from.x - kReach); x <= std::min(grid.width - 1, from.x + kReach); ++x) {
+        for (std::int32_t x = std::max(0, from.x - kReach); x <= std::min(grid.width - 1, from.x + kReach);
+             ++x) {
             const double d = distance(p, grid.centre({x, y}));
             if (d >= best || !std::isfinite(field.value({x, y}))) continue;
             best = d;

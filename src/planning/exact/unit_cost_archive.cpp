@@ -11,11 +11,14 @@ constexpr std::int64_t kMostCells = 16'000'000;  // As Environment.
 constexpr float kLeast = 1e-6f;
 constexpr float kMost = 1e9f;
 
-bool sameBits(const CellCost& a, const CellCost& b) { return std::memcmp(&a, &b, sizeof(CellCost)) == 0; }
+bool sameBits(const CellCost& a, const CellCost& b) {
+    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
+}
 
 bool plausible(const Grid& grid) {
-    return grid.width > 0 && grid.height > 0 && static_cast<std::int64_t>(grid.width) * grid.height <= kMostCells &&
-           grid.cell > 1e-4 && grid.cell < 1e4 && isFinite(grid.origin);
+    return grid.width > 0 && grid.height > 0 &&
+           static_cast<std::int64_t>(grid.width) * grid.height <= kMostCells && grid.cell > 1e-4 &&
+           grid.cell < 1e4 && isFinite(grid.origin);
 }
 
 // Wall nodes must ascend and lie inside, as solvers index cells with them.
@@ -24,13 +27,17 @@ bool plausible(const std::vector<WallNode>& nodes, std::size_t cells) {
     for (const WallNode& node : nodes) {
         if (node.cell <= before || static_cast<std::size_t>(node.cell) >= cells) return false;
         if (!(std::fabs(node.x) <= 1.0f && std::fabs(node.y) <= 1.0f)) return false;
-        if (!(std::fabs(node.normalX) <= 1.01f && std::fabs(node.normalY) <= 1.01f && std::isfinite(node.unit))) return false;
+        if (!(std::fabs(node.normalX) <= 1.01f && std::fabs(node.normalY) <= 1.01f &&
+              std::isfinite(node.unit)))
+            return false;
         before = node.cell;
     }
     return true;
 }
 
-bool plausible(float cost) { return cost >= kLeast && (cost <= kMost || std::isinf(cost)); }
+bool plausible(float cost) {
+    return cost >= kLeast && (cost <= kMost || std::isinf(cost));
+}
 
 }  // namespace
 

@@ -4,18 +4,20 @@
 #include <span>
 #include <vector>
 
-#include "geodesics/geodesics.h"
 #include "assignment/dynamic/pair_costs.h"
+#include "geodesics/geodesics.h"
 
 namespace muster {
 
-/// By geodesics, or by straight lines where these are asked for; what was worked out for the walkers themselves is not
-/// worked out again.
+/// By geodesics, or by straight lines where these are asked for; what was worked out for the walkers
+/// themselves is not worked out again.
 class FastCosts final : public PairCosts {
 public:
-    /// Takes what holds in this step. `own` is the cost of each character to its place in `ownPlace`, -1 for none.
-    void set(const Geodesics& geodesics, bool geodesic, std::span<const Vec2> characters, std::span<const Vec2> places,
-             std::span<const std::int32_t> ownPlace, std::span<const float> own) {
+    /// Takes what holds in this step. `own` is the cost of each character to its place in `ownPlace`, -1 for
+    /// none.
+    void set(const Geodesics& geodesics, bool geodesic, std::span<const Vec2> characters,
+             std::span<const Vec2> places, std::span<const std::int32_t> ownPlace,
+             std::span<const float> own) {
         geodesics_ = &geodesics;
         geodesic_ = geodesic;
         characters_ = characters;
@@ -29,11 +31,13 @@ public:
         return geodesic_ ? geodesics_->atLeast(characters_[character], place) : 0.0;
     }
     bool unsteady(std::int32_t character, std::int32_t place) const override {
-        return geodesic_ && (geodesics_->unsteady(characters_[character]) || geodesics_->unsteady(places_[place]));
+        return geodesic_ &&
+               (geodesics_->unsteady(characters_[character]) || geodesics_->unsteady(places_[place]));
     }
     void fill(std::span<const Pair> pairs, std::span<float> cost, ThreadPool& pool) override {
         constexpr std::size_t kChunk = 256;
-        forChunks(&pool, pairs.size(), kChunk, [&](std::size_t k) { cost[k] = price(pairs[k].character, pairs[k].place); });
+        forChunks(&pool, pairs.size(), kChunk,
+                  [&](std::size_t k) { cost[k] = price(pairs[k].character, pairs[k].place); });
     }
 
 private:

@@ -11,19 +11,22 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::size_t kChunk = 128;               // Characters in one piece of parallel work.
-constexpr float kFarOwn = 25.0f;                  // From so far a direction serves for two steps [m].
-constexpr std::int32_t kWaitingPerPlan = 32;      // Unmatched characters for whom a place to wait at is sought.
-constexpr std::size_t kSurveyed = 24;             // Characters from which a first plan looks at the ground.
-constexpr double kLongestWalkExponent = 8.0;      // Stands for the longest walk alone.
-constexpr double kLongestWalkShare = 0.2;         // Changes must gain that share then.
-constexpr std::size_t kPerTurn = 10000;           // Characters from which the matching is spread over two steps, twice as many three...
-constexpr std::int32_t kMostTurns = 6;            // ... and so on up to these: ten times a second.
-constexpr std::int32_t kSeatsPerSearch = 3;       // Nodes that one search may settle, as a share of all seats...
-constexpr std::int32_t kLongestSearch = 4000;     // ... at most.
-constexpr double kMostSettled = 40000.0;          // Nodes of all searches in a step, whatever the crowd.
+constexpr std::size_t kChunk = 128;  // Characters in one piece of parallel work.
+constexpr float kFarOwn = 25.0f;     // From so far a direction serves for two steps [m].
+// Unmatched characters for whom a place to wait at is sought.
+constexpr std::int32_t kWaitingPerPlan = 32;
+constexpr std::size_t kSurveyed = 24;         // Characters from which a first plan looks at the ground.
+constexpr double kLongestWalkExponent = 8.0;  // Stands for the longest walk alone.
+constexpr double kLongestWalkShare = 0.2;     // Changes must gain that share then.
+// Characters from which the matching is spread over two steps, twice as many three...
+constexpr std::size_t kPerTurn = 10000;
+constexpr std::int32_t kMostTurns = 6;  // ... and so on up to these: ten times a second.
+// Nodes that one search may settle, as a share of all seats...
+constexpr std::int32_t kSeatsPerSearch = 3;
+constexpr std::int32_t kLongestSearch = 4000;  // ... at most.
+constexpr double kMostSettled = 40000.0;       // Nodes of all searches in a step, whatever the crowd.
 constexpr std::size_t kSmallCrowd = 3000;
-constexpr std::int32_t kSmallRounds = 24;         // Of repairs after a cold start.
+constexpr std::int32_t kSmallRounds = 24;  // Of repairs after a cold start.
 
 template <class T>
 void copy(std::span<const T> from, std::vector<T>& to) {
@@ -32,7 +35,9 @@ void copy(std::span<const T> from, std::vector<T>& to) {
 
 }  // namespace
 
-std::unique_ptr<Plan> makeFastPlan() { return std::make_unique<FastPlan>(); }
+std::unique_ptr<Plan> makeFastPlan() {
+    return std::make_unique<FastPlan>();
+}
 
 void FastPlan::reserve(std::size_t characters, std::size_t places, const StaticGround& ground) {
     matching_.reserve(matchingDef(characters), characters, places);
@@ -43,7 +48,8 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = checkPlan(def, input); !status.ok()) return status;
     if (!input.supply.empty() || !input.demand.empty())
         return invalidArgument("a fast plan takes one unit of supply and demand each");
-    if (input.ground == nullptr || input.excess == nullptr) return invalidArgument("a fast plan needs the still ground and the excess");
+    if (input.ground == nullptr || input.excess == nullptr)
+        return invalidArgument("a fast plan needs the still ground and the excess");
     def_ = def;
     copy(input.characters, characters_);
     copy(input.places, places_);
@@ -59,7 +65,8 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
 }
 
 // What walkers need of windows was noted while they walked; nobody reads the windows now.
-void FastPlan::update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places) {
+void FastPlan::update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess,
+                      std::span<const Vec2> places) {
     geodesics_.remember(walkers_);
     geodesics_.update(ground, excess, places, pool);
 }
@@ -93,7 +100,8 @@ MatchingDef FastPlan::matchingDef(std::size_t characters) const {
     const auto count = static_cast<double>(std::max<std::size_t>(1, characters));
     def.searchShare = std::min(def.searchShare, kMostSettled / count);
     // Where a large formation turns, what one seat gains is paid for by many others.
-    def.searchLimit = std::clamp(static_cast<std::int32_t>(count) / kSeatsPerSearch, def.searchLimit, kLongestSearch);
+    def.searchLimit = std::clamp(static_cast<std::int32_t>(count) / kSeatsPerSearch, def.searchLimit,
+                                 kLongestSearch);
     def.turns = static_cast<std::int32_t>(std::min<std::size_t>(kMostTurns, 1 + characters / kPerTurn));
     return def;
 }
@@ -112,15 +120,18 @@ void FastPlan::measureOwn(ThreadPool& pool) {
         if (place < 0) return;
         // Far from the place a direction serves for two steps.
         const bool goesOn = kept && way_[i].cost > kFarOwn && (i + round_) % 2 == 0;
-        if (goesOn) way_[i].cost = geodesics_.cost(characters_[i], place);
-        else way_[i] = geodesics_.ahead(characters_[i], place, walkers_[i]);
+        if (goesOn)
+            way_[i].cost = geodesics_.cost(characters_[i], place);
+        else
+            way_[i] = geodesics_.ahead(characters_[i], place, walkers_[i]);
         own_[i] = def_.geodesic ? way_[i].cost : static_cast<float>(distance(characters_[i], places_[place]));
     });
 }
 
 bool FastPlan::sameAsMatched() const {
     const std::span<const std::int32_t> matched = matching_.placeOf();
-    return matched.size() == incumbent_.size() && std::equal(matched.begin(), matched.end(), incumbent_.begin());
+    return matched.size() == incumbent_.size() &&
+           std::equal(matched.begin(), matched.end(), incumbent_.begin());
 }
 
 void FastPlan::assign(ThreadPool& pool) {
@@ -155,7 +166,8 @@ Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
 }
 
 void FastPlan::report(PlanResult& result) const {
-    const std::span<const std::int32_t> placeOf = def_.reassign ? matching_.placeOf() : std::span<const std::int32_t>(incumbent_);
+    const std::span<const std::int32_t> placeOf = def_.reassign ? matching_.placeOf()
+                                                                : std::span<const std::int32_t>(incumbent_);
     const std::span<const float> cost = def_.reassign ? matching_.cost() : std::span<const float>(own_);
     result.flows.clear();
     result.cost.assign(characters_.size(), kInfinite);
@@ -177,7 +189,8 @@ void FastPlan::seekWaitingPlaces() {
     const std::size_t count = characters_.size();
     waiting_.resize(count, -1);
     if (count == 0) return;
-    const std::span<const std::int32_t> placeOf = def_.reassign ? matching_.placeOf() : std::span<const std::int32_t>(incumbent_);
+    const std::span<const std::int32_t> placeOf = def_.reassign ? matching_.placeOf()
+                                                                : std::span<const std::int32_t>(incumbent_);
     std::int32_t sought = 0;
     for (std::size_t k = 0; k < count && sought < kWaitingPerPlan; ++k) {
         const std::size_t i = turn_ % count;
@@ -197,12 +210,13 @@ void FastPlan::seekWaitingPlaces() {
 
 std::int32_t FastPlan::waitingPlace(std::int32_t character) const {
     const bool known = character >= 0 && static_cast<std::size_t>(character) < waiting_.size();
-    return known ? waiting_[static_cast<std::size_t>(character)] : -1;
+    return known ? waiting_[character] : -1;
 }
 
-void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) {
-    MUSTER_ASSERT(input.place.size() == input.characters.size() && direction.size() == input.characters.size() &&
-                  cost.size() == input.characters.size());
+void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction,
+                     std::span<double> cost) {
+    MUSTER_ASSERT(input.place.size() == input.characters.size() &&
+                  direction.size() == input.characters.size() && cost.size() == input.characters.size());
     if (!updated_ && input.ground != nullptr) update(pool, *input.ground, *input.excess, input.places);
     const bool fresh = updated_ && ownPlace_.size() == input.characters.size();
     updated_ = false;
@@ -212,18 +226,20 @@ void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> 
         direction[i] = {};
         cost[i] = kInfinite;
         if (place < 0 || static_cast<std::size_t>(place) >= input.places.size()) return;
-        const WayAhead way = fresh && ownPlace_[i] == place ? way_[i]
-                                                            : geodesics_.ahead(input.characters[i], place, walkers_[i]);
+        const WayAhead way = fresh && ownPlace_[i] == place
+                                 ? way_[i]
+                                 : geodesics_.ahead(input.characters[i], place, walkers_[i]);
         direction[i] = way.direction;
         cost[i] = way.direction == Vec2{} && way.cost > 0.0f ? kInfinite : static_cast<double>(way.cost);
     });
 }
 
 double FastPlan::costAt(std::int32_t place, Vec2 p) const {
-    if (!planned_ || ground_ == nullptr || place < 0 || static_cast<std::size_t>(place) >= places_.size() || !isFinite(p))
+    if (!planned_ || ground_ == nullptr || place < 0 || static_cast<std::size_t>(place) >= places_.size() ||
+        !isFinite(p))
         return kInfinite;
     // Never by the geodesics: to look at a plan must not change it.
-    const Vec2 source = places_[static_cast<std::size_t>(place)];
+    const Vec2 source = places_[place];
     if (picture_.ground != ground_->version() || !(picture_.place == source)) {
         picture_.solver.solve(ground_->fine(), source, {}, picture_.field);
         picture_.place = source;
@@ -246,15 +262,20 @@ bool FastPlan::consistent() const {
     const std::size_t n = characters_.size();
     // Nobody saves a plan between start() and the end of its work.
     const bool whole = pending_ == matched_ &&
-                       (!pending_ || (own_.size() == n && (!def_.reassign || matching_.placeOf().size() == n)));
+                       (!pending_ ||
+                        (own_.size() == n && (!def_.reassign || matching_.placeOf().size() == n)));
     const bool sizes = whole && incumbent_.size() == n && (present_.empty() || present_.size() == n) &&
-                       (usable_.empty() || usable_.size() == places_.size()) && (waiting_.empty() || waiting_.size() == n);
-    const auto inRange = [&](std::int32_t j) { return j >= -1 && j < static_cast<std::int64_t>(places_.size()); };
+                       (usable_.empty() || usable_.size() == places_.size()) &&
+                       (waiting_.empty() || waiting_.size() == n);
+    const auto inRange = [&](std::int32_t j) {
+        return j >= -1 && j < static_cast<std::int64_t>(places_.size());
+    };
     const std::span<const std::int32_t> matched = matching_.placeOf();
     return sizes && std::all_of(incumbent_.begin(), incumbent_.end(), inRange) &&
            std::all_of(matched.begin(), matched.end(), inRange) &&
-           std::none_of(own_.begin(), own_.end(), [](float c) { return std::isnan(c); }) && consistentWays() &&
-           std::all_of(waiting_.begin(), waiting_.end(), inRange) && std::all_of(characters_.begin(), characters_.end(), isFinite) &&
+           std::none_of(own_.begin(), own_.end(), [](float c) { return std::isnan(c); }) &&
+           consistentWays() && std::all_of(waiting_.begin(), waiting_.end(), inRange) &&
+           std::all_of(characters_.begin(), characters_.end(), isFinite) &&
            std::all_of(places_.begin(), places_.end(), isFinite);
 }
 

@@ -5,16 +5,16 @@
 #include <span>
 #include <vector>
 
+#include "assignment/dynamic/sparse_matching.h"
 #include "eikonal/eikonal.h"
 #include "geodesics/geodesics.h"
-#include "planning/plan.h"
 #include "planning/fast/fast_costs.h"
-#include "assignment/dynamic/sparse_matching.h"
+#include "planning/plan.h"
 
 namespace muster {
 
-/// From the positions given to start() advance() works out the costs and ways of all to their own places, which steer()
-/// uses, and workAside() the matching; finish() does what of these is left.
+/// From the positions given to start() advance() works out the costs and ways of all to their own places,
+/// which steer() uses, and workAside() the matching; finish() does what of these is left.
 class FastPlan final : public Plan {
 public:
     const char* name() const override { return "fast"; }
@@ -26,7 +26,8 @@ public:
     Status finish(ThreadPool& pool, PlanResult& result) override;
     bool worksAside() const override { return true; }
     void workAside() override;
-    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction, std::span<double> cost) override;
+    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction,
+               std::span<double> cost) override;
     std::int32_t waitingPlace(std::int32_t character) const override;
     double costAt(std::int32_t place, Vec2 p) const override;
     void save(Writer& archive) const override;
@@ -37,12 +38,13 @@ public:
 private:
     template <class Archive>
     void visit(Archive& archive) {
-        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, way_, ownPlace_, round_, pending_, matched_, matching_,
-                walkers_, waiting_, turn_, planned_);
+        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, way_, ownPlace_, round_,
+                pending_, matched_, matching_, walkers_, waiting_, turn_, planned_);
     }
     bool consistent() const;
     bool consistentWays() const;
-    void update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places);
+    void update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess,
+                std::span<const Vec2> places);
     void measureOwn(ThreadPool& pool);
     void match(ThreadPool& pool);
     void assign(ThreadPool& pool);
@@ -56,26 +58,28 @@ private:
     std::vector<Vec2> places_;
     std::vector<std::uint8_t> usable_;
     std::vector<std::int32_t> incumbent_;
-    std::vector<std::uint8_t> present_;     // Per character: in the places' region.
-    std::vector<float> own_;                // Per character: cost to its place.
-    std::vector<WayAhead> way_;             // Per character, to ownPlace_.
-    std::vector<std::int32_t> ownPlace_;    // Its place when that was worked out.
-    std::uint32_t round_ = 0;               // Of working it out.
+    std::vector<std::uint8_t> present_;   // Per character: in the places' region.
+    std::vector<float> own_;              // Per character: cost to its place.
+    std::vector<WayAhead> way_;           // Per character, to ownPlace_.
+    std::vector<std::int32_t> ownPlace_;  // Its place when that was worked out.
+    std::uint32_t round_ = 0;             // Of working it out.
     bool pending_ = false;
-    bool measured_ = false;                 // The pending plan knows the costs and ways of all to their own places.
-    bool matched_ = false;                  // Its matching is done. Work aside writes this, others read it when that is over.
-    bool planned_ = false;                  // A plan was finished.
+    // The pending plan knows the costs and ways of all to their own places.
+    bool measured_ = false;
+    // Its matching is done. Work aside writes this, others read it when that is over.
+    bool matched_ = false;
+    bool planned_ = false;  // A plan was finished.
     SparseMatching matching_;
     Geodesics geodesics_;
     std::vector<WayPoint> walkers_;
-    std::vector<std::int32_t> waiting_;     // Per character: place beside which it waits, -1.
-    std::uint32_t turn_ = 0;                // Of the search for these.
+    std::vector<std::int32_t> waiting_;  // Per character: place beside which it waits, -1.
+    std::uint32_t turn_ = 0;             // Of the search for these.
     // Of this step only.
     const StaticGround* ground_ = nullptr;
     const CrowdExcess* excess_ = nullptr;
-    bool updated_ = false;                  // The geodesics know this step's places.
+    bool updated_ = false;  // The geodesics know this step's places.
     FastCosts costs_;
-    ThreadPool alone_;                      // For work aside, which has one thread.
+    ThreadPool alone_;  // For work aside, which has one thread.
     // For pictures: the field of one place on the still ground.
     struct Picture {
         Vec2 place;

@@ -9,13 +9,14 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMaxTouches = 64;  // Of one control.
+constexpr std::size_t kMaxTouches = 64;    // Of one control.
 constexpr std::int32_t kAnyMotion = 1000;  // Whether the world knows the motion shows when it is applied.
 
 constexpr auto kNames = std::to_array<const char*>(
-    {"TouchDown", "TouchMove", "TouchUp", "TouchCancel", "AddControl", "PinControl", "RemoveControl",
-     "ReleaseClient", "SetFormation", "SetCount", "SetPose", "AddGroup", "RemoveGroup", "AddObstacle",
-     "ChangeObstacle", "RemoveObstacle", "AddPatch", "ChangePatch", "RemovePatch", "SetParameter"});
+    {"TouchDown",      "TouchMove",     "TouchUp",       "TouchCancel",  "AddControl",
+     "PinControl",     "RemoveControl", "ReleaseClient", "SetFormation", "SetCount",
+     "SetPose",        "AddGroup",      "RemoveGroup",   "AddObstacle",  "ChangeObstacle",
+     "RemoveObstacle", "AddPatch",      "ChangePatch",   "RemovePatch",  "SetParameter"});
 static_assert(kNames.size() == std::variant_size_v<CommandBody>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -69,10 +70,12 @@ struct Validator {
     Status operator()(const SetFormation& c) const { return validateFormation(c.formation); }
     Status operator()(const SetCount& c) const {
         if (c.count >= 1 && c.count <= kMaxCharacters) return {};
-        return invalidArgument("count is " + std::to_string(c.count) + ", expected 1 to " + std::to_string(kMaxCharacters));
+        return invalidArgument("count is " + std::to_string(c.count) + ", expected 1 to " +
+                               std::to_string(kMaxCharacters));
     }
     Status operator()(const SetPose& c) const {
-        return std::fabs(c.angle) <= 1e6 ? place(c.position) : invalidArgument("angle is not in [-1e6, 1e6] rad");
+        return std::fabs(c.angle) <= 1e6 ? place(c.position)
+                                         : invalidArgument("angle is not in [-1e6, 1e6] rad");
     }
     Status operator()(const AddGroup& c) const { return validateGroup(c.group); }
     Status operator()(const RemoveGroup&) const { return {}; }

@@ -12,8 +12,8 @@ constexpr double kMostCells = 16e6;  // Of a grid.
 /// Fails unless `low` <= value <= `high`.
 Status inRange(const char* what, double value, double low, double high) {
     if (value >= low && value <= high) return {};
-    return invalidArgument(std::string(what) + " is " + numberText(value) + ", expected a number in [" + numberText(low) + ", " +
-                           numberText(high) + "]");
+    return invalidArgument(std::string(what) + " is " + numberText(value) + ", expected a number in [" +
+                           numberText(low) + ", " + numberText(high) + "]");
 }
 
 Status isPlace(const char* what, Vec2 p) {
@@ -25,7 +25,8 @@ Status isPlace(const char* what, Vec2 p) {
 Status arePlaces(const char* what, std::span<const Vec2> points) {
     if (points.size() > static_cast<std::size_t>(kMaxCharacters)) {
         return {StatusCode::LimitExceeded, std::string(what) + " has " + std::to_string(points.size()) +
-                                               " points, at most " + std::to_string(kMaxCharacters) + " are allowed"};
+                                               " points, at most " + std::to_string(kMaxCharacters) +
+                                               " are allowed"};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (Status s = isPlace(what, points[i]); !s.ok()) return s.within("point " + std::to_string(i));
@@ -36,7 +37,8 @@ Status arePlaces(const char* what, std::span<const Vec2> points) {
 Status isShape(const char* what, std::span<const Vec2> corners) {
     if (corners.size() > kMaxCorners) {
         return {StatusCode::LimitExceeded, std::string(what) + " has " + std::to_string(corners.size()) +
-                                               " corners, at most " + std::to_string(kMaxCorners) + " are allowed"};
+                                               " corners, at most " + std::to_string(kMaxCorners) +
+                                               " are allowed"};
     }
     if (Status s = arePlaces(what, corners); !s.ok()) return s;
     const auto clean = cleanPolygon(corners);
@@ -50,7 +52,8 @@ Status isText(const char* what, const std::string& value) {
 }
 
 Status isPath(const TimedPath& path) {
-    if (path.waypoints.size() > kMaxCorners) return {StatusCode::LimitExceeded, "path has too many waypoints"};
+    if (path.waypoints.size() > kMaxCorners)
+        return {StatusCode::LimitExceeded, "path has too many waypoints"};
     for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
         const Waypoint& w = path.waypoints[i];
         const std::string where = "waypoint " + std::to_string(i);
@@ -81,11 +84,13 @@ Status validateGround(const WorldDef& def) {
     if (!(def.box.width() > 0.0 && def.box.height() > 0.0)) return invalidArgument("box is empty");
     const double cells = std::ceil(def.box.width() / def.cell) * std::ceil(def.box.height() / def.cell);
     if (cells > kMostCells) {
-        return {StatusCode::LimitExceeded, "box has " + numberText(cells) + " cells, at most 16 million are allowed"};
+        return {StatusCode::LimitExceeded,
+                "box has " + numberText(cells) + " cells, at most 16 million are allowed"};
     }
     if (def.clips.empty() || def.clips.size() > 1000) return invalidArgument("clips: expected 1 to 1000");
     for (std::size_t i = 0; i < def.clips.size(); ++i) {
-        if (Status s = validateClip(def.clips[i]); !s.ok()) return s.within("clips[" + std::to_string(i) + "]");
+        if (Status s = validateClip(def.clips[i]); !s.ok())
+            return s.within("clips[" + std::to_string(i) + "]");
     }
     if (def.map) {
         const MapGround& map = *def.map;
@@ -107,22 +112,26 @@ Status each(const char* name, const List& list, std::size_t most, Check check) {
                                                ", at most " + std::to_string(most) + " are allowed"};
     }
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (Status s = check(list[i]); !s.ok()) return s.within(std::string(name) + "[" + std::to_string(i) + "]");
+        if (Status s = check(list[i]); !s.ok())
+            return s.within(std::string(name) + "[" + std::to_string(i) + "]");
     }
     return {};
 }
 
-/// Costs of a metre that fast marching is made for; patches and clips may be 0.01 to 100 times as fast as running.
+/// Costs of a metre that fast marching is made for; patches and clips may be 0.01 to 100 times as fast as
+/// running.
 Status isCost(const Parameters& p) {
     constexpr double kLeastCost = 0.01, kMostCost = 1e8, kSlowest = 0.01;
     if (p.alpha + p.beta < kLeastCost) {
-        return invalidArgument("parameters cost.alpha and cost.beta add up to " + numberText(p.alpha + p.beta) +
-                               ", expected at least " + numberText(kLeastCost));
+        return invalidArgument("parameters cost.alpha and cost.beta add up to " +
+                               numberText(p.alpha + p.beta) + ", expected at least " +
+                               numberText(kLeastCost));
     }
     const double most = (p.alpha + p.beta + p.gamma * p.discomfortGain) / (p.minSpeed * kSlowest);
     if (most <= kMostCost) return {};
-    return invalidArgument("parameters cost.alpha, cost.beta, cost.gamma, discomfort.gain and cost.minSpeed let a metre cost " +
-                           numberText(most) + ", expected at most " + numberText(kMostCost));
+    return invalidArgument(
+        "parameters cost.alpha, cost.beta, cost.gamma, discomfort.gain and cost.minSpeed let a metre cost " +
+        numberText(most) + ", expected at most " + numberText(kMostCost));
 }
 
 }  // namespace
@@ -136,7 +145,8 @@ Status validateParameters(const Parameters& parameters, const Box& box) {
         return invalidArgument("parameter density.max is " + numberText(parameters.densityMax) +
                                ", expected a number above density.min, " + numberText(parameters.densityMin));
     }
-    const double cells = (box.width() / parameters.densityCell + 1.0) * (box.height() / parameters.densityCell + 1.0);
+    const double cells = (box.width() / parameters.densityCell + 1.0) *
+                         (box.height() / parameters.densityCell + 1.0);
     if (!(cells <= kMostCells)) {
         return {StatusCode::LimitExceeded, "parameter density.cell makes " + numberText(cells) +
                                                " density cells, at most 16 million are allowed"};
@@ -155,8 +165,9 @@ Status validateItem(const ItemDef& item) {
 }
 
 Status validateClip(const ClipFacts& clip) {
-    return first({isText("name", clip.name), isText("file", clip.file), inRange("speed", clip.speed, 0.01, 100.0),
-                  inRange("length", clip.length, 0.0, 1e4), inRange("duration", clip.duration, 0.0, 1e4),
+    return first({isText("name", clip.name), isText("file", clip.file),
+                  inRange("speed", clip.speed, 0.01, 100.0), inRange("length", clip.length, 0.0, 1e4),
+                  inRange("duration", clip.duration, 0.0, 1e4),
                   inRange("transitionTime", clip.transitionTime, 0.0, 100.0)});
 }
 
@@ -165,14 +176,16 @@ Status validateTotal(std::int64_t characters, const Parameters& parameters) {
     if (characters > kMaxCharacters)
         return {StatusCode::LimitExceeded, found + "a world holds at most " + std::to_string(kMaxCharacters)};
     if (characters > kMaxExact && parameters.planSolver == static_cast<double>(PlanSolver::Exact))
-        return {StatusCode::LimitExceeded, found + "exact plans (plan.solver 0) serve at most " + std::to_string(kMaxExact)};
+        return {StatusCode::LimitExceeded,
+                found + "exact plans (plan.solver 0) serve at most " + std::to_string(kMaxExact)};
     return {};
 }
 
 Status validateFormation(const FormationDef& formation) {
     if (formation.kind > FormationKind::Points) return invalidArgument("formation kind is not known");
     if (Status s = first({inRange("spacing", formation.spacing, 0.05, 100.0),
-                          inRange("opening", formation.opening, 0.01, 6.0), arePlaces("points", formation.points)});
+                          inRange("opening", formation.opening, 0.01, 6.0),
+                          arePlaces("points", formation.points)});
         !s.ok()) {
         return s;
     }
@@ -183,7 +196,8 @@ Status validateFormation(const FormationDef& formation) {
         return formation.outline.holes.empty() ? Status() : invalidArgument("holes without an outline");
     }
     if (Status s = isShape("outline", formation.outline.outline); !s.ok()) return s;
-    return each("holes", formation.outline.holes, 1000, [](const Polygon& hole) { return isShape("hole", hole); });
+    return each("holes", formation.outline.holes, 1000,
+                [](const Polygon& hole) { return isShape("hole", hole); });
 }
 
 Status validateObstacle(const ObstacleDef& obstacle) {
@@ -206,7 +220,8 @@ Status validateObstacle(const ObstacleDef& obstacle) {
 }
 
 Status validatePatch(const PatchDef& patch, std::int32_t motions) {
-    if (Status s = first({isText("name", patch.name), isPath(patch.path), isShape("polygon", patch.polygon)}); !s.ok()) {
+    if (Status s = first({isText("name", patch.name), isPath(patch.path), isShape("polygon", patch.polygon)});
+        !s.ok()) {
         return s;
     }
     if (patch.motion < 0 || patch.motion >= motions) {
@@ -224,11 +239,12 @@ Status validateGroup(const GroupDef& group) {
         return s;
     }
     if (!group.starts.empty() && group.starts.size() != static_cast<std::size_t>(group.count)) {
-        return invalidArgument("starts has " + std::to_string(group.starts.size()) + " points, expected none or " +
-                               std::to_string(group.count));
+        return invalidArgument("starts has " + std::to_string(group.starts.size()) +
+                               " points, expected none or " + std::to_string(group.count));
     }
     const FormationDef& formation = group.formation;
-    if (formation.kind == FormationKind::Points && formation.points.size() < static_cast<std::size_t>(group.count)) {
+    if (formation.kind == FormationKind::Points &&
+        formation.points.size() < static_cast<std::size_t>(group.count)) {
         return invalidArgument("formation has " + std::to_string(formation.points.size()) + " points for " +
                                std::to_string(group.count) + " characters");
     }
@@ -241,14 +257,15 @@ Status validateWorld(const WorldDef& def) {
     std::int64_t characters = 0;
     for (const GroupDef& group : def.groups) characters += group.count;
     if (Status s = validateTotal(characters, def.parameters); !s.ok()) return s;
-    return first({each("obstacles", def.obstacles, kMaxObstacles, validateObstacle),
-                  each("patches", def.patches, kMaxObstacles,
-                       [&](const PatchDef& patch) { return validatePatch(patch, motions); }),
-                  each("groups", def.groups, kMaxGroups, validateGroup),
-                  each("checkpoints", def.checkpoints, kMaxObstacles,
-                       [&](const FormationCheckpointDef& c) { return validateCheckpoint(c, def.groups.size()); }),
-                  each("items", def.items, kMaxObstacles, validateItem), 
-                  validateParameters(def.parameters, def.box).within("parameters")});
+    return first(
+        {each("obstacles", def.obstacles, kMaxObstacles, validateObstacle),
+         each("patches", def.patches, kMaxObstacles,
+              [&](const PatchDef& patch) { return validatePatch(patch, motions); }),
+         each("groups", def.groups, kMaxGroups, validateGroup),
+         each("checkpoints", def.checkpoints, kMaxObstacles,
+              [&](const FormationCheckpointDef& c) { return validateCheckpoint(c, def.groups.size()); }),
+         each("items", def.items, kMaxObstacles, validateItem),
+         validateParameters(def.parameters, def.box).within("parameters")});
 }
 
 }  // namespace muster

@@ -14,7 +14,9 @@ Status notFound(const char* what, std::uint32_t id) {
     return {StatusCode::NotFound, std::string("no ") + what + " has the id " + std::to_string(id)};
 }
 
-Status refused(bool accepted, const std::string& why) { return accepted ? Status{} : invalidArgument(why); }
+Status refused(bool accepted, const std::string& why) {
+    return accepted ? Status{} : invalidArgument(why);
+}
 
 // Applies one command's body to a world.
 class Apply {
@@ -24,35 +26,41 @@ public:
     Status operator()(const TouchDown& touch) {
         Group* group = touch.group ? world_.findGroup(touch.group) : nearestGroup(touch.position);
         if (touch.group && group == nullptr) return notFound("group", touch.group.value);
-        if (group == nullptr) return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
-        return refused(group->controls.touchDown(world_.controlDef(), command_.client, touch.touch, touch.position,
-                                                 touch.time, group->mesh.formation().mesh, group->mesh.finalMesh(),
-                                                 group->mesh.userMesh()),
+        if (group == nullptr)
+            return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
+        return refused(group->controls.touchDown(world_.controlDef(), command_.client, touch.touch,
+                                                 touch.position, touch.time, group->mesh.formation().mesh,
+                                                 group->mesh.finalMesh(), group->mesh.userMesh()),
                        "touch " + std::to_string(touch.touch) + " is down already, or its vertex is held");
     }
     Status operator()(const TouchMove& touch) {
         return eachSet(touch.touch, [&](ControlSet& set) {
-            return set.touchMove(world_.controlDef(), command_.client, touch.touch, touch.position, stamp(touch.time));
+            return set.touchMove(world_.controlDef(), command_.client, touch.touch, touch.position,
+                                 stamp(touch.time));
         });
     }
     Status operator()(const TouchUp& touch) {
-        return eachSet(touch.touch, [&](ControlSet& set) { return set.touchUp(command_.client, touch.touch); });
+        return eachSet(touch.touch,
+                       [&](ControlSet& set) { return set.touchUp(command_.client, touch.touch); });
     }
     Status operator()(const TouchCancel& touch) {
-        return eachSet(touch.touch, [&](ControlSet& set) { return set.touchCancel(command_.client, touch.touch); });
+        return eachSet(touch.touch,
+                       [&](ControlSet& set) { return set.touchCancel(command_.client, touch.touch); });
     }
     Status operator()(const AddControl& add) {
         Group* group = world_.findGroup(add.group);
         if (group == nullptr) return notFound("group", add.group.value);
-        return refused(group->controls.addControl(world_.controlDef(), command_.client, add.kind, add.touches, add.positions,
-                                                  stamp(add.time), group->mesh.formation().mesh, group->mesh.finalMesh(),
-                                                  group->mesh.userMesh()),
-                       "the control's points do not suit its kind, or share a vertex that is held");
+        return refused(
+            group->controls.addControl(world_.controlDef(), command_.client, add.kind, add.touches,
+                                       add.positions, stamp(add.time), group->mesh.formation().mesh,
+                                       group->mesh.finalMesh(), group->mesh.userMesh()),
+            "the control's points do not suit its kind, or share a vertex that is held");
     }
     Status operator()(const PinControl& pin) {
         Group* group = world_.findGroup(pin.group);
         if (group == nullptr) return notFound("group", pin.group.value);
-        return group->controls.setPinned(pin.control, pin.pinned) ? Status{} : notFound("control", pin.control.value);
+        return group->controls.setPinned(pin.control, pin.pinned) ? Status{}
+                                                                  : notFound("control", pin.control.value);
     }
     Status operator()(const RemoveControl& remove) {
         Group* group = world_.findGroup(remove.group);
@@ -71,7 +79,8 @@ public:
     Status operator()(const SetCount& set) {
         Group* group = world_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
-        const std::int64_t sum = static_cast<std::int64_t>(world_.characters.size()) - group->def.count + set.count;
+        const std::int64_t sum = static_cast<std::int64_t>(world_.characters.size()) - group->def.count +
+                                 set.count;
         const Status total = validateTotal(sum, world_.parameters);
         if (!total.ok()) return total;
         const Status changed = world_.changeFormation(*group, group->def.formation, set.count);
@@ -92,14 +101,21 @@ public:
         world_.removeGroup(static_cast<std::size_t>(group - world_.groups.data()));
         return {};
     }
-    Status operator()(const AddObstacle& add) { return world_.environment.addObstacle(add.obstacle).status(); }
-    Status operator()(const ChangeObstacle& change) { return world_.environment.changeObstacle(change.id, change.obstacle); }
+    Status operator()(const AddObstacle& add) {
+        return world_.environment.addObstacle(add.obstacle).status();
+    }
+    Status operator()(const ChangeObstacle& change) {
+        return world_.environment.changeObstacle(change.id, change.obstacle);
+    }
     Status operator()(const RemoveObstacle& remove) { return world_.environment.removeObstacle(remove.id); }
     Status operator()(const AddPatch& add) { return world_.environment.addPatch(add.patch).status(); }
-    Status operator()(const ChangePatch& change) { return world_.environment.changePatch(change.id, change.patch); }
+    Status operator()(const ChangePatch& change) {
+        return world_.environment.changePatch(change.id, change.patch);
+    }
     Status operator()(const RemovePatch& remove) { return world_.environment.removePatch(remove.id); }
     Status operator()(const SetParameter& set) {
-        if (set.name == "time.step") return invalidArgument("parameter 'time.step' stands for the life of a world");
+        if (set.name == "time.step")
+            return invalidArgument("parameter 'time.step' stands for the life of a world");
         Parameters next = world_.parameters;
         Status status = setParameter(next, set.name, set.value);
         if (status.ok()) status = validateParameters(next, world_.environment.def().box);
@@ -114,8 +130,8 @@ public:
     }
 
 private:
-    // What is drawn never lies in the world's future. (Stamps of touches that come down may, where it is paused: they tell
-    // which came down together.)
+    // What is drawn never lies in the world's future. (Stamps of touches that come down may, where it is
+    // paused: they tell which came down together.)
     double stamp(double time) const { return std::clamp(time, 0.0, world_.time()); }
 
     // The group whose final mesh lies nearest within reach; ties go to the lower id.
@@ -147,7 +163,9 @@ private:
 
 }  // namespace
 
-Status World::Impl::apply(const Command& command) { return std::visit(Apply(*this, command), command.body); }
+Status World::Impl::apply(const Command& command) {
+    return std::visit(Apply(*this, command), command.body);
+}
 
 void World::Impl::applyCommands() {
     events.clear();
@@ -156,8 +174,10 @@ void World::Impl::applyCommands() {
     while (done < queue.size() && queue[done].step <= stepCount) {
         const Command& command = queue[done++];
         const Status status = apply(command);
-        if (status.ok()) lastCommandStep = stepCount;
-        else rejections.push_back({command, status});
+        if (status.ok())
+            lastCommandStep = stepCount;
+        else
+            rejections.push_back({command, status});
     }
     queue.erase(queue.begin(), queue.begin() + static_cast<std::ptrdiff_t>(done));
     environment.setTime(time());

@@ -9,7 +9,9 @@
 namespace muster {
 namespace {
 
-Pose poseOf(Vec2 position, double angle) { return {position, {cosine(angle), sine(angle)}}; }
+Pose poseOf(Vec2 position, double angle) {
+    return {position, {cosine(angle), sine(angle)}};
+}
 
 }  // namespace
 
@@ -43,7 +45,9 @@ void World::Impl::addCharacter(const Group& group, std::uint32_t groupIndex, Vec
 }
 
 void World::Impl::removeCharacter(std::size_t index) {
-    const auto erase = [index](auto& array) { array.erase(array.begin() + static_cast<std::ptrdiff_t>(index)); };
+    const auto erase = [index](auto& array) {
+        array.erase(array.begin() + static_cast<std::ptrdiff_t>(index));
+    };
     Characters& c = characters;
     erase(c.id);
     erase(c.group);
@@ -67,7 +71,7 @@ std::int32_t World::Impl::regionOf(const Group& group) {
     std::int32_t best = -1;
     const bool only = environment.regionCount(parameters.radius) <= 1;
     for (const std::int32_t i : group.members) {
-        const std::int32_t label = environment.region(characters.position[static_cast<std::size_t>(i)], parameters.radius);
+        const std::int32_t label = environment.region(characters.position[i], parameters.radius);
         if (label < 0) continue;
         if (only) return label;
         const auto at = static_cast<std::size_t>(label);
@@ -75,7 +79,7 @@ std::int32_t World::Impl::regionOf(const Group& group) {
         ++counts[at];
     }
     for (std::size_t label = 0; label < counts.size(); ++label)
-        if (counts[label] > (best < 0 ? 0 : counts[static_cast<std::size_t>(best)])) best = static_cast<std::int32_t>(label);
+        if (counts[label] > (best < 0 ? 0 : counts[best])) best = static_cast<std::int32_t>(label);
     return best;
 }
 
@@ -84,7 +88,8 @@ std::unique_ptr<Plan> World::Impl::makePlan() const {
     return parameters.planSolver == static_cast<double>(PlanSolver::Fast) ? makeFastPlan() : makeExactPlan();
 }
 
-// Another solver takes over: every group is planned anew in this step, from the places that its characters have.
+// Another solver takes over: every group is planned anew in this step, from the places that its characters
+// have.
 void World::Impl::exchangePlans() {
     settlePlans();
     for (Group& group : groups) {
@@ -103,7 +108,8 @@ Status World::Impl::addGroup(const GroupDef& def) {
                                ", expected at least 1");
     if (!def.starts.empty() && def.starts.size() != static_cast<std::size_t>(def.count))
         return invalidArgument("group '" + def.name + "': found " + std::to_string(def.starts.size()) +
-                               " starts, expected one for each of its " + std::to_string(def.count) + " characters");
+                               " starts, expected one for each of its " + std::to_string(def.count) +
+                               " characters");
     const Result<Formation> formation = makeFormation(def.formation, def.count);
     if (!formation.ok()) return formation.status().within("group '" + def.name + "'");
 
@@ -117,7 +123,8 @@ Status World::Impl::addGroup(const GroupDef& def) {
     group.mesh.placePositions(memory.targets);
     for (std::int32_t i = 0; i < def.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        Vec2 start = def.starts.empty() ? memory.targets[std::min(k, memory.targets.size() - 1)] : def.starts[k];
+        Vec2 start = def.starts.empty() ? memory.targets[std::min(k, memory.targets.size() - 1)]
+                                        : def.starts[k];
         if (def.jitter > 0.0) {
             const double x = random.uniform(-def.jitter, def.jitter);
             const double y = random.uniform(-def.jitter, def.jitter);
@@ -137,8 +144,10 @@ Status World::Impl::addGroup(const GroupDef& def) {
 
 void World::Impl::removeGroup(std::size_t index) {
     for (std::size_t i = characters.size(); i-- > 0;) {
-        if (characters.group[i] == index) removeCharacter(i);
-        else if (characters.group[i] > index) --characters.group[i];
+        if (characters.group[i] == index)
+            removeCharacter(i);
+        else if (characters.group[i] > index)
+            --characters.group[i];
     }
     settlePlans();
     groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(index));
@@ -162,7 +171,7 @@ Status World::Impl::changeFormation(Group& group, const FormationDef& def, std::
     group.assigned = false;
     group.kept.clear();
     ++group.formationVersion;
-    for (const std::int32_t i : group.members) characters.place[static_cast<std::size_t>(i)] = -1;
+    for (const std::int32_t i : group.members) characters.place[i] = -1;
     return {};
 }
 
@@ -179,7 +188,7 @@ void World::Impl::setCount(Group& group, std::int32_t count) {
         const Vec2 local{-(reach + step * (1 + n / 10)), step * (n % 10 - 4.5)};
         addCharacter(group, index, pose.apply(local));
     }
-    for (std::int32_t k = now; k-- > count;) removeCharacter(static_cast<std::size_t>(group.members[static_cast<std::size_t>(k)]));
+    for (std::int32_t k = now; k-- > count;) removeCharacter(static_cast<std::size_t>(group.members[k]));
     refreshMembers();
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "eikonal/eikonal.h"
 #include "assignment/dense/assignment.h"
+#include "eikonal/eikonal.h"
 
 namespace muster {
 namespace {
@@ -14,7 +14,8 @@ Result<Environment> withoutPatches(const Environment& environment) {
     auto bare = Environment::create(environment.def());
     if (!bare.ok()) return bare;
     for (ObstacleId id : environment.obstacleIds()) {
-        if (const auto added = bare->addObstacle(*environment.obstacle(id)); !added.ok()) return added.status();
+        if (const auto added = bare->addObstacle(*environment.obstacle(id)); !added.ok())
+            return added.status();
     }
     bare->setTime(environment.time());
     return bare;
@@ -37,7 +38,8 @@ bool geodesics(const Environment& environment, double radius, std::span<const Ve
     CostField field;
     for (std::size_t j = 0; j < places.size(); ++j) {
         solver.solve(cost, places[j], starts, field);
-        for (std::size_t i = 0; i < starts.size(); ++i) lengths[i * places.size() + j] = field.cost(starts[i]);
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            lengths[i * places.size() + j] = field.cost(starts[i]);
     }
     return true;
 }

@@ -47,8 +47,9 @@ void World::step() {
 // SPEC U6: the mesh waits for a crowd that falls behind.
 void World::Impl::moveControls() {
     for (Group& group : groups) {
-        const double pace =
-            parameters.opposingForce != 0.0 ? std::max(0.0, 1.0 - parameters.opposingGain * group.meanLag) : 1.0;
+        const double pace = parameters.opposingForce != 0.0
+                                ? std::max(0.0, 1.0 - parameters.opposingGain * group.meanLag)
+                                : 1.0;
         group.controls.advance(controlDef(), parameters.stepTime, time(), pace);
     }
 }
@@ -71,7 +72,8 @@ void World::Impl::movePlaces() {
         group.region = regionOf(group);
         const auto standsIn = [](std::int32_t count) { return count > 0; };
         group.apart = std::count_if(memory.regionCounts.begin(), memory.regionCounts.end(), standsIn) > 1;
-        group.places.advance(placeDef(), memory.targets, environment, group.region, parameters.stepTime, pool.get());
+        group.places.advance(placeDef(), memory.targets, environment, group.region, parameters.stepTime,
+                             pool.get());
     }
 }
 
@@ -89,7 +91,8 @@ void World::Impl::buildDensityAndCost() {
 }
 
 bool World::Impl::plansReadGround() const {
-    return std::any_of(groups.begin(), groups.end(), [](const Group& group) { return !group.plan->readsUnitCost(); });
+    return std::any_of(groups.begin(), groups.end(),
+                       [](const Group& group) { return !group.plan->readsUnitCost(); });
 }
 
 // The still ground as plans read it; a new world has it made before its first step.
@@ -101,7 +104,8 @@ void World::Impl::prepareGround() {
 // Memory for the first step, which makes the first plans, besides.
 void World::Impl::makeRoom() {
     if (plansReadGround()) excess.fit(environment.grid(), density.grid());
-    for (Group& group : groups) group.plan->reserve(group.members.size(), group.places.positions().size(), ground);
+    for (Group& group : groups)
+        group.plan->reserve(group.members.size(), group.places.positions().size(), ground);
 }
 
 // What plans read that are not made from the unit cost of all ground.
@@ -129,8 +133,8 @@ void World::Impl::findPresent(const Group& group, std::span<const Vec2> position
     }
 }
 
-// Writes to memory.groupPlaces the place of each member; returns where members are, valid until the next call. A group
-// that holds all characters needs no list of its own.
+// Writes to memory.groupPlaces the place of each member; returns where members are, valid until the next
+// call. A group that holds all characters needs no list of its own.
 std::span<const Vec2> World::Impl::gather(const Group& group) {
     const std::size_t count = group.members.size();
     if (count == characters.size()) {
@@ -158,7 +162,8 @@ void World::Impl::startPlan(Group& group) {
     if (mode == PlanMode::Fixed)
         std::iota(memory.groupPlaces.begin(), memory.groupPlaces.end(), 0);
     else if (!group.reassigns)
-        std::copy_n(group.kept.begin(), std::min(group.kept.size(), group.members.size()), memory.groupPlaces.begin());
+        std::copy_n(group.kept.begin(), std::min(group.kept.size(), group.members.size()),
+                    memory.groupPlaces.begin());
     input.places = group.places.positions();
     input.usable = group.places.fit();
     input.incumbent = memory.groupPlaces;
@@ -187,14 +192,15 @@ void World::Impl::finishPlan(Group& group) {
     group.walk = {};
     for (const double cost : memory.planResult.cost) group.walk.add(cost);
     memory.groupPlaces.assign(group.members.size(), -1);
-    for (const Flow& flow : memory.planResult.flows) memory.groupPlaces[static_cast<std::size_t>(flow.character)] = flow.place;
+    for (const Flow& flow : memory.planResult.flows) memory.groupPlaces[flow.character] = flow.place;
     if (group.reassigns) group.kept = memory.groupPlaces;
     for (std::size_t k = 0; k < group.members.size(); ++k) {
         const auto i = static_cast<std::size_t>(group.members[k]);
         const std::int32_t place = memory.groupPlaces[k];
         if (place == characters.place[i]) continue;
         if (!group.planNow && place >= 0 && characters.place[i] >= 0)
-            events.push_back({EventKind::Swap, characters.id[i], static_cast<std::uint32_t>(place), characters.position[i]});
+            events.push_back({EventKind::Swap, characters.id[i], static_cast<std::uint32_t>(place),
+                              characters.position[i]});
         characters.place[i] = place;
     }
     group.assigned = true;
@@ -209,15 +215,19 @@ void World::Impl::planInSlices(Group& group) {
 // A first plan is made at once; others while the crowd walks, and hold from the next step on.
 void World::Impl::planAside(Group& group) {
     group.plan->advance(0, 1, *pool);
-    if (group.planNow) finishPlan(group);
-    else aside.push_back(group.plan.get());
+    if (group.planNow)
+        finishPlan(group);
+    else
+        aside.push_back(group.plan.get());
 }
 
 void World::Impl::launchPlans() {
     if (aside.empty()) return;
-    pool->launch([](void* plans) {
-        for (Plan* plan : *static_cast<std::vector<Plan*>*>(plans)) plan->workAside();
-    }, &aside);
+    pool->launch(
+        [](void* plans) {
+            for (Plan* plan : *static_cast<std::vector<Plan*>*>(plans)) plan->workAside();
+        },
+        &aside);
 }
 
 void World::Impl::plan() {
@@ -229,8 +239,10 @@ void World::Impl::plan() {
         if (group.plan->worksAside() && group.plan->pending() && !group.planNow) finishPlan(group);
         if (plansThisStep(group, g)) startPlan(group);
         if (!group.plan->pending()) continue;
-        if (group.plan->worksAside()) planAside(group);
-        else planInSlices(group);
+        if (group.plan->worksAside())
+            planAside(group);
+        else
+            planInSlices(group);
     }
     launchPlans();
 }
@@ -241,8 +253,9 @@ void World::Impl::steerGroup(Group& group) {
     memory.groupDirections.resize(count);
     memory.groupCosts.resize(count);
     directTheUnmatched(group, positions);
-    const SteerInput input{positions, memory.groupPlaces, group.places.positions(), &environment,
-                           parameters.directReach, &ground, &excess};
+    const SteerInput input{positions,    memory.groupPlaces,     group.places.positions(),
+                           &environment, parameters.directReach, &ground,
+                           &excess};
     group.plan->steer(input, *pool, memory.groupDirections, memory.groupCosts);
     const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
     for (std::size_t k = 0; k < count; ++k) {
@@ -264,8 +277,9 @@ void World::Impl::directTheUnmatched(const Group& group, std::span<const Vec2> p
         const std::int32_t place = group.plan->waitingPlace(static_cast<std::int32_t>(k));
         if (place < 0) continue;
         const Vec2 position = positions[k];
-        const Vec2 there = group.places.positions()[static_cast<std::size_t>(place)];
-        const bool beside = distance(position, there) < kUnmatchedReach && environment.clearLine(position, there, 0.0);
+        const Vec2 there = group.places.positions()[place];
+        const bool beside = distance(position, there) < kUnmatchedReach &&
+                            environment.clearLine(position, there, 0.0);
         if (!beside) memory.groupPlaces[k] = place;
     }
 }
@@ -322,7 +336,8 @@ void World::Impl::collectItems() {
         for (std::size_t i = 0; i < characters.size(); ++i) {
             if (distance(characters.position[i], items[k].position) > items[k].radius) continue;
             collected[k] = 1;
-            events.push_back({EventKind::Collect, characters.id[i], static_cast<std::uint32_t>(k), items[k].position});
+            events.push_back(
+                {EventKind::Collect, characters.id[i], static_cast<std::uint32_t>(k), items[k].position});
             break;
         }
     }
@@ -335,7 +350,8 @@ void World::Impl::meetCheckpoints() {
             Group& group = groups[g];
             if (checkpointGroups[c] && checkpointGroups[c] != group.id) continue;
             std::uint8_t& state = checkpointState[g * checkpoints.size() + c];
-            const bool inside = distance(group.mesh.pose().position, checkpoint.position) <= checkpoint.radius;
+            const bool inside = distance(group.mesh.pose().position, checkpoint.position) <=
+                                checkpoint.radius;
             const bool comes = inside && (state & 1) == 0 && !(checkpoint.once && (state & 2) != 0);
             state = static_cast<std::uint8_t>((state & 2) | (inside ? 1 : 0));
             if (!comes) continue;
@@ -347,7 +363,8 @@ void World::Impl::meetCheckpoints() {
     }
 }
 
-// How far behind the mesh the crowd is. Places wait for slow ground themselves, so it counts from where they are bound.
+// How far behind the mesh the crowd is. Places wait for slow ground themselves, so it counts from where they
+// are bound.
 void World::Impl::measureLag() {
     for (Group& group : groups) {
         double sum = 0.0;
@@ -355,7 +372,7 @@ void World::Impl::measureLag() {
         for (const std::int32_t member : group.members) {
             const auto i = static_cast<std::size_t>(member);
             if (characters.place[i] < 0) continue;
-            sum += distance(characters.position[i], group.places.goals()[static_cast<std::size_t>(characters.place[i])]);
+            sum += distance(characters.position[i], group.places.goals()[characters.place[i]]);
             ++matched;
         }
         group.meanLag = matched > 0 ? sum / matched : 0.0;

@@ -49,7 +49,9 @@ PlaceDef World::Impl::placeDef() const {
     return {parameters.radius, parameters.placeClearance, parameters.placeSpeed};
 }
 
-PlanMode World::Impl::planMode() const { return static_cast<PlanMode>(static_cast<int>(parameters.planMode)); }
+PlanMode World::Impl::planMode() const {
+    return static_cast<PlanMode>(static_cast<int>(parameters.planMode));
+}
 
 PlanDef World::Impl::planDef() const {
     PlanDef def;

@@ -11,15 +11,25 @@ namespace {
 
 constexpr double kFastest = 1e6;  // [m/s]
 
-Status wrong(const char* what) { return invalidArgument(std::string("found ") + what); }
+Status wrong(const char* what) {
+    return invalidArgument(std::string("found ") + what);
+}
 
-bool isPlace(Vec2 p) { return std::fabs(p.x) <= 10.0 * kMaxCoordinate && std::fabs(p.y) <= 10.0 * kMaxCoordinate; }
+bool isPlace(Vec2 p) {
+    return std::fabs(p.x) <= 10.0 * kMaxCoordinate && std::fabs(p.y) <= 10.0 * kMaxCoordinate;
+}
 
-bool arePlaces(const std::vector<Vec2>& points) { return std::all_of(points.begin(), points.end(), isPlace); }
+bool arePlaces(const std::vector<Vec2>& points) {
+    return std::all_of(points.begin(), points.end(), isPlace);
+}
 
-bool isVelocity(Vec2 v) { return std::fabs(v.x) <= kFastest && std::fabs(v.y) <= kFastest; }
+bool isVelocity(Vec2 v) {
+    return std::fabs(v.x) <= kFastest && std::fabs(v.y) <= kFastest;
+}
 
-bool isUnitOrNull(Vec2 v) { return std::fabs(v.x) <= 1.001 && std::fabs(v.y) <= 1.001; }
+bool isUnitOrNull(Vec2 v) {
+    return std::fabs(v.x) <= 1.001 && std::fabs(v.y) <= 1.001;
+}
 
 template <class Id>
 bool ascending(const std::vector<Id>& ids, std::uint32_t next) {
@@ -43,9 +53,9 @@ Status checkGround(const Environment& environment) {
 
 Status checkArrays(const Characters& c) {
     const std::size_t n = c.size();
-    for (const std::size_t size : {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
-                                   c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(),
-                                   c.motionTime.size(), c.patch.size(), c.lastSingle.size()})
+    for (const std::size_t size : {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(),
+                                   c.place.size(), c.direction.size(), c.cost.size(), c.motion.size(),
+                                   c.phase.size(), c.motionTime.size(), c.patch.size(), c.lastSingle.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
         !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||
@@ -59,14 +69,14 @@ Status checkArrays(const Characters& c) {
 }
 
 bool isPathOf(const ControlPoint& point) {
-    return std::all_of(point.path.begin(), point.path.end(), [](const Checkpoint& c) {
-        return isPlace(c.position) && std::fabs(c.time) <= 1e9;
-    });
+    return std::all_of(point.path.begin(), point.path.end(),
+                       [](const Checkpoint& c) { return isPlace(c.position) && std::fabs(c.time) <= 1e9; });
 }
 
 bool isOnMesh(const MeshPoint& point, const TriangleMesh& mesh) {
     return point.triangle >= 0 && static_cast<std::size_t>(point.triangle) < mesh.triangles.size() &&
-           std::all_of(point.weight.begin(), point.weight.end(), [](double w) { return std::fabs(w) <= 1e3; });
+           std::all_of(point.weight.begin(), point.weight.end(),
+                       [](double w) { return std::fabs(w) <= 1e3; });
 }
 
 bool isControl(const Control& control, const TriangleMesh& mesh) {
@@ -75,12 +85,13 @@ bool isControl(const Control& control, const TriangleMesh& mesh) {
         control.weights.size() != control.supplementary.size() * control.points.size())
         return false;
     for (const ControlPoint& point : control.points)
-        if (point.vertex < 0 || static_cast<std::size_t>(point.vertex) >= mesh.vertices.size() || !isPlace(point.grab) ||
-            !isPlace(point.position) || !isPathOf(point))
+        if (point.vertex < 0 || static_cast<std::size_t>(point.vertex) >= mesh.vertices.size() ||
+            !isPlace(point.grab) || !isPlace(point.position) || !isPathOf(point))
             return false;
     for (const MeshPoint& point : control.supplementary)
         if (!isOnMesh(point, mesh)) return false;
-    return std::all_of(control.weights.begin(), control.weights.end(), [](double w) { return std::fabs(w) <= 1e6; });
+    return std::all_of(control.weights.begin(), control.weights.end(),
+                       [](double w) { return std::fabs(w) <= 1e6; });
 }
 
 Status checkControls(const ControlSet& set, const TriangleMesh& mesh) {
@@ -90,24 +101,30 @@ Status checkControls(const ControlSet& set, const TriangleMesh& mesh) {
         for (const ControlPoint& point : control.points) held.push_back(point.vertex);
     }
     std::sort(held.begin(), held.end());
-    if (std::adjacent_find(held.begin(), held.end()) != held.end()) return wrong("a vertex that two controls hold");
+    if (std::adjacent_find(held.begin(), held.end()) != held.end())
+        return wrong("a vertex that two controls hold");
     return {};
 }
 
 Status checkGroup(const Group& group, const Grid& grid) {
     const std::size_t count = group.members.size();
     const GroupDef& def = group.def;
-    if (def.count < 1 || static_cast<std::size_t>(def.count) != count) return wrong("a group of another count");
-    if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts)) return wrong("a bad group");
+    if (def.count < 1 || static_cast<std::size_t>(def.count) != count)
+        return wrong("a group of another count");
+    if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts))
+        return wrong("a bad group");
     if (Status s = validateFormation(def.formation); !s.ok()) return s;
     const Formation& formation = group.mesh.formation();
     if (formation.places.size() != count || group.places.positions().size() != count)
         return wrong("places that do not suit their group");
     for (const auto* points : {&formation.mesh.vertices, &group.mesh.userMesh(), &group.mesh.finalMesh()})
         if (!arePlaces(*points)) return wrong("a mesh that is out of range");
-    if (!(group.meanLag >= 0.0 && group.meanLag <= kMaxCoordinate * 100.0)) return wrong("a lag out of range");
-    if (group.slice < 0 || group.slices < 1 || group.slice > group.slices) return wrong("shares of a plan out of range");
-    if (!group.kept.empty() && group.kept.size() != count) return wrong("kept places that do not suit their group");
+    if (!(group.meanLag >= 0.0 && group.meanLag <= kMaxCoordinate * 100.0))
+        return wrong("a lag out of range");
+    if (group.slice < 0 || group.slices < 1 || group.slice > group.slices)
+        return wrong("shares of a plan out of range");
+    if (!group.kept.empty() && group.kept.size() != count)
+        return wrong("kept places that do not suit their group");
     for (const std::int32_t place : group.kept)
         if (place < -1 || place >= def.count) return wrong("kept places that do not suit their group");
     if (!group.plan->suits(count, count, grid)) return wrong("a plan for another group");
@@ -121,7 +138,8 @@ Status World::Impl::checkState() {
     if (Status s = checkGround(environment); !s.ok()) return s;
     if (Status s = checkArrays(characters); !s.ok()) return s;
     if (Status s = validateTotal(static_cast<std::int64_t>(characters.size()), parameters); !s.ok()) return s;
-    if (groups.size() > kMaxGroups || !ascending(characters.id, nextCharacter)) return wrong("numbers out of order");
+    if (groups.size() > kMaxGroups || !ascending(characters.id, nextCharacter))
+        return wrong("numbers out of order");
     const std::size_t motions = environment.def().clips.size();
     for (std::size_t i = 0; i < characters.size(); ++i)
         if (characters.group[i] >= groups.size() || characters.motion[i] < 0 ||
@@ -142,14 +160,16 @@ Status World::Impl::checkState() {
 
 Status World::Impl::checkQueueAndMarks() const {
     if (lastCommandStep > stepCount || collected.size() != items.size() ||
-        checkpointState.size() != groups.size() * checkpoints.size() || checkpointGroups.size() != checkpoints.size())
+        checkpointState.size() != groups.size() * checkpoints.size() ||
+        checkpointGroups.size() != checkpoints.size())
         return wrong("lists of different lengths");
     for (const ItemDef& item : items)
         if (Status s = validateItem(item); !s.ok()) return s;
     for (const FormationCheckpointDef& checkpoint : checkpoints)
         if (Status s = validateCheckpoint(checkpoint, kMaxGroups); !s.ok()) return s;
     for (std::size_t k = 0; k < queue.size(); ++k)
-        if (queue[k].step < stepCount || (k > 0 && comesBefore(queue[k], queue[k - 1]))) return wrong("commands out of order");
+        if (queue[k].step < stepCount || (k > 0 && comesBefore(queue[k], queue[k - 1])))
+            return wrong("commands out of order");
     return {};
 }
 

@@ -28,12 +28,12 @@ struct Group {
     WalkTotals walk;
     double meanLag = 0.0;
     std::uint32_t formationVersion = 1;
-    bool planNow = true;      ///< The next plan is made whole in one step, without incumbents.
-    bool assigned = false;    ///< A first assignment stands (for plans made once).
-    bool reassigns = true;    ///< The pending plan may change places.
-    std::vector<std::int32_t> kept;  ///< Place of each member by the last plan that could change them.
-    std::int32_t slice = 0;   ///< Shares of the pending plan done.
-    std::int32_t slices = 1;  ///< Shares it was cut into.
+    bool planNow = true;                ///< The next plan is made whole in one step, without incumbents.
+    bool assigned = false;              ///< A first assignment stands (for plans made once).
+    bool reassigns = true;              ///< The pending plan may change places.
+    std::vector<std::int32_t> kept;     ///< Place of each member by the last plan that could change them.
+    std::int32_t slice = 0;             ///< Shares of the pending plan done.
+    std::int32_t slices = 1;            ///< Shares it was cut into.
     std::int32_t region = -1;           // Cache of this step: region in which most of its characters stand.
     bool apart = false;                 // Cache of this step: they stand in several regions.
     std::vector<std::int32_t> members;  // Cache: indices of its characters, ascending.
@@ -41,8 +41,8 @@ struct Group {
     /// Lets an archive read or write everything but the plan and the caches.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion, planNow,
-                assigned, reassigns, kept, slice, slices);
+        archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
+                planNow, assigned, reassigns, kept, slice, slices);
     }
 };
 
@@ -79,7 +79,7 @@ struct World::Impl {
     std::vector<Group> groups;
     std::vector<Command> queue;  ///< Ordered by (step, client, sequence).
     std::vector<FormationCheckpointDef> checkpoints;
-    std::vector<GroupId> checkpointGroups;       ///< Whom each concerns; 0 for any.
+    std::vector<GroupId> checkpointGroups;      ///< Whom each concerns; 0 for any.
     std::vector<std::uint8_t> checkpointState;  ///< groups x checkpoints: bit 0 inside now, bit 1 used.
     std::vector<ItemDef> items;
     std::vector<std::uint8_t> collected;
@@ -101,8 +101,10 @@ struct World::Impl {
     CrowdExcess excess;
     Steering steering;
     Contacts contactSolver;
-    std::vector<Plan*> aside;  ///< Plans whose work was launched in the last step. It ends before anything they read changes.
-    std::unique_ptr<ThreadPool> pool;  ///< After all that launched work reads: it goes first, and waits for the work.
+    /// Plans whose work was launched in the last step. It ends before anything they read changes.
+    std::vector<Plan*> aside;
+    /// After all that launched work reads: it goes first, and waits for the work.
+    std::unique_ptr<ThreadPool> pool;
     StepMemory memory;
 
     double time() const { return stepCount * parameters.stepTime; }
@@ -160,7 +162,8 @@ struct World::Impl {
     // What follows from parameters alone (world_parameters.cpp).
     void makeDensity();
 
-    // Whether what was read from a snapshot can go on; brings the lists of members up to date (world_restore.cpp).
+    // Whether what was read from a snapshot can go on; brings the lists of members up to date
+    // (world_restore.cpp).
     Status checkState();
     Status checkQueueAndMarks() const;
 

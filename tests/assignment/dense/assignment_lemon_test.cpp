@@ -22,7 +22,8 @@ struct Total {
     long long cost = 0;
 };
 
-// What is not sent goes to the sink at a price beyond all that an exchange can save, so most is sent, then cheapest.
+// What is not sent goes to the sink at a price beyond all that an exchange can save, so most is sent, then
+// cheapest.
 Total solveWithLemon(const OwnedProblem& problem) {
     using Graph = lemon::SmartDigraph;
     Graph graph;
@@ -89,7 +90,8 @@ TEST_CASE("assignment of units equals LEMON: ties, rectangles, impossible pairs"
         const auto rows = static_cast<std::int32_t>(1 + random.below(24));
         const auto columns = static_cast<std::int32_t>(k % 3 == 0 ? rows : 1 + random.below(24));
         CAPTURE(k);
-        compare(solver, muster_test::randomProblem(random, rows, columns, ranges[k % 5], forbidden[(k / 5) % 4], 0));
+        compare(solver,
+                muster_test::randomProblem(random, rows, columns, ranges[k % 5], forbidden[(k / 5) % 4], 0));
     }
     MESSAGE("900 problems of units: totals as LEMON's");
 }
@@ -104,8 +106,8 @@ TEST_CASE("transport of amounts equals LEMON: ties, rectangles, impossible pairs
         const auto rows = static_cast<std::int32_t>(1 + random.below(20));
         const auto columns = static_cast<std::int32_t>(1 + random.below(20));
         CAPTURE(k);
-        compare(solver, muster_test::randomProblem(random, rows, columns, ranges[k % 4], forbidden[(k / 4) % 4],
-                                                   most[(k / 16) % 4]));
+        compare(solver, muster_test::randomProblem(random, rows, columns, ranges[k % 4],
+                                                   forbidden[(k / 4) % 4], most[(k / 16) % 4]));
     }
     MESSAGE("600 problems of amounts: totals as LEMON's");
 }
@@ -125,6 +127,8 @@ TEST_CASE("larger problems equal LEMON") {
 
 #else
 
-TEST_CASE("assignment against LEMON") { MESSAGE("skipped: liblemon-dev is not installed"); }
+TEST_CASE("assignment against LEMON") {
+    MESSAGE("skipped: liblemon-dev is not installed");
+}
 
 #endif

@@ -2,8 +2,8 @@
 
 #include <doctest.h>
 
-#include <numeric>
 #include <rapidcheck.h>
+#include <numeric>
 
 #include "assignment/dense/transport_checks.h"
 
@@ -13,8 +13,8 @@ using muster::Flow;
 using muster::StatusCode;
 using muster::TransportSolution;
 using muster::TransportSolver;
-using muster_test::OwnedProblem;
 using muster_test::kInfinite;
+using muster_test::OwnedProblem;
 
 TransportSolution solved(const OwnedProblem& problem) {
     TransportSolver solver;
@@ -69,7 +69,8 @@ TEST_CASE("assignment by hand") {
     CHECK(solution.amount == 2.0);
     CHECK(solution.cost == 59.0);
     // Two rows for one column: the cheaper takes it.
-    CHECK(placesOf({2, 1, {5, 3}, {}, {}}, solved({2, 1, {5, 3}, {}, {}})) == std::vector<std::int32_t>{-1, 0});
+    CHECK(placesOf({2, 1, {5, 3}, {}, {}}, solved({2, 1, {5, 3}, {}, {}})) ==
+          std::vector<std::int32_t>{-1, 0});
     // A row that can go nowhere.
     const OwnedProblem stranded{2, 2, {kInfinite, kInfinite, 7, 4}, {}, {}};
     CHECK(placesOf(stranded, solved(stranded)) == std::vector<std::int32_t>{-1, 1});
@@ -102,8 +103,8 @@ TEST_CASE("every small assignment equals the best of all permutations") {
     for (int k = 0; k < 400; ++k) {
         const auto rows = static_cast<std::int32_t>(1 + random.below(k % 40 == 0 ? 7 : 5));
         const auto columns = static_cast<std::int32_t>(1 + random.below(k % 40 == 0 ? 7 : 5));
-        const OwnedProblem problem =
-            muster_test::randomProblem(random, rows, columns, k % 2 ? 4u : 100u, (k % 4) * 0.25, 0);
+        const OwnedProblem problem = muster_test::randomProblem(random, rows, columns, k % 2 ? 4u : 100u,
+                                                                (k % 4) * 0.25, 0);
         const TransportSolution solution = solved(problem);
         std::vector<bool> taken(columns, false);
         const auto best = tryAll(problem, 0, taken);
@@ -139,7 +140,8 @@ TEST_CASE("prices prove the optimum where all pairs are possible") {
 
 TEST_CASE("ties fall to the lower index, and twice the same is the same") {
     for (const auto& [rows, columns] : {std::pair{6, 6}, {4, 7}, {7, 4}}) {
-        const OwnedProblem same{rows, columns, std::vector<double>(static_cast<std::size_t>(rows * columns), 2.0), {}, {}};
+        const OwnedProblem same{
+            rows, columns, std::vector<double>(static_cast<std::size_t>(rows * columns), 2.0), {}, {}};
         const std::vector<std::int32_t> places = placesOf(same, solved(same));
         for (std::int32_t i = 0; i < rows; ++i) CHECK(places[i] == (i < columns ? i : -1));
     }
@@ -215,7 +217,7 @@ TEST_CASE("property: adding a constant to a row of a square problem changes the 
         };
         const double before = total(problem);
         const auto row = *rc::gen::inRange(0, n);
-        for (std::int32_t j = 0; j < n; ++j) problem.cost[static_cast<std::size_t>(row * n + j)] += 13.0;
+        for (std::int32_t j = 0; j < n; ++j) problem.cost[row * n + j] += 13.0;
         RC_ASSERT(total(problem) == before + 13.0);
     });
     CHECK(held);

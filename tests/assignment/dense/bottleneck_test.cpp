@@ -27,10 +27,12 @@ struct Owned {
 };
 
 // Costs of few different values, so that there are ties, and a share of pairs without a way.
-Owned randomProblem(Random& random, std::int32_t rows, std::int32_t columns, std::uint32_t values, double blocked) {
+Owned randomProblem(Random& random, std::int32_t rows, std::int32_t columns, std::uint32_t values,
+                    double blocked) {
     Owned owned{rows, columns, {}, {}, {}};
     for (std::int32_t k = 0; k < rows * columns; ++k)
-        owned.cost.push_back(random.uniform(0, 1) < blocked ? kInfinite : static_cast<double>(random.below(values)));
+        owned.cost.push_back(random.uniform(0, 1) < blocked ? kInfinite
+                                                            : static_cast<double>(random.below(values)));
     return owned;
 }
 
@@ -45,9 +47,9 @@ double byHand(const Owned& owned) {
         std::int32_t pairs = 0;
         double dearest = 0.0;
         for (std::int32_t i = 0; i < owned.rows; ++i) {
-            const std::int32_t j = order[static_cast<std::size_t>(i)];
+            const std::int32_t j = order[i];
             if (j >= owned.columns) continue;
-            const double c = owned.cost[static_cast<std::size_t>(i * owned.columns + j)];
+            const double c = owned.cost[i * owned.columns + j];
             if (c == kInfinite) continue;
             ++pairs;
             dearest = std::max(dearest, c);
@@ -78,7 +80,8 @@ TEST_CASE("the bottleneck is that of the best of all permutations") {
     for (int k = 0; k < 150; ++k) {
         const auto rows = static_cast<std::int32_t>(1 + random.below(6));
         const auto columns = static_cast<std::int32_t>(1 + random.below(6));
-        const Owned owned = randomProblem(random, rows, columns, 2 + random.below(30), random.uniform(0, 0.7));
+        const Owned owned = randomProblem(random, rows, columns, 2 + random.below(30),
+                                          random.uniform(0, 0.7));
         CAPTURE(k);
         CHECK(solver.solve(owned.problem()) == byHand(owned));
     }
@@ -91,7 +94,8 @@ TEST_CASE("no cheaper bound carries as much, and the bound itself does") {
         Owned owned = randomProblem(random, 30 + k, 44 - k, 400, 0.1 * (k % 8));
         if (k % 2 == 1) {
             for (std::int32_t i = 0; i < owned.rows; ++i) owned.supply.push_back(random.uniform(0, 3));
-            for (std::int32_t j = 0; j < owned.columns; ++j) owned.demand.push_back(k % 4 == 1 ? 1.0 : random.uniform(0, 2));
+            for (std::int32_t j = 0; j < owned.columns; ++j)
+                owned.demand.push_back(k % 4 == 1 ? 1.0 : random.uniform(0, 2));
             owned.supply[3] = owned.demand[2] = 0.0;
         }
         const double bound = solver.solve(owned.problem());
@@ -117,17 +121,19 @@ TEST_CASE("nothing to match, one pair, a pair that nobody can use") {
 }
 
 TEST_CASE("a chain that has to shift as a whole") {
-    // Row i can have column i for 1 and column i+1 for 2; the last column is the only one left for the last row.
+    // Row i can have column i for 1 and column i+1 for 2; the last column is the only one left for the last
+    // row.
     constexpr std::int32_t n = 200;
     Owned owned{n, n, std::vector<double>(static_cast<std::size_t>(n * n), 50.0), {}, {}};
     for (std::int32_t i = 0; i < n; ++i) {
-        owned.cost[static_cast<std::size_t>(i * n + i)] = 1.0;
-        owned.cost[static_cast<std::size_t>(i * n + (i + 1) % n)] = 2.0;
+        owned.cost[i * n + i] = 1.0;
+        owned.cost[i * n + (i + 1) % n] = 2.0;
     }
     BottleneckSolver solver;
     CHECK(solver.solve(owned.problem()) == 1.0);
-    owned.cost[0] = 50.0;  // The first has to take the second column, and so on round to the last, who takes the first.
+    // The first has to take the second column, and so on round to the last, who takes the first.
+    owned.cost[0] = 50.0;
     CHECK(solver.solve(owned.problem()) == 2.0);
-    owned.cost[static_cast<std::size_t>((n - 1) * n)] = 50.0;
+    owned.cost[(n - 1) * n] = 50.0;
     CHECK(solver.solve(owned.problem()) == 50.0);
 }

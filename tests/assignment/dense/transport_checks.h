@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "base/random.h"
 #include "assignment/dense/assignment.h"
+#include "base/random.h"
 
 namespace muster_test {
 
@@ -24,16 +24,16 @@ struct OwnedProblem {
     std::vector<double> supply;
     std::vector<double> demand;
 
-    double at(std::int32_t i, std::int32_t j) const { return cost[static_cast<std::size_t>(i * columns + j)]; }
+    double at(std::int32_t i, std::int32_t j) const { return cost[i * columns + j]; }
     double supplyOf(std::int32_t i) const { return supply.empty() ? 1.0 : supply[i]; }
     double demandOf(std::int32_t j) const { return demand.empty() ? 1.0 : demand[j]; }
     muster::TransportProblem view() const { return {rows, columns, cost, supply, demand}; }
 };
 
-/// Whole-number costs in [0, range); a share `forbidden` of the pairs is impossible; amounts in [0, mostAmount] where that
-/// is over 0, else units.
-inline OwnedProblem randomProblem(muster::Random& random, std::int32_t rows, std::int32_t columns, std::uint32_t range,
-                                  double forbidden, std::uint32_t mostAmount) {
+/// Whole-number costs in [0, range); a share `forbidden` of the pairs is impossible; amounts in [0,
+/// mostAmount] where that is over 0, else units.
+inline OwnedProblem randomProblem(muster::Random& random, std::int32_t rows, std::int32_t columns,
+                                  std::uint32_t range, double forbidden, std::uint32_t mostAmount) {
     OwnedProblem problem{rows, columns, {}, {}, {}};
     for (std::int32_t k = 0; k < rows * columns; ++k) {
         const double cost = random.below(range);
@@ -94,12 +94,14 @@ inline void checkSolution(const OwnedProblem& problem, const muster::TransportSo
     CHECK(worstSlack <= tolerance);
     bool within = true;
     for (std::int32_t i = 0; i < problem.rows; ++i) within = within && sent[i] <= problem.supplyOf(i) + 1e-9;
-    for (std::int32_t j = 0; j < problem.columns; ++j) within = within && filled[j] <= problem.demandOf(j) + 1e-9;
+    for (std::int32_t j = 0; j < problem.columns; ++j)
+        within = within && filled[j] <= problem.demandOf(j) + 1e-9;
     CHECK(within);
     double worstPrice = 0.0;
     for (std::int32_t i = 0; i < problem.rows; ++i)
         for (std::int32_t j = 0; j < problem.columns; ++j)
-            worstPrice = std::max(worstPrice, solution.rowPrice[i] + solution.columnPrice[j] - problem.at(i, j));
+            worstPrice = std::max(worstPrice,
+                                  solution.rowPrice[i] + solution.columnPrice[j] - problem.at(i, j));
     CHECK(worstPrice <= tolerance);
 }
 

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <vector>
 
-#include "base/random.h"
 #include "assignment/dynamic/matching_scene.h"
 #include "assignment/dynamic/sparse_matching_arcs.h"
 #include "assignment/dynamic/sparse_matching_kd.h"
 #include "assignment/dynamic/sparse_matching_near.h"
+#include "base/random.h"
 
 using namespace muster;
 
@@ -19,7 +19,8 @@ namespace {
 std::vector<Vec2> scattered(std::size_t count, std::uint64_t seed, double width, double height) {
     Random random(seed);
     std::vector<Vec2> points;
-    for (std::size_t k = 0; k < count; ++k) points.push_back({random.uniform(0.0, width), random.uniform(0.0, height)});
+    for (std::size_t k = 0; k < count; ++k)
+        points.push_back({random.uniform(0.0, width), random.uniform(0.0, height)});
     return points;
 }
 
@@ -30,7 +31,8 @@ std::vector<std::int32_t> numbers(std::size_t count) {
 }
 
 // By looking at all of them.
-std::vector<std::int32_t> nearestOfAll(const std::vector<Vec2>& points, Vec2 centre, std::int32_t count, bool even) {
+std::vector<std::int32_t> nearestOfAll(const std::vector<Vec2>& points, Vec2 centre, std::int32_t count,
+                                       bool even) {
     std::vector<std::int32_t> order = numbers(points.size());
     if (even) std::erase_if(order, [](std::int32_t p) { return p % 2 != 0; });
     std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
@@ -44,7 +46,9 @@ std::vector<std::int32_t> nearestOfAll(const std::vector<Vec2>& points, Vec2 cen
 
 }  // namespace
 
-TEST_CASE("leaves are as even as can be, hold every point once, and do not depend on the order they were given in") {
+TEST_CASE(
+    "leaves are as even as can be, hold every point once, and do not depend on the order they were given "
+    "in") {
     for (const std::int32_t leaves : {1, 2, 3, 7, 16, 50}) {
         CAPTURE(leaves);
         const std::vector<Vec2> points = scattered(103, 5, 30.0, 10.0);
@@ -100,7 +104,7 @@ TEST_CASE("the nearest points are those that a look at all finds") {
             near.find(cells, points, centre, count, [&](std::int32_t p) { return !even || p % 2 == 0; });
             const std::vector<std::int32_t> expected = nearestOfAll(points, centre, count, even);
             REQUIRE(near.size() == static_cast<std::int32_t>(expected.size()));
-            for (std::int32_t k = 0; k < near.size(); ++k) REQUIRE(near[k] == expected[static_cast<std::size_t>(k)]);
+            for (std::int32_t k = 0; k < near.size(); ++k) REQUIRE(near[k] == expected[k]);
         }
     }
     NearestPoints none;
@@ -202,9 +206,10 @@ TEST_CASE("arcs lead to near places and near people, once each, and weigh what a
     }
     for (const std::int32_t s : rows) {
         const auto arcsInto = arcs.into(s);
-        CHECK(static_cast<std::int32_t>(std::count_if(arcsInto.begin(), arcsInto.end(), [&](std::int32_t arc) {
-                  return arc / MatchingArcs::kLanes != s;
-              })) == into[s]);
+        CHECK(
+            static_cast<std::int32_t>(std::count_if(arcsInto.begin(), arcsInto.end(), [&](std::int32_t arc) {
+                return arc / MatchingArcs::kLanes != s;
+            })) == into[s]);
         CHECK(std::is_sorted(arcsInto.begin(), arcsInto.end()));
     }
 }

@@ -16,7 +16,8 @@ public:
 
     double exact(std::size_t i, std::size_t j) const override {
         for (const muster::Pair& t : tunnels)
-            if (t.character == static_cast<std::int32_t>(i) && t.place == static_cast<std::int32_t>(j)) return length;
+            if (t.character == static_cast<std::int32_t>(i) && t.place == static_cast<std::int32_t>(j))
+                return length;
         return ClosedCosts::exact(i, j);
     }
     double perMetre() const override { return 0.0; }
@@ -78,7 +79,9 @@ struct Standing {
         state.seats.follow(input, flipped);
         pricing.reset(300);
     }
-    muster::MatchingContext context() { return {def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold}; }
+    muster::MatchingContext context() {
+        return {def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold};
+    }
 };
 
 }  // namespace
@@ -96,12 +99,14 @@ TEST_CASE("exchanges between places that are no neighbours are found by pricing"
     CHECK(matching.objective() < optimum + 0.05);
     CHECK(matching.objective() > optimum - 1e-3);
     std::int32_t used = 0;
-    for (const muster::Pair& t : scene.costs.tunnels) used += matching.placeOf()[static_cast<std::size_t>(t.character)] == t.place ? 1 : 0;
+    for (const muster::Pair& t : scene.costs.tunnels)
+        used += matching.placeOf()[t.character] == t.place ? 1 : 0;
     // No arc to a neighbour leads there.
     CHECK(used > 0);
 }
 
-TEST_CASE("who had best take a dear place is found from the place, whose turn comes before that of all others") {
+TEST_CASE(
+    "who had best take a dear place is found from the place, whose turn comes before that of all others") {
     TunnelCosts costs;
     Standing standing(costs);
     costs.places[0] = {-25.0, 0.0};
@@ -112,7 +117,8 @@ TEST_CASE("who had best take a dear place is found from the place, whose turn co
     state.price[0] = 600.0;  // Nobody else had best go there.
     state.arcs.look(context, state.seats, state.price, state.own);
     REQUIRE(state.arcs.hot() == std::vector<std::int32_t>{0});
-    // A fifth of all characters at a time; the row of the one that knows a tunnel would wait for seventy steps.
+    // A fifth of all characters at a time; the row of the one that knows a tunnel would wait for seventy
+    // steps.
     for (int k = 0; k < 6; ++k) standing.pricing.run(context, state, 1e-6);
     CHECK(state.arcs.target(state.arcs.priced(150)) == 0);
     CHECK(state.arcs.weight(state.arcs.priced(150)) == doctest::Approx(0.04));

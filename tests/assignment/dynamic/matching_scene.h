@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "assignment/dense/unit_matching.h"
+#include "assignment/dynamic/sparse_matching.h"
 #include "base/maths.h"
 #include "base/random.h"
-#include "assignment/dynamic/sparse_matching.h"
-#include "assignment/dense/unit_matching.h"
 
 namespace muster_test {
 
@@ -49,7 +49,8 @@ public:
         fillPairs_ = pairs;
         fillCost_ = cost;
         constexpr std::size_t kChunk = 128;
-        pool.run(static_cast<std::int32_t>((pairs.size() + kChunk - 1) / kChunk), [this](std::int32_t item, std::int32_t) {
+        pool.run(static_cast<std::int32_t>((pairs.size() + kChunk - 1) / kChunk), [this](std::int32_t item,
+                                                                                         std::int32_t) {
             const auto begin = static_cast<std::size_t>(item) * kChunk;
             for (std::size_t k = begin; k < std::min(begin + kChunk, fillPairs_.size()); ++k)
                 fillCost_[k] = static_cast<float>(exact(static_cast<std::size_t>(fillPairs_[k].character),
@@ -59,14 +60,17 @@ public:
 
 private:
     bool crosses(Vec2 a, Vec2 b) const {
-        const auto sides = [](Vec2 u, Vec2 v, Vec2 p, Vec2 q) { return cross(v - u, p - u) * cross(v - u, q - u) < 0; };
+        const auto sides = [](Vec2 u, Vec2 v, Vec2 p, Vec2 q) {
+            return cross(v - u, p - u) * cross(v - u, q - u) < 0;
+        };
         return sides(a, b, low, high) && sides(low, high, a, b);
     }
     std::span<const muster::Pair> fillPairs_;
     std::span<float> fillCost_;
 };
 
-/// The least sum of a matrix of costs, row by row, over assignments of all rows, by a dense solver; no more rows than columns.
+/// The least sum of a matrix of costs, row by row, over assignments of all rows, by a dense solver; no more
+/// rows than columns.
 inline double leastSum(std::int32_t rows, std::int32_t columns, const std::vector<double>& matrix) {
     muster::UnitMatching dense;
     dense.solve(rows, columns, matrix.data());
@@ -87,7 +91,8 @@ struct MatchingScene {
     double time = 0.0;
     muster::Random random;
 
-    MatchingScene(std::int32_t people, std::int32_t places, std::uint64_t seed, double away = 2.0) : random(seed) {
+    MatchingScene(std::int32_t people, std::int32_t places, std::uint64_t seed, double away = 2.0)
+        : random(seed) {
         std::int32_t columns = 1;
         while (columns * columns < places) ++columns;
         for (std::int32_t k = 0; k < places; ++k)
@@ -114,7 +119,7 @@ struct MatchingScene {
         for (std::size_t i = 0; i < costs.characters.size(); ++i) {
             if (placeOf[i] < 0) continue;
             Vec2& p = costs.characters[i];
-            const Vec2 goal = costs.places[static_cast<std::size_t>(placeOf[i])];
+            const Vec2 goal = costs.places[placeOf[i]];
             const double speed = std::min(2.0, costs.way(p, goal) / 0.8);
             p += normalized(costs.next(p, goal) - p) * (speed * kStep) +
                  Vec2{random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004)};
@@ -140,7 +145,8 @@ struct MatchingScene {
     double objective(std::span<const std::int32_t> placeOf, double p) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < placeOf.size(); ++i)
-            if (placeOf[i] >= 0) sum += muster::power(costs.exact(i, static_cast<std::size_t>(placeOf[i])), p);
+            if (placeOf[i] >= 0)
+                sum += muster::power(costs.exact(i, static_cast<std::size_t>(placeOf[i])), p);
         return sum;
     }
     /// How far an assignment is from the optimum, as a share (SPEC: of at least (0.25 m)^p each).
@@ -160,7 +166,8 @@ struct MatchingScene {
             people += input().takesPart(i) ? 1 : 0;
             if (placeOf[i] < 0) continue;
             const auto j = static_cast<std::size_t>(placeOf[i]);
-            if (j >= taken.size() || !input().mayTake(j) || !input().takesPart(i) || taken[j]++ > 0) return false;
+            if (j >= taken.size() || !input().mayTake(j) || !input().takesPart(i) || taken[j]++ > 0)
+                return false;
             ++pairs;
         }
         return pairs == std::min(people, free);

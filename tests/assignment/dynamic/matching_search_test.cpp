@@ -7,11 +7,11 @@
 #include <numeric>
 #include <vector>
 
-#include "base/archive.h"
 #include "assignment/dynamic/matching_scene.h"
 #include "assignment/dynamic/sparse_matching_prices.h"
 #include "assignment/dynamic/sparse_matching_repair.h"
 #include "assignment/dynamic/sparse_matching_start.h"
+#include "base/archive.h"
 
 using namespace muster;
 using muster_test::MatchingScene;
@@ -31,7 +31,9 @@ struct Bench {
     MatchingState state;
 
     Bench(std::int32_t count, std::uint64_t seed, double away = 2.0)
-        : scene(count, count, seed, away), input(scene.input()), context{def, input, scene.costs, pool, CostPower(2.0), {}, {}, 0.1} {
+        : scene(count, count, seed, away),
+          input(scene.input()),
+          context{def, input, scene.costs, pool, CostPower(2.0), {}, {}, 0.1} {
         state.reset(count, count);
     }
     void sit(const std::vector<std::int32_t>& placeOf) {
@@ -43,7 +45,8 @@ struct Bench {
         std::vector<std::int32_t> rows(static_cast<std::size_t>(state.seats.count()));
         std::iota(rows.begin(), rows.end(), 0);
         for (const std::int32_t s : rows)
-            state.setOwn(s, state.seats.matched(s) ? scene.costs.cost(state.seats.holder(s), s) : 0.0f, context.power);
+            state.setOwn(s, state.seats.matched(s) ? scene.costs.cost(state.seats.holder(s), s) : 0.0f,
+                         context.power);
         state.arcs.look(context, state.seats, state.price, state.own);
         for (const std::int32_t s : rows) state.arcs.chooseTargets(context, state.seats, s);
         state.arcs.refresh(context, state.seats, state.ownPower, rows, {});
@@ -81,7 +84,8 @@ struct Bench {
         double sum = 0.0;
         for (std::int32_t s = 0; s < state.seats.count(); ++s) {
             double least = 0.0;
-            for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc) least = std::min(least, state.reduced(arc));
+            for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc)
+                least = std::min(least, state.reduced(arc));
             sum -= least;
         }
         return sum;
@@ -89,15 +93,15 @@ struct Bench {
     // Lengths of the shortest ways from a seat, by sweeps over all arcs until nothing changes.
     std::vector<double> distancesFrom(std::int32_t seat) const {
         std::vector<double> distance(static_cast<std::size_t>(state.seats.count()), kInfinite);
-        distance[static_cast<std::size_t>(seat)] = 0.0;
+        distance[seat] = 0.0;
         for (bool changed = true; changed;) {
             changed = false;
             for (std::int32_t arc = 0; arc < state.seats.count() * kLanes; ++arc) {
                 const std::int32_t to = state.arcs.target(arc);
                 if (to == arc / kLanes) continue;
-                const double there = distance[static_cast<std::size_t>(arc / kLanes)] + std::max(state.reduced(arc), 0.0);
-                if (!(there < distance[static_cast<std::size_t>(to)])) continue;
-                distance[static_cast<std::size_t>(to)] = there;
+                const double there = distance[arc / kLanes] + std::max(state.reduced(arc), 0.0);
+                if (!(there < distance[to])) continue;
+                distance[to] = there;
                 changed = true;
             }
         }
@@ -128,8 +132,9 @@ TEST_CASE("a search finds the shortest way back, or shows that there is none sho
             const std::int32_t to = bench.state.arcs.target(arc);
             const double violation = -bench.state.reduced(arc);
             if (to == from || !(violation > 0.0)) continue;
-            const double shortest = bench.distancesFrom(to)[static_cast<std::size_t>(from)];
-            const SearchEnd end = search.run(bench.state.arcs, bench.state.price, from, to, violation, kInfinite, 100000);
+            const double shortest = bench.distancesFrom(to)[from];
+            const SearchEnd end = search.run(bench.state.arcs, bench.state.price, from, to, violation,
+                                             kInfinite, 100000);
             if (shortest < violation) {
                 REQUIRE(end == SearchEnd::Cycle);
                 CHECK(search.cycle().front() == to);
@@ -146,7 +151,9 @@ TEST_CASE("a search finds the shortest way back, or shows that there is none sho
     CHECK(settled > 30);
 }
 
-TEST_CASE("moving prices makes nothing negative that was not, lets nothing negative sink, and mends the arc where it can") {
+TEST_CASE(
+    "moving prices makes nothing negative that was not, lets nothing negative sink, and mends the arc where "
+    "it can") {
     for (const std::uint64_t seed : {7, 8, 9}) {
         Bench bench(90, seed);
         bench.disturb(seed + 40, 0.8, true);
@@ -161,7 +168,8 @@ TEST_CASE("moving prices makes nothing negative that was not, lets nothing negat
             if (to == arc / kLanes || !(violation > 1e-6)) continue;
             const std::vector<double> before = bench.reduced();
             const std::int32_t limit = look % 2 == 0 ? 12 : 40;
-            const SearchEnd end = search.run(bench.state.arcs, bench.state.price, arc / kLanes, to, violation, kInfinite, limit);
+            const SearchEnd end = search.run(bench.state.arcs, bench.state.price, arc / kLanes, to, violation,
+                                             kInfinite, limit);
             search.movePrices(bench.state.price);
             const std::vector<double> after = bench.reduced();
             for (std::size_t k = 0; k < before.size(); ++k)
@@ -187,7 +195,8 @@ TEST_CASE("a direct way back counts as known") {
         const std::int32_t to = bench.state.arcs.target(arc);
         const double violation = -bench.state.reduced(arc);
         if (to == arc / kLanes || !(violation > 0.0)) continue;
-        const SearchEnd end = search.run(bench.state.arcs, bench.state.price, arc / kLanes, to, violation, 0.0, 1000);
+        const SearchEnd end = search.run(bench.state.arcs, bench.state.price, arc / kLanes, to, violation,
+                                         0.0, 1000);
         REQUIRE(end == SearchEnd::Cycle);
         REQUIRE(search.cycle().size() == 2);
         CHECK(search.cycle()[0] == to);
@@ -200,7 +209,8 @@ TEST_CASE("the least reduced cost of a row is that of its worst arc, to the bit"
     bench.disturb(17, 3.0, false);
     for (std::int32_t s = 0; s < bench.state.seats.count(); ++s) {
         double least = kInfinite;
-        for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc) least = std::min(least, bench.state.reduced(arc));
+        for (std::int32_t arc = s * kLanes; arc < (s + 1) * kLanes; ++arc)
+            least = std::min(least, bench.state.reduced(arc));
         REQUIRE(bench.state.leastFrom(s) == least);
     }
 }
@@ -226,15 +236,18 @@ TEST_CASE("tight arcs only are asked for, and the others keep their weights") {
     const std::vector<double> margin(120, 1.0);
     std::vector<std::int32_t> rows(120);
     std::iota(rows.begin(), rows.end(), 0);
-    bench.state.arcs.refresh(bench.context, bench.state.seats, bench.state.ownPower, rows, {bench.state.price, margin});
+    bench.state.arcs.refresh(bench.context, bench.state.seats, bench.state.ownPower, rows,
+                             {bench.state.price, margin});
     int renewed = 0;
     for (std::int32_t arc = 0; arc < 120 * kLanes; ++arc) {
         const std::int32_t to = bench.state.arcs.target(arc);
         if (to == arc / kLanes) continue;
-        const double there = bench.context.power(bench.scene.costs.cost(bench.state.seats.holder(arc / kLanes), to));
-        const float now = bench.state.arcs.weightBy(bench.context, bench.state.seats, bench.state.ownPower, arc, there);
-        const bool tight = reduced[static_cast<std::size_t>(arc)] < 1.0;
-        REQUIRE(bench.state.arcs.weight(arc) == (tight ? now : before[static_cast<std::size_t>(arc)]));
+        const double there = bench.context.power(
+            bench.scene.costs.cost(bench.state.seats.holder(arc / kLanes), to));
+        const float now = bench.state.arcs.weightBy(bench.context, bench.state.seats, bench.state.ownPower,
+                                                    arc, there);
+        const bool tight = reduced[arc] < 1.0;
+        REQUIRE(bench.state.arcs.weight(arc) == (tight ? now : before[arc]));
         renewed += tight ? 1 : 0;
     }
     CHECK(renewed > 100);
@@ -246,10 +259,13 @@ TEST_CASE("repairs only ever lower the objective, within their budget, and end w
         Bench bench(200, seed);
         std::vector<std::int32_t> shuffled(200);
         std::iota(shuffled.begin(), shuffled.end(), 0);
-        for (std::int32_t i = 199; i > 0; --i) std::swap(shuffled[i], shuffled[bench.scene.random.below(static_cast<std::uint32_t>(i + 1))]);
+        for (std::int32_t i = 199; i > 0; --i)
+            std::swap(shuffled[i], shuffled[bench.scene.random.below(static_cast<std::uint32_t>(i + 1))]);
         bench.sit(shuffled);
         bench.ask();
-        const auto objective = [&] { return std::accumulate(bench.state.ownPower.begin(), bench.state.ownPower.end(), 0.0); };
+        const auto objective = [&] {
+            return std::accumulate(bench.state.ownPower.begin(), bench.state.ownPower.end(), 0.0);
+        };
         MatchingRepair repair;
         repair.reset(200, bench.def.searchLimit);
         double before = objective();
@@ -281,7 +297,8 @@ TEST_CASE("a start seats as many as can be, the few by nearness, the many near t
     std::int32_t who = -1, where = -1;
     for (std::int32_t i = 0; i < 12; ++i)
         for (std::int32_t j = 0; j < 12; ++j)
-            if (few.scene.costs.exact(i, j) < shortest) shortest = few.scene.costs.exact(i, j), who = i, where = j;
+            if (few.scene.costs.exact(i, j) < shortest)
+                shortest = few.scene.costs.exact(i, j), who = i, where = j;
     CHECK(few.state.seats.seatOf(who) == where);
     for (std::int32_t i = 0; i < 12; ++i) CHECK(few.state.seats.seatOf(i) >= 0);
 
@@ -305,7 +322,8 @@ TEST_CASE("fitted prices leave little violated where the matching is the optimum
     for (const std::uint64_t seed : {18, 19}) {
         Bench bench(400, seed, 12.0);
         // The crowd stands as the formation does, but half as large again: everybody's best place is his own.
-        for (std::size_t i = 0; i < 400; ++i) bench.scene.costs.characters[i] = Vec2{-14.0, 3.0} + bench.scene.costs.places[i] * 1.5;
+        for (std::size_t i = 0; i < 400; ++i)
+            bench.scene.costs.characters[i] = Vec2{-14.0, 3.0} + bench.scene.costs.places[i] * 1.5;
         bench.input = bench.scene.input();
         std::vector<std::int32_t> same(400);
         std::iota(same.begin(), same.end(), 0);
@@ -329,7 +347,7 @@ TEST_CASE("saved in the middle of a round a matching goes on bit for bit") {
     for (int k = 0; k < 9; ++k) {
         scene.step({1.0, 0.2}, 0.03, matching.placeOf());
         scene.usable.assign(150, 1);
-        if (k % 2 == 1) scene.usable[static_cast<std::size_t>(15 * k)] = 0;
+        if (k % 2 == 1) scene.usable[15 * k] = 0;
         matching.update(def, scene.input(), scene.costs, pool);
         Writer writer;
         matching.visit(writer);
@@ -342,7 +360,7 @@ TEST_CASE("saved in the middle of a round a matching goes on bit for bit") {
         for (int n = 0; n < 14; ++n) {
             // Places that come and go change what is asked for next.
             twin.usable.assign(150, 1);
-            if (n % 3 == 1) twin.usable[static_cast<std::size_t>(10 * n)] = 0;
+            if (n % 3 == 1) twin.usable[10 * n] = 0;
             twin.step({1.0, 0.2}, 0.03, original.placeOf());
             original.update(def, twin.input(), twin.costs, pool);
             copy.update(def, twin.input(), twin.costs, pool);

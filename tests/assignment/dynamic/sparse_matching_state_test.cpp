@@ -1,8 +1,8 @@
 // What a sparse matching keeps: saved and restored at any step, the same bits for any number of threads.
 #include <doctest.h>
 
-#include "base/archive.h"
 #include "assignment/dynamic/matching_scene.h"
+#include "base/archive.h"
 
 namespace {
 
@@ -78,8 +78,11 @@ TEST_CASE("a broken archive is refused") {
     int refused = 0;
     for (int k = 0; k < 300; ++k) {
         std::vector<std::uint8_t> bytes = writer.bytes();
-        if (k % 3 == 0) bytes.resize(random.below(static_cast<std::uint32_t>(bytes.size())));
-        else bytes[random.below(k % 3 == 1 ? 2000 : static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<std::uint8_t>(1 + random.below(255));
+        if (k % 3 == 0)
+            bytes.resize(random.below(static_cast<std::uint32_t>(bytes.size())));
+        else
+            bytes[random.below(k % 3 == 1 ? 2000 : static_cast<std::uint32_t>(bytes.size()))] ^= static_cast<
+                std::uint8_t>(1 + random.below(255));
         SparseMatching other;
         muster::Reader reader(bytes);
         other.visit(reader);

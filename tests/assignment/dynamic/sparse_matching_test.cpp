@@ -19,7 +19,8 @@ struct Run {
 
 // Follows the formation for so many steps; `velocity(time)` and `turning` move it.
 template <class Velocity>
-Run follow(MatchingScene& scene, const muster::MatchingDef& def, int steps, Velocity velocity, double turning) {
+Run follow(MatchingScene& scene, const muster::MatchingDef& def, int steps, Velocity velocity,
+           double turning) {
     SparseMatching matching;
     muster::ThreadPool pool(1);
     matching.coldStart(def, scene.input(), scene.costs, pool);
@@ -30,7 +31,8 @@ Run follow(MatchingScene& scene, const muster::MatchingDef& def, int steps, Velo
     for (int k = 1; k <= steps; ++k) {
         scene.step(velocity(scene.time), turning, matching.placeOf());
         matching.update(def, scene.input(), scene.costs, pool);
-        for (std::size_t i = 0; i < before.size(); ++i) run.changes += before[i] != matching.placeOf()[i] ? 1 : 0;
+        for (std::size_t i = 0; i < before.size(); ++i)
+            run.changes += before[i] != matching.placeOf()[i] ? 1 : 0;
         before.assign(matching.placeOf().begin(), matching.placeOf().end());
         if (k % 30 != 0) continue;
         REQUIRE(scene.valid(matching.placeOf()));
@@ -47,8 +49,12 @@ Run follow(MatchingScene& scene, const muster::MatchingDef& def, int steps, Velo
     return run;
 }
 
-Vec2 forward(double) { return {1.4, 0.0}; }
-Vec2 reversing(double time) { return {std::fmod(time, 5.0) < 2.5 ? 1.4 : -1.4, 0.0}; }
+Vec2 forward(double) {
+    return {1.4, 0.0};
+}
+Vec2 reversing(double time) {
+    return {std::fmod(time, 5.0) < 2.5 ? 1.4 : -1.4, 0.0};
+}
 
 }  // namespace
 
@@ -57,7 +63,13 @@ TEST_CASE("a crowd of 160 keeps to within half a percent of the optimum") {
         MatchingScene scene(160, 160, seed);
         CHECK(follow(scene, {}, 420, forward, 0.05).worst < 0.005);
         MatchingScene turning(160, 160, seed);
-        CHECK(follow(turning, {}, 300, [](double) { return Vec2{1.1, 0.6}; }, 0.1).worst < 0.005);
+        CHECK(follow(
+                  turning, {}, 300,
+                  [](double) {
+                      return Vec2{1.1, 0.6};
+                  },
+                  0.1)
+                  .worst < 0.005);
         MatchingScene back(160, 160, seed);
         CHECK(follow(back, {}, 420, reversing, 0.0).worst < 0.005);
     }
@@ -111,7 +123,8 @@ TEST_CASE("a wall between crowd and formation") {
         scene.costs.wall = true;
         scene.costs.low = {-7.0, -9.0};
         scene.costs.high = {-7.0, 5.0};
-        const Run run = follow(scene, {}, 600, [](double) { return Vec2{}; }, 0.0);
+        const Run run = follow(
+            scene, {}, 600, [](double) { return Vec2{}; }, 0.0);
         CHECK(run.worst < 0.02);
         CHECK(run.mean < 0.005);
     }
@@ -259,15 +272,17 @@ TEST_CASE("costs that drift are followed, though in no step they change much") {
     CHECK(worst < 0.03);
 }
 
-TEST_CASE("rows beside moving things, and those of a crowd that has nearly arrived, are asked for more often") {
+TEST_CASE(
+    "rows beside moving things, and those of a crowd that has nearly arrived, are asked for more often") {
     // Everybody stands half a metre from the place it keeps; whoever is named is beside something that moves.
     class Watched final : public muster_test::ClosedCosts {
     public:
         std::int32_t beside = -1;
         std::vector<long> asked = std::vector<long>(160, 0);
         bool unsteady(std::int32_t character, std::int32_t) const override { return character == beside; }
-        void fill(std::span<const muster::Pair> pairs, std::span<float> cost, muster::ThreadPool& pool) override {
-            for (const muster::Pair& p : pairs) ++asked[static_cast<std::size_t>(p.character)];
+        void fill(std::span<const muster::Pair> pairs, std::span<float> cost,
+                  muster::ThreadPool& pool) override {
+            for (const muster::Pair& p : pairs) ++asked[p.character];
             ClosedCosts::fill(pairs, cost, pool);
         }
     };

@@ -12,7 +12,7 @@ struct Rest {
     double first = 0.0;  // Of the start.
     double last = 0.0;
     double optimum = 0.0;
-    long late = 0;       // Changes in the second half.
+    long late = 0;  // Changes in the second half.
 };
 
 // Nobody moves; the matching goes on for so many steps.

@@ -1,4 +1,5 @@
 #include "character/bodies/body.h"
+#include "folders.h"
 
 #include <doctest.h>
 #include <rapidcheck.h>
@@ -251,7 +252,7 @@ TEST_CASE("skin neither tears nor collapses within what joints can do") {
 }
 
 TEST_CASE("skin neither tears nor collapses in recorded motion") {
-    const std::string folder = std::string(MUSTER_SOURCE_DIR) + "/../shared/mocap/";
+    const std::string folder = sourceFolder() + "/../shared/mocap/";
     const BodyMesh mesh = makeBody(BodyKind::Narrow, BodyLevel::Near);
     for (const char* name :
          {"run_dm", "crawl_low_dm", "climb_stepladder_cmu01_02", "jump_long_standing_dm"}) {

@@ -170,9 +170,9 @@ TEST_CASE("a file's skin, bent by its own nodes and matrices, lies where ours do
                     std::copy_n(inverse.begin() + static_cast<std::ptrdiff_t>(16 * j), 16, bind.begin());
                     const Matrix m = product(global[skin["joints"][j].get<std::size_t>()], bind);
                     for (std::size_t r = 0; r < 3; ++r)
-                        sum[r] +=
-                            weights[4 * v + k] * (m[r] * positions[3 * v] + m[4 + r] * positions[3 * v + 1] +
-                                                  m[8 + r] * positions[3 * v + 2] + m[12 + r]);
+                        sum[r] += weights[4 * v + k] *
+                                  (m[r] * positions[3 * v] + m[4 + r] * positions[3 * v + 1] +
+                                   m[8 + r] * positions[3 * v + 2] + m[12 + r]);
                 }
                 // The file's x, y, z are our y, z, x.
                 const Vec3 ours = skinned(sample.mesh.vertices[v], joints);

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "character/clips/bvh_scanner.h"
-#include "character/clips/samples.h"
 #include "character/clips/retarget.h"
+#include "character/clips/samples.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -81,8 +81,8 @@ TEST_CASE("angles written for neighbouring frames do not jump") {
 
 TEST_CASE("any order of channels is the product of turns in that order") {
     rc::check("orders", [] {
-        const auto order =
-            *rc::gen::element<std::string>("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "XY", "Z");
+        const auto order = *rc::gen::element<std::string>("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "XY",
+                                                          "Z");
         HandMade made;
         std::string text = made.text();
         std::string channels = "CHANNELS 3 Zrotation Xrotation Yrotation",
@@ -200,8 +200,8 @@ TEST_CASE("frame times are rounded decimals of whole rates") {
                                      {"0.0083333", 120.0},
                                      {"0.0166667", 60.0},
                                      {"0.04", 25.0}}) {
-        const auto read =
-            parseBvh(replaced(HandMade{}.text(), "Time: 0.05", std::string("Time: ") + time), "x.bvh");
+        const auto read = parseBvh(replaced(HandMade{}.text(), "Time: 0.05", std::string("Time: ") + time),
+                                   "x.bvh");
         REQUIRE(read.ok());
         CHECK(read->rate == rate);
     }
@@ -240,8 +240,8 @@ TEST_CASE("what is wrong is said with its line") {
 
 TEST_CASE("numbers are what the C library reads") {
     rc::check("numbers", [] {
-        const auto digits =
-            *rc::gen::container<std::string>(rc::gen::inRange('0', static_cast<char>('9' + 1)));
+        const auto digits = *rc::gen::container<std::string>(
+            rc::gen::inRange('0', static_cast<char>('9' + 1)));
         const auto point = *rc::gen::inRange<std::size_t>(0, digits.size() + 1);
         const auto exponent = *rc::gen::inRange(-40, 9);
         std::string text = *rc::gen::element<std::string>("", "-", "+");

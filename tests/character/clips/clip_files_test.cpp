@@ -14,8 +14,8 @@ using namespace muster::testing;
 namespace {
 
 struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("muster_clip_files_" + std::to_string(::getpid()));
+    std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                 ("muster_clip_files_" + std::to_string(::getpid()));
     ~Folder() { std::filesystem::remove_all(path); }
     std::string name() const { return path.string(); }
 };

@@ -10,7 +10,8 @@ using namespace muster;
 
 namespace {
 
-/// A cycle of 1 s at 4 poses a second: hips rise and fall, the head turns left and back, 2 m forward, turning by `yaw`.
+/// A cycle of 1 s at 4 poses a second: hips rise and fall, the head turns left and back, 2 m forward, turning
+/// by `yaw`.
 Clip cycle(float yaw = 0.0f) {
     Clip clip;
     clip.name = "cycle";
@@ -22,7 +23,8 @@ Clip cycle(float yaw = 0.0f) {
         pose.rotation[index(JointRole::Head)] = yawTurn(k < 2 ? 0.2 * k : 0.2 * (4 - k));
         clip.poses.push_back(pose);
     }
-    for (int k = 0; k <= 4; ++k) clip.travel.push_back({0.5f * static_cast<float>(k), 0.0f, yaw * static_cast<float>(k) / 4.0f});
+    for (int k = 0; k <= 4; ++k)
+        clip.travel.push_back({0.5f * static_cast<float>(k), 0.0f, yaw * static_cast<float>(k) / 4.0f});
     clip.contacts = {{Limb::LeftFoot, 0.75, 1.25, {0.1f, 0.09f, 0.08f}}, {Limb::RightFoot, 0.25, 0.5, {}}};
     return clip;
 }
@@ -46,7 +48,8 @@ TEST_CASE("The skeleton stands on the ground, 1.75 m tall, left and right alike"
     const Vec3 top = joints[index(JointRole::Head)].apply(bones[index(JointRole::Head)].tip);
     CHECK(top.z == doctest::Approx(kBodyHeight));
     CHECK(joints[index(JointRole::LeftFoot)].translation.z == doctest::Approx(0.08));
-    CHECK(joints[index(JointRole::LeftHand)].translation.z == doctest::Approx(joints[index(JointRole::LeftArm)].translation.z));
+    CHECK(joints[index(JointRole::LeftHand)].translation.z ==
+          doctest::Approx(joints[index(JointRole::LeftArm)].translation.z));
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const std::string name = bones[j].name;
         CHECK(bones[j].parent < static_cast<std::int32_t>(j));
@@ -65,7 +68,8 @@ TEST_CASE("Forward kinematics: a raised arm, in a turned character") {
     pose.rotation[index(JointRole::LeftArm)] = axisAngle({1, 0, 0}, kPi / 2);  // From the side up.
     JointTransforms joints;
     jointTransforms(pose, {yawTurn(kPi / 2), {10.0f, 20.0f, 0.0f}}, joints);
-    const Vec3 shoulder = joints[index(JointRole::LeftArm)].translation, hand = joints[index(JointRole::LeftHand)].translation;
+    const Vec3 shoulder = joints[index(JointRole::LeftArm)].translation,
+               hand = joints[index(JointRole::LeftHand)].translation;
     CHECK(shoulder.x == doctest::Approx(10.0 - 0.18));  // Its left is now -x.
     CHECK(shoulder.y == doctest::Approx(20.0));
     CHECK(distance(hand, shoulder + Vec3{0.0f, 0.0f, 0.53f}) < 1e-5f);

@@ -58,8 +58,8 @@ TEST_CASE("a smoothed way keeps its ends and a straight even way as it is") {
     std::vector<HipsAt> hips;
     for (int i = 0; i < 50; ++i) hips.push_back({0.1 * i, 0.0, 0.3});
     const auto straight = smoothTravel(hips, 60.0, 0.5);
-    for (int i = 0; i < 50; ++i) CHECK(straight[static_cast<std::size_t>(i)].x == doctest::Approx(0.1 * i));
-    for (int i = 0; i < 50; ++i) hips[static_cast<std::size_t>(i)].y = i % 2 ? 0.02 : -0.02;
+    for (int i = 0; i < 50; ++i) CHECK(straight[i].x == doctest::Approx(0.1 * i));
+    for (int i = 0; i < 50; ++i) hips[i].y = i % 2 ? 0.02 : -0.02;
     const auto calm = smoothTravel(hips, 60.0, 0.5);
     CHECK(calm.front().y == doctest::Approx(-0.02));
     CHECK(calm.back().y == doctest::Approx(0.02));

@@ -2,8 +2,8 @@
 
 #include <doctest.h>
 
-#include "character/clips/samples.h"
 #include "character/clips/retarget.h"
+#include "character/clips/samples.h"
 
 using namespace muster;
 using namespace muster::testing;

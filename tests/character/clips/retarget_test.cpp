@@ -33,12 +33,10 @@ Quat worldTurn(const Clip& clip, const BvhMotion& motion, const RoleJoints& role
     globalTransforms(motion, frame, theirs);
     JointTransforms ours;
     jointTransforms(clip.poses[frame], {yawTurn(clip.travel[frame].yaw), {}}, ours);
-    const auto place = [&](JointRole role) {
-        return theirs[static_cast<std::size_t>(roles[index(role)])].translation;
-    };
+    const auto place = [&](JointRole role) { return theirs[roles[index(role)]].translation; };
     const Vec3 a = place(JointRole::LeftLeg) - place(JointRole::LeftUpLeg);
-    const Vec3 b =
-        ours[index(JointRole::LeftLeg)].translation - ours[index(JointRole::LeftUpLeg)].translation;
+    const Vec3 b = ours[index(JointRole::LeftLeg)].translation -
+                   ours[index(JointRole::LeftUpLeg)].translation;
     return yawTurn(arcTangent2(b.y, b.x) - arcTangent2(a.y, a.x));
 }
 
@@ -47,7 +45,7 @@ BvhMotion reframed(const BvhMotion& motion, const std::vector<Quat>& turns) {
     BvhMotion other = motion;
     for (std::size_t j = 0; j < motion.joints.size(); ++j) {
         const std::int32_t parent = motion.joints[j].parent;
-        const Quat above = parent < 0 ? Quat{} : conjugate(turns[static_cast<std::size_t>(parent)]);
+        const Quat above = parent < 0 ? Quat{} : conjugate(turns[parent]);
         if (parent >= 0) other.joints[j].offset = rotate(above, motion.joints[j].offset);
         for (Vec3& end : other.joints[j].ends) end = rotate(conjugate(turns[j]), end);
         for (std::size_t f = 0; f < motion.frames; ++f) {
@@ -79,9 +77,7 @@ TEST_CASE("bones of all recordings point where the recording's point") {
             JointTransforms ours;
             jointTransforms(clip->poses[f], {yawTurn(clip->travel[f].yaw), {}}, ours);
             for (const auto& [from, to] : kBones) {
-                const auto place = [&](JointRole role) {
-                    return theirs[static_cast<std::size_t>(roles[index(role)])].translation;
-                };
+                const auto place = [&](JointRole role) { return theirs[roles[index(role)]].translation; };
                 const Vec3 their = rotate(turn, normalized(place(to) - place(from)));
                 const Vec3 our = normalized(ours[index(to)].translation - ours[index(from)].translation);
                 REQUIRE_MESSAGE(distance(their, our) < 0.02f, name, " frame ", f, " ",
@@ -131,8 +127,7 @@ TEST_CASE("axes are found where all bones lie along one axis in the rest pose") 
         std::vector<Quat> turns(motion.joints.size());
         for (std::size_t j = motion.joints.size(); j-- > 1;) {
             const Vec3 along = normalized(motion.joints[j].offset);
-            if (lengthSquared(along) > 0.0f)
-                turns[static_cast<std::size_t>(motion.joints[j].parent)] = shortestArc(axis, along);
+            if (lengthSquared(along) > 0.0f) turns[motion.joints[j].parent] = shortestArc(axis, along);
         }
         const BvhMotion other = reframed(motion, turns);
         const AxisMap axes = guessAxes(other.joints, other.frame(0));
@@ -183,8 +178,8 @@ TEST_CASE("cyclic recordings go straight ahead and close without a jump") {
         for (std::size_t j = 0; j < kJointCount; ++j) {
             for (std::size_t f = 1; f < clip.poses.size(); ++f)
                 most = std::max(most, angleBetween(clip.poses[f].rotation[j], clip.poses[f - 1].rotation[j]));
-            seam =
-                std::max(seam, angleBetween(clip.poses.front().rotation[j], clip.poses.back().rotation[j]));
+            seam = std::max(seam,
+                            angleBetween(clip.poses.front().rotation[j], clip.poses.back().rotation[j]));
         }
         CHECK_MESSAGE(seam < 1.2 * most + 0.01, name);
     }

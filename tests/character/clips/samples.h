@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/text_file.h"
+#include "folders.h"
 #include "muster/bvh.h"
 
 namespace muster::testing {
@@ -22,16 +23,16 @@ inline Clip wavingClip(bool cyclic, std::size_t frames = 30) {
     clip.motion = "run";
     clip.cyclic = cyclic;
     for (std::size_t f = 0; f < frames; ++f) {
-        const double turn =
-            2.0 * kPi * static_cast<double>(f) / static_cast<double>(cyclic ? frames : frames - 1);
+        const double turn = 2.0 * kPi * static_cast<double>(f) /
+                            static_cast<double>(cyclic ? frames : frames - 1);
         BodyPose pose = restPose();
         pose.hips = {0.02f * static_cast<float>(sine(turn)), 0.01f,
                      0.9f + 0.03f * static_cast<float>(cosine(turn))};
         for (std::size_t j = 0; j < kJointCount; ++j) {
             const double k = static_cast<double>(j);
-            const Vec3 axis =
-                normalized(Vec3{static_cast<float>(sine(k)), static_cast<float>(cosine(1.7 * k)),
-                                static_cast<float>(sine(2.3 * k + 1.0))});
+            const Vec3 axis = normalized(Vec3{static_cast<float>(sine(k)),
+                                              static_cast<float>(cosine(1.7 * k)),
+                                              static_cast<float>(sine(2.3 * k + 1.0))});
             pose.rotation[j] = axisAngle(axis, 1.2 * sine(turn + k));
         }
         clip.poses.push_back(pose);
@@ -92,9 +93,9 @@ struct HandMade {
     }
     /// The file; the hips go 1 m ahead in every frame.
     std::string text() const {
-        std::string out =
-            "HIERARCHY\nROOT " + names[0] +
-            "\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
+        std::string out = "HIERARCHY\nROOT " + names[0] +
+                          "\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation "
+                          "Yrotation\n";
         out += "JOINT " + names[1] + " { OFFSET " + place(0, 0.1, 0) +
                " CHANNELS 3 Zrotation Xrotation Yrotation\n";
         out += "JOINT " + names[2] + " { OFFSET " + place(0, 0.5, 0) +
@@ -111,7 +112,7 @@ struct HandMade {
 };
 
 inline std::string mocapFolder() {
-    return std::string(MUSTER_SOURCE_DIR) + "/../shared/mocap";
+    return sourceFolder() + "/../shared/mocap";
 }
 
 /// Names of the recordings without ".bvh", in order; empty where they are not at hand.

@@ -40,8 +40,8 @@ double leanOf(const Clip& clip) {
     for (const BodyPose& pose : clip.poses) {
         JointTransforms joints;
         jointTransforms(pose, {}, joints);
-        const Vec3 way =
-            joints[index(JointRole::Neck)].translation - joints[index(JointRole::Hips)].translation;
+        const Vec3 way = joints[index(JointRole::Neck)].translation -
+                         joints[index(JointRole::Hips)].translation;
         sum += degreesOf(arcTangent2(way.x, way.z));
     }
     return sum / static_cast<double>(clip.poses.size());
@@ -139,9 +139,9 @@ TEST_CASE("in flight the hips fall freely") {
         for (std::size_t i = 1; i + 1 < clip.poses.size(); ++i) {
             const double time = static_cast<double>(i) * frame;
             if (!inAir(clip, time - frame) || !inAir(clip, time) || !inAir(clip, time + frame)) continue;
-            const double bend =
-                (clip.poses[i + 1].hips.z - 2.0 * clip.poses[i].hips.z + clip.poses[i - 1].hips.z) /
-                (frame * frame);
+            const double bend = (clip.poses[i + 1].hips.z - 2.0 * clip.poses[i].hips.z +
+                                 clip.poses[i - 1].hips.z) /
+                                (frame * frame);
             CHECK_MESSAGE(bend == doctest::Approx(-9.81).epsilon(0.02), name << " at " << time << " s");
             ++checked;
         }
@@ -227,8 +227,9 @@ TEST_CASE("loops close: across the wrap nothing moves faster than next to it") {
             for (int frame = 1; frame + 1 < n; ++frame) inside = std::max(inside, bend(frame, joint));
             // Left landings lie at the wrap, right ones in the middle of the loop: the mirrored joint sees
             // the same.
-            const std::size_t other =
-                joint < 5 ? joint : (joint < 13 ? 5 + (joint - 5 + 4) % 8 : 13 + (joint - 13 + 4) % 8);
+            const std::size_t other = joint < 5 ? joint
+                                                : (joint < 13 ? 5 + (joint - 5 + 4) % 8
+                                                              : 13 + (joint - 13 + 4) % 8);
             for (int frame = 1; frame + 1 < n; ++frame) inside = std::max(inside, bend(frame, other));
             CHECK_MESSAGE(bend(0, joint) <= 1.3 * inside + 1e-4, clip.name << ", " << skeleton()[joint].name);
             CHECK_MESSAGE(bend(n - 1, joint) <= 1.3 * inside + 1e-4,

@@ -38,7 +38,7 @@ inline JointTransforms jointsOnGround(const Clip& clip, double time) {
 inline JointTransforms jointsAt(const Clip& clip, int frame) {
     const int count = static_cast<int>(clip.poses.size());
     JointTransforms joints;
-    jointTransforms(clip.poses[static_cast<std::size_t>(((frame % count) + count) % count)], {}, joints);
+    jointTransforms(clip.poses[((frame % count) + count) % count], {}, joints);
     return joints;
 }
 

@@ -36,8 +36,8 @@ TEST_CASE("motions and cycles are as named") {
     for (const Clip& clip : ownClips().clips) {
         CHECK_MESSAGE(clip.cyclic == (cyclic.count(clip.name) == 1), clip.name);
         const std::string head = clip.name.substr(0, clip.name.find('-'));
-        const bool special =
-            head == "duck" || head == "crawl" || head == "swim" || head == "jump" || head == "climb";
+        const bool special = head == "duck" || head == "crawl" || head == "swim" || head == "jump" ||
+                             head == "climb";
         CHECK_MESSAGE(clip.motion == (special ? head : "run"), clip.name);
     }
 }

@@ -1,9 +1,10 @@
 // Our gaits beside recorded ones: curves over the cycle, from landing to landing.
 #include <filesystem>
 
-#include "character/generator/measure.h"
-#include "muster/bvh.h"
 #include "character/clips/retarget.h"
+#include "character/generator/measure.h"
+#include "folders.h"
+#include "muster/bvh.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -12,7 +13,7 @@ namespace {
 
 /// A recorded loop on our skeleton; none where the recordings are not at hand.
 std::optional<Clip> recorded(const std::string& name) {
-    const std::string path = std::string(MUSTER_SOURCE_DIR) + "/../shared/mocap/" + name + ".bvh";
+    const std::string path = sourceFolder() + "/../shared/mocap/" + name + ".bvh";
     if (!std::filesystem::exists(path)) {
         MESSAGE("skipped: " << name << " is not here");
         return {};

@@ -1,12 +1,13 @@
 // The shipped folder is what the generator makes.
-#include "character/generator/measure.h"
 #include "character/clips/clip_files.h"
+#include "character/generator/measure.h"
+#include "folders.h"
 
 using namespace muster;
 using namespace muster::test;
 
 TEST_CASE("motions/ holds our own clips as they are made now") {
-    const auto shipped = loadClips(std::string(MUSTER_SOURCE_DIR) + "/motions");
+    const auto shipped = loadClips(sourceFolder() + "/motions");
     REQUIRE_MESSAGE(shipped.ok(), shipped.status().message());
     CHECK(shipped->clips.size() == ownClips().clips.size());
     for (const Clip& clip : ownClips().clips) {

@@ -1,9 +1,9 @@
 // After warm-up a step of motion allocates nothing.
 #include <doctest.h>
 
-#include "counting_new.h"
 #include "character/motion/parade.h"
 #include "character/motion/swinging_clips.h"
+#include "counting_new.h"
 
 using namespace muster;
 using namespace muster::testing;

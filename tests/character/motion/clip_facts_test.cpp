@@ -5,11 +5,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "character/clips/samples.h"
 #include "character/clips/clip_files.h"
 #include "character/clips/motion_facts.h"
-#include "muster/patch.h"
+#include "character/clips/samples.h"
 #include "muster/own_clips.h"
+#include "muster/patch.h"
 
 using namespace muster;
 
@@ -35,8 +35,8 @@ TEST_CASE("the default facts are those of Muster's own clips within 2 %") {
 }
 
 TEST_CASE("Muster's own clips come back from their folder within 1e-4") {
-    const auto folder =
-        std::filesystem::temp_directory_path() / ("muster_own_clips_" + std::to_string(::getpid()));
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("muster_own_clips_" + std::to_string(::getpid()));
     REQUIRE(writeClips(ownClips(), folder.string()).ok());
     const auto read = loadClips(folder.string());
     REQUIRE_MESSAGE(read.ok(), read.status().message());

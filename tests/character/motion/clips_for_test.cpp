@@ -1,4 +1,5 @@
 #include "character/motion/clips_for.h"
+#include "folders.h"
 
 #include <doctest.h>
 
@@ -26,7 +27,7 @@ TEST_CASE("without files a world plays Muster's own clips") {
 }
 
 TEST_CASE("a file takes the place of the clip of its name, and keeps its number") {
-    const std::string folder = std::string(MUSTER_SOURCE_DIR) + "/../shared/mocap";
+    const std::string folder = sourceFolder() + "/../shared/mocap";
     if (!std::filesystem::exists(folder)) {
         MESSAGE("skipped: the recordings are not here");
         return;

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "character/motion/crowd_scene.h"
-#include "character/motion/swinging_clips.h"
 #include "character/motion/motion_report.h"
+#include "character/motion/swinging_clips.h"
 
 using namespace muster;
 using namespace muster::testing;

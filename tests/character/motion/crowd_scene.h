@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "muster/crowd_motion.h"
 #include "character/motion/motion_report.h"
+#include "muster/crowd_motion.h"
 #include "muster/world.h"
 
 namespace muster::testing {

@@ -59,9 +59,9 @@ std::pair<double, int> stray(Walker& walker, Vec2 velocity, float rate, float st
                 taken[side] = at;
                 ++contacts;
             }
-            const double away =
-                std::sqrt(static_cast<double>((at.x - taken[side].x) * (at.x - taken[side].x) +
-                                              (at.y - taken[side].y) * (at.y - taken[side].y)));
+            const double away = std::sqrt(
+                static_cast<double>((at.x - taken[side].x) * (at.x - taken[side].x) +
+                                    (at.y - taken[side].y) * (at.y - taken[side].y)));
             if (now && held[side]) worst = std::max(worst, away);
             held[side] = now;
         }
@@ -81,8 +81,8 @@ TEST_CASE("a walker at the clip's own speed treads without a slide") {
 TEST_CASE("longer and shorter steps carry other speeds") {
     for (const float stride : {0.5f, 0.8f, 1.2f}) {
         Walker walker("walk");
-        const auto [worst, contacts] =
-            stray(walker, {1.25 * static_cast<double>(stride), 0.0}, 1.0f, stride, 600);
+        const auto [worst, contacts] = stray(walker, {1.25 * static_cast<double>(stride), 0.0}, 1.0f, stride,
+                                             600);
         CHECK(worst < 3e-3);
         CHECK(contacts >= 18);
     }
@@ -180,11 +180,14 @@ TEST_CASE("a recorded foot that slides in its contact is held still all the same
     for (const Contact& contact : clip.contacts) {
         if (contact.limb != Limb::LeftFoot && contact.limb != Limb::RightFoot) continue;
         const std::size_t foot = contact.limb == Limb::LeftFoot ? 0 : 1;
-        const auto middle = static_cast<float>(0.5 * (contact.begin + std::min(contact.end, clip.duration())));
+        const auto middle = static_cast<float>(0.5 *
+                                               (contact.begin + std::min(contact.end, clip.duration())));
         const HeldContact* held = table.contactAt(walk, foot, middle);
         REQUIRE(held != nullptr);
         const auto first = static_cast<float>(contact.begin), last = middle;
-        const float way = (clip.travelAt(static_cast<double>(last)).x - clip.travelAt(static_cast<double>(first)).x) / 6.0f;
+        const float way = (clip.travelAt(static_cast<double>(last)).x -
+                           clip.travelAt(static_cast<double>(first)).x) /
+                          6.0f;
         clipSlides = std::max(clipSlides, static_cast<double>(way));
         const HeldFrame a = table.heldAt(walk, *held, first), b = table.heldAt(walk, *held, last);
         heldSlides = std::max(heldSlides, static_cast<double>(std::fabs(b.roll.x - a.roll.x)));

@@ -110,7 +110,8 @@ TEST_CASE("The middle joint turns by no more than it may, and by all of it where
             return std::sqrt(leg.upper * leg.upper + leg.lower * leg.lower +
                              2.0 * leg.upper * leg.lower * std::cos(bend));
         };
-        const double before = random.uniform(0.0, 2.8), wanted = random.uniform(0.0, 2.8), most = random.uniform(0.05, 0.5);
+        const double before = random.uniform(0.0, 2.8), wanted = random.uniform(0.0, 2.8),
+                     most = random.uniform(0.05, 0.5);
         const Vec3 way = normalized(Vec3{static_cast<float>(random.uniform(-1.0, 1.0)), 0.3f, -1.0f});
         const Vec3 target = way * static_cast<float>(at(wanted));
         const auto cosineBefore = static_cast<float>(-std::cos(before));  // Of the angle between the bones.
@@ -118,8 +119,10 @@ TEST_CASE("The middle joint turns by no more than it may, and by all of it where
         const double expected = std::clamp(wanted, before - most, before + most);
         CHECK(length(paced) == doctest::Approx(at(std::max(0.0, expected))).epsilon(2e-3));
         CHECK(distance(normalized(paced), way) < 1e-4f);
-        if (expected == wanted) CHECK(paced == target);
-        else ++held;
+        if (expected == wanted)
+            CHECK(paced == target);
+        else
+            ++held;
     }
     CHECK(held > 500);
     CHECK(pacedTarget({{}, {}, {}, 0.4f, 0.4f}, {}, 0.0f, 0.1f) == Vec3{});

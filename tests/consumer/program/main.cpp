@@ -34,7 +34,9 @@ void launch(void* jobs, void (*task)(void*), void* context) {
     static_cast<Jobs*>(jobs)->beside = std::thread(task, context);
 }
 
-void wait(void* jobs) { static_cast<Jobs*>(jobs)->beside.join(); }
+void wait(void* jobs) {
+    static_cast<Jobs*>(jobs)->beside.join();
+}
 
 }  // namespace
 
@@ -46,7 +48,8 @@ int main() {
     def.box = {{-32.0, -32.0}, {32.0, 32.0}};
     def.groups.push_back(group);
     Jobs jobs;
-    muster::Result<muster::World> made = muster::World::create(def, muster::TaskRunner{2, &jobs, runTasks, launch, wait});
+    muster::Result<muster::World> made = muster::World::create(
+        def, muster::TaskRunner{2, &jobs, runTasks, launch, wait});
     if (!made.ok()) {
         std::fprintf(stderr, "%s\n", made.status().message().c_str());
         return 1;
@@ -62,7 +65,9 @@ int main() {
     for (int i = 0; i < 600; ++i) world.step();
     double mean = 0.0;
     for (const muster::Vec2 p : world.characters().position) mean += p.x / kCount;
-    std::printf("%d characters walked %.2f m on average; %d pieces of work were handed over, %d of them to go on beside\n", kCount,
-                mean, jobs.runs + jobs.launches, jobs.launches);
+    std::printf(
+        "%d characters walked %.2f m on average; %d pieces of work were handed over, %d of them to go on "
+        "beside\n",
+        kCount, mean, jobs.runs + jobs.launches, jobs.launches);
     return accepted && mean > 4.0 && jobs.runs > 0 && jobs.launches > 0 ? 0 : 1;
 }

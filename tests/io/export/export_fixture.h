@@ -16,8 +16,8 @@ namespace muster::testing {
 /// A folder of its own for the files of one test run; gone afterwards.
 inline std::filesystem::path exportFolder() {
     struct Folder {
-        std::filesystem::path path =
-            std::filesystem::temp_directory_path() / ("muster_export_" + std::to_string(::getpid()));
+        std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                     ("muster_export_" + std::to_string(::getpid()));
         Folder() { std::filesystem::create_directories(path); }
         ~Folder() {
             std::error_code ignored;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "io/export/export_fixture.h"
 #include "base/maths.h"
+#include "io/export/export_fixture.h"
 #include "muster/crowd_motion.h"
 
 using namespace muster;

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/export/export_fixture.h"
 #include "base/maths.h"
 #include "base/text_file.h"
 #include "character/clips/retarget.h"
+#include "io/export/export_fixture.h"
 #include "io/export/formats.h"
 #include "io/export/jupedsim.h"
 #include "io/export/output_file.h"
@@ -165,8 +165,8 @@ TEST_CASE("JuPedSim's file holds trajectories, directions, metadata and the area
     const auto areas = query(path, "SELECT wkt FROM geometry");
     REQUIRE(areas.size() == 1);
     CHECK(areas[0].rfind("POLYGON((", 0) == 0);
-    const auto rows =
-        query(path, "SELECT frame, id, pos_x, pos_y, ori_x, ori_y FROM trajectory_data ORDER BY frame, id");
+    const auto rows = query(
+        path, "SELECT frame, id, pos_x, pos_y, ori_x, ori_y FROM trajectory_data ORDER BY frame, id");
     REQUIRE(rows.size() == 51 * 9);
     for (std::size_t f = 0; f < 51; ++f) {
         for (std::size_t i = 0; i < 9; ++i) {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "muster/quat.h"
 #include "base/text_file.h"
+#include "muster/quat.h"
 
 namespace muster::testing {
 
@@ -67,8 +67,8 @@ public:
         const auto read = [&](const char* path) -> std::vector<double> {
             for (const auto& channel : json["animations"][0]["channels"]) {
                 if (channel["target"]["node"] != index || channel["target"]["path"] != path) continue;
-                const auto& sampler =
-                    json["animations"][0]["samplers"][channel["sampler"].get<std::size_t>()];
+                const auto& sampler = json["animations"][0]["samplers"]
+                                          [channel["sampler"].get<std::size_t>()];
                 return value(sampler["output"], keyOf(sampler, key));
             }
             return node.contains(path) ? node[path].get<std::vector<double>>() : std::vector<double>{};

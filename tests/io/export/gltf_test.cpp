@@ -3,10 +3,10 @@
 
 #include <set>
 
-#include "io/export/gltf_reader.h"
-#include "io/export/pretend_take.h"
 #include "character/bodies/body.h"
 #include "io/export/gltf_export.h"
+#include "io/export/gltf_reader.h"
+#include "io/export/pretend_take.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -49,8 +49,7 @@ std::vector<Vec3> jointsIn(const GltfReader& file, std::uint32_t id, std::size_t
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const GltfReader::Placed placed = file.local(root + 1 + j, frame);
         const std::int32_t parent = skeleton()[j].parent;
-        joints.push_back(parent < 0 ? placed.transform
-                                    : joints[static_cast<std::size_t>(parent)] * placed.transform);
+        joints.push_back(parent < 0 ? placed.transform : joints[parent] * placed.transform);
         places.push_back(ours(base.transform.apply(joints[j].translation * static_cast<float>(base.scale))));
     }
     return places;
@@ -62,8 +61,8 @@ TEST_CASE("joints in the GLB are where ours are, at every joint and in every blo
     const GltfReader& file = pretended();
     float worst = 0.0f;
     for (const std::size_t frame : {0, 1, 21, 49, 63, 64, 65, 100, 127, 128, 149}) {
-        const PretendFrame people =
-            pretendPeople(1, peopleIn(frame), 1.0 + static_cast<double>(frame) / 30.0);
+        const PretendFrame people = pretendPeople(1, peopleIn(frame),
+                                                  1.0 + static_cast<double>(frame) / 30.0);
         for (const ExportCharacter& c : people.characters) {
             const JointTransforms wanted = jointsOf(c);
             const std::vector<Vec3> found = jointsIn(file, c.id, frame);
@@ -123,8 +122,8 @@ TEST_CASE("inverse bind matrices take every joint of the rest pose to the origin
     const std::size_t accessor = file.json["skins"][0]["inverseBindMatrices"];
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const auto m = file.value(accessor, j);
-        const Vec3 moved =
-            ours({static_cast<float>(m[12]), static_cast<float>(m[13]), static_cast<float>(m[14])});
+        const Vec3 moved = ours(
+            {static_cast<float>(m[12]), static_cast<float>(m[13]), static_cast<float>(m[14])});
         CHECK(length(moved + rest[j].translation) < 1e-6f);
         CHECK((m[0] == 1.0 && m[5] == 1.0 && m[10] == 1.0 && m[15] == 1.0));
     }
@@ -136,12 +135,12 @@ TEST_CASE("meshes hold what the bodies hold, and each is written once") {
     for (const auto& mesh : file.json["meshes"]) {
         const std::string name = mesh["name"];
         if (name.rfind("body ", 0) != 0) continue;
-        const BodyMesh body =
-            makeBody(name == "body 1" ? BodyKind::Broad : BodyKind::Narrow, BodyLevel::Near);
+        const BodyMesh body = makeBody(name == "body 1" ? BodyKind::Broad : BodyKind::Narrow,
+                                       BodyLevel::Near);
         std::size_t corners = 0;
         for (const auto& primitive : mesh["primitives"])
-            corners +=
-                file.json["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<std::size_t>();
+            corners += file.json["accessors"][primitive["indices"].get<std::size_t>()]["count"]
+                           .get<std::size_t>();
         CHECK(corners == body.indices.size());
         const std::size_t accessor = mesh["primitives"][0]["attributes"]["POSITION"];
         positions.insert(accessor);

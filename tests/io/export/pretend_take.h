@@ -1,8 +1,8 @@
 // People made up for tests of formats with bodies: they wave and walk circles, come late and go early.
 #pragma once
 
-#include "io/export/export_fixture.h"
 #include "base/maths.h"
+#include "io/export/export_fixture.h"
 #include "muster/crowd_motion.h"
 
 namespace muster::testing {
@@ -56,9 +56,9 @@ inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double t
         pose.hips += Vec3{0.02f, 0.0f, static_cast<float>(-0.1 + 0.1 * sine(3.0 * time))};
         for (std::size_t j = 0; j < kJointCount; ++j) {
             const double k = static_cast<double>(j);
-            const Vec3 axis =
-                normalized(Vec3{static_cast<float>(sine(k)), static_cast<float>(cosine(1.7 * k)),
-                                static_cast<float>(sine(2.3 * k + 1.0))});
+            const Vec3 axis = normalized(Vec3{static_cast<float>(sine(k)),
+                                              static_cast<float>(cosine(1.7 * k)),
+                                              static_cast<float>(sine(2.3 * k + 1.0))});
             pose.rotation[j] = axisAngle(axis, 1.2 * sine(2.0 * time + k));
             // The same rotation with the other sign, as a library may have it.
             if ((j + frame.poses.size()) % 3 == 0 && static_cast<int>(time * 10.0) % 2 == 1)

@@ -3,10 +3,10 @@
 
 #include <sstream>
 
-#include "io/export/pretend_take.h"
-#include "io/export/usd_text.h"
 #include "base/text_file.h"
+#include "io/export/pretend_take.h"
 #include "io/export/usd_export.h"
+#include "io/export/usd_text.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -72,7 +72,7 @@ std::vector<Vec3> jointsIn(const std::string& text, std::uint32_t id, std::size_
         const Transform local{normalized(Quat{f(q[1]), f(q[2]), f(q[3]), f(q[0])}),
                               {f(m[0]), f(m[1]), f(m[2])}};
         const std::int32_t parent = skeleton()[j].parent;
-        joints.push_back(parent < 0 ? local : joints[static_cast<std::size_t>(parent)] * local);
+        joints.push_back(parent < 0 ? local : joints[parent] * local);
         places.push_back(base.apply(joints[j].translation * characterSize(id)));
     }
     return places;
@@ -83,8 +83,8 @@ std::vector<Vec3> jointsIn(const std::string& text, std::uint32_t id, std::size_
 TEST_CASE("joints in the USD are where ours are") {
     float worst = 0.0f;
     for (const std::size_t frame : {0, 15, 16, 25, 49, 74}) {
-        const PretendFrame people =
-            pretendPeople(1, peopleIn(frame), 1.0 + static_cast<double>(frame) / 30.0);
+        const PretendFrame people = pretendPeople(1, peopleIn(frame),
+                                                  1.0 + static_cast<double>(frame) / 30.0);
         for (const ExportCharacter& c : people.characters) {
             const JointTransforms wanted = jointsOf(c);
             const auto found = jointsIn(pretended(), c.id, frame);
@@ -130,13 +130,13 @@ TEST_CASE("turns go on without jumps") {
 }
 
 TEST_CASE("who comes late and goes early is not seen while away") {
-    const std::string late =
-        prim(prim(pretended(), "def SkelRoot \"character_0004\""), "visibility.timeSamples");
+    const std::string late = prim(prim(pretended(), "def SkelRoot \"character_0004\""),
+                                  "visibility.timeSamples");
     CHECK(late.find(" 0: \"invisible\"") != std::string::npos);
     CHECK(late.find(" 20: \"inherited\"") != std::string::npos);
     CHECK(late.find(" 50: \"invisible\"") != std::string::npos);
-    const std::string always =
-        prim(prim(pretended(), "def SkelRoot \"character_0001\""), "visibility.timeSamples");
+    const std::string always = prim(prim(pretended(), "def SkelRoot \"character_0001\""),
+                                    "visibility.timeSamples");
     CHECK(always.find("invisible") == std::string::npos);
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 /// A folder with walk.bvh (1 m a frame, 20 frames a second: 2 m in 0.1 s at first) and whatever is put there.
 struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("muster_clip_file_" + std::to_string(::getpid()));
+    std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                 ("muster_clip_file_" + std::to_string(::getpid()));
     Folder() { std::filesystem::create_directories(path / "clips"); }
     ~Folder() { std::filesystem::remove_all(path); }
     void put(const std::string& name, const std::string& text) const {
@@ -106,7 +106,8 @@ TEST_CASE("clip files that cannot be read are told by path") {
     // Nor may a scenario or a take that says all figures itself name a file elsewhere.
     const std::string figures = R"(, "speed": 1, "length": 0, "duration": 0, "cyclic": true})";
     has(failure(R"({"name": "a", "file": "/etc/passwd")" + figures, ""), "in the scenario's folder");
-    has(failure(R"({"name": "a", "file": "clips/../../bad.bvh")" + figures, here), "in the scenario's folder");
+    has(failure(R"({"name": "a", "file": "clips/../../bad.bvh")" + figures, here),
+        "in the scenario's folder");
     CHECK(
         parseScenario(
             scenario(
@@ -116,8 +117,10 @@ TEST_CASE("clip files that cannot be read are told by path") {
 }
 
 TEST_CASE("a clip called as one of Muster's own has its facts, but for those that are said") {
-    const auto def = parseScenario(scenario(R"({"name": "run"}, {"name": "climb"}, {"name": "swim", "speed": 0.5},
-        {"name": "hop"})"), "own.json", "");
+    const auto def = parseScenario(
+        scenario(R"({"name": "run"}, {"name": "climb"}, {"name": "swim", "speed": 0.5},
+        {"name": "hop"})"),
+        "own.json", "");
     REQUIRE_MESSAGE(def.ok(), def.status().message());
     const auto own = defaultClipFacts();
     CHECK(def->clips[0].speed == 1.0);

@@ -1,4 +1,5 @@
 #include "muster/gestures.h"
+#include "folders.h"
 
 #include <doctest.h>
 
@@ -35,7 +36,8 @@ TEST_CASE("touches become commands of the step their time falls in") {
     const auto commands = parseGestures(file(R"({"t":1.25,"kind":"move","touch":1,"x":3,"y":4},
         {"t":0,"kind":"down","touch":1,"x":1,"y":2,"group":2},
         {"t":0.05,"kind":"up","touch":9,"client":3},
-        {"t":2,"kind":"cancel","touch":1})"), "G", kStep);
+        {"t":2,"kind":"cancel","touch":1})"),
+                                        "G", kStep);
     REQUIRE_MESSAGE(commands.ok(), commands.status().message());
     REQUIRE(commands->size() == 4);
     const auto& down = std::get<TouchDown>((*commands)[0].body);
@@ -53,7 +55,8 @@ TEST_CASE("touches become commands of the step their time falls in") {
 
 TEST_CASE("events of one step keep their order") {
     const auto commands = parseGestures(file(R"({"t":0.016,"kind":"down","touch":1,"x":0,"y":0},
-        {"t":0.001,"kind":"formation","group":1,"formation":"wedge"})"), "G", kStep);
+        {"t":0.001,"kind":"formation","group":1,"formation":"wedge"})"),
+                                        "G", kStep);
     REQUIRE(commands.ok());
     CHECK(std::holds_alternative<TouchDown>((*commands)[0].body));
     CHECK(std::get<SetFormation>((*commands)[1].body).formation.kind == FormationKind::Wedge);
@@ -73,16 +76,31 @@ TEST_CASE("every kind of command survives the file") {
     GroupDef group;
     group.count = 7;
     const std::vector<CommandBody> bodies = {
-        TouchDown{7, {1.5, -2.25}, 0.1, GroupId{2}}, TouchMove{7, {1, 2}, 0.1 + 0.2}, TouchUp{7, 0.5}, TouchCancel{7},
+        TouchDown{7, {1.5, -2.25}, 0.1, GroupId{2}},
+        TouchMove{7, {1, 2}, 0.1 + 0.2},
+        TouchUp{7, 0.5},
+        TouchCancel{7},
         AddControl{GroupId{1}, ControlKind::Area, {4, 9, 2}, {{0, 0}, {1, 0}, {1, 1}}, 0.75},
-        PinControl{GroupId{1}, ControlId{3}, false}, RemoveControl{GroupId{1}, ControlId{3}}, ReleaseClient{},
-        SetFormation{GroupId{1}, ring}, SetCount{GroupId{1}, 50}, SetPose{GroupId{1}, {1, 2}, 0.3}, AddGroup{group},
-        RemoveGroup{GroupId{1}}, AddObstacle{disc}, ChangeObstacle{ObstacleId{4}, disc}, RemoveObstacle{ObstacleId{4}},
-        AddPatch{patch}, ChangePatch{PatchId{1}, patch}, RemovePatch{PatchId{1}}, SetParameter{"plan.exponent", 1.5}};
+        PinControl{GroupId{1}, ControlId{3}, false},
+        RemoveControl{GroupId{1}, ControlId{3}},
+        ReleaseClient{},
+        SetFormation{GroupId{1}, ring},
+        SetCount{GroupId{1}, 50},
+        SetPose{GroupId{1}, {1, 2}, 0.3},
+        AddGroup{group},
+        RemoveGroup{GroupId{1}},
+        AddObstacle{disc},
+        ChangeObstacle{ObstacleId{4}, disc},
+        RemoveObstacle{ObstacleId{4}},
+        AddPatch{patch},
+        ChangePatch{PatchId{1}, patch},
+        RemovePatch{PatchId{1}},
+        SetParameter{"plan.exponent", 1.5}};
     REQUIRE(bodies.size() == std::variant_size_v<CommandBody>);
     std::vector<Command> commands;
     std::uint32_t next[3] = {0, 0, 0};
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) commands.push_back({100 + i / 2, i % 2, next[i % 2]++, bodies[i]});
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
+        commands.push_back({100 + i / 2, i % 2, next[i % 2]++, bodies[i]});
     const std::string text = writeGestures(commands, kStep);
     const auto back = parseGestures(text, "G", kStep);
     REQUIRE_MESSAGE(back.ok(), back.status().message());
@@ -96,9 +114,10 @@ TEST_CASE("mistakes are named") {
     CHECK(failureOf(R"({"t":1,"kind":"down","touch":1,"x":0})").find("no \"y\"") != std::string::npos);
     CHECK(failureOf(R"({"t":1,"kind":"up","touch":1,"x":0})").find("unknown key \"x\"") != std::string::npos);
     CHECK(failureOf(R"({"t":1,"kind":"up","touch":1.5})").find("$.events[0].touch:") != std::string::npos);
-    CHECK(failureOf(R"({"t":1,"kind":"formation","group":1,"formation":"blob"})").find("$.events[0].formation.kind:") !=
+    CHECK(failureOf(R"({"t":1,"kind":"formation","group":1,"formation":"blob"})")
+              .find("$.events[0].formation.kind:") != std::string::npos);
+    CHECK(failureOf(R"({"t":1,"kind":"parameter","name":"plan.exponent","value":0})").find("$.events[0]") !=
           std::string::npos);
-    CHECK(failureOf(R"({"t":1,"kind":"parameter","name":"plan.exponent","value":0})").find("$.events[0]") != std::string::npos);
     CHECK(!parseGestures("{}", "G", kStep).ok());
     CHECK(!parseGestures(R"({"format":"muster-scenario","version":1,"events":[]})", "G", kStep).ok());
 }
@@ -107,9 +126,10 @@ TEST_CASE("a scenario's gestures lie in its folder or below, and are read for it
     const auto folder = std::filesystem::temp_directory_path() / "muster_scenario_gestures_test";
     std::filesystem::create_directories(folder / "touches");
     const std::string scenario = (folder / "s.json").string();
-    REQUIRE(writeTextFile((folder / "touches/a.json").string(),
-                          R"({"format":"muster-gestures","version":1,"events":[{"t":1,"kind":"up","touch":3}]})")
-                .ok());
+    REQUIRE(
+        writeTextFile((folder / "touches/a.json").string(),
+                      R"({"format":"muster-gestures","version":1,"events":[{"t":1,"kind":"up","touch":3}]})")
+            .ok());
     WorldDef def;
     def.parameters.stepTime = 0.25;
     CHECK(loadScenarioGestures(scenario, def)->empty());
@@ -131,7 +151,7 @@ TEST_CASE("a scenario's gestures lie in its folder or below, and are read for it
 
 TEST_CASE("shipped gestures are good, one file per scenario") {
     int count = 0;
-    const std::string folder = std::string(MUSTER_SOURCE_DIR) + "/scenarios/gestures";
+    const std::string folder = sourceFolder() + "/scenarios/gestures";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         CAPTURE(entry.path().string());
         const auto commands = loadGestures(entry.path().string(), kStep);

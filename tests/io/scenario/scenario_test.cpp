@@ -1,4 +1,5 @@
 #include "muster/scenario.h"
+#include "folders.h"
 
 #include <doctest.h>
 
@@ -14,13 +15,13 @@ using namespace muster;
 
 namespace {
 
-const std::string kFolder = std::string(MUSTER_SOURCE_DIR) + "/scenarios";
+const std::string kFolder = sourceFolder() + "/scenarios";
 
 /// All members of a definition as bytes, for comparisons bit for bit.
 std::vector<std::uint8_t> bytesOf(WorldDef def) {
     Writer w;
-    w(def.name, def.description, def.credit, def.gestures, def.box.min, def.box.max, def.cell, def.seed, def.clips, def.obstacles,
-      def.patches, def.map, def.groups, def.checkpoints, def.items);
+    w(def.name, def.description, def.credit, def.gestures, def.box.min, def.box.max, def.cell, def.seed,
+      def.clips, def.obstacles, def.patches, def.map, def.groups, def.checkpoints, def.items);
     for (const ParameterInfo& info : parameterTable()) w(def.parameters.*info.member);
     return w.take();
 }
@@ -109,7 +110,8 @@ TEST_CASE("random doubles survive bit for bit") {
         def.groups[0].position = {random.uniform(-9e5, 9e5), random.uniform(-1e-5, 1e-5)};
         def.groups[0].angle = random.uniform(-7, 7) / 3.0;
         for (const ParameterInfo& info : parameterTable()) {
-            const double value = info.minimum + (info.maximum - info.minimum) * random.uniform() * random.uniform();
+            const double value = info.minimum +
+                                 (info.maximum - info.minimum) * random.uniform() * random.uniform();
             (void)setParameter(def.parameters, info.name, value).ok();
         }
         // Those that may not contradict each other.
@@ -132,12 +134,15 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
         TimedPath path;
         path.loop = coin();
         const std::uint32_t count = random.below(3);
-        for (std::uint32_t i = 0; i < count; ++i) path.waypoints.push_back({1.0 * i, {random.uniform(), 0.0}, random.uniform()});
+        for (std::uint32_t i = 0; i < count; ++i)
+            path.waypoints.push_back({1.0 * i, {random.uniform(), 0.0}, random.uniform()});
         return path;
     };
     const auto formation = [&] {
-        FormationDef formation{coin() ? FormationKind::Square : FormationKind::Outline, 1.0 + random.uniform(), 1.2, {}, {}};
-        if (formation.kind == FormationKind::Outline || coin()) formation.outline.outline = {{0, 0}, {9, 0}, {9, 9}};
+        FormationDef formation{
+            coin() ? FormationKind::Square : FormationKind::Outline, 1.0 + random.uniform(), 1.2, {}, {}};
+        if (formation.kind == FormationKind::Outline || coin())
+            formation.outline.outline = {{0, 0}, {9, 0}, {9, 9}};
         if (coin()) formation.points = {{0.5, 0.25}};
         return formation;
     };
@@ -149,15 +154,18 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
         for (std::uint32_t i = random.below(3); i > 0; --i) {
             ObstacleDef obstacle;
             obstacle.name = word();
-            if (coin()) obstacle.polygon = {{0, 0}, {1, 0}, {1, 1}};
-            else obstacle.radius = 0.5, obstacle.centre = {coin() ? 0.0 : 2.0, 0.0};
+            if (coin())
+                obstacle.polygon = {{0, 0}, {1, 0}, {1, 1}};
+            else
+                obstacle.radius = 0.5, obstacle.centre = {coin() ? 0.0 : 2.0, 0.0};
             obstacle.path = path();
             if (coin()) obstacle.range = random.uniform();
             if (coin()) obstacle.strength = coin() ? 0.0 : random.uniform();
             def.obstacles.push_back(obstacle);
         }
         for (std::uint32_t i = random.below(3); i > 0; --i) {
-            PatchDef patch{word(), {{0, 0}, {1, 0}, {1, 1}}, path(), static_cast<std::int32_t>(random.below(8)), -1.0};
+            PatchDef patch{
+                word(), {{0, 0}, {1, 0}, {1, 1}}, path(), static_cast<std::int32_t>(random.below(8)), -1.0};
             if (coin()) patch.speed = 0.5;
             def.patches.push_back(patch);
         }
@@ -167,7 +175,9 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
             if (coin()) group.starts = {{1, 1}};
             def.groups.push_back(group);
         }
-        if (coin()) def.checkpoints.push_back({{1, 2}, 1.0, formation(), static_cast<std::int32_t>(def.groups.size()) - 1, coin()});
+        if (coin())
+            def.checkpoints.push_back(
+                {{1, 2}, 1.0, formation(), static_cast<std::int32_t>(def.groups.size()) - 1, coin()});
         if (coin()) def.items.push_back({{1, 2}, 0.25});
         const std::string text = writeScenario(def);
         const auto back = parseScenario(text, "random", "");
@@ -182,7 +192,9 @@ TEST_CASE("defaults stand where a file says nothing, and an embedded map gives t
     REQUIRE(def.ok());
     CHECK(bytesOf(*def) == bytesOf(WorldDef{}));
     const auto map = parseScenario(
-        minimal(R"("map":{"rows":["..@","..."],"metresPerCell":2,"origin":[1,1]},"groups":[{"formation":"wedge"}])"), "F", "");
+        minimal(
+            R"("map":{"rows":["..@","..."],"metresPerCell":2,"origin":[1,1]},"groups":[{"formation":"wedge"}])"),
+        "F", "");
     REQUIRE_MESSAGE(map.ok(), map.status().message());
     CHECK(map->map->grid.width == 3);
     CHECK(map->map->grid.cells == "..@...");
@@ -216,7 +228,8 @@ TEST_CASE("every failure names file, path, what was found and what was expected"
     says(R"("obstacles":[{"centre":[0,0],"radius":1},{"polygon":[[0,0],[1]]}])", "$.obstacles[1].polygon");
     says(R"("obstacles":[{"centre":[0,0],"radius":-1}])", "$.obstacles[0].radius:");
     says(R"("obstacles":[3])", "$.obstacles[0]:");
-    says(R"("obstacles":[{"centre":[0,0],"radius":1,"path":{"waypoints":[{"x":1}]}}])", "$.obstacles[0].path.waypoints[0]:");
+    says(R"("obstacles":[{"centre":[0,0],"radius":1,"path":{"waypoints":[{"x":1}]}}])",
+         "$.obstacles[0].path.waypoints[0]:");
     says(R"("patches":[{"polygon":[[0,0],[1,0],[1,1]],"motion":"fly"}])", "$.patches[0].motion:");
     says(R"("patches":[{"motion":"run"}])", "$.patches[0]:");
     says(R"("groups":[{"count":0}])", "$.groups[0].count:");
@@ -240,16 +253,24 @@ TEST_CASE("every failure names file, path, what was found and what was expected"
 }
 
 TEST_CASE("what single fields cannot show is checked too") {
-    CHECK(failureOf(minimal(R"("obstacles":[{"polygon":[[0,0],[1,1],[1,0],[0,1]]}])")).find("$.obstacles[0]") != std::string::npos);
+    CHECK(
+        failureOf(minimal(R"("obstacles":[{"polygon":[[0,0],[1,1],[1,0],[0,1]]}])")).find("$.obstacles[0]") !=
+        std::string::npos);
     CHECK(failureOf(minimal(R"("obstacles":[{}])")).find("$.obstacles[0]") != std::string::npos);
-    CHECK(failureOf(minimal(R"("groups":[{"count":3,"starts":[[0,0]]}])")).find("$.groups[0]") != std::string::npos);
-    CHECK(failureOf(minimal(R"("box":[[0,0],[1000,1000]],"cell":0.01)")).find("16 million") != std::string::npos);
+    CHECK(failureOf(minimal(R"("groups":[{"count":3,"starts":[[0,0]]}])")).find("$.groups[0]") !=
+          std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[1000,1000]],"cell":0.01)")).find("16 million") !=
+          std::string::npos);
     CHECK(failureOf(minimal(R"("box":[[0,0],[0,5]])")).find("empty") != std::string::npos);
     // Few cells of ground, more of the density's than a whole number counts.
-    CHECK(failureOf(minimal(R"("box":[[0,0],[65536,65536]],"cell":100)")).find("$.parameters: parameter density.cell") != std::string::npos);
-    CHECK(failureOf(minimal(R"("box":[[0,0],[410,410]],"parameters":{"density.cell":0.1})")).find("density.cell") != std::string::npos);
-    CHECK(failureOf(minimal(R"("clips":[{"name":"run"},{"name":"run"}])")).find("$.clips[1].name") != std::string::npos);
-    CHECK(failureOf(minimal(R"("parameters":{"plan.solver":0},"groups":[{"count":3000},{"count":3000}])")).find("at most 5000") != std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[65536,65536]],"cell":100)"))
+              .find("$.parameters: parameter density.cell") != std::string::npos);
+    CHECK(failureOf(minimal(R"("box":[[0,0],[410,410]],"parameters":{"density.cell":0.1})"))
+              .find("density.cell") != std::string::npos);
+    CHECK(failureOf(minimal(R"("clips":[{"name":"run"},{"name":"run"}])")).find("$.clips[1].name") !=
+          std::string::npos);
+    CHECK(failureOf(minimal(R"("parameters":{"plan.solver":0},"groups":[{"count":3000},{"count":3000}])"))
+              .find("at most 5000") != std::string::npos);
     CHECK(failureOf(minimal(R"("parameters":{"density.min":4})")).find("density.max") != std::string::npos);
 }
 
@@ -274,8 +295,10 @@ TEST_CASE("damaged text never crashes") {
     for (int round = 0; round < 3000; ++round) {
         std::string bad = text;
         const auto at = random.below(static_cast<std::uint32_t>(bad.size()));
-        if (round % 3 == 0) bad.erase(at, 1 + random.below(20));
-        else bad[at] = static_cast<char>(random.below(256));
+        if (round % 3 == 0)
+            bad.erase(at, 1 + random.below(20));
+        else
+            bad[at] = static_cast<char>(random.below(256));
         const auto def = parseScenario(bad, "F.json", "");
         if (!def.ok()) CHECK(def.status().message().rfind("F.json", 0) == 0);
     }
@@ -345,7 +368,7 @@ TEST_CASE("every shipped scenario is good and has no warnings") {
 TEST_CASE("single-step patches that do not suit their clips are told by path, found and expected") {
     WorldDef def;
     PatchDef wall;
-    wall.motion = 6;  // Climb, 1.2 m.
+    wall.motion = 6;                                            // Climb, 1.2 m.
     wall.polygon = {{-1, 0}, {3, 4}, {2.2, 4.8}, {-1.8, 0.8}};  // 1.13 m across.
     def.patches = {wall};
     CHECK(scenarioWarnings(def).empty());
@@ -355,6 +378,7 @@ TEST_CASE("single-step patches that do not suit their clips are told by path, fo
     def.patches.push_back(wall);
     const auto warnings = scenarioWarnings(def);
     REQUIRE(warnings.size() == 1);
-    for (const char* part : {"$.patches[1].polygon", "found 1.40 m", "expected 1.02 to 1.38 m", "climb", "1.20 m"})
+    for (const char* part :
+         {"$.patches[1].polygon", "found 1.40 m", "expected 1.02 to 1.38 m", "climb", "1.20 m"})
         CHECK_MESSAGE(warnings[0].find(part) != std::string::npos, warnings[0]);
 }

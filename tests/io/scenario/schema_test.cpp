@@ -4,9 +4,10 @@
 #include <filesystem>
 #include <string>
 
-#include "muster/scenario.h"
+#include "folders.h"
 #include "io/scenario/json.h"
 #include "io/scenario/schema_validator.h"
+#include "muster/scenario.h"
 
 using namespace muster;
 
@@ -35,9 +36,10 @@ Json example() {
 }  // namespace
 
 TEST_CASE("the published schema is the loader's own") {
-    const auto text = readTextFile(std::string(MUSTER_SOURCE_DIR) + "/scenarios/schema/scenario.schema.json");
+    const auto text = readTextFile(sourceFolder() + "/scenarios/schema/scenario.schema.json");
     REQUIRE(text.ok());
-    CHECK_MESSAGE(*text == scenarioSchema(), "renew it: muster check --schema > scenarios/schema/scenario.schema.json");
+    CHECK_MESSAGE(*text == scenarioSchema(),
+                  "renew it: muster check --schema > scenarios/schema/scenario.schema.json");
 }
 
 TEST_CASE("every parameter stands in the schema with its default, range and unit") {
@@ -59,7 +61,7 @@ TEST_CASE("every parameter stands in the schema with its default, range and unit
 
 TEST_CASE("shipped scenarios and written ones keep to the schema") {
     const Json rules = schema();
-    const std::string folder = std::string(MUSTER_SOURCE_DIR) + "/scenarios";
+    const std::string folder = sourceFolder() + "/scenarios";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const std::string holder = entry.path().parent_path().filename().string();
         if (entry.path().extension() != ".json" || holder == "gestures" || holder == "schema") continue;
@@ -109,7 +111,8 @@ TEST_CASE("schema and loader refuse the same mistakes") {
         CHECK(!parseScenario(bad.dump(), "bad", "").ok());
     }
     // Changes that are none: the same pointers with good values.
-    const Mistake changes[] = {{"/cell", 0.5}, {"/groups/0/count", 9}, {"/groups/0/formation", "wedge"}, {"/preset", "paper"}};
+    const Mistake changes[] = {
+        {"/cell", 0.5}, {"/groups/0/count", 9}, {"/groups/0/formation", "wedge"}, {"/preset", "paper"}};
     for (const Mistake& change : changes) {
         CAPTURE(change.pointer);
         Json other = good;
@@ -120,7 +123,8 @@ TEST_CASE("schema and loader refuse the same mistakes") {
 }
 
 TEST_CASE("printed JSON reads back the same, and keeps to lines") {
-    const Json value = {{"points", Json::array()}, {"text", "a\"b"}, {"nested", {{"deep", {{"deeper", 1.5}}}}}};
+    const Json value = {
+        {"points", Json::array()}, {"text", "a\"b"}, {"nested", {{"deep", {{"deeper", 1.5}}}}}};
     Json filled = value;
     for (int i = 0; i < 200; ++i) filled["points"].push_back(Json::array({i * 0.1, -i / 3.0}));
     const std::string text = printJson(filled);

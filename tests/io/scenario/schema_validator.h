@@ -1,4 +1,5 @@
-// A small JSON Schema validator: the parts of draft 2020-12 that our schema uses, and a complaint about any other.
+// A small JSON Schema validator: the parts of draft 2020-12 that our schema uses, and a complaint about any
+// other.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,8 @@ inline bool hasType(const std::string& type, const Json& value) {
     if (type == "boolean") return value.is_boolean();
     if (type == "number") return value.is_number();
     if (type == "integer") {
-        return value.is_number_integer() || (value.is_number() && value.get<double>() == static_cast<double>(value.get<std::int64_t>()));
+        return value.is_number_integer() ||
+               (value.is_number() && value.get<double>() == static_cast<double>(value.get<std::int64_t>()));
     }
     return false;
 }
@@ -31,7 +33,8 @@ inline std::string breaksObject(const Json& schema, const Json& value, const std
     }
     for (const auto& [key, item] : value.items()) {
         if (schema.contains("properties") && schema["properties"].contains(key)) {
-            if (auto found = breaks(schema["properties"][key], item, path + "." + key); !found.empty()) return found;
+            if (auto found = breaks(schema["properties"][key], item, path + "." + key); !found.empty())
+                return found;
         } else if (schema.value("additionalProperties", true) == false) {
             return path + " has the unknown key " + key;
         }
@@ -44,18 +47,24 @@ inline std::string breaks(const Json& schema, const Json& value, const std::stri
         if (key == "type") {
             if (!hasType(rule.get<std::string>(), value)) return path + " is not of type " + rule.dump();
         } else if (key == "minimum") {
-            if (value.is_number() && value.get<double>() < rule.get<double>()) return path + " is below " + rule.dump();
+            if (value.is_number() && value.get<double>() < rule.get<double>())
+                return path + " is below " + rule.dump();
         } else if (key == "maximum") {
-            if (value.is_number() && value.get<double>() > rule.get<double>()) return path + " is above " + rule.dump();
+            if (value.is_number() && value.get<double>() > rule.get<double>())
+                return path + " is above " + rule.dump();
         } else if (key == "minItems") {
-            if (value.is_array() && value.size() < rule.get<std::size_t>()) return path + " has too few items";
+            if (value.is_array() && value.size() < rule.get<std::size_t>())
+                return path + " has too few items";
         } else if (key == "maxItems") {
-            if (value.is_array() && value.size() > rule.get<std::size_t>()) return path + " has too many items";
+            if (value.is_array() && value.size() > rule.get<std::size_t>())
+                return path + " has too many items";
         } else if (key == "enum") {
-            if (std::find(rule.begin(), rule.end(), value) == rule.end()) return path + " is none of " + rule.dump();
+            if (std::find(rule.begin(), rule.end(), value) == rule.end())
+                return path + " is none of " + rule.dump();
         } else if (key == "items") {
             for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
-                if (auto found = breaks(rule, value[i], path + "[" + std::to_string(i) + "]"); !found.empty()) return found;
+                if (auto found = breaks(rule, value[i], path + "[" + std::to_string(i) + "]"); !found.empty())
+                    return found;
             }
         } else if (key == "anyOf") {
             std::string all;
@@ -68,8 +77,8 @@ inline std::string breaks(const Json& schema, const Json& value, const std::stri
                 all += (all.empty() ? "" : "; ") + found;
             }
             if (!all.empty()) return all;
-        } else if (key != "properties" && key != "required" && key != "additionalProperties" && key != "description" &&
-                   key != "title" && key != "$schema" && key != "default") {
+        } else if (key != "properties" && key != "required" && key != "additionalProperties" &&
+                   key != "description" && key != "title" && key != "$schema" && key != "default") {
             return "the schema uses " + key + ", which this validator does not know";
         }
     }
