@@ -7,6 +7,8 @@
 #include <memory>
 #include <type_traits>
 
+#include "muster/task_runner.h"
+
 namespace muster {
 
 /// A callable `(std::int32_t item, std::int32_t worker)` for the time of one call: a pointer to it, never a
@@ -29,26 +31,6 @@ public:
 private:
     void* object_;
     void (*call_)(void* object, std::int32_t item, std::int32_t worker);
-};
-
-/// A task runner of the program that Muster is part of (a game's job system), in place of Muster's own
-/// threads.
-struct TaskRunner {
-    /// Most workers that run at a time, the caller counted in where it takes part: 1 to 256.
-    std::int32_t threads = 1;
-    void* context = nullptr;  ///< Handed to `run` as it is.
-    /// Calls `task(taskContext, item, worker)` once for every item in [0, count), in any order and on any
-    /// threads, and returns when all calls have returned and what they wrote can be seen by the caller.
-    /// `worker` lies in [0, threads), and no two calls at the same time have the same. Not null.
-    void (*run)(void* context, std::int32_t count,
-                void (*task)(void* taskContext, std::int32_t item, std::int32_t worker),
-                void* taskContext) = nullptr;
-    /// Calls `task(taskContext)` on another thread, now or later, and returns at once. Null where the program
-    /// has none to spare: such work is done in the caller then.
-    void (*launch)(void* context, void (*task)(void* taskContext), void* taskContext) = nullptr;
-    /// Returns when what was launched has returned, and what it wrote can be seen. Not null where `launch` is
-    /// not.
-    void (*wait)(void* context) = nullptr;
 };
 
 /// A pool of worker threads. With one thread (or under WebAssembly) all runs in the caller.
