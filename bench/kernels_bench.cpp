@@ -15,7 +15,7 @@
 #include "crowd/neighbours.h"
 #include "eikonal/eikonal.h"
 #include "formation/mesh/arap.h"
-#include "muster/formation.h"
+#include "formation/shapes/formation.h"
 #include "planning/plan.h"
 
 namespace {

@@ -1,16 +1,15 @@
-// From touches to point, line and area controls (SPEC U1-U5; paper sections 4.1, 4.2).
+// Controls: what fingers hold of a group's mesh, and where they draw it (paper sections 4.1 and 4.2).
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "formation/mesh/arap.h"
+#include "muster/geometry.h"
 #include "muster/id.h"
 
 namespace muster {
 
-/// What a control holds.
+/// How many points a control holds: one, two, or three and more.
 enum class ControlKind : std::uint8_t { Point, Line, Area };
 
 /// A point of a drawn trajectory.
@@ -25,114 +24,42 @@ struct Checkpoint {
     }
 };
 
-/// A vertex held by a finger, and the way drawn for it.
+/// A mesh vertex held by a finger, and the trajectory drawn for it.
 struct ControlPoint {
-    std::int32_t vertex = 0;       ///< Mesh vertex, a hard constraint.
-    std::uint32_t touch = 0;       ///< The finger; unique per client while it is down.
-    bool down = true;              ///< False once lifted.
-    Vec2 grab;                     ///< Vertex minus finger at touch down, kept so that nothing jumps [m].
-    Vec2 position;                 ///< Where the vertex is held now [m].
-    std::vector<Checkpoint> path;  ///< Checkpoints still ahead (the last is the finger's newest point).
+    std::int32_t vertex = 0;  ///< Index of the mesh vertex, which is a hard constraint.
+    std::uint32_t touch = 0;  ///< Number of the finger; unique per client while it is down.
+    bool down = true;         ///< False once the finger has lifted.
+    Vec2 offset;    ///< From the finger to the vertex at touch down; added to the whole drawing [m].
+    Vec2 position;  ///< Where the vertex is held now [m].
+    std::vector<Checkpoint> trajectory;  ///< Checkpoints still ahead; the last is the finger's newest point.
 
     /// Lets an archive read or write the point.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(vertex, touch, down, grab, position, path);
+        archive(vertex, touch, down, offset, position, trajectory);
     }
 };
 
-/// One control: its points move on one clock.
+/// One control. All its points follow their trajectories by one clock, so that they keep their timing.
 struct Control {
-    ControlId id;
-    ControlKind kind = ControlKind::Point;
-    std::uint32_t client = 0;  ///< Who touches.
-    bool pinned = false;       ///< Stays where its path ends.
-    bool open = true;          ///< Others may still join, if their stamps lie within the window.
-    double closes = -1.0;      ///< When it stops being open [s]; negative until its first step.
-    /// Stamp of the first touch [s]; ahead of the world's time where it was paused.
-    double began = 0.0;
-    double clock = 0.0;  ///< Drawing time reached along the paths [s].
-    std::vector<ControlPoint> points;
-    std::vector<MeshPoint> supplementary;  ///< Points held softly.
-    /// Supplementary x points: rows that sum to 1 (linear, or mean-value).
-    std::vector<double> weights;
+    ControlId id;                           ///< Never used again.
+    ControlKind kind = ControlKind::Point;  ///< Follows from the number of points.
+    std::uint32_t client = 0;               ///< Number of the client that touches.
+    bool pinned = false;                    ///< True where it stays at the end of its trajectories.
+    bool open = true;                       ///< True while touches of the same client may still join.
+    double joinDeadline = -1.0;  ///< World time at which it stops being open [s]; -1 before its first step.
+    double startTime = 0.0;      ///< Stamp of the first touch [s]; may lie ahead of the world's time.
+    double clock = 0.0;          ///< Drawing time reached along the trajectories [s].
+    std::vector<ControlPoint> points;      ///< At least one.
+    std::vector<MeshPoint> supplementary;  ///< Supplementary points, which are soft constraints.
+    std::vector<double> weights;           ///< Supplementary x points, row by row; each row sums to 1.
 
     /// Lets an archive read or write the control.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(id, kind, client, pinned, open, closes, began, clock, points, supplementary, weights);
+        archive(id, kind, client, pinned, open, joinDeadline, startTime, clock, points, supplementary,
+                weights);
     }
-};
-
-/// How touches become controls and how these move.
-struct ControlDef {
-    double window = 0.15;            ///< Touches that begin within it form one control [s] >= 0.
-    double checkpointSpacing = 0.5;  ///< Along a drawn path [m] > 0.
-    double maxSpeed = 1.6;           ///< Bound on control points [m/s] > 0.
-    double clockRate = 4.0;          ///< Bound on drawing seconds per second when catching up >= 1.
-    double softWeight = 6.0;         ///< Of supplementary points > 0.
-    double sampleSpacing = 1.0;      ///< Between supplementary points [m] > 0.
-};
-
-/// All controls on one mesh.
-class ControlSet {
-public:
-    /// A finger comes down at `position` on the mesh with these vertices (Vf, as people see it): starts a
-    /// point control on the nearest vertex, or joins the same client's open control and upgrades it to line
-    /// or area. `held` are the vertices that controls move (Vu); empty where they are the same. Refused
-    /// (false): a finger that is down already, one whose nearest vertex is held by a finger or a pin (a
-    /// lifted control still on its way gives way), numbers that are not finite, more than 32 fingers of a
-    /// client or 64 controls.
-    bool touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
-                   double time, const TriangleMesh& rest, std::span<const Vec2> vertices,
-                   std::span<const Vec2> held = {});
-    /// Starts a whole control of a given kind at once (mouse: rubber band, lasso; API): one position
-    /// and touch number per point. False where the number does not suit the kind (1, 2, 3 and more), or as
-    /// above.
-    bool addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
-                    std::span<const std::uint32_t> touches, std::span<const Vec2> positions, double time,
-                    const TriangleMesh& rest, std::span<const Vec2> vertices,
-                    std::span<const Vec2> held = {});
-    /// The finger moves: its path grows (at most 4096 checkpoints; then every second goes). False for an
-    /// unknown finger or a number that is not finite.
-    bool touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
-                   double time);
-    /// The finger lifts: the path stays to be followed. False for an unknown finger.
-    bool touchUp(std::uint32_t client, std::uint32_t touch);
-    /// Ends the control that this finger belongs to at once, dropping the path still ahead.
-    bool touchCancel(std::uint32_t client, std::uint32_t touch);
-    /// Lifts every finger of a client that has gone.
-    void releaseClient(std::uint32_t client);
-    /// Keeps a control where its path ends, or lets it go. False for an unknown id.
-    bool setPinned(ControlId id, bool pinned);
-    /// Ends a control. False for an unknown id.
-    bool remove(ControlId id);
-    /// Ends all.
-    void clear();
-
-    /// Moves control points along their paths for `dt` [s]: clocks advance no faster than the speed
-    /// bound times `pace` (0 to 1, SPEC U6) allows, never beyond `now`; lifted controls at the end of their
-    /// paths go, unless pinned. Returns true where the set of constraints changed.
-    bool advance(const ControlDef& def, double dt, double now, double pace);
-    /// The mesh was exchanged: every control point takes the vertex nearest to where it is held,
-    /// supplementary points are sampled anew; points that fall on one vertex are merged.
-    void rebind(const ControlDef& def, const TriangleMesh& rest, std::span<const Vec2> vertices);
-
-    /// In the order they were made.
-    std::span<const Control> controls() const { return controls_; }
-    /// Hard vertices, soft points and their targets for the solver, in a fixed order.
-    void constraints(const ControlDef& def, std::vector<std::int32_t>& hard, std::vector<Vec2>& hardTargets,
-                     std::vector<SoftConstraint>& soft, std::vector<Vec2>& softTargets) const;
-
-    /// Lets an archive read or write the set.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(controls_, nextId_);
-    }
-
-private:
-    std::vector<Control> controls_;
-    std::uint32_t nextId_ = 1;
 };
 
 }  // namespace muster

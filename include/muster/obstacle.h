@@ -1,51 +1,67 @@
-// Obstacles: what nobody can walk through (SPEC M6).
+// Obstacles, which nobody can walk through (SPEC M6), and the paths along which obstacles and patches move.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "geometry/polygon.h"
-#include "muster/id.h"
-#include "muster/timed_path.h"
+#include "muster/geometry.h"
+#include "muster/status.h"
 
 namespace muster {
 
-/// Describes an obstacle; the defaults other than the shape are usable as they stand.
+/// Where a moving thing is at a time.
+struct Waypoint {
+    double time = 0.0;   ///< World time [s], -1e7 to 1e7.
+    Vec2 position;       ///< Offset from the thing's defined position [m], each coordinate -1e7 to 1e7.
+    double angle = 0.0;  ///< Rotation about the thing's centre of area [rad], -1e5 to 1e5.
+
+    /// Lets an archive read or write the waypoint.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(time, position, angle);
+    }
+};
+
+/// Piecewise linear motion through waypoints of strictly rising time.
+struct TimedPath {
+    std::vector<Waypoint> waypoints;  ///< At least 1e-6 s apart; empty for a thing that stands still.
+    bool loop = false;                ///< True where it starts again after the last; else it stays there.
+
+    /// True where it never moves.
+    bool still() const { return waypoints.empty(); }
+    /// Where the thing is at `time` [s].
+    Waypoint at(double time) const;
+    /// Velocity at `time` [m/s].
+    Vec2 velocity(double time) const;
+    /// Angular velocity at `time` [rad/s].
+    double angularVelocity(double time) const;
+    /// InvalidArgument, naming the waypoint, where times do not rise or a number is out of its range.
+    Status validate() const;
+
+    /// Lets an archive read or write the path.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(waypoints, loop);
+    }
+};
+
+/// Describes an obstacle: a polygon or a disc.
 struct ObstacleDef {
-    std::string name;        ///< For people; may be empty.
-    Polygon polygon;         ///< Simple, convex or not; empty for a disc.
-    Vec2 centre;             ///< Centre of the disc [m].
-    double radius = 0.0;     ///< Of the disc [m] > 0; 0 for a polygon.
-    TimedPath path;          ///< Moves it; empty for one that stands still.
-    double range = -1.0;     ///< Reach r of its potential field [m] >= 0; negative: the world's default.
-    double strength = -1.0;  ///< Scale of its field >= 0; negative: the world's default.
-    double height = 3.0;     ///< For the eye [m] > 0.
+    std::string name;     ///< For people; may be empty.
+    Polygon polygon;      ///< Simple, convex or not [m]; empty for a disc.
+    Vec2 centre;          ///< Centre of the disc [m].
+    double radius = 0.0;  ///< Of the disc [m], above 0; 0 for a polygon.
+    TimedPath path;       ///< Moves it; empty for one that stands still.
+    double
+        range = -1.0;  ///< Reach r of its potential field [m], 0 or more; negative for the world's default.
+    double strength = -1.0;  ///< Factor of its potential field, 0 or more; negative for the world's default.
+    double height = 3.0;     ///< For display only [m], above 0.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, polygon, centre, radius, path, range, strength, height);
     }
-};
-
-/// One convex part of an obstacle as it stands now: a polygon, or a disc where it has no corners.
-struct ObstaclePiece {
-    Polygon corners;        ///< Counter-clockwise [m]; empty for a disc.
-    Vec2 centre;            ///< Centre of area [m].
-    double radius = 0.0;    ///< Of the disc, or of the circle round the corners [m].
-    Vec2 velocity;          ///< [m/s]
-    double range = 0.0;     ///< Of the potential field [m].
-    double strength = 0.0;  ///< Of the potential field.
-    ObstacleId obstacle;    ///< Whose part it is.
-    bool moving = false;    ///< Follows a path.
-
-    /// Distance from `p` to the surface [m], negative inside.
-    double signedDistance(Vec2 p) const;
-    /// The nearest point of the surface to `p`.
-    Vec2 closestSurface(Vec2 p) const;
-    /// Smallest distance between the segment and the piece [m]; 0 where they meet.
-    double segmentDistance(Vec2 a, Vec2 b) const;
 };
 
 }  // namespace muster

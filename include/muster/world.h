@@ -16,7 +16,6 @@
 #include "formation/mesh/formation_mesh.h"
 #include "formation/places/place_tracker.h"
 #include "muster/command.h"
-#include "muster/control.h"
 #include "muster/event.h"
 #include "muster/world_def.h"
 #include "planning/plan.h"

@@ -9,9 +9,8 @@
 
 #include "base/cell_rect.h"
 #include "base/grid.h"
-#include "muster/obstacle.h"
+#include "environment/obstacle_piece.h"
 #include "muster/patch.h"
-#include "muster/status.h"
 
 namespace muster {
 

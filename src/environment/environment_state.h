@@ -16,11 +16,11 @@ namespace muster {
 
 /// A definition that follows a path, and where it stands now.
 struct Placement {
-    Vec2 pivot;         ///< Turns about here [m].
-    Waypoint now;       ///< Offset and turn now.
-    Vec2 velocity;      ///< [m/s]
-    double spin = 0.0;  ///< [rad/s]
-    Rotation rotation;  ///< Of now.angle.
+    Vec2 pivot;                    ///< Turns about here [m].
+    Waypoint now;                  ///< Offset and turn now.
+    Vec2 velocity;                 ///< [m/s]
+    double angularVelocity = 0.0;  ///< [rad/s]
+    Rotation rotation;             ///< Of now.angle.
 
     /// Follows `path` to `time`; true where anything changed.
     bool follow(const TimedPath& path, double time);

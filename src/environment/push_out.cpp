@@ -5,7 +5,7 @@
 
 #include "base/grid_search.h"
 #include "environment/environment_state.h"
-#include "environment/nearest_surface.h"
+#include "environment/obstacle_piece.h"
 
 namespace muster {
 namespace {
@@ -73,7 +73,7 @@ private:
     std::size_t count_ = 0;
 };
 
-Wall wallOf(const ObstaclePiece& piece, const NearestSurface& nearest, Vec2 p, double radius) {
+Wall wallOf(const ObstaclePiece& piece, const SurfacePoint& nearest, Vec2 p, double radius) {
     const Vec2 away = nearest.distance < 0.0 ? nearest.point - p : p - nearest.point;
     const Vec2 normal = normalized(away, normalized(nearest.point - piece.centre, {1.0, 0.0}));
     return {normal, dot(normal, nearest.point) + radius};
@@ -129,7 +129,7 @@ Vec2 Environment::pushOut(Vec2 p, double radius) const {
         bool free = true;
         s.forNear(p, radius, [&](std::int32_t number) {
             const ObstaclePiece& piece = s.pieces[number];
-            const NearestSurface nearest = nearestSurface(piece, p);
+            const SurfacePoint nearest = closestSurfacePoint(piece, p);
             if (nearest.distance >= radius) return;
             free = free && nearest.distance >= radius - 2.0 * kExact;
             walls.add(wallOf(piece, nearest, p, radius));

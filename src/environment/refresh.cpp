@@ -46,13 +46,13 @@ void widen(bool& any, Box& box, const Box& more) {
 bool Placement::follow(const TimedPath& path, double time) {
     const Waypoint next = path.at(time);
     const Vec2 nextVelocity = path.velocity(time);
-    const double nextSpin = path.spin(time);
+    const double nextAngularVelocity = path.angularVelocity(time);
     const bool same = next.position == now.position && next.angle == now.angle && nextVelocity == velocity &&
-                      nextSpin == spin;
+                      nextAngularVelocity == angularVelocity;
     if (next.angle != now.angle) rotation = {cosine(next.angle), sine(next.angle)};
     now = next;
     velocity = nextVelocity;
-    spin = nextSpin;
+    angularVelocity = nextAngularVelocity;
     return !same;
 }
 
@@ -154,7 +154,8 @@ void Environment::Impl::placePiece(std::int32_t number) {
         for (Vec2 p : piece.corners) squared = std::max(squared, lengthSquared(p - piece.centre));
         piece.radius = std::sqrt(squared);
     }
-    piece.velocity = at.velocity + perpendicular(piece.centre - at.pivot - at.now.position) * at.spin;
+    piece.velocity = at.velocity +
+                     perpendicular(piece.centre - at.pivot - at.now.position) * at.angularVelocity;
     index.bounds[number] = boundsOfPiece(piece);
     index.reach[number] = index.bounds[number].grown(std::max(kReach, piece.range) + kBinSlack);
 }

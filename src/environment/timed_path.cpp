@@ -1,8 +1,9 @@
-#include "muster/timed_path.h"
-
+// Piecewise linear motion of obstacles and patches.
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "muster/obstacle.h"
 
 namespace muster {
 namespace {
@@ -51,7 +52,7 @@ Vec2 TimedPath::velocity(double time) const {
     return (b.position - a.position) / (b.time - a.time);
 }
 
-double TimedPath::spin(double time) const {
+double TimedPath::angularVelocity(double time) const {
     if (still()) return 0.0;
     const PathPlace place = placeAt(*this, time);
     if (!place.moving) return 0.0;

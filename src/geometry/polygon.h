@@ -1,29 +1,14 @@
-// Polygons in the ground plane.
+// Queries of polygons in the ground plane.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "muster/geometry.h"
 #include "muster/status.h"
-#include "muster/vec2.h"
 
 namespace muster {
-
-/// Corners in order, the last joined to the first. Counter-clockwise unless said otherwise.
-using Polygon = std::vector<Vec2>;
-
-/// An outline with holes; the outline counter-clockwise, holes clockwise.
-struct PolygonWithHoles {
-    Polygon outline;             ///< At least three corners.
-    std::vector<Polygon> holes;  ///< Inside the outline, apart from each other.
-
-    /// Lets an archive read or write the shape.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(outline, holes);
-    }
-};
 
 /// A point of a boundary nearest to a query.
 struct ClosestPoint {

@@ -90,7 +90,7 @@ void drawPaths(const Pen& pen) {
         for (const Control& control : pen.world.group(g).controls->controls()) {
             for (const ControlPoint& point : control.points) {
                 std::vector<Vec2> way{point.position};
-                for (const Checkpoint& checkpoint : point.path) way.push_back(checkpoint.position);
+                for (const Checkpoint& checkpoint : point.trajectory) way.push_back(checkpoint.position);
                 if (way.size() < 2) continue;
                 pen.draw.line(way, pen.stroke(Colour::of(0xFFFFFF, 0.9), 5.0));
                 pen.draw.line(way, pen.stroke(pen.accent(g), 2.2));

@@ -38,7 +38,7 @@ protocol::ControlFrame controlFrame(const Control& control, const FormationMesh&
         out.down = point.down;
         out.x = narrow(point.position.x);
         out.y = narrow(point.position.y);
-        for (const Checkpoint& checkpoint : point.path) appendPoint(out.path, checkpoint.position);
+        for (const Checkpoint& checkpoint : point.trajectory) appendPoint(out.path, checkpoint.position);
     }
     for (const MeshPoint& point : control.supplementary)
         appendPoint(frame.supplementary, point.position(mesh.formation().mesh.triangles, mesh.finalMesh()));

@@ -177,7 +177,7 @@ bool RunMetrics::settled(const World& world) const {
         const GroupView group = world.group(g);
         for (const Control& control : group.controls->controls()) {
             for (const ControlPoint& point : control.points) {
-                if (!point.path.empty() || (!point.down && !control.pinned)) return false;
+                if (!point.trajectory.empty() || (!point.down && !control.pinned)) return false;
             }
         }
         for (Vec2 v : group.places->velocities()) {

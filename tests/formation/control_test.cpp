@@ -1,4 +1,4 @@
-#include "muster/control.h"
+#include "formation/control/control_set.h"
 
 #include "formation/mesh_fixture.h"
 
@@ -100,7 +100,7 @@ TEST_CASE("paths are cut into checkpoints of fixed spacing with interpolated tim
     REQUIRE(s.down(1, {3, 3}));
     s.time = 4.0;
     REQUIRE(s.move(1, {5.2, 3}));
-    const std::vector<Checkpoint>& path = s.controls.controls()[0].points[0].path;
+    const std::vector<Checkpoint>& path = s.controls.controls()[0].points[0].trajectory;
     REQUIRE(path.size() == 5);
     for (std::size_t k = 0; k < 4; ++k)
         CHECK(path[k].position.x == doctest::Approx(3.5 + 0.5 * static_cast<double>(k)));
@@ -214,7 +214,7 @@ TEST_CASE("a lifted control on its way gives its vertex to a new finger") {
     REQUIRE(s.controls.controls().size() == 1);
     CHECK(s.down(1, s.controls.controls()[0].points[0].position));
     CHECK(s.controls.controls().size() == 1);
-    CHECK(s.controls.controls()[0].points[0].path.empty());
+    CHECK(s.controls.controls()[0].points[0].trajectory.empty());
 }
 
 TEST_CASE("supplementary points reproduce linear maps of the rest shape") {
@@ -294,7 +294,7 @@ TEST_CASE("long drawings stay within the limit and keep their end") {
         finger += Vec2{0.6 * cosine(k * 0.01), 0.6 * sine(k * 0.01)};
         REQUIRE(s.move(1, finger));
     }
-    const auto& path = s.controls.controls()[0].points[0].path;
+    const auto& path = s.controls.controls()[0].points[0].trajectory;
     CHECK(path.size() <= 4096);
     CHECK(distance(path.back().position, finger) < 1e-9);
     for (std::size_t k = 1; k < path.size(); ++k) CHECK(path[k].time >= path[k - 1].time);

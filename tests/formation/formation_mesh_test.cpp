@@ -132,7 +132,7 @@ TEST_CASE("vertices never jump when controls come, go and change kind") {
                  std::vector<Control>(s.controls.controls().begin(), s.controls.controls().end()))
                 for (const ControlPoint& p : control.points)
                     if (p.touch == t && p.down)
-                        s.move(t, p.position - p.grab +
+                        s.move(t, p.position - p.offset +
                                       Vec2{random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)});
         s.run(0.4 + (random.below(3) == 0 ? 1.0 : 0.1));
         // Then nothing but the set of controls changes: only the residuals' bounded decay may be seen.

@@ -1,4 +1,4 @@
-#include "muster/formation.h"
+#include "formation/shapes/formation.h"
 
 #include <doctest.h>
 

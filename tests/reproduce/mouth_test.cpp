@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/maths.h"
-#include "muster/formation.h"
+#include "formation/shapes/formation.h"
 
 using namespace muster;
 

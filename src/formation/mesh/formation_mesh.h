@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "environment/environment.h"
+#include "formation/control/control_set.h"
 #include "formation/mesh/arap.h"
-#include "muster/control.h"
-#include "muster/formation.h"
+#include "formation/shapes/formation.h"
 
 namespace muster {
 

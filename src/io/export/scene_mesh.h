@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/polygon.h"
-#include "muster/timed_path.h"
+#include "muster/obstacle.h"
 #include "muster/vec3.h"
 #include "muster/world.h"
 

@@ -69,7 +69,7 @@ Status checkArrays(const Characters& c) {
 }
 
 bool isPathOf(const ControlPoint& point) {
-    return std::all_of(point.path.begin(), point.path.end(),
+    return std::all_of(point.trajectory.begin(), point.trajectory.end(),
                        [](const Checkpoint& c) { return isPlace(c.position) && std::fabs(c.time) <= 1e9; });
 }
 
@@ -80,13 +80,13 @@ bool isOnMesh(const MeshPoint& point, const TriangleMesh& mesh) {
 }
 
 bool isControl(const Control& control, const TriangleMesh& mesh) {
-    if (control.kind > ControlKind::Area || control.points.empty() || !(std::fabs(control.began) <= 1e9) ||
+    if (control.kind > ControlKind::Area || control.points.empty() || !(std::fabs(control.startTime) <= 1e9) ||
         !(std::fabs(control.clock) <= 1e9) ||
         control.weights.size() != control.supplementary.size() * control.points.size())
         return false;
     for (const ControlPoint& point : control.points)
         if (point.vertex < 0 || static_cast<std::size_t>(point.vertex) >= mesh.vertices.size() ||
-            !isPlace(point.grab) || !isPlace(point.position) || !isPathOf(point))
+            !isPlace(point.offset) || !isPlace(point.position) || !isPathOf(point))
             return false;
     for (const MeshPoint& point : control.supplementary)
         if (!isOnMesh(point, mesh)) return false;

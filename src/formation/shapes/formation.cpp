@@ -1,9 +1,9 @@
-#include "muster/formation.h"
+#include "formation/shapes/formation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "formation/mesh/layout.h"
+#include "formation/shapes/formation_shape.h"
 
 namespace muster {
 namespace {

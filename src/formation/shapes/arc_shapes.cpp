@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "formation/mesh/layout.h"
+#include "formation/shapes/formation_shape.h"
 
 namespace muster {
 namespace {

@@ -1,4 +1,4 @@
-#include "formation/control/control_path.h"
+#include "formation/control/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ double shareAtDistance(Vec2 anchor, Vec2 from, Vec2 to, double spacing) {
 }  // namespace
 
 void extendPath(ControlPoint& point, Vec2 position, double time, double spacing) {
-    std::vector<Checkpoint>& path = point.path;
+    std::vector<Checkpoint>& path = point.trajectory;
     if (path.empty()) path.push_back({point.position, time});
     time = std::max(time, path.back().time);
     Checkpoint last = path.back();
@@ -53,7 +53,7 @@ void extendPath(ControlPoint& point, Vec2 position, double time, double spacing)
 
 double clockWithin(const ControlPoint& point, double clock, double until, double reach) {
     Vec2 position = point.position;
-    for (const Checkpoint& next : point.path) {
+    for (const Checkpoint& next : point.trajectory) {
         const double span = std::max(0.0, next.time - clock);
         const double way = distance(position, next.position);
         const double share = next.time > until ? (until - clock) / span : 1.0;
@@ -68,7 +68,7 @@ double clockWithin(const ControlPoint& point, double clock, double until, double
 
 void followPath(ControlPoint& point, double clock, double until, double reach) {
     std::size_t passed = 0;
-    for (const Checkpoint& next : point.path) {
+    for (const Checkpoint& next : point.trajectory) {
         const double way = distance(point.position, next.position);
         if (next.time > until) {
             const double share = std::clamp((until - clock) / (next.time - clock), 0.0, 1.0);
@@ -85,7 +85,8 @@ void followPath(ControlPoint& point, double clock, double until, double reach) {
         clock = std::max(clock, next.time);
         ++passed;
     }
-    point.path.erase(point.path.begin(), point.path.begin() + static_cast<std::ptrdiff_t>(passed));
+    point.trajectory.erase(point.trajectory.begin(),
+                           point.trajectory.begin() + static_cast<std::ptrdiff_t>(passed));
 }
 
 }  // namespace muster

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formation/mesh/layout.h"
+#include "formation/shapes/formation_shape.h"
 
 namespace muster {
 namespace {

@@ -1,9 +1,10 @@
-#include "formation/control/control_sampling.h"
+#include "formation/control/supplementary_points.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/mean_value.h"
+#include "geometry/triangulation.h"
 
 namespace muster {
 namespace {

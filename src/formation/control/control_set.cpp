@@ -1,10 +1,10 @@
-#include "muster/control.h"
+#include "formation/control/control_set.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "formation/control/control_path.h"
-#include "formation/control/control_sampling.h"
+#include "formation/control/supplementary_points.h"
+#include "formation/control/trajectory.h"
 
 namespace muster {
 namespace {
@@ -34,7 +34,7 @@ ControlPoint grabVertex(std::int32_t vertex, std::uint32_t touch, Vec2 finger, s
     point.vertex = vertex;
     point.touch = touch;
     point.position = held[vertex];
-    point.grab = point.position - finger;
+    point.offset = point.position - finger;
     return point;
 }
 
@@ -79,7 +79,7 @@ bool freeVertex(std::vector<Control>& controls, std::int32_t vertex) {
 bool ended(const Control& control) {
     if (control.pinned) return false;
     return std::none_of(control.points.begin(), control.points.end(),
-                        [](const ControlPoint& p) { return p.down || !p.path.empty(); });
+                        [](const ControlPoint& p) { return p.down || !p.trajectory.empty(); });
 }
 
 bool goodMesh(const TriangleMesh& rest, std::span<const Vec2> vertices) {
@@ -101,7 +101,7 @@ bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uin
     const ControlPoint point = grabVertex(vertex, touch, position, held);
     for (Control& control : controls_) {
         const bool joins = control.open && control.client == client && anyDown(control) &&
-                           std::fabs(time - control.began) <= def.window;
+                           std::fabs(time - control.startTime) <= def.window;
         if (!joins) continue;
         control.points.push_back(point);
         control.kind = kindFor(control.points.size());
@@ -112,7 +112,7 @@ bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uin
     Control control;
     control.id = ControlId{nextId_++};
     control.client = client;
-    control.began = time;
+    control.startTime = time;
     control.clock = time;
     control.points.push_back(point);
     controls_.push_back(std::move(control));
@@ -145,7 +145,7 @@ bool ControlSet::addControl(const ControlDef& def, std::uint32_t client, Control
     control.kind = kind;
     control.client = client;
     control.open = false;
-    control.began = time;
+    control.startTime = time;
     control.clock = time;
     sampleSupplementary(control, rest, def.sampleSpacing);
     controls_.push_back(std::move(control));
@@ -157,7 +157,7 @@ bool ControlSet::touchMove(const ControlDef& def, std::uint32_t client, std::uin
     if (!isFinite(position) || !std::isfinite(time)) return false;
     ControlPoint* point = findFinger(controls_, client, touch);
     if (point == nullptr) return false;
-    extendPath(*point, position + point->grab, time, def.checkpointSpacing);
+    extendPath(*point, position + point->offset, time, def.checkpointSpacing);
     return true;
 }
 
@@ -214,8 +214,8 @@ bool ControlSet::advance(const ControlDef& def, double dt, double now, double pa
     std::erase_if(controls_, ended);
     const double reach = std::isfinite(pace) ? def.maxSpeed * std::clamp(pace, 0.0, 1.0) * dt : 0.0;
     for (Control& control : controls_) {
-        if (control.closes < 0.0) control.closes = now + def.window + kLatest;
-        if (now > control.closes) control.open = false;
+        if (control.joinDeadline < 0.0) control.joinDeadline = now + def.window + kLatest;
+        if (now > control.joinDeadline) control.open = false;
         control.clock = std::min(control.clock, now);
         const double until = std::max(control.clock, std::min(now, control.clock + def.clockRate * dt));
         double reached = until;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "muster/formation.h"
+#include "formation/shapes/formation.h"
 
 namespace muster {
 
