@@ -207,7 +207,7 @@ void CrowdExcess::addMovedGround(const Environment& environment, double radius) 
     for (const CellRect& area : environment.movingPatchAreas())
         if (!area.empty()) addMovedPatches(environment, area);
     const std::span<const float> live = environment.clearance();
-    const std::span<const float> still = environment.stillClearance();
+    const std::span<const float> still = environment.staticClearance();
     // Not the rim, where those stand who touch the obstacle.
     const auto least = static_cast<float>(radius);
     const auto most = static_cast<float>(radius - 0.5 * ground_.cell);
@@ -225,7 +225,7 @@ void CrowdExcess::addMovedGround(const Environment& environment, double radius) 
 
 void CrowdExcess::addMovedPatches(const Environment& environment, const CellRect& area) {
     const std::span<const float> travel = environment.travelSpeed();
-    const std::span<const float> patch = environment.stillPatchSpeed();
+    const std::span<const float> patch = environment.staticPatchSpeed();
     const Cell low = hazardGrid_.nearestCell(ground_.centre(area.low));
     const Cell high = hazardGrid_.nearestCell(ground_.centre(area.high));
     for (std::int32_t y = low.y; y <= high.y; ++y)

@@ -60,8 +60,8 @@ void StaticGround::update(const Environment& environment, double price, double r
     ++version_;
     perCell_ = 1.0 / grid_.cell;
     slack_ = kHalfDiagonal * grid_.cell;
-    const std::span<const float> clearance = environment.stillClearance();
-    const std::span<const float> patch = environment.stillPatchSpeed();
+    const std::span<const float> clearance = environment.staticClearance();
+    const std::span<const float> patch = environment.staticPatchSpeed();
     speed_.resize(patch.size());
     unit_.resize(patch.size());
     for (std::size_t k = 0; k < patch.size(); ++k) {

@@ -41,7 +41,7 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
     for (NearObstacle& near : nearObstacle_) {
         Vec2& p = positions[near.index];
         if (p == near.free) continue;
-        const Vec2 free = environment.pushOut(p, radius);
+        const Vec2 free = environment.projectToFreeSpace(p, radius);
         if (free == p) {
             near.free = p;
             continue;
@@ -60,7 +60,7 @@ void Contacts::leaveForGood(double radius, const Environment& environment, std::
         Vec2& p = positions[near.index];
         if (p == near.free) continue;
         if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
-        p = environment.pushOut(p, radius);
+        p = environment.projectToFreeSpace(p, radius);
         moved_ = true;
     }
 }
@@ -94,7 +94,7 @@ void Contacts::watchObstacles(double radius, const Environment& environment, std
     watched_.resize(positions.size());
     forChunks(pool, (positions.size() + kChunk - 1) / kChunk, 1, [&](std::size_t chunk) {
         const std::size_t first = chunk * kChunk, count = std::min(kChunk, positions.size() - first);
-        environment.markClose(positions.subspan(first, count), 3.0 * radius,
+        environment.markNearObstacles(positions.subspan(first, count), 3.0 * radius,
                               std::span(watched_).subspan(first, count));
     });
     nearObstacle_.clear();

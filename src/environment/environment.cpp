@@ -2,23 +2,25 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/archive.h"
-#include "environment/environment_state.h"
+#include "environment/environment_impl.h"
 #include "geometry/convex_decomposition.h"
 
 namespace muster {
 namespace {
 
-constexpr double kFarthest = 1e7;  // [m] Beyond, a double cannot hold a character's radius well.
+constexpr double
+    kFarthest = 1e7;  // Bound on coordinates [m]: beyond, doubles resolve too little of a radius.
 constexpr double kMostCells = 16e6;
 
-bool isPlace(Vec2 p) {
+bool isInRange(Vec2 p) {
     return isFinite(p) && std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest;
 }
 
 Status checkWorld(const EnvironmentDef& def) {
-    if (!isPlace(def.box.min) || !isPlace(def.box.max) || !(def.box.width() > 0.0) ||
+    if (!isInRange(def.box.min) || !isInRange(def.box.max) || !(def.box.width() > 0.0) ||
         !(def.box.height() > 0.0)) {
         return invalidArgument("the world's box is empty or not finite");
     }
@@ -54,7 +56,8 @@ Status checkObstacle(const ObstacleDef& def) {
     if (!std::isfinite(def.radius) || def.radius <= 0.0 || def.radius > kFarthest) {
         return invalidArgument("the obstacle has neither a polygon nor a positive radius");
     }
-    return isPlace(def.centre) ? Status() : invalidArgument("the obstacle's centre is not a finite place");
+    return isInRange(def.centre) ? Status()
+                                 : invalidArgument("the obstacle's centre is not finite or too far away");
 }
 
 Result<ObstacleEntry> makeObstacle(const ObstacleDef& def, double time) {
@@ -73,7 +76,7 @@ Result<ObstacleEntry> makeObstacle(const ObstacleDef& def, double time) {
 }
 
 Result<PatchEntry> makePatch(const PatchDef& def, const std::vector<ClipFacts>& clips, double time) {
-    if (def.motion < 0 || static_cast<std::size_t>(def.motion) >= clips.size()) {
+    if (def.motion < 0 || std::cmp_greater_equal(def.motion, clips.size())) {
         return invalidArgument("the patch plays motion " + std::to_string(def.motion) +
                                ", which no clip bears");
     }
@@ -83,7 +86,7 @@ Result<PatchEntry> makePatch(const PatchDef& def, const std::vector<ClipFacts>& 
     PatchEntry entry;
     entry.def = def;
     entry.speed = def.speed < 0.0 ? clips[def.motion].speed : def.speed;
-    // As a float in the raster it must stay above zero.
+    // The raster keeps it as a float, which must be above zero.
     if (static_cast<float>(entry.speed) <= 0.0f) return invalidArgument("the patch's speed must be positive");
     Result<Polygon> outline = cleanPolygon(def.polygon);
     if (!outline.ok()) return outline.status().within("patch");
@@ -96,9 +99,9 @@ Result<PatchEntry> makePatch(const PatchDef& def, const std::vector<ClipFacts>& 
     return entry;
 }
 
-// Position of an id in the ascending list, or -1.
+// Index of an id in the ascending list, or -1.
 template <class T>
-std::ptrdiff_t find(const std::vector<T>& ids, T id) {
+std::ptrdiff_t indexOf(const std::vector<T>& ids, T id) {
     const auto at = std::lower_bound(ids.begin(), ids.end(), id);
     return at != ids.end() && *at == id ? at - ids.begin() : -1;
 }
@@ -140,7 +143,7 @@ Result<ObstacleId> Environment::addObstacle(const ObstacleDef& def) {
     if (!entry.ok()) return entry.status();
     const ObstacleId id{s.nextObstacle++};
     s.obstacleIds.push_back(id);
-    s.noteObstacle(*entry);
+    s.markDirty(*entry);
     s.countEdit(def.path.still());
     s.obstacles.push_back(std::move(*entry));
     return id;
@@ -148,12 +151,12 @@ Result<ObstacleId> Environment::addObstacle(const ObstacleDef& def) {
 
 Status Environment::changeObstacle(ObstacleId id, const ObstacleDef& def) {
     Impl& s = *impl_;
-    const std::ptrdiff_t at = find(s.obstacleIds, id);
+    const std::ptrdiff_t at = indexOf(s.obstacleIds, id);
     if (at < 0) return notFound("obstacle", id);
     Result<ObstacleEntry> entry = makeObstacle(def, s.time);
     if (!entry.ok()) return entry.status();
-    s.noteObstacle(s.obstacles[at]);
-    s.noteObstacle(*entry);
+    s.markDirty(s.obstacles[at]);
+    s.markDirty(*entry);
     s.countEdit(s.obstacles[at].def.path.still() || def.path.still());
     s.obstacles[at] = std::move(*entry);
     return {};
@@ -161,9 +164,9 @@ Status Environment::changeObstacle(ObstacleId id, const ObstacleDef& def) {
 
 Status Environment::removeObstacle(ObstacleId id) {
     Impl& s = *impl_;
-    const std::ptrdiff_t at = find(s.obstacleIds, id);
+    const std::ptrdiff_t at = indexOf(s.obstacleIds, id);
     if (at < 0) return notFound("obstacle", id);
-    s.noteObstacle(s.obstacles[at]);
+    s.markDirty(s.obstacles[at]);
     s.countEdit(s.obstacles[at].def.path.still());
     s.obstacles.erase(s.obstacles.begin() + at);
     s.obstacleIds.erase(s.obstacleIds.begin() + at);
@@ -185,7 +188,7 @@ Result<PatchId> Environment::addPatch(const PatchDef& def) {
     if (!entry.ok()) return entry.status();
     const PatchId id{s.nextPatch++};
     s.patchIds.push_back(id);
-    s.notePatch(*entry);
+    s.markDirty(*entry);
     s.countEdit(def.path.still());
     s.patches.push_back(std::move(*entry));
     return id;
@@ -193,12 +196,12 @@ Result<PatchId> Environment::addPatch(const PatchDef& def) {
 
 Status Environment::changePatch(PatchId id, const PatchDef& def) {
     Impl& s = *impl_;
-    const std::ptrdiff_t at = find(s.patchIds, id);
+    const std::ptrdiff_t at = indexOf(s.patchIds, id);
     if (at < 0) return notFound("patch", id);
     Result<PatchEntry> entry = makePatch(def, s.def.clips, s.time);
     if (!entry.ok()) return entry.status();
-    s.notePatch(s.patches[at]);
-    s.notePatch(*entry);
+    s.markDirty(s.patches[at]);
+    s.markDirty(*entry);
     s.countEdit(s.patches[at].def.path.still() || def.path.still());
     s.patches[at] = std::move(*entry);
     return {};
@@ -206,9 +209,9 @@ Status Environment::changePatch(PatchId id, const PatchDef& def) {
 
 Status Environment::removePatch(PatchId id) {
     Impl& s = *impl_;
-    const std::ptrdiff_t at = find(s.patchIds, id);
+    const std::ptrdiff_t at = indexOf(s.patchIds, id);
     if (at < 0) return notFound("patch", id);
-    s.notePatch(s.patches[at]);
+    s.markDirty(s.patches[at]);
     s.countEdit(s.patches[at].def.path.still());
     s.patches.erase(s.patches.begin() + at);
     s.patchIds.erase(s.patchIds.begin() + at);
@@ -223,17 +226,17 @@ std::span<const PatchId> Environment::patchIds() const {
 }
 
 const ObstacleDef* Environment::obstacle(ObstacleId id) const {
-    const std::ptrdiff_t at = find(impl_->obstacleIds, id);
+    const std::ptrdiff_t at = indexOf(impl_->obstacleIds, id);
     return at < 0 ? nullptr : &impl_->obstacles[at].def;
 }
 
 const PatchDef* Environment::patch(PatchId id) const {
-    const std::ptrdiff_t at = find(impl_->patchIds, id);
+    const std::ptrdiff_t at = indexOf(impl_->patchIds, id);
     return at < 0 ? nullptr : &impl_->patches[at].def;
 }
 
 Polygon Environment::patchPolygon(PatchId id) const {
-    const std::ptrdiff_t at = find(impl_->patchIds, id);
+    const std::ptrdiff_t at = indexOf(impl_->patchIds, id);
     if (at < 0) return {};
     const PatchEntry& entry = impl_->patches[at];
     Polygon polygon = entry.outline;
@@ -282,12 +285,12 @@ bool Environment::changesSince(std::uint64_t version, std::vector<CellRect>& are
 
 std::span<const CellRect> Environment::movingObstacleAreas() const {
     impl_->ensure();
-    return impl_->clearance.covered();
+    return impl_->clearance.movingAreas();
 }
 
 std::span<const CellRect> Environment::movingPatchAreas() const {
     impl_->ensure();
-    return impl_->slowest.covered();
+    return impl_->patchSpeed.movingAreas();
 }
 
 std::span<const ObstaclePiece> Environment::pieces() const {
@@ -297,17 +300,17 @@ std::span<const ObstaclePiece> Environment::pieces() const {
 
 std::span<const float> Environment::clearance() const {
     impl_->ensure();
-    return impl_->clearance.live();
+    return impl_->clearance.combined();
 }
 
-std::span<const float> Environment::stillClearance() const {
+std::span<const float> Environment::staticClearance() const {
     impl_->ensure();
-    return impl_->clearance.still();
+    return impl_->clearance.fixed();
 }
 
-std::span<const float> Environment::stillPatchSpeed() const {
+std::span<const float> Environment::staticPatchSpeed() const {
     impl_->ensure();
-    return impl_->slowest.still();
+    return impl_->patchSpeed.fixed();
 }
 
 std::span<const float> Environment::travelSpeed() const {
@@ -317,7 +320,7 @@ std::span<const float> Environment::travelSpeed() const {
 
 namespace {
 
-// One description for saving, loading and hashing; the definitions are copied only when reading.
+// One description for saving, loading and hashing; only loading copies the definitions.
 template <class Archive, class Ids, class Entries, class Def>
 void visitThings(Archive& archive, Ids& ids, Entries& entries, std::vector<Def>& read) {
     archive(ids);
@@ -382,7 +385,7 @@ bool Environment::load(Reader& archive) {
         if (!entry.ok()) return false;
         read->patches.push_back(std::move(*entry));
     }
-    // Whoever remembers a version must see that the ground is another one.
+    // Callers that know an old version must see that the ground changed.
     read->groundVersion = impl_->groundVersion + 1;
     read->staticVersion = impl_->staticVersion + 1;
     read->start(EnvironmentDef(read->def));

@@ -1,4 +1,4 @@
-// Obstacles and patches of a world as they stand now, with the queries that all layers share.
+// Obstacles and patches of a world as they stand now, and the queries about them that all layers share.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace muster {
 
 /// What never changes about an environment.
 struct EnvironmentDef {
-    Box box{{-16, -16}, {16, 16}};                      ///< The world; characters and places stay inside [m].
-    double cell = 0.25;                                 ///< Edge of a ground cell [m] > 0.
-    double defaultRange = 1.5;                          ///< Range of obstacles that give none [m].
-    double defaultStrength = 1.0;                       ///< Strength of obstacles that give none.
+    Box box{{-16, -16}, {16, 16}};                      ///< The world [m]; characters and places stay inside.
+    double cell = 0.25;                                 ///< Edge of a ground cell [m], above 0.
+    double defaultRange = 1.5;                          ///< Range of obstacles that give none [m], 0 or more.
+    double defaultStrength = 1.0;                       ///< Strength of obstacles that give none, 0 or more.
     std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
 
     /// Lets an archive read or write the definition.
@@ -31,23 +31,23 @@ struct EnvironmentDef {
 
 /// What lies under one point.
 struct GroundSample {
-    PatchId patch;             ///< Patch that rules here; none in the open.
+    PatchId patch;             ///< The slowest patch here; none in the open.
     MotionId motion = 0;       ///< Its motion.
-    double travelSpeed = 1.0;  ///< Relative to running > 0.
+    double travelSpeed = 1.0;  ///< Relative to running, above 0.
 };
 
 /// A gap that is too narrow: between two obstacles, two parts of one, or an obstacle and the edge of the
 /// world.
 struct NarrowGap {
-    ObstacleId a;  ///< One.
-    /// The other; the same for a slot within one obstacle, none for the edge of the world.
+    ObstacleId a;  ///< One obstacle.
+    /// The other obstacle; the same for a slot within one obstacle, none for the edge of the world.
     ObstacleId b;
-    Vec2 where;          ///< Middle of the gap [m].
+    Vec2 where;          ///< Midpoint of the gap [m].
     double width = 0.0;  ///< [m]
 };
 
-/// Owns obstacles, patches and the rasters made of them. Everything kept beside the definitions
-/// and the clock is a cache of these, so saving writes only definitions.
+/// Owns obstacles, patches and the rasters made of them. Definitions, ids and the clock are state; everything
+/// else is a cache, so saving writes only the state.
 class Environment {
 public:
     /// An empty world. Fails with InvalidArgument where the box is empty, the cell is not positive
@@ -92,15 +92,15 @@ public:
 
     /// Puts moving things where they are at `time` [s] and brings the rasters up to date.
     void setTime(double time);
-    /// Grows by one whenever the ground changes (an edit, or a moving thing moved).
+    /// Rises by one whenever the ground changes (an edit, or a moving thing moved).
     std::uint64_t groundVersion() const;
-    /// Grows by one whenever something that stands still is added, changed or removed.
+    /// Rises by one whenever something that stands still is added, changed or removed.
     std::uint64_t staticVersion() const;
-    /// Differs between any two environments of a program and after load(): with a version it tells caches
-    /// what they hold.
+    /// Differs between any two environments of a program and after load(). With a version it identifies the
+    /// ground that a cache was made from.
     std::uint64_t instance() const;
     /// Appends to `areas` the cells whose clearance or travel speed may have changed since groundVersion()
-    /// was `version`. False where that is not known any more: all cells may have.
+    /// was `version`. False where that is not known any more, so that all cells may have changed.
     bool changesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
 
     /// The cells whose clearance moving obstacles change now; some rectangles may be empty.
@@ -113,54 +113,55 @@ public:
     /// Distance from a cell's centre to the nearest obstacle surface or edge of the box [m], one value
     /// per cell: exact up to kClearanceLimit and capped there; 0 or less inside.
     std::span<const float> clearance() const;
-    /// Travel speed per cell > 0 (every cell a patch touches takes its speed; the slowest wins).
+    /// Travel speed per cell, above 0: that of the slowest patch that shares area with the cell, else 1.
     std::span<const float> travelSpeed() const;
-    /// clearance() as it were without moving obstacles.
-    std::span<const float> stillClearance() const;
+    /// clearance() without moving obstacles.
+    std::span<const float> staticClearance() const;
     /// Travel speed per cell of the slowest patch that stands still; infinite where there is none.
-    std::span<const float> stillPatchSpeed() const;
-    /// Where clearance() stops [m].
+    std::span<const float> staticPatchSpeed() const;
+    /// clearance() is capped here [m].
     static constexpr double kClearanceLimit = 3.0;
 
     /// What lies under `p` (exact polygons, not cells).
     GroundSample ground(Vec2 p) const;
-    /// True where both patches are of one motion and overlap as they stand now, so that they count as one
+    /// True where both patches have one motion and overlap as they stand now, so that they count as one patch
     /// (SPEC C1).
     bool onePatch(PatchId a, PatchId b) const;
     /// Distance from `p` to the nearest obstacle surface [m], negative inside, `limit` where farther.
     double distanceToObstacle(Vec2 p, double limit = kClearanceLimit) const;
-    /// Sets `close[i]` to 1 where `points[i]` is nearer than `reach` [m] >= 0 to an obstacle surface or to
+    /// Sets `near[i]` to 1 where `points[i]` is nearer than `reach` [m] >= 0 to an obstacle surface or to
     /// the edge of the box, in an obstacle or out of the box, and to 0 elsewhere.
-    void markClose(std::span<const Vec2> points, double reach, std::span<std::uint8_t> close) const;
+    void markNearObstacles(std::span<const Vec2> points, double reach, std::span<std::uint8_t> near) const;
     /// Calls `visit(piece)` in ascending order for every piece whose surface may be within `radius` of `p`.
     void forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const;
-    /// Writes to `found` the numbers of these pieces in pieces(), ascending; reuses its memory.
-    void piecesNear(Vec2 p, double radius, std::vector<std::int32_t>& found) const;
     /// True where a disc of `radius` can move straight from `a` to `b` without touching an obstacle
     /// and without leaving the box.
     bool clearLine(Vec2 a, Vec2 b, double radius) const;
-    /// `p` moved out of every obstacle and into the box so that a disc of `radius` [m] is free; where
-    /// no free spot is found by sliding, the centre of the nearest free cell.
-    Vec2 pushOut(Vec2 p, double radius) const;
-    /// The potential field of all obstacles at `p`: sum of strength (1 - d / r) times the direction away
-    /// from each piece's centre for 0 < d < r (paper eq. 1, SPEC M4); inside a piece d counts as 0.
+    /// Projects `p` onto the free space: moves it out of every obstacle and into the box, so that a disc of
+    /// `radius` [m] is free. Where projections do not converge it returns the centre of the nearest free
+    /// cell.
+    Vec2 projectToFreeSpace(Vec2 p, double radius) const;
+    /// The potential field of all obstacles at `p` (paper equation 1, SPEC M4): the sum over pieces with
+    /// distance d < range of strength (1 - d / range) times the direction away from the piece's centre;
+    /// inside, d is 0.
     Vec2 potentialField(Vec2 p) const;
 
-    /// Label of the connected free region of a cell for discs of `radius` [m]; -1 for blocked cells.
-    /// Obstacles that move do not count. Labels are numbered in row-major order of first cells.
+    /// Label of the connected free region of the cell that holds `p`, for discs of `radius` [m]; -1 for
+    /// blocked cells. Moving obstacles do not count. Labels are numbered in row-major order of first cells.
     std::int32_t region(Vec2 p, double radius) const;
-    /// How many such regions there are.
+    /// Number of such regions.
     std::int32_t regionCount(double radius) const;
     /// The centre of the free cell nearest to `p` with that region label (any region where -1), or `p`
     /// itself where it already lies in one or there is none.
     Vec2 nearestInRegion(Vec2 p, double radius, std::int32_t label) const;
-    /// A way for a disc of `radius` from `a` to `b` as corner points, both ends included (A* on the
-    /// ground cells, then pulled straight); empty where there is none or more than `maxCells` cells
-    /// would be looked at. Moving obstacles count where they stand now. An end that is not free is left
-    /// by the nearest free cell; the way to a goal that is not free ends in that cell.
+    /// A path for a disc of `radius` from `a` to `b` as corner points, both ends included: A* on the ground
+    /// cells, then smoothed. Empty where there is none or more than `maxCells` cells would be expanded.
+    /// Moving obstacles count where they stand now. From a start that is not free the path leads to the
+    /// nearest free cell; to a goal that is not free it ends in the nearest free cell.
     std::vector<Vec2> findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells = 200000) const;
-    /// The same, written to `way`: reuses its memory, and such of this thread as grows with the ground.
-    void findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& way,
+    /// The same, written to `path`, whose memory is reused. The search keeps memory per thread and ground
+    /// cell.
+    void findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& path,
                   std::int32_t maxCells = 200000) const;
 
     /// Gaps narrower than `width` [m], at most `most`: for each pair of obstacles the narrowest between

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "environment/rectangle_cover.h"
+#include "environment/rectangle_partition.h"
 
 namespace muster {
 namespace {
@@ -108,7 +108,7 @@ std::vector<CellBlock> coverOf(const MapGrid& map, std::string_view kinds) {
     std::vector<char> wanted(map.cells.size());
     for (std::size_t i = 0; i < wanted.size(); ++i)
         wanted[i] = kinds.find(map.cells[i]) != std::string_view::npos;
-    return coverByRectangles(wanted, map.width, map.height);
+    return partitionIntoRectangles(wanted, map.width, map.height);
 }
 
 // All coordinates come from whole cell numbers, so rectangles that touch share them bit for bit.

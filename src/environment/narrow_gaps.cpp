@@ -1,16 +1,18 @@
-// Gaps between obstacles that are too narrow (paper section 5: at least a character's diameter).
+// Gaps between obstacles that are too narrow (paper section 5: at least a character's diameter), found by
+// sweep and prune over the boxes of convex pieces.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "environment/environment_state.h"
+#include "environment/environment_impl.h"
 
 namespace muster {
 namespace {
 
 constexpr double kTouching = 1e-9;  // [m]
 
-// How near two pieces come. Where they face each other along a stretch, its first and last middle found.
+// The narrowest gap between two pieces. Where parallel sides face each other it has a length: `first` and
+// `last` are midpoints at its ends.
 struct Span {
     Vec2 first, last;
     double width = std::numeric_limits<double>::infinity();
@@ -44,7 +46,7 @@ void offerCorners(Span& span, const ObstaclePiece& one, const ObstaclePiece& oth
 
 Span spanBetween(const ObstaclePiece& a, const ObstaclePiece& b) {
     Span span;
-    // A disc's centre says all there is to say; two polygons are nearest at a corner of one of them.
+    // A disc needs only its centre; two polygons are nearest at a corner of one of them.
     if (!b.corners.empty() || a.corners.empty()) offerCorners(span, a, b, false);
     if (!a.corners.empty()) offerCorners(span, b, a, true);
     for (std::size_t i = 0, j = a.corners.size() - 1; i < a.corners.size() && !b.corners.empty(); j = i++) {

@@ -59,7 +59,7 @@ bool sameRasters(const Environment& a, const Environment& b) {
 
 }  // namespace
 
-TEST_CASE("clearance equals brute force, still and moving, after any edit") {
+TEST_CASE("clearance equals brute force, with and without moving obstacles, after any edit") {
     Random random(1);
     for (int round = 0; round < 6; ++round) {
         Environment environment = emptyWorld(20.0, 0.25);
@@ -80,7 +80,7 @@ TEST_CASE("clearance equals brute force, still and moving, after any edit") {
     }
 }
 
-TEST_CASE("rasters depend on the definitions and the clock, not on how they came about") {
+TEST_CASE("rasters depend on the definitions and the clock, not on the order of edits") {
     Random random(2);
     Environment tried = emptyWorld(20.0, 0.25);
     std::vector<ObstacleDef> kept;
@@ -109,7 +109,7 @@ TEST_CASE("rasters depend on the definitions and the clock, not on how they came
     CHECK(sameRasters(tried, fresh));
 }
 
-TEST_CASE("saved and loaded, an environment answers alike") {
+TEST_CASE("an environment that is saved and loaded gives the same answers") {
     Random random(3);
     Environment environment = emptyWorld(20.0, 0.25);
     for (int i = 0; i < 10; ++i)
@@ -134,7 +134,7 @@ TEST_CASE("saved and loaded, an environment answers alike") {
         const Vec2 p{random.uniform(-10, 10), random.uniform(-10, 10)},
             q{random.uniform(-10, 10), random.uniform(-10, 10)};
         CHECK(environment.potentialField(p) == loaded.potentialField(p));
-        CHECK(environment.pushOut(p, 0.3) == loaded.pushOut(p, 0.3));
+        CHECK(environment.projectToFreeSpace(p, 0.3) == loaded.projectToFreeSpace(p, 0.3));
         CHECK(environment.distanceToObstacle(p) == loaded.distanceToObstacle(p));
         CHECK(environment.region(p, 0.3) == loaded.region(p, 0.3));
         CHECK(environment.findPath(p, q, 0.3) == loaded.findPath(p, q, 0.3));
@@ -166,7 +166,8 @@ TEST_CASE("broken archives are refused and change nothing") {
         Reader reader(bytes);
         Environment other;
         // Whatever loads must answer.
-        if (other.load(reader) && other.grid().count() < 100000) CHECK(isFinite(other.pushOut({1, 1}, 0.25)));
+        if (other.load(reader) && other.grid().count() < 100000)
+            CHECK(isFinite(other.projectToFreeSpace({1, 1}, 0.25)));
     }
     CHECK(environment.obstacleIds().size() == 1);
 }
@@ -246,7 +247,7 @@ TEST_CASE("timed paths interpolate, loop and stop") {
     CHECK(path.velocity(3.5) == Vec2{0, 2});
     CHECK(path.velocity(0.5) == Vec2{0, 0});
     CHECK(path.velocity(9.0) == Vec2{0, 0});
-    CHECK(path.spin(2.0) == 0.5);
+    CHECK(path.angularVelocity(2.0) == 0.5);
     path.loop = true;
     CHECK(path.at(5.0).position.x == doctest::Approx(2.0));
     CHECK(path.at(3000002.0).position.x == doctest::Approx(2.0));
@@ -258,7 +259,7 @@ TEST_CASE("timed paths interpolate, loop and stop") {
     CHECK(one.velocity(5.0) == Vec2{});
 }
 
-TEST_CASE("turning obstacles carry the velocity of their parts") {
+TEST_CASE("parts of rotating obstacles have the velocity of their centres") {
     Environment environment = emptyWorld(20.0, 0.5);
     ObstacleDef bar = block({{-2, -0.5}, {2, -0.5}, {2, 0.5}, {1, 0.6}, {-1, 0.55}, {-2, 0.5}});
     bar.polygon = {{-3, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {-3, 1}};

@@ -4,7 +4,7 @@
 
 using namespace muster;
 
-TEST_CASE("field defaults reach obstacles that give none, and those only") {
+TEST_CASE("field defaults apply to obstacles that give none, and only to those") {
     EnvironmentDef def;
     def.defaultRange = 1.0;
     Environment environment = Environment::create(def).value();

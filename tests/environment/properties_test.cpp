@@ -23,7 +23,7 @@ Environment anyWorld(Random& random) {
 
 }  // namespace
 
-TEST_CASE("property: discs pushed out are free, ways keep to free cells, nothing is NaN") {
+TEST_CASE("property: projected discs are free, paths keep to free cells, nothing is NaN") {
     CHECK(rc::check([] {
         Random random(*rc::gen::arbitrary<std::uint64_t>());
         Environment environment = anyWorld(random);
@@ -31,7 +31,7 @@ TEST_CASE("property: discs pushed out are free, ways keep to free cells, nothing
         for (int i = 0; i < 20; ++i) {
             const Vec2 p{random.uniform(-9, 9), random.uniform(-9, 9)},
                 q{random.uniform(-9, 9), random.uniform(-9, 9)};
-            const Vec2 free = environment.pushOut(p, 0.25);
+            const Vec2 free = environment.projectToFreeSpace(p, 0.25);
             RC_ASSERT(environment.distanceToObstacle(free) > 0.25 - 1e-6);
             RC_ASSERT(isFinite(environment.potentialField(p)));
             RC_ASSERT(environment.ground(p).travelSpeed > 0.0);
@@ -42,7 +42,7 @@ TEST_CASE("property: discs pushed out are free, ways keep to free cells, nothing
     }));
 }
 
-TEST_CASE("property: a world restored in the middle goes on the same") {
+TEST_CASE("property: an environment restored in the middle continues alike") {
     CHECK(rc::check([] {
         Random random(*rc::gen::arbitrary<std::uint64_t>());
         Environment a = anyWorld(random);

@@ -75,43 +75,38 @@ TEST_CASE("queries in a town allocate nothing") {
     MESSAGE(environment.pieces().size(), " pieces: adding ", adding, " ms, caches ", building.milliseconds(),
             " ms");
     Random random(2);
-    std::vector<Vec2> places;
+    std::vector<Vec2> points;
     for (int i = 0; i < 10000; ++i) {
         const Vec2 p{random.uniform(1, 255), random.uniform(1, 255)};
-        places.push_back(environment.nearestInRegion(p, 0.25, -1) +
+        points.push_back(environment.nearestInRegion(p, 0.25, -1) +
                          Vec2{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)});
     }
-    const int count = static_cast<int>(places.size());
+    const int count = static_cast<int>(points.size());
     double sum = 0.0;
-    std::vector<std::int32_t> found;
     const double distances = microsecondsEach(
-        count, [&](int i) { sum += environment.distanceToObstacle(places[i]); });
-    const double near = microsecondsEach(count, [&](int i) {
-        environment.piecesNear(places[i], 1.0, found);
-        sum += static_cast<double>(found.size());
-    });
+        count, [&](int i) { sum += environment.distanceToObstacle(points[i]); });
     const double visits = microsecondsEach(count, [&](int i) {
-        environment.forPiecesNear(places[i], 1.0, [&](const ObstaclePiece& piece) { sum += piece.radius; });
+        environment.forPiecesNear(points[i], 1.0, [&](const ObstaclePiece& piece) { sum += piece.radius; });
     });
-    const double pushes = microsecondsEach(count,
-                                           [&](int i) { sum += environment.pushOut(places[i], 0.25).x; });
+    const double pushes = microsecondsEach(
+        count, [&](int i) { sum += environment.projectToFreeSpace(points[i], 0.25).x; });
     const double fields = microsecondsEach(count,
-                                           [&](int i) { sum += environment.potentialField(places[i]).x; });
+                                           [&](int i) { sum += environment.potentialField(points[i]).x; });
     const double grounds = microsecondsEach(count,
-                                            [&](int i) { sum += environment.ground(places[i]).travelSpeed; });
+                                            [&](int i) { sum += environment.ground(points[i]).travelSpeed; });
     const double lines = microsecondsEach(count, [&](int i) {
-        sum += environment.clearLine(places[i], places[i] + Vec2{6.0, 3.0}, 0.25) ? 1.0 : 0.0;
+        sum += environment.clearLine(points[i], points[i] + Vec2{6.0, 3.0}, 0.25) ? 1.0 : 0.0;
     });
-    const double labels = microsecondsEach(count, [&](int i) { sum += environment.region(places[i], 0.25); });
-    MESSAGE("us per call: distanceToObstacle ", distances, ", piecesNear 1 m ", near, ", forPiecesNear 1 m ",
-            visits, ", pushOut ", pushes, ", potentialField ", fields, ", ground ", grounds,
+    const double labels = microsecondsEach(count, [&](int i) { sum += environment.region(points[i], 0.25); });
+    MESSAGE("us per call: distanceToObstacle ", distances, ", forPiecesNear 1 m ", visits,
+            ", projectToFreeSpace ", pushes, ", potentialField ", fields, ", ground ", grounds,
             ", clearLine 6.7 m ", lines, ", region ", labels);
     CHECK(std::isfinite(sum));
     Stopwatch watch;
-    int ways = 0;
+    int paths = 0;
     for (int i = 0; i < 100; ++i)
-        ways += environment.findPath(places[i], places[i + 100], 0.25, 1000000).empty() ? 0 : 1;
-    MESSAGE("findPath across the town: ", watch.milliseconds() / 100, " ms, ", ways, " of 100 found");
+        paths += environment.findPath(points[i], points[i + 100], 0.25, 1000000).empty() ? 0 : 1;
+    MESSAGE("findPath across the town: ", watch.milliseconds() / 100, " ms, ", paths, " of 100 found");
     watch.restart();
     const std::size_t gaps = environment.narrowGaps(0.5).size();
     MESSAGE("narrowGaps: ", watch.milliseconds(), " ms, ", gaps, " found");

@@ -267,7 +267,7 @@ TEST_CASE("who follows the direction step by step comes to the place by nearly t
         for (int k = 0; k < 4000 && distance(at, scene.places[j]) > 0.1; ++k) {
             scene.step();
             const WayAhead way = scene.geodesics.ahead(at, j, memory);
-            const Vec2 next = scene.environment.pushOut(at + way.direction * 0.05, 0.25);
+            const Vec2 next = scene.environment.projectToFreeSpace(at + way.direction * 0.05, 0.25);
             walked += distance(at, next);
             at = next;
         }

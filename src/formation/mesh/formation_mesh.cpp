@@ -196,7 +196,7 @@ Vec2 meetContact(const Environment& environment, Vec2 p) {
         if (deepest.depth >= -1e-12) return p;
         p = deepest.surface;
     }
-    return environment.distanceToObstacle(p) < -1e-9 ? environment.pushOut(p, 0.0) : p;
+    return environment.distanceToObstacle(p) < -1e-9 ? environment.projectToFreeSpace(p, 0.0) : p;
 }
 
 }  // namespace

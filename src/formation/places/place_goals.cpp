@@ -46,11 +46,11 @@ bool PlaceGround::standableByRegion(Vec2 p) const {
 
 Vec2 PlaceGround::reachable(Vec2 p) const {
     if (standable(p)) return p;
-    const Vec2 pushed = environment_.pushOut(p, clearRadius());
+    const Vec2 pushed = environment_.projectToFreeSpace(p, clearRadius());
     if (inRegion(pushed)) return pushed;
     const Vec2 inside = environment_.nearestInRegion(p, def_.radius, region_);
     // The cell's centre may lack the clearance; it is kept where gaining that would leave the region.
-    const Vec2 clear = environment_.pushOut(inside, clearRadius());
+    const Vec2 clear = environment_.projectToFreeSpace(inside, clearRadius());
     return inRegion(clear) ? clear : inside;
 }
 

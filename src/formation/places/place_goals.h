@@ -34,7 +34,7 @@ public:
     /// The point itself where a disc with clearance is free there and in the region; else the nearest such.
     Vec2 reachable(Vec2 p) const;
     /// The point itself with clearance, out of what is in the way by the nearest side, whatever the region.
-    Vec2 pushed(Vec2 p) const { return environment_.pushOut(p, clearRadius()); }
+    Vec2 pushed(Vec2 p) const { return environment_.projectToFreeSpace(p, clearRadius()); }
     /// True where a character can stand at `p` with clearance, in the region.
     bool standable(Vec2 p) const {
         // A cell with room for the character is in a region: in the only one, if there is only one.

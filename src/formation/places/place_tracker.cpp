@@ -141,7 +141,7 @@ private:
 
     // A moving obstacle has run over the place: out by the nearest way, never through.
     void escape(Vec2& position, double reach) {
-        position = stepTowards(position, environment_.pushOut(position, ground_.clearRadius()), reach);
+        position = stepTowards(position, environment_.projectToFreeSpace(position, ground_.clearRadius()), reach);
     }
 
     // Goes on along the way; a new one is needed at its end, and where something has come between.
@@ -167,7 +167,7 @@ private:
     // Ways lead from cell to cell, and between two free cells an obstacle may stand out by a few centimetres:
     // along it.
     bool graze(Vec2 position, Vec2& next, double reach) const {
-        next = stepTowards(position, environment_.pushOut(next, def_.radius), reach);
+        next = stepTowards(position, environment_.projectToFreeSpace(next, def_.radius), reach);
         return distance(position, next) > kGrazed * reach && environment_.clearLine(position, next, radius_);
     }
 

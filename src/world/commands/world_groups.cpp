@@ -31,7 +31,7 @@ void World::Impl::addCharacter(const Group& group, std::uint32_t groupIndex, Vec
     Characters& c = characters;
     c.id.push_back(nextCharacter++);
     c.group.push_back(groupIndex);
-    c.position.push_back(environment.pushOut(position, parameters.radius));
+    c.position.push_back(environment.projectToFreeSpace(position, parameters.radius));
     c.velocity.push_back({});
     c.heading.push_back(group.mesh.pose().rotation.apply({1.0, 0.0}));
     c.place.push_back(-1);

@@ -1,5 +1,5 @@
-#include "folders.h"
 #include "muster/map_import.h"
+#include "folders.h"
 
 #include <doctest.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/stopwatch.h"
-#include "environment/rectangle_cover.h"
+#include "environment/rectangle_partition.h"
 #include "environment/scene.h"
 
 using namespace muster;
@@ -103,7 +103,7 @@ TEST_CASE("errors name the line") {
     }
 }
 
-TEST_CASE("rectangles cover random masks exactly once") {
+TEST_CASE("rectangles partition random masks") {
     Random random(9);
     for (int round = 0; round < 200; ++round) {
         const auto width = static_cast<std::int32_t>(1 + random.below(20)),
@@ -112,17 +112,17 @@ TEST_CASE("rectangles cover random masks exactly once") {
         const double share = random.uniform();
         for (char& m : marked) m = random.uniform() < share ? 1 : 0;
         std::vector<int> count(marked.size(), 0);
-        for (const CellBlock& b : coverByRectangles(marked, width, height)) {
+        for (const CellBlock& b : partitionIntoRectangles(marked, width, height)) {
             for (std::int32_t y = b.top; y < b.bottom; ++y) {
                 for (std::int32_t x = b.left; x < b.right; ++x) ++count[y * width + x];
             }
         }
         for (std::size_t i = 0; i < count.size(); ++i) CHECK(count[i] == (marked[i] ? 1 : 0));
     }
-    CHECK(coverByRectangles(std::vector<char>(12, 1), 4, 3).size() == 1);
+    CHECK(partitionIntoRectangles(std::vector<char>(12, 1), 4, 3).size() == 1);
 }
 
-TEST_CASE("cells that touch at a corner leave no slit") {
+TEST_CASE("cells that touch at a corner leave no gap") {
     Environment environment = emptyWorld(20.0, 0.25);
     const auto map = parseMap("type octile\nheight 2\nwidth 2\nmap\n@.\n.@\n");
     REQUIRE(map.ok());
@@ -133,7 +133,7 @@ TEST_CASE("cells that touch at a corner leave no slit") {
     CHECK(environment.narrowGaps(0.5).empty());
 }
 
-TEST_CASE("real maps: every blocked cell in one piece, no free one in any") {
+TEST_CASE("real maps: every blocked cell lies in exactly one piece, no free cell in any") {
     for (const char* name : {"Berlin_0_256.map", "lak303d.map", "arena.map", "Brushfire.map"}) {
         const std::string text = readMap(name);
         if (text.empty()) {
@@ -160,7 +160,7 @@ TEST_CASE("real maps: every blocked cell in one piece, no free one in any") {
     }
 }
 
-TEST_CASE("Berlin as an environment: the raster tells walls from streets") {
+TEST_CASE("Berlin as an environment: the raster separates walls and streets") {
     const std::string text = readMap("Berlin_0_256.map");
     if (text.empty()) {
         MESSAGE("skipped: Berlin_0_256.map is not here");
@@ -184,7 +184,7 @@ TEST_CASE("Berlin as an environment: the raster tells walls from streets") {
         if ((environment.clearance()[i] <= 0.0f) != isBlocked(c)) ++wrong;
     }
     CHECK(wrong == 0);
-    // Streets hang together: most free cells lie in one region, and a way leads across.
+    // Streets hang together: most free cells lie in one region, and a path leads across.
     Random random(3);
     int joined = 0;
     for (int i = 0; i < 30; ++i) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "environment/path_search.h"
+#include "environment/a_star.h"
 #include "environment/scene.h"
 
 using namespace muster;
@@ -10,13 +10,13 @@ using namespace muster::test;
 
 namespace {
 
-double lengthOf(const std::vector<Vec2>& way) {
+double lengthOf(const std::vector<Vec2>& path) {
     double sum = 0.0;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) sum += distance(way[i], way[i + 1]);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) sum += distance(path[i], path[i + 1]);
     return sum;
 }
 
-// Cheapest way on the cells by relaxing until nothing changes; infinity where there is none.
+// Cheapest path on the cells by relaxing until nothing changes; infinity where there is none.
 double relaxedCost(const Grid& grid, std::span<const float> clearance, double radius, std::int32_t start,
                    std::int32_t goal) {
     std::vector<double> cost(static_cast<std::size_t>(grid.count()), INFINITY);
@@ -47,9 +47,9 @@ double relaxedCost(const Grid& grid, std::span<const float> clearance, double ra
 
 }  // namespace
 
-TEST_CASE("ways on the cells are the cheapest there are") {
+TEST_CASE("A* paths on the cells are the cheapest") {
     Random random(14);
-    PathSearch search;
+    AStar search;
     for (int round = 0; round < 12; ++round) {
         Environment environment = emptyWorld(20.0, 0.5);
         for (int i = 0; i < 20; ++i)
@@ -77,19 +77,20 @@ TEST_CASE("ways on the cells are the cheapest there are") {
     }
 }
 
-TEST_CASE("round a block the way is little longer than the shortest") {
+TEST_CASE("round a block the smoothed path is little longer than the shortest") {
     Environment environment = emptyWorld(20.0, 0.25);
     REQUIRE(environment.addObstacle(rectangle({-1, -6}, {1, 6})).ok());
     const Vec2 a{-5, 0}, b{5, 0};
-    const auto way = environment.findPath(a, b, 0.25);
-    REQUIRE(way.size() >= 4);
-    CHECK(way.front() == a);
-    CHECK(way.back() == b);
+    const auto path = environment.findPath(a, b, 0.25);
+    REQUIRE(path.size() >= 4);
+    CHECK(path.front() == a);
+    CHECK(path.back() == b);
     // Exact: two legs to the corners grown by the radius, and 2 m along the top.
     const double leg = std::sqrt(36.0 + 16.0 - 0.0625);
-    CHECK(lengthOf(way) > 2 * leg + 2.0);
-    CHECK(lengthOf(way) < 1.04 * (2 * leg + 2.0 + 0.5));
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) CHECK(environment.clearLine(way[i], way[i + 1], 0.25));
+    CHECK(lengthOf(path) > 2 * leg + 2.0);
+    CHECK(lengthOf(path) < 1.04 * (2 * leg + 2.0 + 0.5));
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        CHECK(environment.clearLine(path[i], path[i + 1], 0.25));
     // Straight where one can see.
     CHECK(environment.findPath({-5, 0}, {-5, 8}, 0.25).size() == 2);
     // A moving door counts where it stands.

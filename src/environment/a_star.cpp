@@ -1,8 +1,9 @@
-#include "environment/path_search.h"
+#include "environment/a_star.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace muster {
 namespace {
@@ -16,30 +17,27 @@ double octile(Cell a, Cell b) {
 
 }  // namespace
 
-void PathSearch::reach(std::int32_t cell, std::int32_t from, double cost, double rest) {
+void AStar::relax(std::int32_t cell, std::int32_t from, double cost, double heuristic) {
     if (seen_[cell] == run_ && cost_[cell] <= cost) return;
     seen_[cell] = run_;
     cost_[cell] = cost;
-    from_[cell] = from;
-    open_.push_back({cost + rest, cell});
-    std::push_heap(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
-        return a.total != b.total ? a.total > b.total : a.cell > b.cell;
-    });
+    parent_[cell] = from;
+    open_.push_back({cost + heuristic, cell});
+    std::push_heap(open_.begin(), open_.end(), ComesLater{});
 }
 
-void PathSearch::traceBack(std::int32_t start, std::int32_t goal) {
+void AStar::traceBack(std::int32_t start, std::int32_t goal) {
     path_.assign(1, goal);
-    while (path_.back() != start) path_.push_back(from_[path_.back()]);
+    while (path_.back() != start) path_.push_back(parent_[path_.back()]);
     std::reverse(path_.begin(), path_.end());
 }
 
-std::span<const std::int32_t> PathSearch::run(const Grid& grid, std::span<const float> clearance,
-                                              double radius, std::int32_t start, std::int32_t goal,
-                                              std::int32_t maxCells) {
-    const auto count = static_cast<std::size_t>(grid.count());
-    if (seen_.size() != count || ++run_ == 0) {
+std::span<const std::int32_t> AStar::run(const Grid& grid, std::span<const float> clearance, double radius,
+                                         std::int32_t start, std::int32_t goal, std::int32_t maxCells) {
+    const std::int32_t count = grid.count();
+    if (std::cmp_not_equal(seen_.size(), count) || ++run_ == 0) {
         cost_.assign(count, 0.0);
-        from_.assign(count, -1);
+        parent_.assign(count, -1);
         seen_.assign(count, 0);
         closed_.assign(count, 0);
         run_ = 1;
@@ -50,16 +48,14 @@ std::span<const std::int32_t> PathSearch::run(const Grid& grid, std::span<const 
     const auto isFree = [&](std::int32_t x, std::int32_t y) {
         return grid.contains({x, y}) && clearance[grid.index({x, y})] >= radius;
     };
-    reach(start, start, 0.0, octile(grid.at(start), goalCell));
-    for (std::int32_t looked = 0; !open_.empty() && looked < maxCells;) {
-        std::pop_heap(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
-            return a.total != b.total ? a.total > b.total : a.cell > b.cell;
-        });
+    relax(start, start, 0.0, octile(grid.at(start), goalCell));
+    for (std::int32_t expanded = 0; !open_.empty() && expanded < maxCells;) {
+        std::pop_heap(open_.begin(), open_.end(), ComesLater{});
         const std::int32_t at = open_.back().cell;
         open_.pop_back();
         if (closed_[at] == run_) continue;
         closed_[at] = run_;
-        ++looked;
+        ++expanded;
         if (at == goal) {
             traceBack(start, goal);
             break;
@@ -73,7 +69,7 @@ std::span<const std::int32_t> PathSearch::run(const Grid& grid, std::span<const 
                 const Cell next{c.x + dx, c.y + dy};
                 const std::int32_t index = grid.index(next);
                 if (closed_[index] == run_) continue;
-                reach(index, at, cost_[at] + (diagonal ? kDiagonal : 1.0), octile(next, goalCell));
+                relax(index, at, cost_[at] + (diagonal ? kDiagonal : 1.0), octile(next, goalCell));
             }
         }
     }

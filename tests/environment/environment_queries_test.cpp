@@ -18,7 +18,7 @@ Environment randomWorld(Random& random, int obstacles, double time = 1.1) {
     return environment;
 }
 
-Vec2 randomPlace(Random& random, double reach = 10.0) {
+Vec2 randomPoint(Random& random, double reach = 10.0) {
     return {random.uniform(-reach, reach), random.uniform(-reach, reach)};
 }
 
@@ -37,10 +37,13 @@ TEST_CASE("distances, near pieces and fields equal sums over all pieces") {
         const Environment environment = randomWorld(random, 12);
         std::vector<std::int32_t> found;
         for (int i = 0; i < 300; ++i) {
-            const Vec2 p = randomPlace(random, 12.0);
+            const Vec2 p = randomPoint(random, 12.0);
             const double limit = random.uniform(0.1, 6.0);
             CHECK(environment.distanceToObstacle(p, limit) == bruteDistance(environment, p, limit));
-            environment.piecesNear(p, limit, found);
+            found.clear();
+            environment.forPiecesNear(p, limit, [&](const ObstaclePiece& piece) {
+                found.push_back(static_cast<std::int32_t>(&piece - environment.pieces().data()));
+            });
             CHECK(std::is_sorted(found.begin(), found.end()));
             const std::set<std::int32_t> near(found.begin(), found.end());
             CHECK(near.size() == found.size());
@@ -52,32 +55,26 @@ TEST_CASE("distances, near pieces and fields equal sums over all pieces") {
                 if (d < 1.5) field += normalized(p - piece.centre) * (1.0 - std::max(d, 0.0) / 1.5);
             }
             CHECK(distance(environment.potentialField(p), field) < 1e-12);
-            std::vector<Vec2> visited;
-            environment.forPiecesNear(p, limit,
-                                      [&](const ObstaclePiece& piece) { visited.push_back(piece.centre); });
-            REQUIRE(visited.size() == found.size());
-            for (std::size_t k = 0; k < found.size(); ++k)
-                CHECK(visited[k] == environment.pieces()[found[k]].centre);
         }
     }
 }
 
-TEST_CASE("who is close to an obstacle or to the edge is told as by looking at each piece") {
+TEST_CASE("points near an obstacle or the edge are marked as a search over all pieces marks them") {
     Random random(6);
     for (int round = 0; round < 10; ++round) {
         const Environment environment = randomWorld(random, 12);
         const double reach = round == 0 ? 0.0 : random.uniform(0.05, 4.0);
-        const Box room = environment.def().box.grown(-reach);
+        const Box inner = environment.def().box.grown(-reach);
         std::vector<Vec2> points(300);
-        for (Vec2& p : points) p = randomPlace(random, 11.0);
-        points.push_back(room.min);
-        points.push_back(room.max);
-        std::vector<std::uint8_t> close(points.size(), 2);
-        environment.markClose(points, reach, close);
+        for (Vec2& p : points) p = randomPoint(random, 11.0);
+        points.push_back(inner.min);
+        points.push_back(inner.max);
+        std::vector<std::uint8_t> near(points.size(), 2);
+        environment.markNearObstacles(points, reach, near);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const bool expected = !room.contains(points[i]) ||
+            const bool expected = !inner.contains(points[i]) ||
                                   bruteDistance(environment, points[i], reach) < reach;
-            CHECK(close[i] == (expected ? 1 : 0));
+            CHECK(near[i] == (expected ? 1 : 0));
         }
     }
 }
@@ -105,13 +102,13 @@ TEST_CASE("clear lines keep the disc off every obstacle and in the box") {
     for (int round = 0; round < 10; ++round) {
         const Environment environment = randomWorld(random, 6);
         for (int i = 0; i < 300; ++i) {
-            const Vec2 a = randomPlace(random), b = randomPlace(random);
+            const Vec2 a = randomPoint(random), b = randomPoint(random);
             const double radius = random.uniform(0.0, 0.6);
             double nearest = 1e9;
             for (const ObstaclePiece& piece : environment.pieces())
                 nearest = std::min(nearest, piece.segmentDistance(a, b));
-            const Box room = environment.def().box.grown(-radius);
-            const bool expected = nearest > radius && room.contains(a) && room.contains(b);
+            const Box inner = environment.def().box.grown(-radius);
+            const bool expected = nearest > radius && inner.contains(a) && inner.contains(b);
             CHECK(environment.clearLine(a, b, radius) == expected);
             clear += expected ? 1 : 0;
         }
@@ -123,44 +120,46 @@ TEST_CASE("clear lines keep the disc off every obstacle and in the box") {
     CHECK(!open.clearLine({NAN, 0}, {9.5, 0}, 0.5));
 }
 
-TEST_CASE("pushOut frees discs, by the least way where one surface is near") {
+TEST_CASE("projection frees discs, by the shortest displacement where one surface is near") {
     Environment environment = emptyWorld(20.0, 0.25);
     REQUIRE(environment.addObstacle(rectangle({-2, -2}, {2, 2})).ok());
-    CHECK(distance(environment.pushOut({2.1, 0.3}, 0.5), {2.5, 0.3}) < 1e-6);
-    CHECK(distance(environment.pushOut({1.5, 0.3}, 0.5), {2.5, 0.3}) < 1e-6);
-    CHECK(distance(environment.pushOut({2.3, 2.4}, 0.6), Vec2{2, 2} + Vec2{0.3, 0.4} * 1.2) < 1e-6);
-    CHECK(environment.pushOut({5, 5}, 0.5) == Vec2{5, 5});
-    CHECK(distance(environment.pushOut({50, -70}, 0.5), {9.5, -9.5}) < 1e-9);
-    CHECK(isFinite(environment.pushOut({NAN, 0}, 0.5)));
+    CHECK(distance(environment.projectToFreeSpace({2.1, 0.3}, 0.5), {2.5, 0.3}) < 1e-6);
+    CHECK(distance(environment.projectToFreeSpace({1.5, 0.3}, 0.5), {2.5, 0.3}) < 1e-6);
+    CHECK(distance(environment.projectToFreeSpace({2.3, 2.4}, 0.6), Vec2{2, 2} + Vec2{0.3, 0.4} * 1.2) <
+          1e-6);
+    CHECK(environment.projectToFreeSpace({5, 5}, 0.5) == Vec2{5, 5});
+    CHECK(distance(environment.projectToFreeSpace({50, -70}, 0.5), {9.5, -9.5}) < 1e-9);
+    CHECK(isFinite(environment.projectToFreeSpace({NAN, 0}, 0.5)));
     // Into the corner between two walls, and between wall and border.
     REQUIRE(environment.addObstacle(rectangle({2, -6}, {6, -2})).ok());
-    CHECK(distance(environment.pushOut({2.1, -1.9}, 0.5), {2.5, -1.5}) < 1e-6);
+    CHECK(distance(environment.projectToFreeSpace({2.1, -1.9}, 0.5), {2.5, -1.5}) < 1e-6);
     REQUIRE(environment.addObstacle(rectangle({4, 8}, {10, 10})).ok());
-    CHECK(distance(environment.pushOut({9.9, 7.9}, 0.5), {9.5, 7.5}) < 1e-6);
+    CHECK(distance(environment.projectToFreeSpace({9.9, 7.9}, 0.5), {9.5, 7.5}) < 1e-6);
 }
 
-TEST_CASE("pushOut always ends free where there is room") {
+TEST_CASE("projection ends free wherever free space exists") {
     Random random(8);
     for (int round = 0; round < 15; ++round) {
         const Environment environment = randomWorld(random, 14);
         for (int i = 0; i < 300; ++i) {
-            const Vec2 p = randomPlace(random, 11.0);
+            const Vec2 p = randomPoint(random, 11.0);
             const double radius = random.uniform(0.05, 0.7);
-            const Vec2 free = environment.pushOut(p, radius);
+            const Vec2 free = environment.projectToFreeSpace(p, radius);
             CHECK(bruteDistance(environment, free, 3.0) > radius - 1e-6);
             CHECK(environment.def().box.grown(1e-9 - radius).contains(free));
             // Already free: it stays.
-            CHECK(distance(environment.pushOut(free, radius), free) < 1e-7);
+            CHECK(distance(environment.projectToFreeSpace(free, radius), free) < 1e-7);
             CHECK(environment.clearLine(free, free, radius));
         }
     }
-    // A world with no room at all still answers.
+    // A world with no free space at all still answers.
     Environment full = emptyWorld(4.0, 0.5);
     REQUIRE(full.addObstacle(rectangle({-5, -5}, {5, 5})).ok());
-    CHECK(isFinite(full.pushOut({0, 0}, 0.3)));
+    CHECK(isFinite(full.projectToFreeSpace({0, 0}, 0.3)));
 }
 
-TEST_CASE("ground takes the slowest patch, exactly; the raster takes every cell touched") {
+TEST_CASE(
+    "the ground has the speed of the slowest patch; in the raster, of every patch that touches the cell") {
     Random random(10);
     for (int round = 0; round < 8; ++round) {
         Environment environment = emptyWorld(20.0, 0.5);
@@ -176,7 +175,7 @@ TEST_CASE("ground takes the slowest patch, exactly; the raster takes every cell 
         const Grid& grid = environment.grid();
         std::vector<float> least(static_cast<std::size_t>(grid.count()), 1e9f);
         for (int i = 0; i < 60000; ++i) {
-            const Vec2 p = randomPlace(random);
+            const Vec2 p = randomPoint(random);
             double slowest = 1e9;
             for (std::size_t k = 0; k < polygons.size(); ++k) {
                 if (containsPoint(polygons[k], p)) slowest = std::min(slowest, speeds[k]);
@@ -216,7 +215,7 @@ TEST_CASE("patches touch cells that share area, not those that share an edge") {
     CHECK(environment.travelSpeed()[environment.grid().index({4, 4})] == 2.0f);
 }
 
-TEST_CASE("region labels equal a flood in row-major order; nearest cells equal a full search") {
+TEST_CASE("region labels equal a flood fill in row-major order; nearest cells equal a full search") {
     Random random(12);
     for (int round = 0; round < 8; ++round) {
         const Environment environment = randomWorld(random, 25, 0.0);
@@ -253,7 +252,7 @@ TEST_CASE("region labels equal a flood in row-major order; nearest cells equal a
             }
             CHECK(wrong == 0);
             for (int i = 0; i < 60; ++i) {
-                const Vec2 p = randomPlace(random, 12.0);
+                const Vec2 p = randomPoint(random, 12.0);
                 const std::int32_t wanted = static_cast<std::int32_t>(
                                                 random.below(static_cast<std::uint32_t>(next + 1))) -
                                             1;
@@ -356,7 +355,7 @@ TEST_CASE("an obstacle without a slot has no gap within, however many parts it h
     CHECK(environment.narrowGaps(0.2).empty());
 }
 
-TEST_CASE("regions are counted, and a single one has the label 0 wherever one can stand") {
+TEST_CASE("regions are counted, and a single one has the label 0 on all free cells") {
     Environment open = emptyWorld(16.0, 0.25);
     REQUIRE(open.addObstacle(rectangle({-2, -2}, {2, 2})).ok());
     open.setTime(0.0);

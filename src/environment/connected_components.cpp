@@ -1,17 +1,18 @@
-#include "environment/region_labels.h"
+#include "environment/connected_components.h"
 
 #include "base/grid_search.h"
 
 namespace muster {
 
-void RegionLabels::clear() {
+void ConnectedComponents::clear() {
     const std::lock_guard lock(mutex_);
     last_.store(nullptr, std::memory_order_release);
     for (Entry& entry : entries_) entry.valid = false;
 }
 
-const Regions& RegionLabels::regions(const Grid& grid, std::span<const float> clearance, double radius) {
-    // Mostly the same radius again, by many threads at once.
+const RegionLabels& ConnectedComponents::labels(const Grid& grid, std::span<const float> clearance,
+                                                double radius) {
+    // Most queries repeat the last radius, from many threads at once: they take no lock.
     if (const Entry* last = last_.load(std::memory_order_acquire); last != nullptr && last->radius == radius)
         return *last;
     const std::lock_guard lock(mutex_);
@@ -22,20 +23,20 @@ const Regions& RegionLabels::regions(const Grid& grid, std::span<const float> cl
     }
     last_.store(nullptr, std::memory_order_release);
     Entry& entry = entries_[next_];
-    next_ = (next_ + 1) % kKept;
+    next_ = (next_ + 1) % kCachedRadii;
     entry.radius = radius;
     entry.valid = true;
-    flood(grid, clearance, entry);
+    label(grid, clearance, entry);
     return entry;
 }
 
-void RegionLabels::flood(const Grid& grid, std::span<const float> clearance, Entry& entry) {
+void ConnectedComponents::label(const Grid& grid, std::span<const float> clearance, Entry& entry) {
     constexpr std::int32_t kBlocked = -1;
     const std::int32_t count = grid.count();
     entry.label.resize(count);
     for (std::int32_t i = 0; i < count; ++i)
         entry.label[i] = clearance[i] >= entry.radius ? kUnseenRegion : kBlocked;
-    entry.count = labelRegions(grid, entry.label, queue_);
+    entry.count = labelRegions(grid, entry.label, stack_);
 }
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-#include "environment/rectangle_cover.h"
+#include "environment/rectangle_partition.h"
 
 #include <algorithm>
 
@@ -7,13 +7,13 @@ namespace {
 
 using Blocks = std::vector<CellBlock>;
 
-// Runs of marked cells in each row, joined with an equal run of the row before.
+// Runs of marked cells in each row, merged with an equal run of the row before.
 Blocks mergeRuns(std::span<const char> marked, std::int32_t width, std::int32_t height) {
     Blocks blocks;
-    std::vector<std::size_t> above, here;  // Blocks that end at the former and at this row.
+    std::vector<std::size_t> above, here;  // Indices of blocks that end at the former and at this row.
     for (std::int32_t y = 0; y < height; ++y) {
         here.clear();
-        std::size_t old = 0;
+        std::size_t next = 0;
         for (std::int32_t x = 0; x < width;) {
             const std::int32_t left = x;
             while (x < width && marked[y * width + x]) ++x;
@@ -21,10 +21,10 @@ Blocks mergeRuns(std::span<const char> marked, std::int32_t width, std::int32_t 
                 ++x;
                 continue;
             }
-            while (old < above.size() && blocks[above[old]].left < left) ++old;
-            if (old < above.size() && blocks[above[old]].left == left && blocks[above[old]].right == x) {
-                blocks[above[old]].bottom = y + 1;
-                here.push_back(above[old]);
+            while (next < above.size() && blocks[above[next]].left < left) ++next;
+            if (next < above.size() && blocks[above[next]].left == left && blocks[above[next]].right == x) {
+                blocks[above[next]].bottom = y + 1;
+                here.push_back(above[next]);
             } else {
                 here.push_back(blocks.size());
                 blocks.push_back({left, y, x, y + 1});
@@ -36,35 +36,35 @@ Blocks mergeRuns(std::span<const char> marked, std::int32_t width, std::int32_t 
 }
 
 Blocks mergeColumnRuns(std::span<const char> marked, std::int32_t width, std::int32_t height) {
-    std::vector<char> turned(marked.size());
+    std::vector<char> transposed(marked.size());
     for (std::int32_t y = 0; y < height; ++y) {
-        for (std::int32_t x = 0; x < width; ++x) turned[x * height + y] = marked[y * width + x];
+        for (std::int32_t x = 0; x < width; ++x) transposed[x * height + y] = marked[y * width + x];
     }
-    Blocks blocks = mergeRuns(turned, height, width);
+    Blocks blocks = mergeRuns(transposed, height, width);
     for (CellBlock& b : blocks) b = {b.top, b.left, b.bottom, b.right};
     return blocks;
 }
 
-// Takes the largest rectangle of unused marked cells, again and again. A rectangle is remembered
-// by its top left cell; taking others can only make it smaller, so an old size is a bound, and a
-// heap with sizes renewed when they come up finds the largest without looking at all.
-class LargestFirst {
+// Greedy partition: takes the largest rectangle of unused marked cells until none is left. Each cell stands
+// for the largest rectangle whose top left cell it is. Taking other rectangles can only shrink it, so an old
+// area is an upper bound, and a heap whose top is re-evaluated (lazy greedy, Minoux 1978) finds the largest.
+class GreedyPartition {
 public:
-    LargestFirst(std::span<const char> marked, std::int32_t width, std::int32_t height)
-        : width_(width), height_(height), left_(marked.begin(), marked.end()), run_(marked.size()) {
+    GreedyPartition(std::span<const char> marked, std::int32_t width, std::int32_t height)
+        : width_(width), height_(height), unused_(marked.begin(), marked.end()), run_(marked.size()) {
         for (std::int32_t y = 0; y < height_; ++y) countRuns(y, width_ - 1);
     }
 
-    Blocks cover() {
+    Blocks partition() {
         for (std::int32_t i = 0; i < width_ * height_; ++i) {
-            if (left_[i]) heap_.push_back({areaOf(largestAt(i)), i});
+            if (unused_[i]) heap_.push_back({areaOf(largestAt(i)), i});
         }
         std::make_heap(heap_.begin(), heap_.end(), smaller);
         Blocks blocks;
         while (!heap_.empty()) {
             std::pop_heap(heap_.begin(), heap_.end(), smaller);
             Candidate& candidate = heap_.back();
-            const CellBlock block = left_[candidate.cell] ? largestAt(candidate.cell) : CellBlock{};
+            const CellBlock block = unused_[candidate.cell] ? largestAt(candidate.cell) : CellBlock{};
             const std::int32_t area = areaOf(block);
             if (area == candidate.area) {
                 heap_.pop_back();
@@ -91,11 +91,11 @@ private:
     }
     static std::int32_t areaOf(const CellBlock& b) { return (b.right - b.left) * (b.bottom - b.top); }
 
-    // Marked cells in a row from each cell of row y up to `last` on to the right.
+    // Updates run_ of row y, columns 0 to `last`.
     void countRuns(std::int32_t y, std::int32_t last) {
         for (std::int32_t x = last; x >= 0; --x) {
             const std::int32_t i = y * width_ + x;
-            if (!left_[i]) {
+            if (!unused_[i]) {
                 run_[i] = 0;
             } else {
                 run_[i] = x + 1 < width_ ? run_[i + 1] + 1 : 1;
@@ -117,25 +117,26 @@ private:
 
     void take(const CellBlock& block) {
         for (std::int32_t y = block.top; y < block.bottom; ++y) {
-            std::fill(left_.begin() + y * width_ + block.left, left_.begin() + y * width_ + block.right, 0);
+            std::fill(unused_.begin() + y * width_ + block.left, unused_.begin() + y * width_ + block.right,
+                      0);
             countRuns(y, block.right - 1);
         }
     }
 
     std::int32_t width_;
     std::int32_t height_;
-    std::vector<char> left_;
-    std::vector<std::int32_t> run_;
+    std::vector<char> unused_;       // Per cell, 1 where it is marked and not taken.
+    std::vector<std::int32_t> run_;  // Per cell, unused cells in its row from it on to the right.
     std::vector<Candidate> heap_;
 };
 
 }  // namespace
 
-std::vector<CellBlock> coverByRectangles(std::span<const char> marked, std::int32_t width,
-                                         std::int32_t height) {
+std::vector<CellBlock> partitionIntoRectangles(std::span<const char> marked, std::int32_t width,
+                                               std::int32_t height) {
     Blocks best = mergeRuns(marked, width, height);
     for (Blocks& other : std::vector<Blocks>{mergeColumnRuns(marked, width, height),
-                                             LargestFirst(marked, width, height).cover()}) {
+                                             GreedyPartition(marked, width, height).partition()}) {
         if (other.size() < best.size()) best.swap(other);
     }
     std::sort(best.begin(), best.end(), [](const CellBlock& a, const CellBlock& b) {
