@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "assignment/dense/assignment.h"
+#include "assignment/dense/transportation_problem.h"
 #include "base/random.h"
 #include "base/stopwatch.h"
 #include "cost/crowd_excess.h"
@@ -137,8 +137,8 @@ void assignmentCold(benchmark::State& state) {
         const Vec2 p{random.uniform(0, std::sqrt(n)), random.uniform(0, std::sqrt(n))};
         for (const Vec2 q : places) cost.push_back(lengthSquared(q - p));
     }
-    TransportSolver solver;
-    TransportSolution solution;
+    TransportationSolver solver;
+    TransportationSolution solution;
     const Bound bound(state, static_cast<double>(cost.size()) * sizeof(double));
     for (auto _ : state) {
         benchmark::DoNotOptimize(solver.solve({n, n, cost, {}, {}}, solution).ok());

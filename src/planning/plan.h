@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "assignment/dense/assignment.h"
+#include "assignment/dense/transportation_problem.h"
 #include "base/archive.h"
 #include "base/parallel.h"
 #include "cost/crowd_excess.h"

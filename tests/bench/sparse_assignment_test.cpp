@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "assignment/dense/assignment.h"
+#include "assignment/dense/transportation_problem.h"
 #include "base/random.h"
 #include "scale/sparse_assignment.h"
 
@@ -45,7 +45,7 @@ double costOf(const Problem& problem, const std::vector<std::int32_t>& columnOf)
 TEST_CASE("matches at the same cost as the transport solver, and its prices prove it") {
     Random random(5);
     SparseAssignment solver;
-    TransportSolver dense;
+    TransportationSolver dense;
     for (int trial = 0; trial < 120; ++trial) {
         const auto rows = static_cast<std::int32_t>(1 + random.below(30));
         const auto columns = rows + static_cast<std::int32_t>(trial % 3 == 0 ? random.below(8) : 0);
@@ -55,7 +55,7 @@ TEST_CASE("matches at the same cost as the transport solver, and its prices prov
         if (rows == columns && trial % 4 == 1)
             for (std::int32_t c = 0; c < columns; ++c) start.push_back(random.uniform(-9, 9));
         REQUIRE(solver.solve(problem.rows, columns, start));
-        TransportSolution solution;
+        TransportationSolution solution;
         REQUIRE(dense.solve({rows, columns, problem.dense, {}, {}}, solution).ok());
         CHECK(costOf(problem, solver.columnOf()) == doctest::Approx(solution.cost).epsilon(1e-9));
         // The dual objective is a bound that weak duality proves; it must meet the cost.

@@ -2,7 +2,7 @@
 
 #include <doctest.h>
 
-#include "assignment/dense/transport_checks.h"
+#include "assignment/dense/transportation_checks.h"
 
 namespace {
 
@@ -96,7 +96,7 @@ TEST_CASE("fractional flows: pieces that touch stay together") {
 TEST_CASE(
     "random: what is committed is feasible, as large as the best, and no worse than the threshold allows") {
     muster::Random random(31);
-    muster::TransportSolver solver;
+    muster::TransportationSolver solver;
     for (int k = 0; k < 300; ++k) {
         const auto rows = static_cast<std::int32_t>(2 + random.below(12));
         const auto columns = static_cast<std::int32_t>(2 + random.below(12));
@@ -109,7 +109,7 @@ TEST_CASE(
             taken[j] = true;
             incumbent[i] = j;
         }
-        muster::TransportSolution solution;
+        muster::TransportationSolution solution;
         REQUIRE(solver.solve(problem.view(), solution).ok());
         const double threshold = random.below(30);
         std::vector<Flow> committed;

@@ -1,7 +1,7 @@
 // A plan that is made again and again allocates nothing once warm.
 #include <doctest.h>
 
-#include "assignment/dynamic/matching_scene.h"
+#include "assignment/dynamic/assignment_scene.h"
 #include "counting_new.h"
 #include "planning/plan_scene.h"
 
@@ -27,19 +27,19 @@ TEST_CASE("a warm plan allocates nothing") {
     }
 }
 
-TEST_CASE("a warm sparse matching allocates nothing") {
-    muster_test::MatchingScene scene(200, 200, 3);
+TEST_CASE("a warm dynamic assignment allocates nothing") {
+    muster_test::AssignmentScene scene(200, 200, 3);
     scene.costs.wall = true;
     scene.usable.assign(200, 1);
     muster::ThreadPool pool(1);
-    muster::SparseMatching matching;
-    matching.coldStart({}, scene.input(), scene.costs, pool);
+    muster::DynamicAssignment assignment;
+    assignment.coldStart(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
     long inside = 0;
     for (int k = 0; k < 240; ++k) {
         if (k % 5 == 0) scene.usable[scene.random.below(8)] ^= 1;
-        scene.step({1.3, 0.2}, 0.05, matching.placeOf());
+        scene.step({1.3, 0.2}, 0.05, assignment.placeOf());
         const long before = allocations;
-        matching.update({}, scene.input(), scene.costs, pool);
+        assignment.update(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
         if (k >= 10) inside += allocations - before;
     }
     CHECK(inside == 0);

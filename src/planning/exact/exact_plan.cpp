@@ -76,7 +76,8 @@ void ExactPlan::collectIncumbents() {
 // Least longest walk: how long it must be tells which pairs may be used; among matchings of these the least
 // sum is chosen.
 Status ExactPlan::solveOnce() {
-    TransportProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(), demand_};
+    TransportationProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(),
+                                  demand_};
     if (pending_.def().longestWalk) {
         const double longest = bottleneck_.solve(problem);
         allowed_ = powered_;

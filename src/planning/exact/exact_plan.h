@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "assignment/dense/bottleneck.h"
+#include "assignment/dense/bottleneck_assignment.h"
 #include "planning/exact/commit_rule.h"
 #include "planning/exact/plan_generation.h"
 #include "planning/plan.h"
@@ -57,9 +57,9 @@ private:
     PlanGeneration finished_;
     // Working memory.
     std::vector<FieldWorker> workers_;
-    TransportSolver solver_;
+    TransportationSolver solver_;
     BottleneckSolver bottleneck_;
-    TransportSolution solution_;
+    TransportationSolution solution_;
     CommitRule rule_;
     std::vector<double> cost_;     // Characters x places.
     std::vector<double> powered_;  // The same to the power of the objective.

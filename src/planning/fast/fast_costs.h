@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "assignment/dynamic/pair_costs.h"
+#include "assignment/dynamic/cost_oracle.h"
 #include "geodesics/geodesics.h"
 
 namespace muster {
 
 /// By geodesics, or by straight lines where these are asked for; what was worked out for the walkers
 /// themselves is not worked out again.
-class FastCosts final : public PairCosts {
+class FastCosts final : public CostOracle {
 public:
     /// Takes what holds in this step. `own` is the cost of each character to its place in `ownPlace`, -1 for
     /// none.
@@ -26,15 +26,15 @@ public:
         own_ = own;
     }
     float cost(std::int32_t character, std::int32_t place) override { return price(character, place); }
-    double perMetre() const override { return geodesic_ ? geodesics_->perMetre() : 1.0; }
-    double atLeast(std::int32_t character, std::int32_t place) const override {
+    double leastUnitCost() const override { return geodesic_ ? geodesics_->perMetre() : 1.0; }
+    double lowerBound(std::int32_t character, std::int32_t place) const override {
         return geodesic_ ? geodesics_->atLeast(characters_[character], place) : 0.0;
     }
     bool unsteady(std::int32_t character, std::int32_t place) const override {
         return geodesic_ &&
                (geodesics_->unsteady(characters_[character]) || geodesics_->unsteady(places_[place]));
     }
-    void fill(std::span<const Pair> pairs, std::span<float> cost, ThreadPool& pool) override {
+    void evaluate(std::span<const AssignmentPair> pairs, std::span<float> cost, ThreadPool& pool) override {
         constexpr std::size_t kChunk = 256;
         forChunks(&pool, pairs.size(), kChunk,
                   [&](std::size_t k) { cost[k] = price(pairs[k].character, pairs[k].place); });

@@ -40,7 +40,7 @@ std::unique_ptr<Plan> makeFastPlan() {
 }
 
 void FastPlan::reserve(std::size_t characters, std::size_t places, const StaticGround& ground) {
-    matching_.reserve(matchingDef(characters), characters, places);
+    assignment_.reserve(assignmentDef(characters), characters, places);
     geodesics_.reserve(ground, places);
 }
 
@@ -90,19 +90,20 @@ void FastPlan::workAside() {
     match(alone_);
 }
 
-MatchingDef FastPlan::matchingDef(std::size_t characters) const {
-    MatchingDef def;
+DynamicAssignmentDef FastPlan::assignmentDef(std::size_t characters) const {
+    DynamicAssignmentDef def;
     def.exponent = def_.longestWalk ? kLongestWalkExponent : def_.exponent;
     def.threshold = def_.longestWalk ? 0.0 : def_.threshold;
     def.thresholdShare = def_.longestWalk ? kLongestWalkShare : def_.thresholdShare;
     // A small crowd can afford a better start.
-    if (characters <= kSmallCrowd) def.coldRounds = kSmallRounds;
+    if (characters <= kSmallCrowd) def.initialRounds = kSmallRounds;
     const auto count = static_cast<double>(std::max<std::size_t>(1, characters));
-    def.searchShare = std::min(def.searchShare, kMostSettled / count);
+    def.settledPerNode = std::min(def.settledPerNode, kMostSettled / count);
     // Where a large formation turns, what one seat gains is paid for by many others.
     def.searchLimit = std::clamp(static_cast<std::int32_t>(count) / kSeatsPerSearch, def.searchLimit,
                                  kLongestSearch);
-    def.turns = static_cast<std::int32_t>(std::min<std::size_t>(kMostTurns, 1 + characters / kPerTurn));
+    def.stepsPerRound = static_cast<std::int32_t>(
+        std::min<std::size_t>(kMostTurns, 1 + characters / kPerTurn));
     return def;
 }
 
@@ -129,13 +130,13 @@ void FastPlan::measureOwn(ThreadPool& pool) {
 }
 
 bool FastPlan::sameAsMatched() const {
-    const std::span<const std::int32_t> matched = matching_.placeOf();
+    const std::span<const std::int32_t> matched = assignment_.placeOf();
     return matched.size() == incumbent_.size() &&
            std::equal(matched.begin(), matched.end(), incumbent_.begin());
 }
 
 void FastPlan::assign(ThreadPool& pool) {
-    const MatchingInput input{characters_, places_, usable_, present_};
+    const AssignmentInput input{characters_, places_, usable_, present_};
     const bool none = std::all_of(incumbent_.begin(), incumbent_.end(), [](std::int32_t j) { return j < 0; });
     if (none) {
         // Some of them, evenly picked, tell where ways are not straight.
@@ -144,14 +145,15 @@ void FastPlan::assign(ThreadPool& pool) {
         for (std::size_t i = 0; i < characters_.size(); i += stride) from.push_back(characters_[i]);
         geodesics_.survey(from, pool);
         // Nobody holds a place that it would be a pity to change.
-        MatchingDef def = matchingDef(characters_.size());
+        DynamicAssignmentDef def = assignmentDef(characters_.size());
         def.threshold = 0.0;
         def.thresholdShare = 0.0;
-        matching_.coldStart(def, input, costs_, pool);
+        assignment_.coldStart(def, input, costs_, pool);
         return;
     }
-    if (!sameAsMatched()) matching_.adopt(matchingDef(characters_.size()), input, incumbent_, costs_, pool);
-    matching_.update(matchingDef(characters_.size()), input, costs_, pool);
+    if (!sameAsMatched())
+        assignment_.warmStart(assignmentDef(characters_.size()), input, incumbent_, costs_, pool);
+    assignment_.update(assignmentDef(characters_.size()), input, costs_, pool);
 }
 
 Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
@@ -166,9 +168,9 @@ Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
 }
 
 void FastPlan::report(PlanResult& result) const {
-    const std::span<const std::int32_t> placeOf = def_.reassign ? matching_.placeOf()
+    const std::span<const std::int32_t> placeOf = def_.reassign ? assignment_.placeOf()
                                                                 : std::span<const std::int32_t>(incumbent_);
-    const std::span<const float> cost = def_.reassign ? matching_.cost() : std::span<const float>(own_);
+    const std::span<const float> cost = def_.reassign ? assignment_.cost() : std::span<const float>(own_);
     result.flows.clear();
     result.cost.assign(characters_.size(), kInfinite);
     result.objective = 0.0;
@@ -181,7 +183,7 @@ void FastPlan::report(PlanResult& result) const {
         result.cost[i] = cost[i];
         result.objective += power(cost[i], def_.exponent);
     }
-    result.gapBound = def_.reassign && !def_.longestWalk ? matching_.slack() : result.objective;
+    result.gapBound = def_.reassign && !def_.longestWalk ? assignment_.dualityGap() : result.objective;
 }
 
 // The nearest place that somebody can take; the search goes round among those who have none.
@@ -189,7 +191,7 @@ void FastPlan::seekWaitingPlaces() {
     const std::size_t count = characters_.size();
     waiting_.resize(count, -1);
     if (count == 0) return;
-    const std::span<const std::int32_t> placeOf = def_.reassign ? matching_.placeOf()
+    const std::span<const std::int32_t> placeOf = def_.reassign ? assignment_.placeOf()
                                                                 : std::span<const std::int32_t>(incumbent_);
     std::int32_t sought = 0;
     for (std::size_t k = 0; k < count && sought < kWaitingPerPlan; ++k) {
@@ -263,14 +265,14 @@ bool FastPlan::consistent() const {
     // Nobody saves a plan between start() and the end of its work.
     const bool whole = pending_ == matched_ &&
                        (!pending_ ||
-                        (own_.size() == n && (!def_.reassign || matching_.placeOf().size() == n)));
+                        (own_.size() == n && (!def_.reassign || assignment_.placeOf().size() == n)));
     const bool sizes = whole && incumbent_.size() == n && (present_.empty() || present_.size() == n) &&
                        (usable_.empty() || usable_.size() == places_.size()) &&
                        (waiting_.empty() || waiting_.size() == n);
     const auto inRange = [&](std::int32_t j) {
         return j >= -1 && j < static_cast<std::int64_t>(places_.size());
     };
-    const std::span<const std::int32_t> matched = matching_.placeOf();
+    const std::span<const std::int32_t> matched = assignment_.placeOf();
     return sizes && std::all_of(incumbent_.begin(), incumbent_.end(), inRange) &&
            std::all_of(matched.begin(), matched.end(), inRange) &&
            std::none_of(own_.begin(), own_.end(), [](float c) { return std::isnan(c); }) &&

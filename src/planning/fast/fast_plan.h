@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "assignment/dynamic/sparse_matching.h"
+#include "assignment/dynamic/dynamic_assignment.h"
 #include "eikonal/eikonal.h"
 #include "geodesics/geodesics.h"
 #include "planning/fast/fast_costs.h"
@@ -39,7 +39,7 @@ private:
     template <class Archive>
     void visit(Archive& archive) {
         archive(def_, characters_, places_, usable_, incumbent_, present_, own_, way_, ownPlace_, round_,
-                pending_, matched_, matching_, walkers_, waiting_, turn_, planned_);
+                pending_, matched_, assignment_, walkers_, waiting_, turn_, planned_);
     }
     bool consistent() const;
     bool consistentWays() const;
@@ -51,7 +51,7 @@ private:
     void report(PlanResult& result) const;
     void seekWaitingPlaces();
     bool sameAsMatched() const;
-    MatchingDef matchingDef(std::size_t characters) const;
+    DynamicAssignmentDef assignmentDef(std::size_t characters) const;
 
     PlanDef def_;
     std::vector<Vec2> characters_;
@@ -69,7 +69,7 @@ private:
     // Its matching is done. Work aside writes this, others read it when that is over.
     bool matched_ = false;
     bool planned_ = false;  // A plan was finished.
-    SparseMatching matching_;
+    DynamicAssignment assignment_;
     Geodesics geodesics_;
     std::vector<WayPoint> walkers_;
     std::vector<std::int32_t> waiting_;  // Per character: place beside which it waits, -1.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "assignment/dense/assignment.h"
+#include "assignment/dense/transportation_problem.h"
 #include "eikonal/eikonal.h"
 
 namespace muster {
@@ -59,12 +59,12 @@ double leastWalk(const Environment& environment, double radius, std::span<const 
     } else if (!geodesics(environment, radius, starts, places, lengths)) {
         return -1.0;
     }
-    TransportProblem problem;
+    TransportationProblem problem;
     problem.rows = static_cast<std::int32_t>(starts.size());
     problem.columns = static_cast<std::int32_t>(places.size());
     problem.cost = lengths;
-    TransportSolver solver;
-    TransportSolution solution;
+    TransportationSolver solver;
+    TransportationSolution solution;
     if (!solver.solve(problem, solution).ok()) return -1.0;
     return solution.amount > static_cast<double>(starts.size()) - 0.5 ? solution.cost : -1.0;
 }

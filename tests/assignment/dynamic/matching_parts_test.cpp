@@ -6,10 +6,10 @@
 #include <numeric>
 #include <vector>
 
-#include "assignment/dynamic/matching_scene.h"
-#include "assignment/dynamic/sparse_matching_arcs.h"
-#include "assignment/dynamic/sparse_matching_kd.h"
-#include "assignment/dynamic/sparse_matching_near.h"
+#include "assignment/dynamic/assignment_scene.h"
+#include "assignment/dynamic/exchange_arcs.h"
+#include "assignment/dynamic/kd_partition.h"
+#include "assignment/dynamic/nearest_points.h"
 #include "base/random.h"
 
 using namespace muster;
@@ -126,14 +126,14 @@ TEST_CASE("of equally near points the lower number comes first") {
 }
 
 TEST_CASE("seats follow places that close and characters that leave") {
-    MatchingSeats seats;
+    AssignmentNodes seats;
     seats.reset(4, 3);
     CHECK(seats.count() == 4);
     const std::vector<Vec2> characters(4), places(3);
     std::vector<std::uint8_t> usable{1, 1, 1};
     std::vector<std::uint8_t> present{1, 1, 1, 1};
     std::vector<std::int32_t> flipped;
-    seats.adopt(std::vector<std::int32_t>{2, 2, -1, 0});  // Two name one place: the first has it.
+    seats.warmStart(std::vector<std::int32_t>{2, 2, -1, 0});  // Two name one place: the first has it.
     seats.follow({characters, places, usable, present}, flipped);
     CHECK(flipped == std::vector<std::int32_t>{0, 1, 2});  // They have become places.
     CHECK(seats.waiting() == std::vector<std::int32_t>{1, 2});
@@ -157,16 +157,16 @@ TEST_CASE("seats follow places that close and characters that leave") {
 }
 
 TEST_CASE("arcs lead to near places and near people, once each, and weigh what a move would cost") {
-    muster_test::MatchingScene scene(120, 120, 21);
+    muster_test::AssignmentScene scene(120, 120, 21);
     ThreadPool pool(1);
-    MatchingSeats seats;
+    AssignmentNodes seats;
     seats.reset(120, 120);
-    seats.adopt(numbers(120));
-    const MatchingInput input = scene.input();
+    seats.warmStart(numbers(120));
+    const AssignmentInput input = scene.input();
     std::vector<std::int32_t> flipped;
     seats.follow(input, flipped);
-    const MatchingDef def;
-    MatchingContext context{def, input, scene.costs, pool, CostPower(2.0), {0.3, -0.2}, {}, 0.1};
+    const DynamicAssignmentDef def;
+    AssignmentStep context{def, input, scene.costs, pool, CostPower(2.0), {0.3, -0.2}, {}, 0.1};
     const std::vector<double> price(120, 0.0);
     std::vector<float> own(120);
     std::vector<double> ownPower(120);
@@ -174,7 +174,7 @@ TEST_CASE("arcs lead to near places and near people, once each, and weigh what a
         own[s] = scene.costs.cost(s, s);
         ownPower[s] = context.power(own[s]);
     }
-    MatchingArcs arcs;
+    ExchangeArcs arcs;
     arcs.reset(120);
     arcs.look(context, seats, price, own);
     const std::vector<std::int32_t> rows = numbers(120);
@@ -184,10 +184,10 @@ TEST_CASE("arcs lead to near places and near people, once each, and weigh what a
     std::vector<std::int32_t> into(120, 0);
     for (const std::int32_t s : rows) {
         std::vector<std::int32_t> targets;
-        for (std::int32_t arc = s * MatchingArcs::kLanes; arc < (s + 1) * MatchingArcs::kLanes; ++arc) {
+        for (std::int32_t arc = s * ExchangeArcs::kLanes; arc < (s + 1) * ExchangeArcs::kLanes; ++arc) {
             const std::int32_t to = arcs.target(arc);
             if (to == s) {
-                CHECK(arcs.weight(arc) == MatchingArcs::kNever);
+                CHECK(arcs.weight(arc) == ExchangeArcs::kNever);
                 continue;
             }
             targets.push_back(to);
@@ -208,7 +208,7 @@ TEST_CASE("arcs lead to near places and near people, once each, and weigh what a
         const auto arcsInto = arcs.into(s);
         CHECK(
             static_cast<std::int32_t>(std::count_if(arcsInto.begin(), arcsInto.end(), [&](std::int32_t arc) {
-                return arc / MatchingArcs::kLanes != s;
+                return arc / ExchangeArcs::kLanes != s;
             })) == into[s]);
         CHECK(std::is_sorted(arcsInto.begin(), arcsInto.end()));
     }

@@ -7,28 +7,28 @@
 #include <numeric>
 #include <vector>
 
-#include "assignment/dynamic/matching_scene.h"
-#include "assignment/dynamic/sparse_matching_prices.h"
-#include "assignment/dynamic/sparse_matching_repair.h"
-#include "assignment/dynamic/sparse_matching_start.h"
+#include "assignment/dynamic/assignment_scene.h"
+#include "assignment/dynamic/cycle_cancelling.h"
+#include "assignment/dynamic/initial_assignment.h"
+#include "assignment/dynamic/initial_duals.h"
 #include "base/archive.h"
 
 using namespace muster;
-using muster_test::MatchingScene;
+using muster_test::AssignmentScene;
 
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::int32_t kLanes = MatchingArcs::kLanes;
+constexpr std::int32_t kLanes = ExchangeArcs::kLanes;
 
 // A matching in the middle of its work: everybody seated, arcs asked for, prices as given.
 struct Bench {
-    MatchingScene scene;
+    AssignmentScene scene;
     ThreadPool pool{1};
-    MatchingDef def;
-    MatchingInput input;
-    MatchingContext context;
-    MatchingState state;
+    DynamicAssignmentDef def = muster_test::lowThresholds();
+    AssignmentInput input;
+    AssignmentStep context;
+    ExchangeGraph state;
 
     Bench(std::int32_t count, std::uint64_t seed, double away = 2.0)
         : scene(count, count, seed, away),
@@ -37,7 +37,7 @@ struct Bench {
         state.reset(count, count);
     }
     void sit(const std::vector<std::int32_t>& placeOf) {
-        state.seats.adopt(placeOf);
+        state.seats.warmStart(placeOf);
         std::vector<std::int32_t> flipped;
         state.seats.follow(input, flipped);
     }
@@ -61,7 +61,7 @@ struct Bench {
                 const double c = scene.costs.exact(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
                 matrix.push_back(c * c);
             }
-        UnitMatching dense;
+        JonkerVolgenantSolver dense;
         dense.solve(n, n, matrix.data());
         return {dense.columnOf().begin(), dense.columnOf().end()};
     }
@@ -125,7 +125,7 @@ TEST_CASE("a search finds the shortest way back, or shows that there is none sho
     for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
         Bench bench(90, seed);
         bench.disturb(seed + 40, 1.5, seed > 3);
-        CycleSearch search;
+        BidirectionalDijkstra search;
         search.reset(90, 100000);
         for (std::int32_t arc = 0; arc < 90 * kLanes; arc += 7) {
             const std::int32_t from = arc / kLanes;
@@ -157,7 +157,7 @@ TEST_CASE(
     for (const std::uint64_t seed : {7, 8, 9}) {
         Bench bench(90, seed);
         bench.disturb(seed + 40, 0.8, true);
-        CycleSearch search;
+        BidirectionalDijkstra search;
         search.reset(90, 40);
         Random random(seed);
         int mended = 0, capped = 0;
@@ -189,7 +189,7 @@ TEST_CASE(
 TEST_CASE("a direct way back counts as known") {
     Bench bench(60, 12);
     bench.disturb(13, 1.0, false);
-    CycleSearch search;
+    BidirectionalDijkstra search;
     search.reset(60, 1000);
     for (std::int32_t arc = 0; arc < 60 * kLanes; arc += 11) {
         const std::int32_t to = bench.state.arcs.target(arc);
@@ -266,7 +266,7 @@ TEST_CASE("repairs only ever lower the objective, within their budget, and end w
         const auto objective = [&] {
             return std::accumulate(bench.state.ownPower.begin(), bench.state.ownPower.end(), 0.0);
         };
-        MatchingRepair repair;
+        CycleCancelling repair;
         repair.reset(200, bench.def.searchLimit);
         double before = objective();
         const double first = before;
@@ -291,7 +291,7 @@ TEST_CASE("a start seats as many as can be, the few by nearness, the many near t
     Bench few(12, 16);
     std::vector<std::int32_t> flipped;
     few.state.seats.follow(few.input, flipped);
-    MatchingStart start;
+    InitialAssignment start;
     start.seat(few.context, few.state);
     double shortest = kInfinite;
     std::int32_t who = -1, where = -1;
@@ -306,7 +306,7 @@ TEST_CASE("a start seats as many as can be, the few by nearness, the many near t
         Bench many(700, 17, away);
         flipped.clear();
         many.state.seats.follow(many.input, flipped);
-        MatchingStart parts;
+        InitialAssignment parts;
         parts.seat(many.context, many.state);
         double sum = 0.0;
         for (std::int32_t i = 0; i < 700; ++i) {
@@ -330,7 +330,7 @@ TEST_CASE("fitted prices leave little violated where the matching is the optimum
         bench.sit(same);
         bench.ask();
         const double without = bench.violations();
-        PriceFit().run(bench.context, bench.state);
+        InitialDuals().run(bench.context, bench.state);
         const double fitted = bench.violations();
         CHECK(without > 0.0);
         CHECK(fitted < 0.05 * without);
@@ -338,11 +338,11 @@ TEST_CASE("fitted prices leave little violated where the matching is the optimum
 }
 
 TEST_CASE("saved in the middle of a round a matching goes on bit for bit") {
-    MatchingDef def;
-    def.turns = 6;
-    MatchingScene scene(150, 150, 20);
+    DynamicAssignmentDef def = muster_test::lowThresholds();
+    def.stepsPerRound = 6;
+    AssignmentScene scene(150, 150, 20);
     ThreadPool pool(1);
-    SparseMatching matching;
+    DynamicAssignment matching;
     matching.coldStart(def, scene.input(), scene.costs, pool);
     for (int k = 0; k < 9; ++k) {
         scene.step({1.0, 0.2}, 0.03, matching.placeOf());
@@ -351,12 +351,12 @@ TEST_CASE("saved in the middle of a round a matching goes on bit for bit") {
         matching.update(def, scene.input(), scene.costs, pool);
         Writer writer;
         matching.visit(writer);
-        SparseMatching copy;
+        DynamicAssignment copy;
         Reader reader(writer.bytes());
         copy.visit(reader);
         REQUIRE(reader.ok());
-        MatchingScene twin = scene;
-        SparseMatching original = matching;
+        AssignmentScene twin = scene;
+        DynamicAssignment original = matching;
         for (int n = 0; n < 14; ++n) {
             // Places that come and go change what is asked for next.
             twin.usable.assign(150, 1);
@@ -365,7 +365,7 @@ TEST_CASE("saved in the middle of a round a matching goes on bit for bit") {
             original.update(def, twin.input(), twin.costs, pool);
             copy.update(def, twin.input(), twin.costs, pool);
             REQUIRE(std::equal(copy.placeOf().begin(), copy.placeOf().end(), original.placeOf().begin()));
-            REQUIRE(copy.slack() == original.slack());
+            REQUIRE(copy.dualityGap() == original.dualityGap());
         }
     }
 }

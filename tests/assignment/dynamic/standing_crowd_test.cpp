@@ -1,12 +1,12 @@
 // A crowd that stands still is brought to the optimum but for what the threshold keeps back.
 #include <doctest.h>
 
-#include "assignment/dynamic/matching_scene.h"
+#include "assignment/dynamic/assignment_scene.h"
 
 namespace {
 
-using muster::SparseMatching;
-using muster_test::MatchingScene;
+using muster::DynamicAssignment;
+using muster_test::AssignmentScene;
 
 struct Rest {
     double first = 0.0;  // Of the start.
@@ -16,8 +16,8 @@ struct Rest {
 };
 
 // Nobody moves; the matching goes on for so many steps.
-Rest stand(MatchingScene& scene, const muster::MatchingDef& def, int steps) {
-    SparseMatching matching;
+Rest stand(AssignmentScene& scene, const muster::DynamicAssignmentDef& def, int steps) {
+    DynamicAssignment matching;
     muster::ThreadPool pool(1);
     matching.coldStart(def, scene.input(), scene.costs, pool);
     Rest rest;
@@ -32,8 +32,8 @@ Rest stand(MatchingScene& scene, const muster::MatchingDef& def, int steps) {
     return rest;
 }
 
-muster::MatchingDef lowThreshold(double exponent) {
-    muster::MatchingDef def;
+muster::DynamicAssignmentDef lowThreshold(double exponent) {
+    muster::DynamicAssignmentDef def;
     def.exponent = exponent;
     def.threshold = 0.02;
     def.thresholdShare = 0.003;
@@ -44,7 +44,7 @@ muster::MatchingDef lowThreshold(double exponent) {
 
 TEST_CASE("standing beside their places all exchanges that gain enough are found, and then no more") {
     for (const std::uint64_t seed : {3, 4, 5}) {
-        MatchingScene scene(220, 220, seed, 0.0);
+        AssignmentScene scene(220, 220, seed, 0.0);
         const Rest rest = stand(scene, lowThreshold(2.0), 500);
         CAPTURE(seed);
         CAPTURE(rest.first / rest.optimum);
@@ -57,7 +57,7 @@ TEST_CASE("standing beside their places all exchanges that gain enough are found
 
 TEST_CASE("so with a wall between some and their places, whatever the exponent") {
     for (const double exponent : {1.0, 1.5, 2.0, 3.0}) {
-        MatchingScene scene(200, 200, 17, 3.0);
+        AssignmentScene scene(200, 200, 17, 3.0);
         scene.costs.wall = true;
         scene.costs.low = {-1.0, -3.0};
         scene.costs.high = {-1.0, 4.0};
@@ -70,7 +70,7 @@ TEST_CASE("so with a wall between some and their places, whatever the exponent")
 
 TEST_CASE("so with more people than places, and with fewer") {
     for (const std::int32_t places : {150, 200, 260}) {
-        MatchingScene scene(200, places, 23, 1.0);
+        AssignmentScene scene(200, places, 23, 1.0);
         const Rest rest = stand(scene, lowThreshold(2.0), 600);
         CAPTURE(places);
         CHECK(rest.last >= rest.optimum - 1e-6);
