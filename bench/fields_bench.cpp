@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/random.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 
 namespace {
 
@@ -61,10 +61,10 @@ void wholeField(benchmark::State& state) {
     const double quarter = 0.5 * environment.def().box.max.x;
     for (auto _ : state) {
         solver.solve(cost, {-quarter, 0.1}, {}, field);
-        benchmark::DoNotOptimize(field.marched());
+        benchmark::DoNotOptimize(field.acceptedCount());
     }
     state.SetLabel(kNames[state.range(0)]);
-    state.counters["cells"] = field.marched();
+    state.counters["cells"] = field.acceptedCount();
 }
 BENCHMARK(wholeField)
     ->ArgsProduct({{Open, Block, Corridor, Crowd}, {128, 256}})

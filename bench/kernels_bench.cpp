@@ -10,10 +10,10 @@
 #include "assignment/dense/transportation_problem.h"
 #include "base/random.h"
 #include "base/stopwatch.h"
-#include "cost/crowd_excess.h"
+#include "cost/dynamic_cost.h"
 #include "cost/static_ground.h"
 #include "crowd/neighbours.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "formation/mesh/arap.h"
 #include "formation/shapes/formation.h"
 #include "planning/plan.h"
@@ -110,7 +110,7 @@ void oneField(benchmark::State& state) {
     const Bound bound(state, cost.grid.count() * (sizeof(CellCost) + sizeof(float)));
     for (auto _ : state) {
         solver.solve(cost, {0.1, 0.1}, {}, field);
-        benchmark::DoNotOptimize(field.marched());
+        benchmark::DoNotOptimize(field.acceptedCount());
     }
 }
 
@@ -153,7 +153,7 @@ struct Following {
     Environment environment;
     UnitCost cost;
     StaticGround ground;
-    CrowdExcess excess;
+    DynamicCost excess;
     std::vector<Vec2> characters;
     std::vector<Vec2> places;
     std::vector<std::int32_t> incumbent;

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/maths.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "planning/exact/ground_regions.h"
 #include "scale/judge.h"
 #include "scale/sparse_assignment.h"

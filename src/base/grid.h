@@ -1,7 +1,6 @@
 // Regular grids over the ground plane.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "muster/vec2.h"
@@ -13,12 +12,6 @@ struct Cell {
     std::int32_t x = 0;  ///< Column, 0 at the left.
     std::int32_t y = 0;  ///< Row, 0 at the bottom.
     friend bool operator==(const Cell&, const Cell&) = default;
-};
-
-/// The four cells around a point with their bilinear weights.
-struct BilinearStencil {
-    std::int32_t cell[4];  ///< Row-major indices: lower left, lower right, upper left, upper right.
-    double weight[4];      ///< Sum 1, each >= 0.
 };
 
 /// Square cells covering a box, row-major from the lower left. Values sit at cell centres.
@@ -52,20 +45,6 @@ struct Grid {
     }
     /// Centre of a cell [m].
     Vec2 centre(Cell c) const { return {origin.x + (c.x + 0.5) * cell, origin.y + (c.y + 0.5) * cell}; }
-    /// The four cell centres around `p`, clamped to the grid at its edges.
-    BilinearStencil bilinear(Vec2 p) const {
-        const double u = bounded((p.x - origin.x) / cell - 0.5, 0.0, width - 1.0);
-        const double v = bounded((p.y - origin.y) / cell - 0.5, 0.0, height - 1.0);
-        // From a cell to the right and to the upper one; nowhere where there is but one.
-        const std::int32_t right = width > 1 ? 1 : 0, up = height > 1 ? 1 : 0;
-        const std::int32_t x = std::min(static_cast<std::int32_t>(u), width - 1 - right);
-        const std::int32_t y = std::min(static_cast<std::int32_t>(v), height - 1 - up);
-        const std::int32_t low = index({x, y}), high = low + up * width;
-        const double fx = u - x;
-        const double fy = v - y;
-        return {{low, low + right, high, high + right},
-                {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
-    }
     /// The box covered.
     Box box() const { return {origin, {origin.x + width * cell, origin.y + height * cell}}; }
 

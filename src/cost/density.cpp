@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "base/bilinear.h"
 #include "base/maths.h"
 #include "muster/assert.h"
 
@@ -114,7 +115,7 @@ void DensityField::listOccupied(Cell first, Cell last, std::span<const Vec2> pos
 
 float DensityField::densityAt(Vec2 p) const {
     if (density_.empty() || !isFinite(p)) return 0.0f;
-    const BilinearStencil stencil = grid_.bilinear(p);
+    const BilinearStencil stencil = bilinearStencil(grid_, p);
     double sum = 0.0;
     for (int k = 0; k < 4; ++k) sum += stencil.weight[k] * density_[stencil.cell[k]];
     return static_cast<float>(sum);
@@ -122,7 +123,7 @@ float DensityField::densityAt(Vec2 p) const {
 
 Vec2 DensityField::velocityAt(Vec2 p) const {
     if (density_.empty() || !isFinite(p)) return {};
-    const BilinearStencil stencil = grid_.bilinear(p);
+    const BilinearStencil stencil = bilinearStencil(grid_, p);
     double mass = 0.0;
     Vec2 momentum;
     for (int k = 0; k < 4; ++k) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cost/between_centres.h"
+#include "base/bilinear.h"
 #include "cost/ground_cost.h"
 
 namespace muster {
@@ -85,16 +85,16 @@ void StaticGround::makeLevel(GroundLevel& level, const GroundRasters& rasters) {
     priceGround(rasters, radius_, price_, 0, rasters.grid.count(), {cost.cells, far_, cost.nodes});
     cost.lowest = *std::min_element(far_.begin(), far_.end());
     if (!(cost.lowest < kInfinite)) cost.lowest = static_cast<float>(price_);
-    level.wallRoom.resize(count);
+    level.clearance.resize(count);
     const auto radius = static_cast<float>(radius_);
-    for (std::size_t k = 0; k < count; ++k) level.wallRoom[k] = rasters.clearance[k] - radius;
+    for (std::size_t k = 0; k < count; ++k) level.clearance[k] = rasters.clearance[k] - radius;
 }
 
 // The centre of a cell twice as wide is the corner where four ground cells meet: their means hold there.
 void StaticGround::makeMiddle(std::span<const float> clearance) {
     const Grid grid{grid_.origin, 2.0 * grid_.cell, (grid_.width + 1) / 2, (grid_.height + 1) / 2};
     middle_.cost.grid = grid;
-    if (plain_) return;  // Nobody asks.
+    if (open_) return;  // Nobody asks.
     middleClearance_.resize(grid.count());
     middleSpeed_.resize(middleClearance_.size());
     for (std::int32_t k = 0; k < grid.count(); ++k) {
@@ -110,16 +110,17 @@ void StaticGround::makeMiddle(std::span<const float> clearance) {
         middleSpeed_[k] = 1.0f / unit;
     }
     makeLevel(middle_, {grid, middleClearance_, middleSpeed_});
-    middle_.room.resize(middleClearance_.size());
+    middle_.uniformClearance.resize(middleClearance_.size());
     for (std::int32_t k = 0; k < grid.count(); ++k)
-        middle_.room[k] = fine_.room[grid_.index({2 * grid.at(k).x, 2 * grid.at(k).y})];
+        middle_
+            .uniformClearance[k] = fine_.uniformClearance[grid_.index({2 * grid.at(k).x, 2 * grid.at(k).y})];
 }
 
 void StaticGround::makeRoom(const Environment& environment) {
-    fine_.room = fine_.wallRoom;
+    fine_.uniformClearance = fine_.clearance;
     widenRoom();
     narrowByPatches();
-    plain_ = environment.obstacleIds().empty() && environment.patchIds().empty();
+    open_ = environment.obstacleIds().empty() && environment.patchIds().empty();
 }
 
 // Clearance is known up to a limit; beyond, blocks of cells tell how far it is to where it is known.
@@ -130,15 +131,15 @@ void StaticGround::widenRoom() {
     const std::int32_t height = (grid_.height + kBlock - 1) / kBlock;
     far_.assign(static_cast<std::size_t>(width) * height, 1e6f);
     for (std::int32_t k = 0; k < grid_.count(); ++k)
-        if (fine_.room[k] < capped)
+        if (fine_.uniformClearance[k] < capped)
             far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock] = 0.0f;
     spreadDistances(width, height, far_);
     const auto edge = static_cast<float>(kBlock * grid_.cell);
     for (std::int32_t k = 0; k < grid_.count(); ++k) {
-        if (fine_.room[k] < capped) continue;
+        if (fine_.uniformClearance[k] < capped) continue;
         const float
             blocks = far_[static_cast<std::size_t>(grid_.at(k).y / kBlock) * width + grid_.at(k).x / kBlock];
-        fine_.room[k] += std::max(0.0f, kStepShare * blocks - 1.5f) * edge;
+        fine_.uniformClearance[k] += std::max(0.0f, kStepShare * blocks - 1.5f) * edge;
     }
 }
 
@@ -154,12 +155,12 @@ void StaticGround::narrowByPatches() {
         if (north) far_[k] = far_[k + grid_.width] = 0.0f;
         any = any || east || north;
     }
-    even_ = !any;
-    if (even_) return;
+    uniform_ = !any;
+    if (uniform_) return;
     spreadDistances(grid_.width, grid_.height, far_);
     const auto edge = static_cast<float>(grid_.cell);
-    for (std::size_t k = 0; k < fine_.room.size(); ++k)
-        fine_.room[k] = std::min(fine_.room[k], (kStepShare * far_[k] - 0.5f) * edge);
+    for (std::size_t k = 0; k < fine_.uniformClearance.size(); ++k)
+        fine_.uniformClearance[k] = std::min(fine_.uniformClearance[k], (kStepShare * far_[k] - 0.5f) * edge);
 }
 
 // The cheapest of the lanes of cells that lead from the middle of one coarse cell to the middle of the next;
@@ -214,7 +215,7 @@ float StaticGround::nearSide(Cell cell, Cell step, std::int32_t ratio) const {
 // Cells with a wall in the middle. Those that can be entered from opposite sides are left out: they may
 // divide two rooms.
 void StaticGround::findBeside(std::int32_t ratio) {
-    beside_.clear();
+    partiallyBlocked_.clear();
     const Grid& grid = coarse_.grid;
     for (std::int32_t k = 0; k < grid.count(); ++k) {
         const Cell cell = grid.at(k);
@@ -231,15 +232,15 @@ void StaticGround::findBeside(std::int32_t ratio) {
             const float below = nearSide(cell, down, ratio);
             if ((above < kInfinite) == (below < kInfinite)) continue;
             const Cell step = above < kInfinite ? up : down;
-            beside_.push_back({cell,
-                               {cell.x + step.x, cell.y + step.y},
-                               std::min(above, below) * static_cast<float>(grid.cell)});
+            partiallyBlocked_.push_back({cell,
+                                         {cell.x + step.x, cell.y + step.y},
+                                         std::min(above, below) * static_cast<float>(grid.cell)});
         }
     }
 }
 
 void StaticGround::makeCoarse() {
-    beside_.clear();
+    partiallyBlocked_.clear();
     std::int32_t ratio = 2;
     const auto across = [](std::int32_t cells, std::int32_t by) { return (cells + by - 1) / by; };
     while (across(grid_.width, ratio) * across(grid_.height, ratio) > kCoarseCells) ratio *= 2;
@@ -248,7 +249,7 @@ void StaticGround::makeCoarse() {
     coarse_.radius = radius_;
     coarse_.lowest = fine_.cost.lowest;
     const Grid& grid = coarse_.grid;
-    if (plain_) return;
+    if (open_) return;
     coarse_.cells.assign(static_cast<std::size_t>(grid.count()),
                          {kInfinite, kInfinite, kInfinite, kInfinite});
     // No nodes beside walls: straight ways would be seen to lead through cells that thin walls divide.
@@ -265,14 +266,14 @@ void StaticGround::makeCoarse() {
     findBeside(ratio);
 }
 
-double StaticGround::roomBetween(Vec2 p) const {
-    return between(fine_.room, p);
+double StaticGround::interpolatedClearance(Vec2 p) const {
+    return between(fine_.uniformClearance, p);
 }
 
 double StaticGround::between(const std::vector<float>& room, Vec2 p) const {
     const Vec2 cells = inCells(p);
     if (!holds(cells)) return -1.0;
-    const BetweenCentres at = betweenCentresAt(grid_, cells.x, cells.y);
+    const BilinearPoint at = bilinearPoint(grid_, cells.x, cells.y);
     const float* low = room.data() + grid_.index(at.low);
     const float* high = low + (grid_.height > 1 ? grid_.width : 0);
     const std::int32_t right = grid_.width > 1 ? 1 : 0;
@@ -282,18 +283,19 @@ double StaticGround::between(const std::vector<float>& room, Vec2 p) const {
 }
 
 double StaticGround::lineCost(Vec2 a, Vec2 b) const {
-    if (even_) return fine_.cost.lowest * distance(a, b);
+    if (uniform_) return fine_.cost.lowest * distance(a, b);
     constexpr int kSamples = 8;
     double sum = 0.0;
-    for (int k = 0; k < kSamples; ++k) sum += unit(a + (b - a) * ((k + 0.5) / kSamples));
+    for (int k = 0; k < kSamples; ++k) sum += unitCost(a + (b - a) * ((k + 0.5) / kSamples));
     return sum / kSamples * distance(a, b);
 }
 
-bool StaticGround::straight(Vec2 a, Vec2 b, double whole) const {
-    if (plain_) return true;
+bool StaticGround::lineOfSight(Vec2 a, Vec2 b, double whole) const {
+    if (open_) return true;
     // On slow ground a way out of it and back may be faster, unless both ends lie deep in it.
-    if (!even_ && unit(b) > fine_.cost.lowest) return unit(a) == unit(b) && room(a) + room(b) >= whole;
-    return reaches(fine_.room, a, b, whole);
+    if (!uniform_ && unitCost(b) > fine_.cost.lowest)
+        return unitCost(a) == unitCost(b) && uniformClearance(a) + uniformClearance(b) >= whole;
+    return reaches(fine_.uniformClearance, a, b, whole);
 }
 
 // From disc to disc of the room there is.

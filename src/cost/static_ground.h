@@ -29,38 +29,40 @@ public:
     const UnitCost& coarse() const { return coarse_; }
     /// A cell of coarse() whose middle nobody can stand on, and the neighbour from which its near side is
     /// reached.
-    struct Beside {
+    struct PartiallyBlockedCell {
         Cell cell;
         Cell neighbour;
         float cost;  ///< Of going across.
     };
     /// All such cells: fields on coarse() do not know them, or only by a way round, though people stand
     /// there.
-    std::span<const Beside> beside() const { return beside_; }
+    std::span<const PartiallyBlockedCell> partiallyBlockedCells() const { return partiallyBlocked_; }
     /// True where all ground costs the same.
-    bool even() const { return even_; }
+    bool uniform() const { return uniform_; }
     /// True where all ground costs the same and nothing stands in the way.
-    bool plain() const { return plain_; }
+    bool open() const { return open_; }
     /// How far round `p` the ground is uniform and free for a character, a lower bound; below 0 in walls [m].
-    double room(Vec2 p) const {
+    double uniformClearance(Vec2 p) const {
         const std::int32_t cell = cellAt(p);
-        return cell >= 0 ? static_cast<double>(fine_.room[cell]) - slack_ : -1.0;
+        return cell >= 0 ? static_cast<double>(fine_.uniformClearance[cell]) - slack_ : -1.0;
     }
     /// The same, interpolated between cells: closer, though no bound.
-    double roomBetween(Vec2 p) const;
+    double interpolatedClearance(Vec2 p) const;
     /// Cost of a metre at `p`.
-    float unit(Vec2 p) const {
-        if (even_) return fine_.cost.lowest;
+    float unitCost(Vec2 p) const {
+        if (uniform_) return fine_.cost.lowest;
         const std::int32_t cell = cellAt(p);
         return unit_[cell >= 0 ? cell : grid_.index(grid_.nearestCell(p))];
     }
     /// True where a character can go straight from `a` to `b` and does best to. On slow ground it may say
     /// no though that is so.
-    bool straight(Vec2 a, Vec2 b) const { return straight(a, b, distance(a, b)); }
+    bool lineOfSight(Vec2 a, Vec2 b) const { return lineOfSight(a, b, distance(a, b)); }
     /// The same where the distance is known.
-    bool straight(Vec2 a, Vec2 b, double whole) const;
+    bool lineOfSight(Vec2 a, Vec2 b, double whole) const;
     /// True where no wall is between `a` and `b`, whatever the ground costs.
-    bool clear(Vec2 a, Vec2 b) const { return plain_ || reaches(fine_.wallRoom, a, b, distance(a, b)); }
+    bool collisionFree(Vec2 a, Vec2 b) const {
+        return open_ || reaches(fine_.clearance, a, b, distance(a, b));
+    }
     /// Cost of the straight line, walls or none, by a few samples of the ground.
     double lineCost(Vec2 a, Vec2 b) const;
 
@@ -95,14 +97,14 @@ private:
     double price_ = -1.0;
     std::uint64_t seen_ = ~0ull;  // The environment's version.
     std::uint32_t version_ = 0;
-    bool plain_ = true;
-    bool even_ = true;      // No patches.
+    bool open_ = true;
+    bool uniform_ = true;   // No patches.
     double perCell_ = 1.0;  // [1/m]
     double slack_ = 0.0;    // From the centre of a cell to its corner [m].
     GroundLevel fine_;
     GroundLevel middle_;
     UnitCost coarse_;
-    std::vector<Beside> beside_;
+    std::vector<PartiallyBlockedCell> partiallyBlocked_;
     std::vector<float> speed_;
     std::vector<float> unit_;
     std::vector<float> far_;  // Working memory.

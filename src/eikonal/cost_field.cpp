@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cost/between_centres.h"
-#include "eikonal/eikonal.h"
+#include "base/bilinear.h"
+#include "eikonal/cost_field.h"
 #include "eikonal/start_disc.h"
 
 namespace muster {
@@ -28,7 +28,7 @@ float CostField::value(Cell cell) const {
     return at >= 0 ? values_[at] : kInfiniteCost;
 }
 
-void CostField::lower(Cell cell, float value) {
+void CostField::lowerValue(Cell cell, float value) {
     const std::int32_t index = indexOf(cell);
     const auto at = static_cast<std::size_t>(index);
     if (index < 0 || !(value < values_[at])) return;
@@ -39,13 +39,13 @@ void CostField::lower(Cell cell, float value) {
 double CostField::cost(Vec2 p) const {
     if (!isFinite(p) || values_.empty()) return kInfiniteCost;
     if (lengthSquared(p - source_) <= nearRadius_ * nearRadius_) {
-        const double near = straightCost(nearCost_, source_ - p);
+        const double near = stepCost(nearCost_, source_ - p);
         if (near < kInfiniteCost) return near;
     }
     Vec2 ignored;
     const double straight = straightCostAt(p, ignored);
     if (straight < kInfiniteCost) return straight;
-    const BetweenCentres at = betweenCentres(grid_, p);
+    const BilinearPoint at = bilinearPoint(grid_, p);
     double sum = 0.0;
     double weights = 0.0;
     for (int k = 0; k < 4; ++k) {
@@ -82,7 +82,7 @@ double CostField::cornerValue(Cell low, int k) const {
 Vec2 CostField::direction(Vec2 p) const {
     if (!isFinite(p) || values_.empty()) return {};
     if (lengthSquared(p - source_) <= nearRadius_ * nearRadius_) return normalized(source_ - p);
-    const BetweenCentres at = betweenCentres(grid_, p);
+    const BilinearPoint at = bilinearPoint(grid_, p);
     double v[4];
     bool reached[4];
     for (int k = 0; k < 4; ++k) {

@@ -73,7 +73,7 @@ void Front::seed(Cell cell, float value, std::int32_t root) {
 }
 
 Ray Front::seen(Cell cell, std::int32_t root, float& value) const {
-    const Root& from = roots_[root];
+    const PseudoSource& from = roots_[root];
     const FrontCell at = this->at(cell);
     if (!sight_.plain(at.cell, from.unit)) return Ray::OtherGround;
     float x = 0.0f;

@@ -8,7 +8,7 @@
 
 #include "cost/unit_cost.h"
 #include "eikonal/bucket_queue.h"
-#include "eikonal/sight.h"
+#include "eikonal/line_of_sight.h"
 
 namespace muster {
 
@@ -67,7 +67,7 @@ public:
     /// The cells of a row, from column 0 on.
     const FrontNode* row(std::int32_t y) const { return nodes_.data() + node(0, y); }
     /// All roots by number; number 0 is none.
-    const std::vector<Root>& roots() const { return roots_; }
+    const std::vector<PseudoSource>& roots() const { return roots_; }
     /// The padded index of a cell.
     std::int32_t node(std::int32_t x, std::int32_t y) const { return (y + 2) * stride_ + x + 1; }
     /// Both indices of a cell.
@@ -105,7 +105,7 @@ private:
     Ray look(FrontCell to, float x, float y, std::int32_t number);
     bool shows(std::int32_t node, std::int32_t number, bool far) const;
     bool bends(std::int32_t cell) const;
-    Bends bestBends(std::int32_t hiding, const Root& target, float limit) const;
+    Bends bestBends(std::int32_t hiding, const PseudoSource& target, float limit) const;
     bool bendAt(std::int32_t hiding, FrontCell to, float x, float y, float unit, float old);
     void bend(FrontCell from, FrontCell to, float old);
     void bendRound(FrontCell from);
@@ -143,8 +143,8 @@ private:
     std::vector<FrontNode> nodes_;
     BucketQueue queue_;
     // Straight ways, and the root that stands at each wall node.
-    Sight sight_;
-    std::vector<Root> roots_;
+    LineOfSight sight_;
+    std::vector<PseudoSource> roots_;
     // The cell that hid a node's hidden root; -1 where ways bent there were offered.
     std::vector<std::int32_t> hidingCell_;
     std::int32_t hiding_ = -1;  // The same of the root asked for last.

@@ -70,7 +70,7 @@ void Front::floodQuadrant(Cell home, std::int32_t right, std::int32_t up, std::i
 // leaves towards the root; looked at where one is. Returns the last column seen, counted from the axis; -1
 // for none.
 std::int32_t Front::floodRow(Cell axis, Cell side, FloodSpan span, std::int32_t root) {
-    const Root source = roots_[root];
+    const PseudoSource source = roots_[root];
     const std::int32_t right = side.x;
     const std::ptrdiff_t back = -side.y * stride_;
     const float dy = std::fabs(static_cast<float>(axis.y) - source.y);
@@ -107,7 +107,7 @@ std::int32_t Front::floodRow(Cell axis, Cell side, FloodSpan span, std::int32_t 
 // Gives a cell its straight-line value where it is of the root's ground and sees it; `certain` where it does
 // unless a wall of its own stands between. Returns whether it does.
 bool Front::floodCell(FrontCell cell, bool certain, std::int32_t root) {
-    const Root& source = roots_[root];
+    const PseudoSource& source = roots_[root];
     const bool open = sight_.open(cell.cell, source.unit);
     if (!open && !sight_.plain(cell.cell, source.unit)) return false;
     float x = 0.0f;

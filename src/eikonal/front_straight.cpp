@@ -23,7 +23,8 @@ constexpr float kBesideBend = 6.0f;
 // false where the straight way between them runs outside. The corner is an arc that touches the walls' lines
 // through both points, as wide as the nearer one allows: on round obstacles both lie on it, at a polygon one
 // may lie far along its side.
-bool middleOfArc(const WallNode& a, const WallNode& b, const Root& from, float x, float y, Root& middle) {
+bool middleOfArc(const WallNode& a, const WallNode& b, const PseudoSource& from, float x, float y,
+                 PseudoSource& middle) {
     const float dx = x - from.x;
     const float dy = y - from.y;
     const float below = -(dx * a.normalX + dy * a.normalY);
@@ -77,8 +78,8 @@ inline bool Front::shows(std::int32_t node, std::int32_t number, bool far) const
     const std::int32_t own = nodes_[node].root;
     if (own == number) return true;
     if (!far || own <= 0) return false;
-    const Root& a = roots_[own];
-    const Root& b = roots_[number];
+    const PseudoSource& a = roots_[own];
+    const PseudoSource& b = roots_[number];
     return own == b.parent || std::fabs(a.x - b.x) + std::fabs(a.y - b.y) < kSameCorner;
 }
 
@@ -91,7 +92,7 @@ Ray Front::sees(FrontCell to, float x, float y, std::int32_t number) {
         hiding_ = hidingCell_[to.node];
         return Ray::Wall;
     }
-    const Root& root = roots_[number];
+    const PseudoSource& root = roots_[number];
     const float dx = x - root.x;
     const float dy = y - root.y;
     const float ax = std::fabs(dx);
@@ -128,7 +129,7 @@ Ray Front::look(FrontCell to, float x, float y, std::int32_t number) {
 bool Front::relaxStraight(FrontCell from, FrontCell to, float old) {
     const std::int32_t number = nodes_[from.node].root;
     if (nodes_[to.node].root == number) return true;
-    const Root& root = roots_[number];
+    const PseudoSource& root = roots_[number];
     if (!sight_.plain(to.cell, root.unit)) return false;
     // A value from differences gives way to a straight one that is hardly worse.
     const FrontNode& there = nodes_[to.node];
@@ -170,7 +171,7 @@ void Front::Bends::take(float cost, std::int32_t at) {
 
 // The wall cells near the one that hides a root from a point at which the way to the point is cheapest, and
 // below `limit`.
-Front::Bends Front::bestBends(std::int32_t hiding, const Root& target, float limit) const {
+Front::Bends Front::bestBends(std::int32_t hiding, const PseudoSource& target, float limit) const {
     const Cell middle = grid_.at(hiding);
     const Cell low{std::max(0, middle.x - kNearHiding), std::max(0, middle.y - kNearHiding)};
     const Cell high{std::min(grid_.width - 1, middle.x + kNearHiding),
@@ -195,12 +196,12 @@ Front::Bends Front::bestBends(std::int32_t hiding, const Root& target, float lim
 // Offers `to`, which lies at (x, y), the cheapest clear way bent at a wall near the cell that hides a root
 // from it.
 bool Front::bendAt(std::int32_t hiding, FrontCell to, float x, float y, float unit, float old) {
-    const Root target{x, y, 0.0f, unit};
+    const PseudoSource target{x, y, 0.0f, unit};
     hidingCell_[to.node] = -1;
     const Bends best = bestBends(hiding, target, old - tolerance_);
     for (int k = 0; k < best.count; ++k) {
         const FrontCell from = at(grid_.at(best.cell[k]));
-        Root bent = target;
+        PseudoSource bent = target;
         place(from, bent.x, bent.y);
         // Farther off the way lies beside the one that was clear as far as here.
         const float apart = std::sqrt((x - bent.x) * (x - bent.x) + (y - bent.y) * (y - bent.y));
@@ -223,9 +224,9 @@ void Front::bend(FrontCell from, FrontCell to, float old) {
     float y = 0.0f;
     place(to, x, y);
     const std::int32_t end = sight_.wall(to.cell);
-    const Root& root = roots_[number];
+    const PseudoSource& root = roots_[number];
     if (end != 0 && throughThinWall(root, sight_.node(end), x - root.x, y - root.y)) return;
-    Root middle;
+    PseudoSource middle;
     const bool arc = end != 0 && middleOfArc(sight_.node(sight_.wall(from.cell)), sight_.node(end),
                                              roots_[number], x, y, middle);
     const float value = arc ? middle.costAt(x, y) : roots_[number].costAt(x, y);
@@ -242,7 +243,7 @@ std::int32_t Front::rootAt(FrontCell wallCell) {
     std::int32_t& number = wallRoot_[sight_.wall(wallCell.cell)];
     const float cost = nodes_[wallCell.node].accepted;
     if (number == 0 || roots_[number].cost != cost) {
-        Root root;
+        PseudoSource root;
         place(wallCell, root.x, root.y);
         root.cost = cost;
         root.parent = nodes_[wallCell.node].root;

@@ -1,8 +1,8 @@
 // Reading a field for interpolation between fields.
 #include <limits>
 
-#include "cost/between_centres.h"
-#include "eikonal/eikonal.h"
+#include "base/bilinear.h"
+#include "eikonal/cost_field.h"
 #include "eikonal/front.h"
 
 namespace muster {
@@ -35,8 +35,8 @@ double betweenKnown(const double* v, const bool* known, double fx, double fy) {
 
 }  // namespace
 
-double CostField::squareBetween(Vec2 p) const {
-    const BetweenCentres at = betweenCentres(grid_, p);
+double CostField::squaredCost(Vec2 p) const {
+    const BilinearPoint at = bilinearPoint(grid_, p);
     const std::int32_t x = at.low.x - low_.x;
     const std::int32_t y = at.low.y - low_.y;
     if (x < 0 || y < 0 || x + 1 >= width_ || y + 1 >= height_) return squareOfKnown(at.low, at.fx, at.fy);
@@ -68,13 +68,13 @@ double CostField::squareOfKnown(Cell low, double fx, double fy) const {
     return any ? betweenKnown(v, known, fx, fy) : std::numeric_limits<double>::infinity();
 }
 
-std::int32_t CostField::corners(Vec2 p, std::span<Vec2> corners) const {
+std::int32_t CostField::pathCorners(Vec2 p, std::span<Vec2> corners) const {
     const Cell c = grid_.nearestCell(p);
     std::int32_t number = rootOf(c);
     if (number <= 0) return -1;
     std::int32_t count = 0;
     while (number > 0 && roots_[number].parent > 0 && count < static_cast<std::int32_t>(corners.size())) {
-        const Root& root = roots_[number];
+        const PseudoSource& root = roots_[number];
         corners[count++] = grid_.origin + Vec2{root.x + 0.5, root.y + 0.5} * grid_.cell;
         number = root.parent;
     }

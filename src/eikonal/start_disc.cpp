@@ -28,7 +28,7 @@ double rayCost(const UnitCost& cost, Vec2 from, Vec2 source) {
     double sum = 0.0;
     for (int k = 0; k < samples; ++k) {
         const Vec2 p = lerp(from, source, (k + 0.5) / samples);
-        sum += straightCost(cost.cells[cost.grid.index(cost.grid.nearestCell(p))], way / samples);
+        sum += stepCost(cost.cells[cost.grid.index(cost.grid.nearestCell(p))], way / samples);
     }
     return sum;
 }
@@ -47,7 +47,7 @@ double lowestCost(const UnitCost& cost, Cell low, Cell high) {
 
 }  // namespace
 
-double straightCost(const CellCost& cost, Vec2 by) {
+double stepCost(const CellCost& cost, Vec2 by) {
     // A closed side costs as the other: only the far side of the cell is closed.
     const auto side = [](float ahead, float behind) { return ahead < kInfiniteCost ? ahead : behind; };
     const double x = by.x > 0.0 ? side(cost.east, cost.west) : side(cost.west, cost.east);

@@ -25,6 +25,6 @@ private:
 /// Cost of a straight step `by` [m] that is priced as in this cell: the length of the step under the metric
 /// whose unit circles are those of the upwind scheme. Infinite where both sides along an axis it needs are
 /// closed.
-double straightCost(const CellCost& cost, Vec2 by);
+double stepCost(const CellCost& cost, Vec2 by);
 
 }  // namespace muster

@@ -1,6 +1,6 @@
 // Reading a field where all that is known around a point comes straight from roots.
-#include "cost/between_centres.h"
-#include "eikonal/eikonal.h"
+#include "base/bilinear.h"
+#include "eikonal/cost_field.h"
 #include "eikonal/front.h"
 
 namespace muster {
@@ -11,7 +11,7 @@ constexpr double kBeside = 1.0;
 
 // True where the way from root `far` to a point is bent at `near`, a root reached from it: beyond, on the
 // wall's side.
-bool inShadow(const Root& far, const Root& near, Vec2 at) {
+bool inShadow(const PseudoSource& far, const PseudoSource& near, Vec2 at) {
     const Vec2 way{near.x - far.x, near.y - far.y};
     const Vec2 on{at.x - near.x, at.y - near.y};
     const double side = cross(way, Vec2{near.normalX, near.normalY});
@@ -28,7 +28,7 @@ std::int32_t CostField::rootOf(Cell cell) const {
 // The roots that the reached ones among the four cells around a point come from; empty where one comes from
 // none.
 CostField::Roots CostField::rootsAround(Vec2 p) const {
-    const BetweenCentres at = betweenCentres(grid_, p);
+    const BilinearPoint at = bilinearPoint(grid_, p);
     Roots roots;
     for (int k = 0; k < 4; ++k) {
         const Cell c{at.low.x + (k & 1), at.low.y + (k >> 1)};
@@ -70,10 +70,10 @@ double CostField::straightCostAt(Vec2 p, Vec2& towards) const {
     for (int k = 0; k < around.count; ++k) {
         if (before[k]) continue;
         const std::int32_t last = around.number[k];
-        const Root& own = roots_[last];
+        const PseudoSource& own = roots_[last];
         const bool beside = lengthSquared(at - Vec2{own.x, own.y}) < kBeside;
         if (first[k] == last && own.parent > 0 && beside) first[k] = own.parent;
-        const Root& root = roots_[seenRoot(first[k], last, at)];
+        const PseudoSource& root = roots_[seenRoot(first[k], last, at)];
         const Vec2 off{root.x - at.x, root.y - at.y};
         const double cost = (root.cost + root.unit * length(off)) * grid_.cell;
         if (!(cost < best)) continue;

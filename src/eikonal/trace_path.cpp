@@ -16,7 +16,7 @@ bool tracePath(const CostField& field, Vec2 from, double step, std::vector<Vec2>
     // The cost has to reach a new low at least every few steps, or the walk is going round in a circle.
     constexpr int kPatience = 16;
     int idle = 0;
-    const double most = 1000.0 + 4.0 * field.marched() * (1.0 + field.grid().cell / step);
+    const double most = 1000.0 + 4.0 * field.acceptedCount() * (1.0 + field.grid().cell / step);
     while (idle < kPatience && static_cast<double>(path.size()) < most) {
         if (distance(p, field.source()) <= step) {
             path.push_back(field.source());

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "eikonal/eikonal.h"
+#include "eikonal/cost_field.h"
 
 namespace muster {
 

@@ -10,17 +10,17 @@ constexpr double kBends[] = {0.4, 0.8, 1.2, 1.7, 2.3, 3.0};  // From the line, t
 
 }  // namespace
 
-double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2 a, Vec2 b, double line) {
+double excessBetween(const StaticGround& ground, const DynamicCost& excess, Vec2 a, Vec2 b, double line) {
     const double cost = excess.costAlong(ground, a, b, line);
     if (!(cost > 0.0)) return cost;
-    const double unit = ground.unit(a);
+    const double unit = ground.unitCost(a);
     const double straight = cost / unit;
     if (straight < kWorthBending) return cost;
-    const double share = excess.hazardCentre(a, b, line);
+    const double share = excess.movingCostCentroid(a, b, line);
     if (share < 0.0) return cost;
     const Vec2 middle = lerp(a, b, share);
     const Vec2 aside = perpendicular((b - a) / line);
-    const double worst = excess.hazardAt(middle);
+    const double worst = excess.movingCostAt(middle);
     if (!(worst > 0.0)) return cost;
     // The most promising of the bends: as if the excess fell everywhere as it does there.
     double least = straight;
@@ -30,15 +30,15 @@ double excessBetween(const StaticGround& ground, const CrowdExcess& excess, Vec2
         const double more = length({share * line, bend}) + length({(1.0 - share) * line, bend}) - line;
         if (more >= least) break;
         for (const Vec2 p : {middle + aside * bend, middle - aside * bend}) {
-            const double guess = more + straight * (excess.hazardAt(p) / worst);
+            const double guess = more + straight * (excess.movingCostAt(p) / worst);
             if (!(guess < least)) continue;
             least = guess;
             longer = more;
             by = p;
         }
     }
-    if (by == middle || !ground.straight(a, by) || !ground.straight(by, b)) return cost;
-    return std::min(cost, unit * (longer + excess.along(a, by) + excess.along(by, b)));
+    if (by == middle || !ground.lineOfSight(a, by) || !ground.lineOfSight(by, b)) return cost;
+    return std::min(cost, unit * (longer + excess.relativeAlong(a, by) + excess.relativeAlong(by, b)));
 }
 
 }  // namespace muster

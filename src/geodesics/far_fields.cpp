@@ -79,7 +79,7 @@ FarFields::Corners FarFields::cornersOf(Vec2 place, Lattice& lattice) const {
 }
 
 bool FarFields::sees(const CostField& field, Vec2 place, double square) const {
-    const double slack = kCellsOff * field.grid().cell * ground_->unit(place);
+    const double slack = kCellsOff * field.grid().cell * ground_->unitCost(place);
     const double line = kInLine * ground_->lineCost(place, field.source()) + slack;
     return square <= line * line;
 }
@@ -97,7 +97,7 @@ LandmarkStencil FarFields::stencil(Vec2 place) {
             lattice_.wish(corners.cell[k]);
             continue;
         }
-        const double square = lattice_.field(slot).squareBetween(place);
+        const double square = lattice_.field(slot).squaredCost(place);
         const Landmark landmark{slot, grid.centre(grid.at(corners.cell[k])),
                                 std::sqrt(std::max(0.0, square))};
         if (sees(lattice_.field(slot), place, square))
@@ -111,19 +111,19 @@ LandmarkStencil FarFields::stencil(Vec2 place) {
         const Landmark& best = *std::min_element(unseen, unseen + others, nearer);
         if (std::isfinite(best.cost)) known[count++] = best;
     }
-    LandmarkStencil stencil = weighLandmarks({known, count}, corners.square, place, ground_->unit(place));
-    stencil.unit = slow(place) ? ground_->unit(place) : 0.0f;
+    LandmarkStencil stencil = weighLandmarks({known, count}, corners.square, place, ground_->unitCost(place));
+    stencil.unit = slow(place) ? ground_->unitCost(place) : 0.0f;
     // On uneven ground the others tell how long a way is at least and at most.
-    if (!ground_->even() && stencil.count > 0)
+    if (!ground_->uniform() && stencil.count > 0)
         for (std::size_t k = 0; k < others && stencil.count < 4; ++k) stencil.addBound(unseen[k]);
     return stencil;
 }
 
 double FarFields::square(const LandmarkStencil& stencil, Vec2 from) const {
-    if (!ground_->even()) return squareWithin(stencil, from);
+    if (!ground_->uniform()) return squareWithin(stencil, from);
     double sum = stencil.shift;
     for (std::int32_t k = 0; k < stencil.count; ++k)
-        sum += static_cast<double>(stencil.weight[k]) * lattice_.field(stencil.slot[k]).squareBetween(from);
+        sum += static_cast<double>(stencil.weight[k]) * lattice_.field(stencil.slot[k]).squaredCost(from);
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
@@ -131,13 +131,13 @@ double FarFields::square(const LandmarkStencil& stencil, Vec2 from) const {
 // one by a landmark, nor shorter than the ways to a landmark differ. From outside fronts come to places on
 // slow ground almost plane, so that costs themselves are what interpolates well.
 double FarFields::squareWithin(const LandmarkStencil& stencil, Vec2 from) const {
-    const bool plane = stencil.unit != 0.0f && ground_->unit(from) != stencil.unit;
+    const bool plane = stencil.unit != 0.0f && ground_->unitCost(from) != stencil.unit;
     double sum = plane ? 0.0 : stencil.shift;
     double least = 0.0;
     double most = std::numeric_limits<double>::infinity();
     for (std::int32_t k = 0; k < stencil.count; ++k) {
         const double weight = stencil.weight[k];
-        const double square = lattice_.field(stencil.slot[k]).squareBetween(from);
+        const double square = lattice_.field(stencil.slot[k]).squaredCost(from);
         const double cost = std::sqrt(std::max(0.0, square));
         const double own = stencil.own[k];
         if (std::isfinite(cost + own)) {
@@ -166,8 +166,8 @@ std::int32_t FarFields::build(std::int32_t most, ThreadPool& pool) {
 void FarFields::solve(std::int32_t landmark, CostField& field, EikonalSolver& solver) const {
     const UnitCost& cost = ground_->coarse();
     solver.solve(cost, cost.grid.centre(cost.grid.at(landmark)), {}, field);
-    for (const StaticGround::Beside& beside : ground_->beside())
-        field.lower(beside.cell, field.value(beside.neighbour) + beside.cost);
+    for (const StaticGround::PartiallyBlockedCell& beside : ground_->partiallyBlockedCells())
+        field.lowerValue(beside.cell, field.value(beside.neighbour) + beside.cost);
 }
 
 void FarFields::rebuild(ThreadPool& pool) {

@@ -53,7 +53,7 @@ private:
 
         void reset(const Grid& grid, std::int32_t cells);
     };
-    bool slow(Vec2 place) const { return ground_->unit(place) > ground_->fine().lowest; }
+    bool slow(Vec2 place) const { return ground_->unitCost(place) > ground_->fine().lowest; }
     Corners cornersOf(Vec2 place, Lattice& lattice) const;
     std::int32_t freeNear(Cell point, Lattice& lattice) const;
     void solve(std::int32_t landmark, CostField& field, EikonalSolver& solver) const;

@@ -66,7 +66,7 @@ struct Geodesics::Impl {
 
     GeodesicsDef def;
     const StaticGround* ground = nullptr;
-    const CrowdExcess* excess = nullptr;
+    const DynamicCost* excess = nullptr;
     std::vector<Vec2> places;
     WindowCosts near;                    // A few metres round places, on the ground cells.
     WindowCosts middle;                  // Some more, on cells twice as wide.
@@ -128,12 +128,12 @@ Geodesics::Geodesics(Geodesics&&) noexcept = default;
 Geodesics& Geodesics::operator=(Geodesics&&) noexcept = default;
 
 void Geodesics::reserve(const StaticGround& ground, std::size_t places) {
-    if (ground.plain()) return;
+    if (ground.open()) return;
     impl_->near.windows().reserve(places);
     impl_->middle.windows().reserve(places);
 }
 
-void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places,
+void Geodesics::update(const StaticGround& ground, const DynamicCost& excess, std::span<const Vec2> places,
                        ThreadPool& pool) {
     Impl& s = *impl_;
     s.ground = &ground;
@@ -145,7 +145,7 @@ void Geodesics::update(const StaticGround& ground, const CrowdExcess& excess, st
     s.near.beginStep(ground, ground.fineLevel(), excess, s.places);
     s.middle.beginStep(ground, ground.middle(), excess, s.places);
     s.far.beginStep(ground, places.size());
-    if (ground.plain()) return;
+    if (ground.open()) return;
     if (s.loaded) {
         s.near.rebuild(pool);
         s.middle.rebuild(pool);
@@ -207,7 +207,7 @@ void Geodesics::Impl::findFarStencils(bool anew) {
 // Notes what could tell the cost.
 void Geodesics::Impl::askFor(Vec2 from, std::int32_t place) {
     const bool farAway = distance(from, places[place]) >= kFarAway;
-    if (!farAway && ground->straight(from, places[place])) return;
+    if (!farAway && ground->lineOfSight(from, places[place])) return;
     if (near.reaches(from, place))
         near.ask(place, false);
     else if (middle.reaches(from, place))
@@ -218,7 +218,7 @@ void Geodesics::Impl::askFor(Vec2 from, std::int32_t place) {
 
 void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
     Impl& s = *impl_;
-    if (s.ground->plain()) return;
+    if (s.ground->open()) return;
     const auto count = static_cast<std::int32_t>(s.places.size());
     for (std::int32_t j = 0; j < count; ++j)
         for (std::size_t k = 0; k < from.size() && s.askedFar[j] == 0; ++k) s.askFor(from[k], j);
@@ -243,7 +243,7 @@ double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) cons
     const LandmarkStencil& stencil = farStencil[place];
     if (stencil.count == 0) return kInfinite;
     const double square = far.square(stencil, from) -
-                          readingShift(ground->coarse().grid, from, ground->unit(from));
+                          readingShift(ground->coarse().grid, from, ground->unitCost(from));
     if (!(square < kInfinite)) return kInfinite;
     const double least = ground->fine().lowest * line;
     return std::sqrt(std::max(square, least * least));
@@ -255,7 +255,7 @@ Geodesics::Impl::Bent Geodesics::Impl::roundOutside(Bent inside, Vec2 from, std:
     const Vec2 to = places[place];
     const double line = distance(from, to);
     // Far fields say little of short ways, for which windows are made.
-    if (ground->even() || (inside.by == Bent::Line && line < kShortLine)) return inside;
+    if (ground->uniform() || (inside.by == Bent::Line && line < kShortLine)) return inside;
     const double straight = inside.by == Bent::Line ? ground->fine().lowest * line
                                                     : ground->lineCost(from, to);
     if (inside.cost <= kDetour * straight) return inside;
@@ -268,7 +268,8 @@ Geodesics::Impl::Bent Geodesics::Impl::roundOutside(Bent inside, Vec2 from, std:
 // unknown.
 Geodesics::Impl::Bent Geodesics::Impl::overSlow(Vec2 from, std::int32_t place, double line) const {
     const Vec2 to = places[place];
-    if (ground->even() || line > kOverSlow || !ground->clear(from, to)) return {kInfinite, Bent::Unknown};
+    if (ground->uniform() || line > kOverSlow || !ground->collisionFree(from, to))
+        return {kInfinite, Bent::Unknown};
     const SlowWay way = slowWay(*ground, from, to);
     double more = excessBetween(*ground, *excess, from, way.aim);
     if (!(way.aim == to)) more += excessBetween(*ground, *excess, way.aim, to);
@@ -278,7 +279,7 @@ Geodesics::Impl::Bent Geodesics::Impl::overSlow(Vec2 from, std::int32_t place, d
 Geodesics::Impl::Bent Geodesics::Impl::bent(Vec2 from, std::int32_t place, bool owner, double line) const {
     const Bent direct = overSlow(from, place, line);
     // Into slow ground or out of it that is the way; within it another way may lead out and in again.
-    if (direct.by == Bent::Line && ground->unit(from) != ground->unit(places[place]))
+    if (direct.by == Bent::Line && ground->unitCost(from) != ground->unitCost(places[place]))
         return roundOutside(direct, from, place);
     const Bent found = byWindows(from, place, owner, line);
     const bool better = direct.cost < found.cost || found.by == Bent::Far || found.by == Bent::Unknown;
@@ -291,7 +292,7 @@ double Geodesics::Impl::excessAtEnds(Vec2 from, Vec2 to, double line) const {
     const double part = std::min(1.0, kNearEnds / line);
     const auto standsIn = [&](Vec2 end, Vec2 onward) {
         const Vec2 until = lerp(end, onward, part);
-        return excess->hazardCentre(end, until, distance(end, until)) >= 0.0;
+        return excess->movingCostCentroid(end, until, distance(end, until)) >= 0.0;
     };
     double sum = 0.0;
     if (standsIn(from, to)) sum += excessBetween(*ground, *excess, from, lerp(from, to, part));
@@ -316,7 +317,7 @@ Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, 
         missing = missing || !middle.known(place);
     }
     // On even ground the line tells enough until then.
-    if (!missing || !ground->even()) askFar(place);
+    if (!missing || !ground->uniform()) askFar(place);
     const double cost = farCost(from, place, line);
     const double more = excessAtEnds(from, places[place], line);
     if (cost < kInfinite) return {cost + more, Bent::Far};
@@ -326,7 +327,7 @@ Geodesics::Impl::Bent Geodesics::Impl::byWindows(Vec2 from, std::int32_t place, 
 // Over long ways far fields are cheaper to ask than whether the line is clear, and where it is they say the
 // same.
 bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, double line, float& cost) const {
-    if (line < kFarAway || ground->plain()) return false;
+    if (line < kFarAway || ground->open()) return false;
     askFar(place);
     const double there = farCost(from, place, line);
     cost = static_cast<float>(there);
@@ -334,7 +335,7 @@ bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, double line, float
 }
 
 bool Geodesics::straight(Vec2 from, std::int32_t place) const {
-    return impl_->ground->straight(from, impl_->places[place]);
+    return impl_->ground->lineOfSight(from, impl_->places[place]);
 }
 
 double Geodesics::perMetre() const {
@@ -347,14 +348,14 @@ double Geodesics::atLeast(Vec2 from, std::int32_t place) const {
     const Vec2 to = impl_->places[place];
     const double line = distance(from, to);
     const double lowest = ground.fine().lowest;
-    if (ground.even()) return lowest * line;
-    const double before = std::clamp(ground.room(from), 0.0, line);
-    const double after = std::clamp(ground.room(to), 0.0, line - before);
-    return lowest * line + (ground.unit(from) - lowest) * before + (ground.unit(to) - lowest) * after;
+    if (ground.uniform()) return lowest * line;
+    const double before = std::clamp(ground.uniformClearance(from), 0.0, line);
+    const double after = std::clamp(ground.uniformClearance(to), 0.0, line - before);
+    return lowest * line + (ground.unitCost(from) - lowest) * before + (ground.unitCost(to) - lowest) * after;
 }
 
 bool Geodesics::unsteady(Vec2 p) const {
-    return impl_->excess->moves(p);
+    return impl_->excess->hasMovingCost(p);
 }
 
 float Geodesics::cost(Vec2 from, std::int32_t place) const {
@@ -362,7 +363,7 @@ float Geodesics::cost(Vec2 from, std::int32_t place) const {
 }
 
 float Geodesics::Impl::straightCost(Vec2 from, Vec2 to, double line) const {
-    return static_cast<float>(ground->unit(to) * line + excessBetween(*ground, *excess, from, to, line));
+    return static_cast<float>(ground->unitCost(to) * line + excessBetween(*ground, *excess, from, to, line));
 }
 
 float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
@@ -370,7 +371,7 @@ float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
     const double line = distance(from, to);
     float known = 0.0f;
     if (farKnown(from, place, line, known)) return known;
-    if (ground->straight(from, to, line)) return straightCost(from, to, line);
+    if (ground->lineOfSight(from, to, line)) return straightCost(from, to, line);
     return static_cast<float>(bent(from, place, false, line).cost);
 }
 
@@ -385,7 +386,7 @@ bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, WayPoint
         if (onward == Vec2{}) break;
         at += onward * kTraceStep;
         if (k < kWindowSteps) memory.window = near.windows().landmarkNear(at, memory.window);
-        if (ground->straight(from, at)) {
+        if (ground->lineOfSight(from, at)) {
             memory.point = at;
             found = distance(from, at) > kWorthAiming;
             lost = 0;
@@ -405,7 +406,7 @@ Vec2 Geodesics::Impl::towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) cons
     for (const Rotation& turn : kAside)
         for (const Vec2 p : {from + turn.apply(aim - from), from + turn.applyInverse(aim - from)}) {
             const double length = lengthBy(p);
-            if (!(length < least) || !ground->straight(from, p)) continue;
+            if (!(length < least) || !ground->lineOfSight(from, p)) continue;
             least = length;
             best = p;
         }
@@ -419,7 +420,7 @@ Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, 
     // Who walks towards a point keeps it in sight, unless pushed aside.
     const bool looks = memory.steps % kLooks == 0;
     const bool aims = memory.inSight && distance(from, memory.point) > kReached &&
-                      (!looks || ground->straight(from, memory.point));
+                      (!looks || ground->lineOfSight(from, memory.point));
     if (memory.steps <= 0 || (memory.inSight && !aims)) {
         memory.inSight = findPointAhead(field, from, memory);
         if (memory.inSight && farStencil[place].count > 0)
@@ -436,11 +437,12 @@ Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, 
 
 // The coarse field may lead into a wall: along it then.
 Vec2 Geodesics::Impl::alongWall(Vec2 from, Vec2 way) const {
-    if (ground->roomBetween(from) > kTouching) return way;
+    if (ground->interpolatedClearance(from) > kTouching) return way;
     const double edge = ground->fine().grid.cell;
-    const Vec2 rise{
-        ground->roomBetween(from + Vec2{edge, 0.0}) - ground->roomBetween(from - Vec2{edge, 0.0}),
-        ground->roomBetween(from + Vec2{0.0, edge}) - ground->roomBetween(from - Vec2{0.0, edge})};
+    const Vec2 rise{ground->interpolatedClearance(from + Vec2{edge, 0.0}) -
+                        ground->interpolatedClearance(from - Vec2{edge, 0.0}),
+                    ground->interpolatedClearance(from + Vec2{0.0, edge}) -
+                        ground->interpolatedClearance(from - Vec2{0.0, edge})};
     const Vec2 out = normalized(rise);
     const double into = dot(way, out);
     return into < 0.0 ? normalized(way - out * into, perpendicular(out)) : way;
@@ -461,14 +463,15 @@ WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const
 // Where the crowd ahead is dense, the best of a few headings: what the first metres cost in it, and the way
 // on from there.
 Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const {
-    if (excess->none() || way.direction == Vec2{} || way.cost < 2.0 * kLookAhead) return way.direction;
-    const double unit = ground->unit(from);
+    if (excess->empty() || way.direction == Vec2{} || way.cost < 2.0 * kLookAhead) return way.direction;
+    const double unit = ground->unitCost(from);
     const auto costBy = [&](Vec2 heading) {
         const Vec2 next = from + heading * kLookAhead;
-        if (!ground->straight(from, next)) return kInfinite;
-        return unit * (kLookAhead + excess->along(from, next)) + costFrom(next, place);
+        if (!ground->lineOfSight(from, next)) return kInfinite;
+        return unit * (kLookAhead + excess->relativeAlong(from, next)) + costFrom(next, place);
     };
-    if (excess->along(from, from + way.direction * kLookAhead) < kCrowded * kLookAhead) return way.direction;
+    if (excess->relativeAlong(from, from + way.direction * kLookAhead) < kCrowded * kLookAhead)
+        return way.direction;
     Vec2 best = way.direction;
     double least = costBy(best) - kKeep;
     for (const Rotation& turn : kHeadings)
@@ -494,7 +497,7 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
         way.direction = longDirection(farField(), place, from, memory);
         return way;
     }
-    if (ground->straight(from, to, line)) return {normalized(to - from), straightCost(from, to, line)};
+    if (ground->lineOfSight(from, to, line)) return {normalized(to - from), straightCost(from, to, line)};
     const Bent found = bent(from, place, true, line);
     way.cost = static_cast<float>(found.cost);
     if (found.by == Bent::Line) way.direction = normalized(found.aim - from);

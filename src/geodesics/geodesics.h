@@ -8,7 +8,7 @@
 
 #include "base/archive.h"
 #include "base/parallel.h"
-#include "cost/crowd_excess.h"
+#include "cost/dynamic_cost.h"
 #include "cost/static_ground.h"
 
 namespace muster {
@@ -68,7 +68,7 @@ public:
     void reserve(const StaticGround& ground, std::size_t places);
     /// Takes the places of this step, and makes some of the fields that were missing in the last. `ground`
     /// and `excess` must live until the next call.
-    void update(const StaticGround& ground, const CrowdExcess& excess, std::span<const Vec2> places,
+    void update(const StaticGround& ground, const DynamicCost& excess, std::span<const Vec2> places,
                 ThreadPool& pool);
     /// Makes all far fields that ways from these points to the places ask for: before a first plan.
     void survey(std::span<const Vec2> from, ThreadPool& pool);

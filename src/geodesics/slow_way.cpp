@@ -22,7 +22,7 @@ struct Line {
 double changeBetween(const StaticGround& ground, Vec2 a, Vec2 way, double low, double high, float unit) {
     for (std::int32_t k = 0; k < kHalvings; ++k) {
         const double middle = 0.5 * (low + high);
-        (ground.unit(a + way * middle) == unit ? low : high) = middle;
+        (ground.unitCost(a + way * middle) == unit ? low : high) = middle;
     }
     return 0.5 * (low + high);
 }
@@ -34,11 +34,11 @@ Line along(const StaticGround& ground, Vec2 a, Vec2 b, double most) {
     const std::int32_t looks = std::min(kMostLooks, static_cast<std::int32_t>(whole / kStep) + 1);
     const double share = 1.0 / looks;
     Line line;
-    float last = ground.unit(a);
+    float last = ground.unitCost(a);
     float largest = 0.0f;
     double since = 0.0;  // The share from which the ground costs `last`.
     for (std::int32_t k = 1; k <= looks && line.cost <= most; ++k) {
-        const float unit = ground.unit(a + way * (k * share));
+        const float unit = ground.unitCost(a + way * (k * share));
         if (unit == last) continue;
         const double change = changeBetween(ground, a, way, (k - 1) * share, k * share, last);
         line.cost += last * (change - since) * whole;
@@ -69,7 +69,8 @@ SlowWay slowWay(const StaticGround& ground, Vec2 from, Vec2 to) {
             const double first = along(ground, from, by, best.cost).cost;
             if (first + lowest * length2 >= best.cost) continue;
             const double cost = first + along(ground, by, to, best.cost - first).cost;
-            if (cost < best.cost && ground.clear(from, by) && ground.clear(by, to)) best = {cost, by};
+            if (cost < best.cost && ground.collisionFree(from, by) && ground.collisionFree(by, to))
+                best = {cost, by};
         }
     }
     return best;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cost/between_centres.h"
+#include "base/bilinear.h"
 #include "geodesics/asked.h"
 #include "geodesics/crowd_detour.h"
 
@@ -18,12 +18,12 @@ constexpr std::int32_t kMostCorners = 8;  // Of a way through a window.
 }  // namespace
 
 double readingShift(const Grid& grid, Vec2 from, double unit) {
-    const BetweenCentres at = betweenCentres(grid, from);
+    const BilinearPoint at = bilinearPoint(grid, from);
     const double edge = unit * grid.cell;
     return edge * edge * (at.fx * (1.0 - at.fx) + at.fy * (1.0 - at.fy));
 }
 
-void WindowCosts::beginStep(const StaticGround& ground, const GroundLevel& level, const CrowdExcess& excess,
+void WindowCosts::beginStep(const StaticGround& ground, const GroundLevel& level, const DynamicCost& excess,
                             std::span<const Vec2> places) {
     ground_ = &ground;
     excess_ = &excess;
@@ -34,7 +34,7 @@ void WindowCosts::beginStep(const StaticGround& ground, const GroundLevel& level
     seen_.resize(places.size());
     stencil_.resize(places.size());
     windows_.beginStep(level, ground.version());
-    if (!ground.plain()) windows_.reserve(places.size());
+    if (!ground.open()) windows_.reserve(places.size());
 }
 
 // Places move little from step to step: those that have windows look again in turn.
@@ -52,7 +52,8 @@ void WindowCosts::look(std::size_t place, bool anew) {
     if (mixed_[place] == 0) stencil_[place].count = 0;
     if (!anew && !looks(place)) return;
     seen_[place] = windows_.seen(*ground_, places_[place]);
-    if (mixed_[place] > 0) stencil_[place] = windows_.stencil(places_[place], ground_->unit(places_[place]));
+    if (mixed_[place] > 0)
+        stencil_[place] = windows_.stencil(places_[place], ground_->unitCost(places_[place]));
 }
 
 void WindowCosts::findStencils(bool ticks) {
@@ -104,9 +105,9 @@ const CostField& WindowCosts::field(std::int32_t place) const {
 
 // The excess along the corners of a way through the field, and on to the place.
 double WindowCosts::excessAlong(const CostField& field, Vec2 from, Vec2 to) const {
-    if (excess_->none()) return 0.0;
+    if (excess_->empty()) return 0.0;
     Vec2 corners[kMostCorners];
-    const std::int32_t count = field.corners(from, corners);
+    const std::int32_t count = field.pathCorners(from, corners);
     double sum = 0.0;
     Vec2 at = from;
     for (std::int32_t k = 0; k < count; ++k) {
@@ -131,12 +132,12 @@ double WindowCosts::stillCost(Vec2 from, std::int32_t place) const {
     const GroundLevel& level = windows_.ground();
     const Grid& grid = level.cost.grid;
     double more = 0.0;
-    if (!(field(place).squareBetween(from) < kInfinite)) {
+    if (!(field(place).squaredCost(from) < kInfinite)) {
         const std::int32_t cell = level.blocked(grid.index(grid.nearestCell(from))) ? level.freeCellNear(from)
                                                                                     : -1;
         if (cell < 0) return kInfinite;
         const Vec2 out = grid.centre(grid.at(cell));
-        more = ground_->unit(out) * distance(from, out);
+        more = ground_->unitCost(out) * distance(from, out);
         from = out;
     }
     double best = kInfinite;
@@ -152,7 +153,7 @@ Vec2 WindowCosts::lastSeen(Vec2 from, Vec2 near, Vec2 far) const {
     double seen = 0.0;
     double step = 0.5;
     for (std::int32_t k = 0; k < kHalvings; ++k, step *= 0.5)
-        if (ground_->straight(from, lerp(near, far, seen + step))) seen += step;
+        if (ground_->lineOfSight(from, lerp(near, far, seen + step))) seen += step;
     return lerp(near, far, seen);
 }
 
@@ -168,11 +169,11 @@ double WindowCosts::aroundCorner(Vec2 from, Vec2 mark, Vec2 to) const {
 // known, and on slow ground.
 double WindowCosts::through(const CostField& field, Vec2 from, Vec2 to) const {
     Vec2 corners[kMostCorners];
-    const std::int32_t count = field.corners(from, corners);
+    const std::int32_t count = field.pathCorners(from, corners);
     if (count < 0 || count == kMostCorners) return kInfinite;
     const Vec2 mark = field.source();
     const float unit = windows_.ground().cost.lowest;
-    if (ground_->unit(to) != unit || ground_->unit(mark) != unit || ground_->unit(from) != unit)
+    if (ground_->unitCost(to) != unit || ground_->unitCost(mark) != unit || ground_->unitCost(from) != unit)
         return kInfinite;
     if (count == 0) return unit * aroundCorner(from, mark, to);
     const Vec2 last = corners[count - 1];
@@ -185,9 +186,9 @@ double WindowCosts::interpolated(Vec2 from, std::int32_t place) const {
     const LandmarkStencil& stencil = stencil_[place];
     const Vec2 to = places_[place];
     if (stencil.count == 0)
-        return field(place).cost(from) + ground_->unit(to) * distance(field(place).source(), to);
+        return field(place).cost(from) + ground_->unitCost(to) * distance(field(place).source(), to);
     const double square = windows_.square(stencil, from) -
-                          readingShift(windows_.ground().cost.grid, from, ground_->unit(from));
+                          readingShift(windows_.ground().cost.grid, from, ground_->unitCost(from));
     return square < kInfinite ? std::sqrt(std::max(0.0, square)) : kInfinite;
 }
 
@@ -198,7 +199,7 @@ Vec2 WindowCosts::direction(Vec2 from, std::int32_t place) const {
     if (distance(from, down.source()) < 1.5 * distance(down.source(), to)) return normalized(to - from);
     const GroundLevel& level = windows_.ground();
     const Grid& grid = level.cost.grid;
-    const std::int32_t cell = down.squareBetween(from) < kInfinite ? -1 : level.freeCellNear(from);
+    const std::int32_t cell = down.squaredCost(from) < kInfinite ? -1 : level.freeCellNear(from);
     return cell >= 0 ? normalized(grid.centre(grid.at(cell)) - from) : down.direction(from);
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cost/crowd_excess.h"
+#include "cost/dynamic_cost.h"
 #include "cost/static_ground.h"
 #include "geodesics/windows.h"
 
@@ -17,7 +17,7 @@ public:
     explicit WindowCosts(const WindowsDef& def) : windows_(def) {}  ///< Knows nothing yet.
 
     /// Begins a step with these places on a level of the still ground. All must live until the next.
-    void beginStep(const StaticGround& ground, const GroundLevel& level, const CrowdExcess& excess,
+    void beginStep(const StaticGround& ground, const GroundLevel& level, const DynamicCost& excess,
                    std::span<const Vec2> places);
     /// Makes at most `most` of the windows missed so far; returns how many.
     std::int32_t build(std::int32_t most, ThreadPool& pool) { return windows_.build(most, pool); }
@@ -72,7 +72,7 @@ private:
 
     Windows windows_;
     const StaticGround* ground_ = nullptr;
-    const CrowdExcess* excess_ = nullptr;
+    const DynamicCost* excess_ = nullptr;
     std::span<const Vec2> places_;
     std::uint32_t step_ = 0;
     std::uint32_t generation_ = 0;     // Of the windows that slots tell of.

@@ -39,8 +39,8 @@ void Windows::reserve(std::size_t places) {
 // The less room there is to walls and to other ground, the closer they lie.
 std::int32_t Windows::spacingAt(std::int32_t cell) const {
     const auto perCell = static_cast<float>(1.0 / ground_->cost.grid.cell);
-    const float walls = ground_->wallRoom[cell] * perCell;
-    const float others = ground_->room[cell] * perCell;
+    const float walls = ground_->clearance[cell] * perCell;
+    const float others = ground_->uniformClearance[cell] * perCell;
     const auto fits = [&](std::int32_t cells) {
         const auto spacing = static_cast<float>(cells);
         return walls >= kRoomPerSpacing * spacing + 0.7f && others >= spacing;
@@ -75,7 +75,7 @@ Windows::Corners Windows::cornersOf(Vec2 place, std::int32_t spacing) const {
 SeenWindows Windows::seen(const StaticGround& still, Vec2 place) {
     const Grid& grid = ground_->cost.grid;
     // On slow ground a landmark some way off says little.
-    const bool slow = still.unit(place) > ground_->cost.lowest;
+    const bool slow = still.unitCost(place) > ground_->cost.lowest;
     for (std::int32_t spacing = slow ? 1 : kWidest; spacing > 0; spacing /= 2) {
         const Corners corners = cornersOf(place, spacing);
         std::array<std::pair<double, std::int32_t>, 4> order;
@@ -83,7 +83,7 @@ SeenWindows Windows::seen(const StaticGround& still, Vec2 place) {
         for (std::int32_t k = 0; k < corners.count; ++k) {
             const Vec2 at = grid.centre(grid.at(corners.cell[k]));
             // At last any landmark must do.
-            if (spacing > 1 && !still.straight(at, place)) continue;
+            if (spacing > 1 && !still.lineOfSight(at, place)) continue;
             const std::pair<double, std::int32_t> landmark{lengthSquared(at - place), corners.cell[k]};
             std::int32_t rank = count++;
             for (; rank > 0 && landmark < order[rank - 1]; --rank) order[rank] = order[rank - 1];
@@ -124,7 +124,7 @@ double Windows::square(const LandmarkStencil& stencil, Vec2 from) const {
         const Vec2 off = from - field.source();
         if (std::fabs(off.x) > reach || std::fabs(off.y) > reach)
             return std::numeric_limits<double>::infinity();
-        sum += static_cast<double>(stencil.weight[k]) * field.squareBetween(from);
+        sum += static_cast<double>(stencil.weight[k]) * field.squaredCost(from);
     }
     return sum;
 }

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "picture/theme.h"
 
 namespace muster {

@@ -9,7 +9,7 @@
 #include "assignment/dense/transportation_problem.h"
 #include "base/archive.h"
 #include "base/parallel.h"
-#include "cost/crowd_excess.h"
+#include "cost/dynamic_cost.h"
 #include "cost/static_ground.h"
 #include "cost/unit_cost.h"
 #include "environment/environment.h"
@@ -49,7 +49,7 @@ struct PlanInput {
     std::span<const std::int32_t> incumbent;  ///< Place of each character now, -1 for none.
     const UnitCost* cost = nullptr;           ///< For plans that ask for it (Plan::readsUnitCost), else null.
     const StaticGround* ground = nullptr;     ///< For the other plans; lives as long as the plan.
-    const CrowdExcess* excess = nullptr;      ///< For the other plans; lives as long as the plan.
+    const DynamicCost* excess = nullptr;      ///< For the other plans; lives as long as the plan.
     std::span<const std::uint8_t> present =
         {};  ///< Per character, 0 for one known to be cut off from the places; empty for all.
 };
@@ -63,7 +63,7 @@ struct SteerInput {
     /// Within a clear straight line of this the direction leads straight to the place [m].
     double direct = 0.0;
     const StaticGround* ground = nullptr;  ///< As for plans.
-    const CrowdExcess* excess = nullptr;   ///< As for plans.
+    const DynamicCost* excess = nullptr;   ///< As for plans.
 };
 
 /// What a plan returns.

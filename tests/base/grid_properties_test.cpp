@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/bilinear.h"
 #include "base/grid.h"
 #include "base/random.h"
 
@@ -24,7 +25,7 @@ Vec2 pointIn(const Box& box, Random& random) {
 }
 
 double interpolate(const Grid& grid, const std::vector<double>& values, Vec2 p) {
-    const BilinearStencil stencil = grid.bilinear(p);
+    const BilinearStencil stencil = bilinearStencil(grid, p);
     double sum = 0.0;
     for (int k = 0; k < 4; ++k) sum += stencil.weight[k] * values[stencil.cell[k]];
     return sum;
@@ -107,7 +108,7 @@ TEST_CASE("bilinear weights are a share of one, in the cells that surround the p
     for (int i = 0; i < 500; ++i) {
         const Grid grid = randomGrid(random);
         const Vec2 p = pointIn(grid.box().grown(3.0), random);
-        const BilinearStencil stencil = grid.bilinear(p);
+        const BilinearStencil stencil = bilinearStencil(grid, p);
         double sum = 0.0;
         for (int k = 0; k < 4; ++k) {
             CHECK(stencil.weight[k] >= 0.0);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/bilinear.h"
 #include "base/parallel.h"
 #include "base/random.h"
 
@@ -24,7 +25,7 @@ TEST_CASE("bilinear interpolation reproduces linear functions and stays inside")
     Random random(4);
     for (int i = 0; i < 1000; ++i) {
         const Vec2 p{random.uniform(0.25, 3.75), random.uniform(0.25, 2.75)};
-        const BilinearStencil stencil = grid.bilinear(p);
+        const BilinearStencil stencil = bilinearStencil(grid, p);
         double value = 0.0;
         double sum = 0.0;
         for (int k = 0; k < 4; ++k) {
@@ -35,7 +36,7 @@ TEST_CASE("bilinear interpolation reproduces linear functions and stays inside")
         CHECK(value == doctest::Approx(2.0 * p.x - 3.0 * p.y + 1.0));
         CHECK(sum == doctest::Approx(1.0));
     }
-    const BilinearStencil outside = grid.bilinear({-100, 100});
+    const BilinearStencil outside = bilinearStencil(grid, {-100, 100});
     for (int k = 0; k < 4; ++k) CHECK(grid.contains(grid.at(outside.cell[k])));
 }
 
@@ -43,7 +44,7 @@ TEST_CASE("far points and a single cell are no trouble") {
     const Grid grid = Grid::covering({{0, 0}, {0.1, 0.1}}, 0.5);
     CHECK(grid.count() == 1);
     CHECK(grid.nearestCell({1e300, -1e300}) == Cell{0, 0});
-    CHECK(grid.bilinear({7, 7}).cell[0] == 0);
+    CHECK(bilinearStencil(grid, {7, 7}).cell[0] == 0);
     CHECK_FALSE(grid.contains(grid.cellOf({1e300, 0})));
 }
 

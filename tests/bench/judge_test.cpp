@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "base/random.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "scale/judge.h"
 
 using namespace muster;

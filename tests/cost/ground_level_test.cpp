@@ -5,7 +5,7 @@
 
 #include "cost/ground_scene.h"
 #include "cost/static_ground.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -24,8 +24,8 @@ TEST_CASE("wider cells have the room and the cost of the ground that they cover"
         const Vec2 p = grid.centre(grid.at(k));
         const double room = environment.distanceToObstacle(p) - 0.25;
         // Clearance is known up to a limit, and kinks where two walls are as near.
-        if (room < 1.0) REQUIRE(std::fabs(level.wallRoom[k] - room) < 0.1);
-        REQUIRE(level.blocked(k) == (level.wallRoom[k] < 0.0f));
+        if (room < 1.0) REQUIRE(std::fabs(level.clearance[k] - room) < 0.1);
+        REQUIRE(level.blocked(k) == (level.clearance[k] < 0.0f));
     }
     const auto east = [&](Vec2 p) { return level.cost.cells[grid.index(grid.cellOf(p))].east; };
     CHECK(east({-8.1, 0.1}) == doctest::Approx(1.0));

@@ -5,7 +5,7 @@
 
 #include "cost/ground_scene.h"
 #include "cost/static_ground.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "eikonal/geodesic_oracle.h"
 
 using namespace muster;
@@ -26,11 +26,11 @@ TEST_CASE("room is a lower bound of the free and uniform surroundings") {
         const double walls = std::min(block.signedDistance(p), rim) - 0.25;
         // A patch reaches to the far side of the cells it touches.
         const double edge = std::fabs(patch.signedDistance(p)) + 0.36;
-        REQUIRE(ground.room(p) <= std::min(walls, edge) + 1e-5);
-        most = std::max(most, ground.room(p));
+        REQUIRE(ground.uniformClearance(p) <= std::min(walls, edge) + 1e-5);
+        most = std::max(most, ground.uniformClearance(p));
     }
     CHECK(most > 6.0);
-    CHECK(ground.room({30, 0}) < 0.0);
+    CHECK(ground.uniformClearance({30, 0}) < 0.0);
 }
 
 TEST_CASE("straight lines agree with the exact ones but near walls") {
@@ -53,10 +53,10 @@ TEST_CASE("straight lines agree with the exact ones but near walls") {
         double gap = 1e9;
         for (const Shape& shape : shapes) gap = std::min(gap, shape.segmentDistance(a, b));
         if (gap > 0.25 + 0.06) {
-            REQUIRE(ground.straight(a, b));
+            REQUIRE(ground.lineOfSight(a, b));
             ++clear;
         } else if (gap < 0.25 - 0.08) {
-            REQUIRE_FALSE(ground.straight(a, b));
+            REQUIRE_FALSE(ground.lineOfSight(a, b));
             ++blocked;
         }
     }
@@ -68,12 +68,12 @@ TEST_CASE("on slow ground the straight line counts only where no way out can be 
     Environment environment = squareWorld(16.0);
     REQUIRE(environment.addPatch(slowBox(-6, -6, 6, 6, 0.2)).ok());
     const StaticGround ground = groundOf(environment);
-    CHECK(ground.straight({-0.5, 0}, {0.5, 0}));
-    CHECK_FALSE(ground.straight({-5, 5.5}, {5, 5.5}));  // Round by the fast side.
-    CHECK_FALSE(ground.straight({-8, 0}, {0, 0}));      // Across the edge.
-    CHECK(ground.straight({-9, -9}, {-9, 9}));
-    CHECK(ground.unit({0, 0}) == doctest::Approx(5.0));
-    CHECK(ground.unit({10, 0}) == 1.0f);
+    CHECK(ground.lineOfSight({-0.5, 0}, {0.5, 0}));
+    CHECK_FALSE(ground.lineOfSight({-5, 5.5}, {5, 5.5}));  // Round by the fast side.
+    CHECK_FALSE(ground.lineOfSight({-8, 0}, {0, 0}));      // Across the edge.
+    CHECK(ground.lineOfSight({-9, -9}, {-9, 9}));
+    CHECK(ground.unitCost({0, 0}) == doctest::Approx(5.0));
+    CHECK(ground.unitCost({10, 0}) == 1.0f);
     CHECK(ground.lineCost({-9, 0}, {9, 0}) > 60.0 * 0.8);
     CHECK(ground.lineCost({-9, 8}, {9, 8}) == doctest::Approx(18.0));
 }
@@ -107,8 +107,8 @@ TEST_CASE("coarse cells with a wall in the middle are known from the side on whi
     const StaticGround ground = groundOf(environment);
     const Grid& grid = ground.coarse().grid;
     REQUIRE(grid.cell == edge);
-    REQUIRE_FALSE(ground.beside().empty());
-    for (const StaticGround::Beside& beside : ground.beside()) {
+    REQUIRE_FALSE(ground.partiallyBlockedCells().empty());
+    for (const StaticGround::PartiallyBlockedCell& beside : ground.partiallyBlockedCells()) {
         const Vec2 middle = grid.centre(beside.cell);
         CHECK(environment.distanceToObstacle(middle) < 0.25 + environment.grid().cell);
         CHECK(environment.distanceToObstacle(grid.centre(beside.neighbour)) >= 0.25);
@@ -120,13 +120,13 @@ TEST_CASE("coarse cells with a wall in the middle are known from the side on whi
     EikonalSolver solver;
     CostField field;
     solver.solve(ground.coarse(), {5.0, face - 8.0}, {}, field);
-    const Cell beside = ground.beside()[20].cell;
+    const Cell beside = ground.partiallyBlockedCells()[20].cell;
     CHECK(field.value(beside) > 60.0f);  // Round the wall's end, or not at all.
-    field.lower(beside, 40.0f);
+    field.lowerValue(beside, 40.0f);
     CHECK(field.value(beside) == 40.0f);
-    field.lower(beside, 50.0f);
+    field.lowerValue(beside, 50.0f);
     CHECK(field.value(beside) == 40.0f);
-    field.lower({-1, 4000}, 1.0f);  // Nothing there.
+    field.lowerValue({-1, 4000}, 1.0f);  // Nothing there.
 }
 
 TEST_CASE("ground changes with what stands still and with nothing else") {
@@ -142,11 +142,11 @@ TEST_CASE("ground changes with what stands still and with nothing else") {
     environment.setTime(1.0);
     ground.update(environment, 1.0, 0.25);
     CHECK(ground.version() == version);
-    CHECK(ground.straight({-4, 0}, {4, 0}));  // Moving things are no part of it.
+    CHECK(ground.lineOfSight({-4, 0}, {4, 0}));  // Moving things are no part of it.
     REQUIRE(environment.addObstacle(rectangle(-1, -1, 1, 1)).ok());
     ground.update(environment, 1.0, 0.25);
     CHECK(ground.version() == version + 1);
-    CHECK_FALSE(ground.straight({-4, 0}, {4, 0}));
+    CHECK_FALSE(ground.lineOfSight({-4, 0}, {4, 0}));
     ground.update(environment, 1.0, 0.5);
     CHECK(ground.version() == version + 2);
 }

@@ -6,7 +6,7 @@
 
 #include "base/random.h"
 #include "cost/ground_cost.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "eikonal/geodesic_oracle.h"
 #include "eikonal/trace_path.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cost/cost_scene.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "cost/ground_scene.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -41,7 +41,7 @@ struct Scene {
     }
     double between(Vec2 a, Vec2 b) const { return excessBetween(ground, excess, a, b); }
     StaticGround ground;
-    CrowdExcess excess;
+    DynamicCost excess;
 };
 
 }  // namespace
@@ -66,10 +66,10 @@ TEST_CASE("a way bent once is near the cheapest round a cart, and never dearer t
             const Vec2 from = freeSpot(environment, random, 5.0);
             const double exact = field.cost(from) - distance(from, to);
             const double bent = scene.between(from, to);
-            REQUIRE(bent <= scene.excess.along(from, to));
+            REQUIRE(bent <= scene.excess.relativeAlong(from, to));
             REQUIRE(bent > exact - 0.25 - 0.1 * exact);
             off += std::fabs(bent - exact);
-            straightOff += std::fabs(scene.excess.along(from, to) - exact);
+            straightOff += std::fabs(scene.excess.relativeAlong(from, to) - exact);
             whole += exact;
         }
     }
@@ -85,9 +85,9 @@ TEST_CASE("who stands beside a cart is not inside it") {
     const Scene scene(carted(0.25));
     // The cart's middle is at y = 0 now; its side leaves room at 1.05 m.
     const Vec2 beside{-1.06, -0.1};
-    CHECK(scene.excess.hazardAt(beside) < 8.5);
-    CHECK(scene.excess.hazardAt({0.1, 0.1}) == CrowdExcess::kBlocked);
-    CHECK(scene.excess.along(beside, beside - Vec2{0.2, 0.0}) < 0.2 * 8.5);
+    CHECK(scene.excess.movingCostAt(beside) < 8.5);
+    CHECK(scene.excess.movingCostAt({0.1, 0.1}) == DynamicCost::kBlocked);
+    CHECK(scene.excess.relativeAlong(beside, beside - Vec2{0.2, 0.0}) < 0.2 * 8.5);
 }
 
 TEST_CASE("no way is bent through a wall") {
@@ -103,7 +103,7 @@ TEST_CASE("no way is bent through a wall") {
     for (int k = 0; k < 300; ++k) {
         const Vec2 from = freeSpot(environment, random, 5.0);
         const Vec2 to = freeSpot(environment, random, 5.0);
-        REQUIRE(scene.between(from, to) <= scene.excess.along(from, to));
+        REQUIRE(scene.between(from, to) <= scene.excess.relativeAlong(from, to));
         REQUIRE(scene.between(from, to) >= open.between(from, to) - 1e-9);
         kept += scene.between(from, to) > open.between(from, to) + 1e-9 ? 1 : 0;
     }

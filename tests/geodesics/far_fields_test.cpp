@@ -93,7 +93,7 @@ TEST_CASE("landmarks are closer together on slow ground, and tell what a way cos
         if (stencil.count == 0) continue;
         const double cost = far.cost(stencil, from);
         for (std::int32_t n = 0; n < stencil.count; ++n) {
-            const double there = std::sqrt(far.fields.field(stencil.slot[n]).squareBetween(from));
+            const double there = std::sqrt(far.fields.field(stencil.slot[n]).squaredCost(from));
             CHECK(cost <= there + stencil.own[n] + 1e-5);
             CHECK(cost >= std::fabs(there - stencil.own[n]) - 1e-5);
         }

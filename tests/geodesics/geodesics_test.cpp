@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cost/ground_scene.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "eikonal/geodesic_oracle.h"
 #include "geodesics/geodesics.h"
 
@@ -18,7 +18,7 @@ namespace {
 struct Scene {
     Environment environment;
     StaticGround ground;
-    CrowdExcess excess;
+    DynamicCost excess;
     DensityField density;
     std::vector<Vec2> places;
     Geodesics geodesics;

@@ -72,9 +72,9 @@ TEST_CASE("no way over slow ground is bent through a wall") {
     REQUIRE(environment.addObstacle(rectangle(-4, 1, 12, 2)).ok());
     REQUIRE(environment.addObstacle(rectangle(-4, -2, 12, -1)).ok());
     const StaticGround ground = groundOf(environment);
-    CHECK(ground.clear({-3, 0}, {6, 0}));
-    CHECK_FALSE(ground.straight({-3, 0}, {6, 0}));
-    CHECK_FALSE(ground.clear({-3, 0}, {-3, 3}));
+    CHECK(ground.collisionFree({-3, 0}, {6, 0}));
+    CHECK_FALSE(ground.lineOfSight({-3, 0}, {6, 0}));
+    CHECK_FALSE(ground.collisionFree({-3, 0}, {-3, 3}));
     CHECK(slowWay(ground, {-3, 0}, {6, 0}).cost > 3.0 + 5.0 * 6.0 - 1.5);
 }
 
@@ -96,8 +96,8 @@ TEST_CASE("clear lines are those without a wall, whatever the ground") {
     for (int k = 0; k < 3000; ++k) {
         const Vec2 a = freeSpot(bare, random, 14.0);
         const Vec2 b = a + Vec2{random.uniform(-6, 6), random.uniform(-6, 6)};
-        REQUIRE(with.clear(a, b) == without.straight(a, b));
-        clear += with.clear(a, b) ? 1 : 0;
+        REQUIRE(with.collisionFree(a, b) == without.lineOfSight(a, b));
+        clear += with.collisionFree(a, b) ? 1 : 0;
     }
     CHECK(clear > 500);
     CHECK(clear < 2500);

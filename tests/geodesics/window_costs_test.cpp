@@ -17,7 +17,7 @@ namespace {
 struct Scene {
     Environment environment = squareWorld(16.0);
     StaticGround ground;
-    CrowdExcess excess;
+    DynamicCost excess;
     ThreadPool pool{1};
     std::vector<Vec2> places;
 
@@ -56,7 +56,7 @@ TEST_CASE("ways round a block, by windows of either size, are the exact ones") {
                 const Vec2 p = scene.places[j] +
                                Vec2{random.uniform(-reach, reach), random.uniform(-reach, reach)};
                 if (!(scene.environment.distanceToObstacle(p) >= 0.27) ||
-                    scene.ground.straight(p, scene.places[j]))
+                    scene.ground.lineOfSight(p, scene.places[j]))
                     continue;
                 REQUIRE(costs.reaches(p, j));
                 const double line = distance(p, scene.places[j]);

@@ -21,7 +21,7 @@ namespace {
 struct Walk {
     Environment environment = squareWorld(24.0);
     StaticGround ground;
-    CrowdExcess excess;
+    DynamicCost excess;
     DensityField density;
     UnitCost cost;
     std::vector<Vec2> characters;

@@ -1,5 +1,6 @@
 #include "planning/exact/ground_regions.h"
 
+#include "base/bilinear.h"
 #include "base/grid_search.h"
 
 namespace muster {
@@ -20,7 +21,7 @@ std::int32_t GroundRegions::at(Vec2 p) const {
 
 Vec2 GroundRegions::standing(Vec2 p) const {
     if (count_ == 0) return p;
-    for (const std::int32_t k : grid_.bilinear(p).cell)
+    for (const std::int32_t k : bilinearStencil(grid_, p).cell)
         if (labels_[k] >= 0) return p;
     return grid_.centre(grid_.at(nearestFree(p)));
 }

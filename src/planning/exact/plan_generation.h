@@ -7,7 +7,7 @@
 
 #include "base/archive.h"
 #include "base/parallel.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "planning/exact/ground_regions.h"
 #include "planning/plan.h"
 

@@ -65,7 +65,7 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
 }
 
 // What walkers need of windows was noted while they walked; nobody reads the windows now.
-void FastPlan::update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess,
+void FastPlan::update(ThreadPool& pool, const StaticGround& ground, const DynamicCost& excess,
                       std::span<const Vec2> places) {
     geodesics_.remember(walkers_);
     geodesics_.update(ground, excess, places, pool);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assignment/dynamic/dynamic_assignment.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 #include "geodesics/geodesics.h"
 #include "planning/fast/fast_costs.h"
 #include "planning/plan.h"
@@ -43,7 +43,7 @@ private:
     }
     bool consistent() const;
     bool consistentWays() const;
-    void update(ThreadPool& pool, const StaticGround& ground, const CrowdExcess& excess,
+    void update(ThreadPool& pool, const StaticGround& ground, const DynamicCost& excess,
                 std::span<const Vec2> places);
     void measureOwn(ThreadPool& pool);
     void match(ThreadPool& pool);
@@ -76,7 +76,7 @@ private:
     std::uint32_t turn_ = 0;             // Of the search for these.
     // Of this step only.
     const StaticGround* ground_ = nullptr;
-    const CrowdExcess* excess_ = nullptr;
+    const DynamicCost* excess_ = nullptr;
     bool updated_ = false;  // The geodesics know this step's places.
     FastCosts costs_;
     ThreadPool alone_;  // For work aside, which has one thread.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assignment/dense/transportation_problem.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 
 namespace muster {
 namespace {

@@ -103,7 +103,7 @@ void World::Impl::prepareGround() {
 
 // Memory for the first step, which makes the first plans, besides.
 void World::Impl::makeRoom() {
-    if (plansReadGround()) excess.fit(environment.grid(), density.grid());
+    if (plansReadGround()) excess.reset(environment.grid(), density.grid());
     for (Group& group : groups)
         group.plan->reserve(group.members.size(), group.places.positions().size(), ground);
 }

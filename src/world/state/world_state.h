@@ -98,7 +98,7 @@ struct World::Impl {
     UnitCostBuilder costBuilder;
     bool costBuilt = false;  ///< For the density as it is.
     StaticGround ground;
-    CrowdExcess excess;
+    DynamicCost excess;
     Steering steering;
     Contacts contactSolver;
     /// Plans whose work was launched in the last step. It ends before anything they read changes.

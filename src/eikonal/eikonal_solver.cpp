@@ -1,8 +1,9 @@
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/bilinear.h"
 #include "eikonal/front.h"
 #include "eikonal/start_disc.h"
 #include "muster/assert.h"
@@ -33,7 +34,7 @@ void EikonalSolver::Impl::watch(const UnitCost& cost, std::span<const Vec2> targ
     watched.clear();
     for (const Vec2 target : targets) {
         if (!isFinite(target)) continue;
-        const BilinearStencil stencil = cost.grid.bilinear(target);
+        const BilinearStencil stencil = bilinearStencil(cost.grid, target);
         for (const std::int32_t index : stencil.cell) {
             if (reachable(cost, index)) watched.push_back(front.at(cost.grid.at(index)));
         }
@@ -119,7 +120,7 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
     field.values_.resize(static_cast<std::size_t>(field.width_) * field.height_);
     field.root_.resize(field.values_.size());
     field.roots_ = work.front.roots();
-    field.marched_ = 0;
+    field.acceptedCount_ = 0;
     const auto edge = static_cast<float>(grid.cell);
     for (std::int32_t y = 0; y < field.height_; ++y) {
         const FrontNode* row = work.front.row(low.y + y) + low.x;
@@ -132,7 +133,7 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
             rootOut[x] = static_cast<std::uint16_t>(root > 0 && root <= 0xffff ? root : 0);
             reached += row[x].accepted < kInfiniteCost ? 1 : 0;
         }
-        field.marched_ += reached;
+        field.acceptedCount_ += reached;
     }
     // Nodes ascend by cell: those of other rows need no look.
     auto node = std::lower_bound(cost.nodes.begin(), cost.nodes.end(), low.y * grid.width,

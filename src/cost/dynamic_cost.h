@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/bilinear.h"
 #include "cost/density.h"
 #include "cost/static_ground.h"
 #include "cost/unit_cost.h"
@@ -15,18 +16,18 @@ namespace muster {
 /// the density; for what moves in all directions alike, its discomfort and its patches on finer cells, its
 /// bodies on those of the ground. To first order a small excess changes the cost of the cheapest way by its
 /// integral along the way that is cheapest without it.
-class CrowdExcess {
+class DynamicCost {
 public:
     /// Makes room for the cells of this ground and this density; no excess anywhere then.
-    void fit(const Grid& ground, const Grid& cells);
+    void reset(const Grid& ground, const Grid& density);
     /// Works it out for this crowd and these moving things, for characters of `radius` [m].
     void update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
                 double radius);
     /// The integral along the straight line from `a` to `b` [m]: to be multiplied by the cost of a metre of
     /// empty ground.
-    double along(Vec2 a, Vec2 b) const { return along(a, b, distance(a, b)); }
+    double relativeAlong(Vec2 a, Vec2 b) const { return relativeAlong(a, b, distance(a, b)); }
     /// The same where the length of the line is known.
-    double along(Vec2 a, Vec2 b, double length) const;
+    double relativeAlong(Vec2 a, Vec2 b, double length) const;
     /// The integral times the cost of a metre of the still ground under it, which may change on the way.
     double costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const {
         return costAlong(ground, a, b, distance(a, b));
@@ -35,41 +36,21 @@ public:
     double costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const;
     /// The share of the line from `a` to `b`, of this length, at which moving things make it dearest, in the
     /// mean; negative where none does.
-    double hazardCentre(Vec2 a, Vec2 b, double length) const;
+    double movingCostCentroid(Vec2 a, Vec2 b, double length) const;
     /// The excess of moving things at a point.
-    double hazardAt(Vec2 p) const { return hazardMeets(p, p) ? hazardRead(p) : 0.0; }
+    double movingCostAt(Vec2 p) const { return hazardMeets(p, p) ? hazardRead(p) : 0.0; }
     /// True where moving things make the ground dearer or cheaper.
-    bool moves(Vec2 p) const { return hazardAt(p) != 0.0; }
+    bool hasMovingCost(Vec2 p) const { return movingCostAt(p) != 0.0; }
     /// The cells.
     const Grid& grid() const { return grid_; }
     /// True where there is none anywhere.
-    bool none() const { return listed_.empty() && moved_.empty() && takenList_.empty(); }
+    bool empty() const { return listed_.empty() && moved_.empty() && takenList_.empty(); }
 
     /// Excess inside moving obstacles, and the most of them elsewhere.
     static constexpr float kBlocked = 20.0f;
-    static constexpr double kHazardCell = 0.25;  ///< Edge of the finer cells [m].
+    static constexpr double kMovingCell = 0.25;  ///< Edge of the finer cells [m].
 
 private:
-    /// Where a point lies between four cells: the index of the lower left one, and shares.
-    struct Between {
-        std::int32_t low;
-        float fx;
-        float fy;
-    };
-    /// The centres of a grid's cells, prepared for readings between them.
-    struct Centres {
-        Vec2 origin;
-        double perCell = 1.0;  // [1/m]
-        Vec2 most;             // Of coordinates in cells.
-        Cell last;             // Lower left one of four.
-        std::int32_t width = 0;
-        std::int32_t right = 0;  // From one cell to the next column, and row.
-        std::int32_t up = 0;
-        /// Prepares those of a grid.
-        void fit(const Grid& grid);
-        /// The four around a point.
-        Between between(Vec2 p) const;
-    };
     /// The sides towards which a unit vector leads.
     struct Sides;
     /// A box round cells from which something can be read; empty at first.
@@ -109,7 +90,7 @@ private:
     }
 
     Grid grid_;
-    Centres centres_;               // Of its cells.
+    BilinearLocator locator_;       // Of its cells.
     float perMetre_ = 0.0f;         // Parts of the cost of a metre of empty ground: of the way...
     float perSecond_ = 1.0f;        // ... and of the time.
     std::vector<CellCost> excess_;  // Relative, of leaving a cell to the four sides.
@@ -128,7 +109,7 @@ private:
     Bounds hazardBounds_;  // Of all that moves...
     Bounds takenBounds_;   // ... and of what is taken.
     Grid hazardGrid_;
-    Centres hazardCentres_;
+    BilinearLocator movingLocator_;
     std::vector<float> hazard_;
     std::vector<std::int32_t> moved_;  // Cells of it that moving things make dearer or cheaper.
     std::vector<std::uint8_t> seen_;   // Of those under moving things.

@@ -1,10 +1,9 @@
-#include "cost/crowd_excess.h"
+#include "cost/dynamic_cost.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cost/between_centres.h"
 #include "cost/discomfort.h"
 
 namespace muster {
@@ -48,7 +47,7 @@ bool isNone(const CellCost& c) {
 
 }  // namespace
 
-struct CrowdExcess::Sides {
+struct DynamicCost::Sides {
     float CellCost::*x;
     float CellCost::*y;
     float toX;
@@ -67,23 +66,7 @@ struct CrowdExcess::Sides {
     }
 };
 
-void CrowdExcess::Centres::fit(const Grid& grid) {
-    origin = grid.origin;
-    perCell = 1.0 / grid.cell;
-    most = {grid.width - 1.0, grid.height - 1.0};
-    last = {std::max(0, grid.width - 2), std::max(0, grid.height - 2)};
-    width = grid.width;
-    right = grid.width > 1 ? 1 : 0;
-    up = grid.height > 1 ? grid.width : 0;
-}
-
-inline CrowdExcess::Between CrowdExcess::Centres::between(Vec2 p) const {
-    const BetweenCentres at = betweenCentresAt((p.x - origin.x) * perCell, (p.y - origin.y) * perCell, most,
-                                               last);
-    return {at.low.y * width + at.low.x, static_cast<float>(at.fx), static_cast<float>(at.fy)};
-}
-
-void CrowdExcess::clear() {
+void DynamicCost::clear() {
     for (const std::int32_t cell : listed_) excess_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
     for (const std::int32_t cell : busyList_) busy_[cell] = 0;
     for (const std::int32_t cell : lookedList_) looked_[cell] = 0;
@@ -98,16 +81,16 @@ void CrowdExcess::clear() {
     lookedList_.clear();
 }
 
-void CrowdExcess::set(std::int32_t cell, const CellCost& value) {
+void DynamicCost::set(std::int32_t cell, const CellCost& value) {
     if (isNone(value)) return;
     if (isNone(excess_[cell])) listed_.push_back(cell);
     excess_[cell] = value;
 }
 
-void CrowdExcess::fit(const Grid& ground, const Grid& cells) {
+void DynamicCost::reset(const Grid& ground, const Grid& cells) {
     if (!(cells == grid_)) {
         grid_ = cells;
-        centres_.fit(grid_);
+        locator_ = BilinearLocator(grid_);
         const auto count = static_cast<std::size_t>(grid_.count());
         excess_.assign(count, {0.0f, 0.0f, 0.0f, 0.0f});
         unit_.assign(count, 0.0f);
@@ -120,8 +103,8 @@ void CrowdExcess::fit(const Grid& ground, const Grid& cells) {
         listed_.clear();
         busyList_.clear();
         lookedList_.clear();
-        hazardGrid_ = Grid::covering(grid_.box(), kHazardCell);
-        hazardCentres_.fit(hazardGrid_);
+        hazardGrid_ = Grid::covering(grid_.box(), kMovingCell);
+        movingLocator_ = BilinearLocator(hazardGrid_);
         hazard_.assign(static_cast<std::size_t>(hazardGrid_.count()), 0.0f);
         seen_.assign(hazard_.size(), 0);
         moved_.clear();
@@ -134,9 +117,9 @@ void CrowdExcess::fit(const Grid& ground, const Grid& cells) {
     }
 }
 
-void CrowdExcess::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+void DynamicCost::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
                          double radius) {
-    fit(environment.grid(), density.grid());
+    reset(environment.grid(), density.grid());
     if (grid_.count() == 0) return;
     if (def.density) addCrowd(def, density, environment);
     if (def.discomfort && def.gamma > 0.0)
@@ -146,7 +129,7 @@ void CrowdExcess::update(const UnitCostDef& def, const Environment& environment,
 }
 
 // Only cells near dense ones can be slowed.
-void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density,
+void DynamicCost::addCrowd(const UnitCostDef& def, const DensityField& density,
                            const Environment& environment) {
     const auto reach = static_cast<std::int32_t>(std::ceil(def.lookAhead / grid_.cell));
     const double price = def.alpha + def.beta;
@@ -179,13 +162,13 @@ void CrowdExcess::addCrowd(const UnitCostDef& def, const DensityField& density,
     }
 }
 
-void CrowdExcess::setHazard(std::int32_t cell, float value) {
+void DynamicCost::setHazard(std::int32_t cell, float value) {
     if (value == 0.0f) return;
     if (hazard_[cell] == 0.0f) moved_.push_back(cell);
     hazard_[cell] = std::min(value, kBlocked);
 }
 
-void CrowdExcess::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece) {
+void DynamicCost::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece) {
     if (!piece.moving) return;
     const auto scale = static_cast<float>(def.gamma / (def.alpha + def.beta));
     const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
@@ -203,7 +186,7 @@ void CrowdExcess::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& p
 }
 
 // Bodies of moving obstacles, and ground that moving patches slow or speed up.
-void CrowdExcess::addMovedGround(const Environment& environment, double radius) {
+void DynamicCost::addMovedGround(const Environment& environment, double radius) {
     for (const CellRect& area : environment.movingPatchAreas())
         if (!area.empty()) addMovedPatches(environment, area);
     const std::span<const float> live = environment.clearance();
@@ -223,7 +206,7 @@ void CrowdExcess::addMovedGround(const Environment& environment, double radius) 
     }
 }
 
-void CrowdExcess::addMovedPatches(const Environment& environment, const CellRect& area) {
+void DynamicCost::addMovedPatches(const Environment& environment, const CellRect& area) {
     const std::span<const float> travel = environment.travelSpeed();
     const std::span<const float> patch = environment.staticPatchSpeed();
     const Cell low = hazardGrid_.nearestCell(ground_.centre(area.low));
@@ -241,7 +224,7 @@ void CrowdExcess::addMovedPatches(const Environment& environment, const CellRect
         }
 }
 
-void CrowdExcess::markBusy() {
+void DynamicCost::markBusy() {
     crowdBounds_ = {};
     for (const std::int32_t cell : listed_) {
         const Cell c = grid_.at(cell);
@@ -256,7 +239,7 @@ void CrowdExcess::markBusy() {
     sumBusy();
     hazardBounds_ = {};
     for (const std::int32_t cell : moved_)
-        hazardBounds_.take(hazardGrid_.centre(hazardGrid_.at(cell)), kHazardCell);
+        hazardBounds_.take(hazardGrid_.centre(hazardGrid_.at(cell)), kMovingCell);
     takenBounds_ = {};
     for (const std::int32_t cell : takenList_) {
         hazardBounds_.take(ground_.centre(ground_.at(cell)), ground_.cell);
@@ -265,7 +248,7 @@ void CrowdExcess::markBusy() {
 }
 
 // Over the box round all busy cells; one more row and column, of zeros, below and left of it.
-void CrowdExcess::sumBusy() {
+void DynamicCost::sumBusy() {
     busyLow_ = {grid_.width, grid_.height};
     busyHigh_ = {-1, -1};
     for (const std::int32_t cell : busyList_) {
@@ -288,14 +271,14 @@ void CrowdExcess::sumBusy() {
 }
 
 // Excess of the crowd at `p` for somebody who goes towards these sides.
-inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides) const {
-    const Between at = centres_.between(p);
-    if ((busy_[at.low] | busy_[at.low + centres_.right + centres_.up]) == 0) return 0.0;
+inline double DynamicCost::crowdAlong(Vec2 p, const Sides& sides) const {
+    const BilinearLocator::Location at = locator_.at(p);
+    if ((busy_[at.low] | busy_[at.low + locator_.right() + locator_.up()]) == 0) return 0.0;
     const CellCost* low = excess_.data() + at.low;
-    const CellCost* high = low + centres_.up;
+    const CellCost* high = low + locator_.up();
     const auto read = [&](float CellCost::*side) {
-        const float below = low->*side + (low[centres_.right].*side - low->*side) * at.fx;
-        const float above = high->*side + (high[centres_.right].*side - high->*side) * at.fx;
+        const float below = low->*side + (low[locator_.right()].*side - low->*side) * at.fx;
+        const float above = high->*side + (high[locator_.right()].*side - high->*side) * at.fx;
         return 1.0f + below + (above - below) * at.fy;
     };
     return sides.excess(read(sides.x), read(sides.y));
@@ -304,11 +287,11 @@ inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides) const {
 // The same on ground that costs so much, by those of the four cells around whose ground costs as much: beside
 // a patch the flow is much for one of its speeds and little for the other. There single cells are slow by who
 // has just come in or gone out; speeds themselves are interpolated, which gives these least.
-inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides, float unit) const {
-    const Between at = centres_.between(p);
-    if ((busy_[at.low] | busy_[at.low + centres_.right + centres_.up]) == 0) return 0.0;
-    const std::int32_t upper = at.low + centres_.up;
-    const std::int32_t cell[] = {at.low, at.low + centres_.right, upper, upper + centres_.right};
+inline double DynamicCost::crowdAlong(Vec2 p, const Sides& sides, float unit) const {
+    const BilinearLocator::Location at = locator_.at(p);
+    if ((busy_[at.low] | busy_[at.low + locator_.right() + locator_.up()]) == 0) return 0.0;
+    const std::int32_t upper = at.low + locator_.up();
+    const std::int32_t cell[] = {at.low, at.low + locator_.right(), upper, upper + locator_.right()};
     float share[] = {(1.0f - at.fx) * (1.0f - at.fy), at.fx * (1.0f - at.fy), (1.0f - at.fx) * at.fy,
                      at.fx * at.fy};
     float sum = 0.0f;
@@ -326,18 +309,18 @@ inline double CrowdExcess::crowdAlong(Vec2 p, const Sides& sides, float unit) co
     return sides.excess(read(sides.x), read(sides.y));
 }
 
-double CrowdExcess::hazardRead(Vec2 p) const {
+double DynamicCost::hazardRead(Vec2 p) const {
     if (takenBounds_.meets(p, p) && taken_[ground_.index(ground_.nearestCell(p))] != 0) return kBlocked;
-    const Between at = hazardCentres_.between(p);
+    const BilinearLocator::Location at = movingLocator_.at(p);
     const float* low = hazard_.data() + at.low;
-    const float* high = low + hazardCentres_.up;
-    const float below = low[0] + (low[hazardCentres_.right] - low[0]) * at.fx;
-    const float above = high[0] + (high[hazardCentres_.right] - high[0]) * at.fx;
+    const float* high = low + movingLocator_.up();
+    const float below = low[0] + (low[movingLocator_.right()] - low[0]) * at.fx;
+    const float above = high[0] + (high[movingLocator_.right()] - high[0]) * at.fx;
     return static_cast<double>(below + (above - below) * at.fy);
 }
 
 // Whether some crowd can be read within the box round the line, by sums over all cells below and left of one.
-bool CrowdExcess::busyAlong(Vec2 a, Vec2 b) const {
+bool DynamicCost::busyAlong(Vec2 a, Vec2 b) const {
     if (listed_.empty() || !crowdBounds_.meets(a, b)) return false;
     const Cell p = grid_.nearestCell(a - 0.5 * Vec2{grid_.cell, grid_.cell});
     const Cell q = grid_.nearestCell(b - 0.5 * Vec2{grid_.cell, grid_.cell});
@@ -352,7 +335,7 @@ bool CrowdExcess::busyAlong(Vec2 a, Vec2 b) const {
     return sum(right, high) - sum(left, high) - sum(right, low) + sum(left, low) > 0;
 }
 
-double CrowdExcess::along(Vec2 a, Vec2 b, double length) const {
+double DynamicCost::relativeAlong(Vec2 a, Vec2 b, double length) const {
     const bool crowd = busyAlong(a, b);
     const bool hazard = hazardMeets(a, b);
     if ((!crowd && !hazard) || !(length > 0.0)) return 0.0;
@@ -364,30 +347,30 @@ double CrowdExcess::along(Vec2 a, Vec2 b, double length) const {
     }
     if (hazard)
         excess += meanAlong(a, b, samplesAlong(length, kHazardStep),
-                            [&](Vec2 p, double) { return hazardAt(p); });
+                            [&](Vec2 p, double) { return movingCostAt(p); });
     return excess * length;
 }
 
-double CrowdExcess::costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const {
-    if (ground.even()) return ground.unit(a) * along(a, b, length);
+double DynamicCost::costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const {
+    if (ground.uniform()) return ground.unitCost(a) * relativeAlong(a, b, length);
     const bool crowd = busyAlong(a, b);
     const bool hazard = hazardMeets(a, b);
     if ((!crowd && !hazard) || !(length > 0.0)) return 0.0;
     const Sides sides((b - a) / length);
     const std::int32_t samples = samplesAlong(length, hazard ? kHazardStep : grid_.cell);
     const double cost = meanAlong(a, b, samples, [&](Vec2 p, double) {
-        const float unit = ground.unit(p);
-        return unit * ((crowd ? crowdAlong(p, sides, unit) : 0.0) + (hazard ? hazardAt(p) : 0.0));
+        const float unit = ground.unitCost(p);
+        return unit * ((crowd ? crowdAlong(p, sides, unit) : 0.0) + (hazard ? movingCostAt(p) : 0.0));
     });
     return cost * length;
 }
 
-double CrowdExcess::hazardCentre(Vec2 a, Vec2 b, double length) const {
+double DynamicCost::movingCostCentroid(Vec2 a, Vec2 b, double length) const {
     if (!hazardMeets(a, b)) return -1.0;
     double moment = 0.0;
     const std::int32_t samples = samplesAlong(length, kHazardStep);
     const double sum = meanAlong(a, b, samples, [&](Vec2 p, double share) {
-        const double here = std::max(0.0, hazardAt(p));
+        const double here = std::max(0.0, movingCostAt(p));
         moment += here * share;
         return here;
     });

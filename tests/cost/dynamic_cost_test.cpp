@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "cost/crowd_excess.h"
+#include "cost/dynamic_cost.h"
 #include "cost/ground_scene.h"
-#include "eikonal/eikonal.h"
+#include "eikonal/eikonal_solver.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -38,13 +38,13 @@ double alongCells(const UnitCost& cost, Vec2 a, Vec2 b) {
 TEST_CASE("without a crowd and moving things there is no excess") {
     const Environment environment = squareWorld(16.0);
     DensityField density({{-16, -16}, {16, 16}}, {});
-    CrowdExcess excess;
+    DynamicCost excess;
     excess.update({}, environment, density, 0.25);
-    CHECK(excess.none());
-    CHECK(excess.along({-9, 0}, {9, 3}) == 0.0);
+    CHECK(excess.empty());
+    CHECK(excess.relativeAlong({-9, 0}, {9, 3}) == 0.0);
     block(1.2, {0, 0}, density);  // 0.7 per square metre slows nobody.
     excess.update({}, environment, density, 0.25);
-    CHECK(excess.along({-9, 0}, {9, 3}) == 0.0);
+    CHECK(excess.relativeAlong({-9, 0}, {9, 3}) == 0.0);
 }
 
 TEST_CASE("a dense crowd costs along a line what the unit cost of the cells says") {
@@ -53,7 +53,7 @@ TEST_CASE("a dense crowd costs along a line what the unit cost of the cells says
     const UnitCostDef def;
     for (const Vec2 velocity : {Vec2{0, 0}, Vec2{1.2, 0}, Vec2{-0.6, 0.8}}) {
         block(0.6, velocity, density);  // 2.8 per square metre.
-        CrowdExcess excess;
+        DynamicCost excess;
         excess.update(def, environment, density, 0.25);
         UnitCostBuilder builder;
         UnitCost cost;
@@ -64,7 +64,7 @@ TEST_CASE("a dense crowd costs along a line what the unit cost of the cells says
         for (int k = 0; k < 200; ++k) {
             const Vec2 a{random.uniform(-9, 9), random.uniform(-9, 9)};
             const Vec2 b = a + Vec2{random.uniform(-3, 3), random.uniform(-3, 3)};
-            off += std::fabs(excess.along(a, b) - alongCells(cost, a, b));
+            off += std::fabs(excess.relativeAlong(a, b) - alongCells(cost, a, b));
             whole += alongCells(cost, a, b);
         }
         CHECK(whole > 100.0);
@@ -74,9 +74,9 @@ TEST_CASE("a dense crowd costs along a line what the unit cost of the cells says
     }
     // With the stream it costs less than against it.
     block(0.6, {1.2, 0}, density);
-    CrowdExcess excess;
+    DynamicCost excess;
     excess.update(def, environment, density, 0.25);
-    CHECK(excess.along({-3, 0}, {3, 0}) < 0.3 * excess.along({3, 0}, {-3, 0}));
+    CHECK(excess.relativeAlong({-3, 0}, {3, 0}) < 0.3 * excess.relativeAlong({3, 0}, {-3, 0}));
 }
 
 TEST_CASE("beside slow ground a crowd slows by what flow is there, on each ground by its own speed") {
@@ -87,7 +87,7 @@ TEST_CASE("beside slow ground a crowd slows by what flow is there, on each groun
     // Those who crawl flow as fast as one can there, which would be a jam on the ground beside.
     block(0.7, {0.24, 0}, density);
     const UnitCostDef def;
-    CrowdExcess excess;
+    DynamicCost excess;
     excess.update(def, environment, density, 0.25);
     UnitCostBuilder builder;
     UnitCost cost;
@@ -103,7 +103,7 @@ TEST_CASE("beside slow ground a crowd slows by what flow is there, on each groun
         const Vec2 b = a + Vec2{random.uniform(-1, 1), random.uniform(-1, 1)};
         const double exact = alongCells(cost, a, b) - alongCells(empty, a, b);
         off += std::fabs(excess.costAlong(ground, a, b) - exact);
-        byOneGround += std::fabs(ground.unit(a) * excess.along(a, b) - exact);
+        byOneGround += std::fabs(ground.unitCost(a) * excess.relativeAlong(a, b) - exact);
         whole += exact;
     }
     CAPTURE(off / whole);
@@ -113,7 +113,7 @@ TEST_CASE("beside slow ground a crowd slows by what flow is there, on each groun
     CHECK(off < 0.85 * byOneGround);
     // Where the ground is even it is the integral times its unit.
     const StaticGround even = groundOf(squareWorld(16.0));
-    CHECK(excess.costAlong(even, {-5, 0}, {-2, 1}) == excess.along({-5, 0}, {-2, 1}));
+    CHECK(excess.costAlong(even, {-5, 0}, {-2, 1}) == excess.relativeAlong({-5, 0}, {-2, 1}));
 }
 
 TEST_CASE("ground before a moving obstacle is dear, under it blocked, and what it left is free again") {
@@ -124,19 +124,19 @@ TEST_CASE("ground before a moving obstacle is dear, under it blocked, and what i
     environment.setTime(0.5);
     DensityField density({{-16, -16}, {16, 16}}, {});
     const UnitCostDef def;
-    CrowdExcess excess;
+    DynamicCost excess;
     excess.update(def, environment, density, 0.25);
     UnitCostBuilder builder;
     UnitCost cost;
     builder.build(def, environment, density, 0.25, cost);
     const Vec2 a{4.0, -3.0};
     const Vec2 b{4.0, 3.0};
-    CHECK(excess.along(a, b) == doctest::Approx(alongCells(cost, a, b)).epsilon(0.1));
-    CHECK(excess.along({1, -2}, {1, 2}) > 15.0);
-    CHECK(excess.along({-6, -2}, {-6, 2}) == 0.0);
+    CHECK(excess.relativeAlong(a, b) == doctest::Approx(alongCells(cost, a, b)).epsilon(0.1));
+    CHECK(excess.relativeAlong({1, -2}, {1, 2}) > 15.0);
+    CHECK(excess.relativeAlong({-6, -2}, {-6, 2}) == 0.0);
     environment.setTime(4.5);
     excess.update(def, environment, density, 0.25);
-    CHECK(excess.along({1, -2}, {1, 2}) == 0.0);
+    CHECK(excess.relativeAlong({1, -2}, {1, 2}) == 0.0);
 }
 
 TEST_CASE("no part of a crowd is overlooked, wherever it stands beside a line") {
@@ -151,7 +151,7 @@ TEST_CASE("no part of a crowd is overlooked, wherever it stands beside a line") 
             people.push_back(middle + Vec2{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)});
         DensityField density({{-16, -16}, {16, 16}}, {});
         density.splat(people, std::vector<Vec2>(people.size()));
-        CrowdExcess excess;
+        DynamicCost excess;
         excess.update({}, environment, density, 0.25);
         for (int k = 0; k < 200; ++k) {
             const Vec2 a{random.uniform(-15, 15), random.uniform(-15, 15)};
@@ -159,8 +159,8 @@ TEST_CASE("no part of a crowd is overlooked, wherever it stands beside a line") 
             // Short pieces are read where they are, so that nothing near them is left out.
             double pieces = 0.0;
             for (int m = 0; m < 400; ++m)
-                pieces += excess.along(lerp(a, b, m / 400.0), lerp(a, b, (m + 1) / 400.0));
-            const double whole = excess.along(a, b);
+                pieces += excess.relativeAlong(lerp(a, b, m / 400.0), lerp(a, b, (m + 1) / 400.0));
+            const double whole = excess.relativeAlong(a, b);
             off += std::fabs(whole - pieces);
             sum += pieces;
             if (distance(a, b) < 8.0 && pieces > 2.0) REQUIRE(whole > 0.0);

@@ -8,7 +8,7 @@
 
 #include "base/bits.h"
 #include "cost/unit_cost.h"
-#include "eikonal/root.h"
+#include "eikonal/pseudo_source.h"
 
 namespace muster {
 
@@ -21,7 +21,7 @@ inline constexpr float kHidden = -0.35f;
 enum class Ray { Clear, Wall, OtherGround };
 
 /// Answers whether straight ways on uniform ground are clear.
-class Sight {
+class LineOfSight {
 public:
     /// Starts on these costs.
     void begin(const UnitCost& cost);
@@ -51,7 +51,7 @@ public:
     }
     /// How far the root lies out of the wall beside the cell, whose point is (x, y): the sine of the angle
     /// over the wall; 1 where there is none.
-    float rise(std::int32_t cell, float x, float y, const Root& root) const {
+    float rise(std::int32_t cell, float x, float y, const PseudoSource& root) const {
         const std::int32_t number = wall_[cell];
         if (number == 0) return 1.0f;
         const WallNode& beside = node(number);
@@ -62,7 +62,7 @@ public:
     }
     /// Looks from a point [cells] towards a root, cell by cell; `stop` is the cell where the way is not
     /// clear.
-    Ray look(float x, float y, const Root& root, std::int32_t& stop) const;
+    Ray look(float x, float y, const PseudoSource& root, std::int32_t& stop) const;
 
 private:
     Ray meets(float px, float py, float unit, bool& besideWall, std::int32_t& cell) const;

@@ -2,23 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "cost/unit_cost.h"
-#include "eikonal/root.h"
-#include "muster/status.h"
+#include "eikonal/pseudo_source.h"
 
 namespace muster {
-
-/// Options of a solve.
-struct EikonalDef {
-    bool secondOrder = true;  ///< Second-order upwind differences where two accepted neighbours allow it.
-    /// Straight-line costs are exact within it where the ground is clear and uniform [m] >= 0.
-    double startRadius = 1.0;
-    double margin = 1.5;  ///< The front goes on this much cost beyond the farthest target >= 0.
-};
 
 /// The cost to reach `source`, stored for the part of the grid that was marched.
 class CostField {
@@ -36,20 +26,20 @@ public:
     /// Square of the cost at `p`, interpolated between the four centres around it, of which only those
     /// reached count; infinite where none is. On uniform ground squares are what interpolates well: they have
     /// no kink at the source.
-    double squareBetween(Vec2 p) const;
+    double squaredCost(Vec2 p) const;
     /// Lowers the value of a cell from outside; where its way comes from is not known any more. Nothing where
     /// it is not lower.
-    void lower(Cell cell, float value);
+    void lowerValue(Cell cell, float value);
     /// Corners of the way from `p` to the source as far as it is known to be made of straight lines, from the
     /// first after `p` on, the source left out. Returns their number, at most `most`; -1 where the way is not
     /// known.
-    std::int32_t corners(Vec2 p, std::span<Vec2> corners) const;
+    std::int32_t pathCorners(Vec2 p, std::span<Vec2> corners) const;
     /// Where the cost is zero [m].
     Vec2 source() const { return source_; }
     /// The ground cells whose centres bear the values.
     const Grid& grid() const { return grid_; }
-    /// Cells marched.
-    std::int32_t marched() const { return marched_; }
+    /// Number of cells with a value.
+    std::int32_t acceptedCount() const { return acceptedCount_; }
     /// Makes room for so many cells and for as many points that straight ways come from, so that solves need
     /// none.
     void reserve(std::size_t cells, std::size_t roots) {
@@ -90,32 +80,13 @@ private:
     Cell low_;                // Lower left cell of the stored window.
     std::int32_t width_ = 0;  // Of the window.
     std::int32_t height_ = 0;
-    std::int32_t marched_ = 0;
+    std::int32_t acceptedCount_ = 0;
     double nearRadius_ = 0.0;  // Straight-line costs hold within it [m].
     CellCost nearCost_;        // Of the source's cell.
     std::vector<float> values_;
     // Straight ways: the number of the root that each value comes from, 0 for none, and the roots.
     std::vector<std::uint16_t> root_;
-    std::vector<Root> roots_;
-};
-
-/// Owns the working memory; one per thread. Repeated solves do not allocate once warm.
-class EikonalSolver {
-public:
-    explicit EikonalSolver(const EikonalDef& def = {});  ///< With these options for its life.
-    ~EikonalSolver();
-    EikonalSolver(EikonalSolver&&) noexcept;  ///< Moves.
-    EikonalSolver& operator=(EikonalSolver&&) noexcept;
-
-    /// Marches from `source` until every reachable target's surrounding cells are accepted, and `margin`
-    /// beyond; over the whole reachable ground where `targets` is empty. A source in a wall cell starts from
-    /// the nearest free cells. Unreachable targets end with infinite cost: give only targets of the same
-    /// region where that can be known, or the front floods the region.
-    void solve(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets, CostField& field);
-
-private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::vector<PseudoSource> roots_;
 };
 
 }  // namespace muster

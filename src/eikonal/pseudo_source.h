@@ -8,7 +8,7 @@
 namespace muster {
 
 /// A point from which ways go straight on: the source, or a place at a wall where they bend.
-struct Root {
+struct PseudoSource {
     float x = 0.0f;           ///< From the centre of cell (0, 0) [cells].
     float y = 0.0f;           ///< From the centre of cell (0, 0) [cells].
     float cost = 0.0f;        ///< Cost to the source [cells].

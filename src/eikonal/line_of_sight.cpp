@@ -1,4 +1,4 @@
-#include "eikonal/sight.h"
+#include "eikonal/line_of_sight.h"
 
 #include <algorithm>
 
@@ -11,20 +11,20 @@ constexpr float kDip = 0.05f;
 
 }  // namespace
 
-void Sight::begin(const UnitCost& cost) {
+void LineOfSight::begin(const UnitCost& cost) {
     cost_ = &cost;
     if (wall_.size() != cost.cells.size()) wall_.assign(cost.cells.size(), 0);
     std::int32_t number = 0;
     for (const WallNode& node : cost.nodes) wall_[node.cell] = ++number;
 }
 
-void Sight::end() {
+void LineOfSight::end() {
     for (const WallNode& node : cost_->nodes) wall_[node.cell] = 0;
     cost_ = nullptr;
 }
 
 // What a way meets at one point of it, which lies in `cell`; `besideWall` tells whether walls are near.
-inline Ray Sight::meets(float px, float py, float unit, bool& besideWall, std::int32_t& cell) const {
+inline Ray LineOfSight::meets(float px, float py, float unit, bool& besideWall, std::int32_t& cell) const {
     const auto column = static_cast<std::int32_t>(px + 0.5f);
     const auto row = static_cast<std::int32_t>(py + 0.5f);
     cell = row * cost_->grid.width + column;
@@ -42,7 +42,7 @@ inline Ray Sight::meets(float px, float py, float unit, bool& besideWall, std::i
     return outX * beside.normalX + outY * beside.normalY < -kDip ? Ray::Wall : Ray::Clear;
 }
 
-Ray Sight::look(float x, float y, const Root& root, std::int32_t& stop) const {
+Ray LineOfSight::look(float x, float y, const PseudoSource& root, std::int32_t& stop) const {
     const float dx = root.x - x;
     const float dy = root.y - y;
     const auto steps = static_cast<std::int32_t>(std::ceil(std::max(std::fabs(dx), std::fabs(dy))));
