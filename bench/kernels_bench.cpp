@@ -195,7 +195,7 @@ void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
         for (Vec2& place : crowd.places) place.x += by;
         PlanInput input{crowd.characters, {}, crowd.places, {}, {}, crowd.incumbent, &crowd.cost};
         input.ground = &crowd.ground;
-        input.excess = &crowd.excess;
+        input.dynamicCost = &crowd.excess;
         if (!plan->start({}, input).ok() || !plan->finish(pool, result).ok()) return false;
         for (const Flow& flow : result.flows) crowd.incumbent[flow.character] = flow.place;
         return true;
@@ -211,7 +211,7 @@ void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
     const Bound bound(state, side * side * 16.0 * sizeof(CellCost) +
                                  static_cast<double>(n) * (2 * sizeof(Vec2) + 16 * sizeof(float)));
     for (auto _ : state) well = again(by = -by) && well;
-    state.counters["changed"] = result.changed;
+    state.counters["changed"] = result.reassigned;
 }
 
 // One solve of the mesh of a square formation whose two flanks are held: vertices and triangles are read, in

@@ -21,7 +21,7 @@ Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, Thread
         if (place >= 0) held[place] = 1;
     PlanDef def;
     def.exponent = plan.exponent;
-    def.threshold = 1e30;
+    def.commitThreshold = 1e30;
     const PlanInput input{plan.characters, {}, plan.places, {}, held, plan.placeOf, &cost};
     const auto exact = makeExactPlan();
     if (Status status = exact->start(def, input); !status.ok()) return status.within("judge");

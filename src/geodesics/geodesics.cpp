@@ -78,7 +78,7 @@ struct Geodesics::Impl {
     bool loaded = false;
 
     explicit Impl(const GeodesicsDef& d)
-        : def(d), near({d.nearFields, kNearHalf}), middle({d.middleFields, kMiddleHalf}) {}
+        : def(d), near({d.fineFields, kNearHalf}), middle({d.middleFields, kMiddleHalf}) {}
 
     template <class Archive>
     void visit(Archive& archive) {
@@ -113,13 +113,13 @@ struct Geodesics::Impl {
     Bent byWindows(Vec2 from, std::int32_t place, bool owner, double line) const;
     float straightCost(Vec2 from, Vec2 to, double line) const;
     float costFrom(Vec2 from, std::int32_t place) const;
-    WayAhead stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const;
-    Vec2 roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const;
+    Guidance stillWay(Vec2 from, std::int32_t place, SteeringTarget& memory) const;
+    Vec2 roundTheCrowd(Vec2 from, std::int32_t place, const Guidance& way) const;
     bool farKnown(Vec2 from, std::int32_t place, double line, float& cost) const;
-    Vec2 longDirection(const CostField& field, std::int32_t place, Vec2 from, WayPoint& memory) const;
+    Vec2 longDirection(const CostField& field, std::int32_t place, Vec2 from, SteeringTarget& memory) const;
     Vec2 alongWall(Vec2 from, Vec2 way) const;
     Vec2 towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) const;
-    bool findPointAhead(const CostField& field, Vec2 from, WayPoint& memory) const;
+    bool findPointAhead(const CostField& field, Vec2 from, SteeringTarget& memory) const;
 };
 
 Geodesics::Geodesics(const GeodesicsDef& def) : impl_(std::make_unique<Impl>(def)) {}
@@ -159,11 +159,11 @@ void Geodesics::update(const StaticGround& ground, const DynamicCost& excess, st
 // of whatever kind, in every other step from the farthest.
 bool Geodesics::Impl::makeFields(ThreadPool& pool) {
     if (places.size() >= static_cast<std::size_t>(kManyPlaces)) {
-        near.build(perStep(def.nearPerStep), pool);
+        near.build(perStep(def.finePerStep), pool);
         middle.build(perStep(def.middlePerStep), pool);
         return far.build(def.farPerStep, pool) > 0;
     }
-    std::int32_t left = places.size() < kFewPlaces ? 1 : def.nearPerStep;
+    std::int32_t left = places.size() < kFewPlaces ? 1 : def.finePerStep;
     if (step % 2 == 0) {
         left -= near.build(left, pool);
         left -= middle.build(left, pool);
@@ -216,7 +216,7 @@ void Geodesics::Impl::askFor(Vec2 from, std::int32_t place) {
         askFar(place);
 }
 
-void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
+void Geodesics::prefetch(std::span<const Vec2> from, ThreadPool& pool) {
     Impl& s = *impl_;
     if (s.ground->open()) return;
     const auto count = static_cast<std::int32_t>(s.places.size());
@@ -224,7 +224,7 @@ void Geodesics::survey(std::span<const Vec2> from, ThreadPool& pool) {
         for (std::size_t k = 0; k < from.size() && s.askedFar[j] == 0; ++k) s.askFor(from[k], j);
     for (WindowCosts* windows : {&s.near, &s.middle}) {
         windows->findStencils(false);
-        windows->build(s.perStep(kSurveyed * s.def.nearPerStep), pool);
+        windows->build(s.perStep(kSurveyed * s.def.finePerStep), pool);
         windows->findStencils(false);
     }
     // Where walls keep windows from telling, or there are none yet, far fields have to.
@@ -334,16 +334,16 @@ bool Geodesics::Impl::farKnown(Vec2 from, std::int32_t place, double line, float
     return there < kInfinite;
 }
 
-bool Geodesics::straight(Vec2 from, std::int32_t place) const {
+bool Geodesics::lineOfSight(Vec2 from, std::int32_t place) const {
     return impl_->ground->lineOfSight(from, impl_->places[place]);
 }
 
-double Geodesics::perMetre() const {
+double Geodesics::leastUnitCost() const {
     return impl_->ground->fine().lowest;
 }
 
 // Whoever comes out of a disc of slow ground crosses its radius.
-double Geodesics::atLeast(Vec2 from, std::int32_t place) const {
+double Geodesics::lowerBound(Vec2 from, std::int32_t place) const {
     const StaticGround& ground = *impl_->ground;
     const Vec2 to = impl_->places[place];
     const double line = distance(from, to);
@@ -354,7 +354,7 @@ double Geodesics::atLeast(Vec2 from, std::int32_t place) const {
     return lowest * line + (ground.unitCost(from) - lowest) * before + (ground.unitCost(to) - lowest) * after;
 }
 
-bool Geodesics::unsteady(Vec2 p) const {
+bool Geodesics::hasMovingCost(Vec2 p) const {
     return impl_->excess->hasMovingCost(p);
 }
 
@@ -376,16 +376,16 @@ float Geodesics::Impl::costFrom(Vec2 from, std::int32_t place) const {
 }
 
 // Goes down the field; notes the last point of the way in sight, and the landmark of a window some metres on.
-bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, WayPoint& memory) const {
+bool Geodesics::Impl::findPointAhead(const CostField& field, Vec2 from, SteeringTarget& memory) const {
     Vec2 at = from;
     bool found = false;
     std::int32_t lost = 0;
-    memory.window = -1;
+    memory.landmark = -1;
     for (std::int32_t k = 0; k < kTraceSteps && lost < kMostLost; ++k) {
         const Vec2 onward = field.direction(at);
         if (onward == Vec2{}) break;
         at += onward * kTraceStep;
-        if (k < kWindowSteps) memory.window = near.windows().landmarkNear(at, memory.window);
+        if (k < kWindowSteps) memory.landmark = near.windows().landmarkNear(at, memory.landmark);
         if (ground->lineOfSight(from, at)) {
             memory.point = at;
             found = distance(from, at) > kWorthAiming;
@@ -416,7 +416,7 @@ Vec2 Geodesics::Impl::towardsPlace(Vec2 from, std::int32_t place, Vec2 aim) cons
 // To a point in sight on the way down a field of a landmark of the place. Where there is none, the way is
 // bent near by: down the window of a landmark some metres on.
 Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, Vec2 from,
-                                    WayPoint& memory) const {
+                                    SteeringTarget& memory) const {
     // Who walks towards a point keeps it in sight, unless pushed aside.
     const bool looks = memory.steps % kLooks == 0;
     const bool aims = memory.inSight && distance(from, memory.point) > kReached &&
@@ -430,7 +430,7 @@ Vec2 Geodesics::Impl::longDirection(const CostField& field, std::int32_t place, 
     }
     --memory.steps;
     if (memory.inSight) return normalized(memory.point - from);
-    const std::int32_t slot = memory.window >= 0 ? near.windows().slotOf(memory.window) : -1;
+    const std::int32_t slot = memory.landmark >= 0 ? near.windows().slotOf(memory.landmark) : -1;
     const Vec2 way = slot >= 0 ? near.windows().field(slot).direction(from) : Vec2{};
     return way == Vec2{} ? alongWall(from, field.direction(from)) : way;
 }
@@ -448,21 +448,21 @@ Vec2 Geodesics::Impl::alongWall(Vec2 from, Vec2 way) const {
     return into < 0.0 ? normalized(way - out * into, perpendicular(out)) : way;
 }
 
-void Geodesics::remember(std::span<const WayPoint> walkers) {
-    for (const WayPoint& walker : walkers)
-        if (walker.place >= 0 && walker.window >= 0 && !walker.inSight)
-            impl_->near.windows().keep(walker.window);
+void Geodesics::retainFields(std::span<const SteeringTarget> walkers) {
+    for (const SteeringTarget& walker : walkers)
+        if (walker.place >= 0 && walker.landmark >= 0 && !walker.inSight)
+            impl_->near.windows().keep(walker.landmark);
 }
 
-WayAhead Geodesics::ahead(Vec2 from, std::int32_t place, WayPoint& memory) const {
-    WayAhead way = impl_->stillWay(from, place, memory);
+Guidance Geodesics::guidance(Vec2 from, std::int32_t place, SteeringTarget& memory) const {
+    Guidance way = impl_->stillWay(from, place, memory);
     way.direction = impl_->roundTheCrowd(from, place, way);
     return way;
 }
 
 // Where the crowd ahead is dense, the best of a few headings: what the first metres cost in it, and the way
 // on from there.
-Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhead& way) const {
+Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const Guidance& way) const {
     if (excess->empty() || way.direction == Vec2{} || way.cost < 2.0 * kLookAhead) return way.direction;
     const double unit = ground->unitCost(from);
     const auto costBy = [&](Vec2 heading) {
@@ -484,7 +484,7 @@ Vec2 Geodesics::Impl::roundTheCrowd(Vec2 from, std::int32_t place, const WayAhea
     return best;
 }
 
-WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memory) const {
+Guidance Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, SteeringTarget& memory) const {
     const Vec2 to = places[place];
     // Where many get other places at once not all look for a point in one step: the field itself leads them
     // until then.
@@ -492,7 +492,7 @@ WayAhead Geodesics::Impl::stillWay(Vec2 from, std::int32_t place, WayPoint& memo
         memory = {from, place, static_cast<std::int32_t>(mixed(place) % kServes), -1, false};
     const double line = distance(from, to);
     const auto farField = [&]() -> const CostField& { return far.field(farStencil[place].nearest); };
-    WayAhead way;
+    Guidance way;
     if (farKnown(from, place, line, way.cost)) {
         way.direction = longDirection(farField(), place, from, memory);
         return way;

@@ -1,4 +1,6 @@
-// Costs of ways between any point and any place of a group, at a small price each (SPEC A2, B1).
+// Shortest-path oracle: geodesic costs between any point and any place of a group in nearly constant time
+// (SPEC A2, B1). Landmark-based distance oracle after Goldberg and Harrelson 2005, with any-angle lines of
+// sight (Nash et al. 2007).
 #pragma once
 
 #include <cstdint>
@@ -13,23 +15,26 @@
 
 namespace muster {
 
-/// How much work is done in a step.
+/// Capacities of the field caches, and how many fields are solved in a step.
 struct GeodesicsDef {
-    std::int32_t nearFields = 6144;    ///< Most windows of the ground cells kept.
-    std::int32_t middleFields = 2048;  ///< Most windows of cells twice as wide kept.
-    /// Windows made in a step, at most: from 2,500 places on, in proportion. For fewer places fields of all
-    /// kinds together, for fewer than 500 one.
-    std::int32_t nearPerStep = 2;
-    /// The same for the wider ones; with fewer places in every other step.
+    std::int32_t fineFields = 6144;    ///< Capacity for local fields on the ground cells >= 1.
+    std::int32_t middleFields = 2048;  ///< Capacity for local fields on cells twice as wide >= 1.
+    /// Local fields on the ground cells solved in a step, at most: in proportion to the places from 2,500 on.
+    /// Groups with fewer places share this budget among the fields of all kinds; below 500 places it is one
+    /// field.
+    std::int32_t finePerStep = 2;
+    /// The same for local fields on cells twice as wide; groups of fewer places solve them in every other
+    /// step.
     std::int32_t middlePerStep = 1;
-    /// Far fields made in a step, at most: from 2,500 places on; with fewer in every other step.
+    /// Far fields solved in a step, at most; groups of fewer than 2,500 places solve them in every other
+    /// step.
     std::int32_t farPerStep = 1;
 };
 
-/// Where to walk.
-struct WayAhead {
-    Vec2 direction;     ///< Unit vector; zero where no way is known.
-    float cost = 0.0f;  ///< To the place.
+/// Desired direction of a character (Helbing and Molnár 1995), and what its path costs.
+struct Guidance {
+    Vec2 direction;     ///< Unit vector; zero where no path is known.
+    float cost = 0.0f;  ///< Cost of the path to the place [m].
 
     /// Lets an archive read or write it.
     template <class Archive>
@@ -38,60 +43,64 @@ struct WayAhead {
     }
 };
 
-/// What a walker remembers from step to step of a long way: a point in sight that lies on it, or the landmark
-/// of a window that leads round the next corner.
-struct WayPoint {
-    Vec2 point;                ///< [m]
-    std::int32_t place = -1;   ///< The place to which it leads; -1 for none.
-    std::int32_t steps = 0;    ///< For which it still serves.
-    std::int32_t window = -1;  ///< The landmark: a ground cell; -1 for none.
-    bool inSight = false;      ///< The point serves; else the window.
+/// What a character heads for on a long path, remembered for several steps: the farthest point of the path in
+/// line of sight, or, where none is, the local field of a landmark behind the next corner.
+struct SteeringTarget {
+    Vec2 point;                  ///< Point on the path [m].
+    std::int32_t place = -1;     ///< The place to which the path leads; -1 for none.
+    std::int32_t steps = 0;      ///< Steps for which the target remains valid.
+    std::int32_t landmark = -1;  ///< Landmark of the local field: a ground cell; -1 for none.
+    bool inSight = false;        ///< True where `point` is the target; false where the local field is.
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(point, place, steps, window, inSight);
+        archive(point, place, steps, landmark, inSight);
     }
 };
 
-/// Interpolates squared costs between fields of landmarks round each place: straight lines where the ground
-/// is clear and uniform, small windows of the fine ground near by, fields of the coarse ground far away.
-/// Fields are those of the still ground; the excess of crowd and moving things is added along the way.
+/// Answers queries from a hierarchy of sources: lines of sight where the ground is clear and uniform, local
+/// fields of landmarks near by, far fields on the coarse ground beyond. Fields hold the cost of the static
+/// ground only; the dynamic cost is integrated along the path. Fields that a query lacks are requested and
+/// solved in later steps.
 class Geodesics {
 public:
-    explicit Geodesics(const GeodesicsDef& def = {});  ///< Knows nothing yet.
+    explicit Geodesics(const GeodesicsDef& def = {});  ///< Has no fields yet.
     ~Geodesics();
     Geodesics(Geodesics&&) noexcept;  ///< Moves.
     Geodesics& operator=(Geodesics&&) noexcept;
 
-    /// Makes room for the fields that so many places may need on this ground. Changes no result.
+    /// Allocates memory for the fields that so many places may need on this ground. Changes no result.
     void reserve(const StaticGround& ground, std::size_t places);
-    /// Takes the places of this step, and makes some of the fields that were missing in the last. `ground`
-    /// and `excess` must live until the next call.
-    void update(const StaticGround& ground, const DynamicCost& excess, std::span<const Vec2> places,
+    /// Takes the places of this step, and solves some of the fields that were requested in the last. `ground`
+    /// and `dynamicCost` must outlive the next call.
+    void update(const StaticGround& ground, const DynamicCost& dynamicCost, std::span<const Vec2> places,
                 ThreadPool& pool);
-    /// Makes all far fields that ways from these points to the places ask for: before a first plan.
-    void survey(std::span<const Vec2> from, ThreadPool& pool);
+    /// Solves all far fields, and many local ones, that queries from these points would request: before a
+    /// first plan.
+    void prefetch(std::span<const Vec2> from, ThreadPool& pool);
     /// Cost from `from` to a place [m of open ground] >= 0, finite. May be called from several threads.
     float cost(Vec2 from, std::int32_t place) const;
-    /// No cost is less than so many times the straight line.
-    double perMetre() const;
-    /// True where moving things make the ground dearer or cheaper: there costs change from step to step.
-    bool unsteady(Vec2 p) const;
-    /// The same with the direction to go; `memory` is the walker's own.
-    WayAhead ahead(Vec2 from, std::int32_t place, WayPoint& memory) const;
-    /// Keeps the windows that walkers need, and asks for those that are missing. Call after all have asked
-    /// ahead().
-    void remember(std::span<const WayPoint> walkers);
-    /// A lower bound of the cost, less what moving patches save: the straight line, as far as both ends lie
-    /// deep in ground that costs more by what that costs.
-    double atLeast(Vec2 from, std::int32_t place) const;
+    /// Least unit cost of the ground: no cost is less than this times the straight distance.
+    double leastUnitCost() const;
+    /// True where moving obstacles or patches change the unit cost at `p`: there costs change from step to
+    /// step.
+    bool hasMovingCost(Vec2 p) const;
+    /// The cost with the direction to walk; `target` belongs to the character. May be called from several
+    /// threads.
+    Guidance guidance(Vec2 from, std::int32_t place, SteeringTarget& target) const;
+    /// Marks the local fields of these targets as used, and requests those that are missing. Must be called
+    /// after all calls of guidance() in a step.
+    void retainFields(std::span<const SteeringTarget> targets);
+    /// Lower bound of the cost without what moving patches save [m]: the straight line, with the unit cost of
+    /// its ends as far as their uniform clearance reaches.
+    double lowerBound(Vec2 from, std::int32_t place) const;
     /// True where the cost is that of the straight line.
-    bool straight(Vec2 from, std::int32_t place) const;
+    bool lineOfSight(Vec2 from, std::int32_t place) const;
 
-    /// Writes all that can influence later results, less what follows from the ground.
+    /// Writes all that can influence later results, except what follows from the ground.
     void save(Writer& archive) const;
-    /// Reads what save() wrote; fields are made anew by the next update(). False where it does not fit.
+    /// Reads what save() wrote; fields are solved again by the next update(). False where it does not fit.
     bool load(Reader& archive);
     /// Adds what save() writes to a hash.
     void hash(Hasher& archive) const;

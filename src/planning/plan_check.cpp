@@ -10,9 +10,9 @@ namespace {
 Status checkDef(const PlanDef& def) {
     if (!(def.exponent >= 1.0 && def.exponent <= 16.0))
         return invalidArgument("plan exponent is not in [1, 16]");
-    if (!(def.threshold >= 0.0) || !std::isfinite(def.threshold))
+    if (!(def.commitThreshold >= 0.0) || !std::isfinite(def.commitThreshold))
         return invalidArgument("plan threshold is not a finite number >= 0");
-    if (!(def.thresholdShare >= 0.0) || !std::isfinite(def.thresholdShare))
+    if (!(def.commitThresholdShare >= 0.0) || !std::isfinite(def.commitThresholdShare))
         return invalidArgument("plan threshold share is not a finite number >= 0");
     return {};
 }
@@ -63,11 +63,11 @@ Status checkPlan(const PlanDef& def, const PlanInput& input) {
     const std::size_t places = input.places.size();
     const Status checks[] = {
         checkDef(def),
-        input.cost == nullptr && input.ground != nullptr ? Status{} : checkCost(input.cost),
+        input.unitCost == nullptr && input.ground != nullptr ? Status{} : checkCost(input.unitCost),
         checkSize("supply", input.supply.size(), characters, true),
         checkSize("demand", input.demand.size(), places, true),
         checkSize("usable", input.usable.size(), places, true),
-        checkSize("presence", input.present.size(), characters, true),
+        checkSize("connected flags", input.connected.size(), characters, true),
         checkSize("incumbent", input.incumbent.size(), characters, false),
         checkPoints("character", input.characters),
         checkPoints("place", input.places),

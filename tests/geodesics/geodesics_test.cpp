@@ -73,7 +73,7 @@ Errors errorsOf(Scene& scene, std::size_t count, double half, double reach, std:
             const auto place = static_cast<std::int32_t>(j);
             const double truth = field.cost(p);
             const double known = scene.geodesics.cost(p, place);
-            if (scene.geodesics.straight(p, place)) {
+            if (scene.geodesics.lineOfSight(p, place)) {
                 // The field is a discretisation too.
                 REQUIRE(known == doctest::Approx(truth).epsilon(0.02).scale(1.0));
                 continue;
@@ -95,8 +95,8 @@ TEST_CASE("in the open costs are straight lines") {
     scene.step();
     CHECK(scene.geodesics.cost({3, 4}, 0) == doctest::Approx(5.0));
     CHECK(scene.geodesics.cost({-30, 30}, 1) == doctest::Approx(std::hypot(60.0, 60.0)));
-    WayPoint memory;
-    const WayAhead way = scene.geodesics.ahead({3, 4}, 0, memory);
+    SteeringTarget memory;
+    const Guidance way = scene.geodesics.guidance({3, 4}, 0, memory);
     CHECK(distance(way.direction, {-0.6, -0.8}) < 1e-9);
     CHECK(scene.geodesics.cost({0, 0}, 0) == 0.0f);
 }
@@ -141,7 +141,7 @@ TEST_CASE("far ways round a block and through a corridor are near the exact ones
         from.push_back({random.uniform(-40, -15), random.uniform(-25, 25)});
     }
     scene.step();
-    scene.geodesics.survey(from, scene.pool);
+    scene.geodesics.prefetch(from, scene.pool);
     const std::vector<Shape> walls = {{{{-6, -48}, {6, -48}, {6, -3}, {-6, -3}}},
                                       {{{-6, 3}, {6, 3}, {6, 48}, {-6, 48}}}};
     double worst = 0.0;
@@ -208,8 +208,8 @@ TEST_CASE("no way costs less than its bound, which knows the slow ground at both
         solver.solve(scene.ground.fine(), scene.places[j], {}, field);
         for (int k = 0; k < 40; ++k) {
             const Vec2 p = freeSpot(scene.environment, random, 12.0);
-            const double line = scene.geodesics.perMetre() * distance(p, scene.places[j]);
-            const double bound = scene.geodesics.atLeast(p, j);
+            const double line = scene.geodesics.leastUnitCost() * distance(p, scene.places[j]);
+            const double bound = scene.geodesics.lowerBound(p, j);
             CAPTURE(p);
             CHECK(bound >= line - 1e-9);
             CHECK(bound <= 1.03 * field.cost(p) + 0.2);
@@ -240,8 +240,8 @@ TEST_CASE("a far way that begins beside a cart costs what it takes to get away f
     builder.build({}, scene.environment, scene.density, 0.25, cost);
     EikonalSolver solver;
     CostField field;
-    CHECK(scene.geodesics.unsteady(before));
-    CHECK_FALSE(scene.geodesics.unsteady(aside));
+    CHECK(scene.geodesics.hasMovingCost(before));
+    CHECK_FALSE(scene.geodesics.hasMovingCost(aside));
     for (std::int32_t j = 0; j < 3; ++j) {
         solver.solve(cost, scene.places[j], {}, field);
         const double exact = field.cost(before);
@@ -260,13 +260,13 @@ TEST_CASE("who follows the direction step by step comes to the place by nearly t
     scene.places = {{20, -4}, {6, 2}, {4.5, -11.5}};
     for (std::int32_t j = 0; j < 3; ++j) {
         Vec2 at{-20, 3};
-        WayPoint memory;
+        SteeringTarget memory;
         double walked = 0.0;
         const GeodesicOracle oracle(walls, 0.25, scene.places[j]);
         const double truth = oracle.cost(at);
         for (int k = 0; k < 4000 && distance(at, scene.places[j]) > 0.1; ++k) {
             scene.step();
-            const WayAhead way = scene.geodesics.ahead(at, j, memory);
+            const Guidance way = scene.geodesics.guidance(at, j, memory);
             const Vec2 next = scene.environment.projectToFreeSpace(at + way.direction * 0.05, 0.25);
             walked += distance(at, next);
             at = next;

@@ -31,8 +31,8 @@ std::vector<std::int32_t> chosen(const PlanDef& def, std::int32_t places, const 
 
 PlanDef withThreshold(double threshold, double share) {
     PlanDef def;
-    def.threshold = threshold;
-    def.thresholdShare = share;
+    def.commitThreshold = threshold;
+    def.commitThresholdShare = share;
     return def;
 }
 

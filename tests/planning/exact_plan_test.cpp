@@ -23,8 +23,8 @@ using Places = std::vector<std::int32_t>;
 PlanDef definition(double exponent, double threshold) {
     PlanDef def;
     def.exponent = exponent;
-    def.threshold = threshold;
-    def.thresholdShare = 0.0;
+    def.commitThreshold = threshold;
+    def.commitThresholdShare = 0.0;
     return def;
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("open ground: the plan is the best of all permutations of straight way
             PlanResult result;
             REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(exponent, 0.1), input, result).ok());
             CHECK(result.flows.size() == 6);
-            CHECK(result.changed == 6);
+            CHECK(result.reassigned == 6);
             CHECK(result.gapBound == 0.0);
             // Fields are a discretisation: within 1 %.
             CHECK(result.objective == doctest::Approx(bestByHand(input, exponent)).epsilon(0.01 * exponent));
@@ -83,7 +83,7 @@ TEST_CASE("a late arrival makes others shift inward when far ways count more") {
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
     CHECK(placesOf(result, 4) == Places{0, 1, 2, 3});
     CHECK(result.objective == doctest::Approx(1 + 1 + 1 + 9).epsilon(0.02));
-    CHECK(result.changed == 4);
+    CHECK(result.reassigned == 4);
 }
 
 TEST_CASE("a shift inward is not made for less than the threshold") {
@@ -92,7 +92,7 @@ TEST_CASE("a shift inward is not made for less than the threshold") {
     PlanResult result;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 30.0), input, result).ok());
     CHECK(placesOf(result, 4) == Places{1, 2, 3, 0});
-    CHECK(result.changed == 0);
+    CHECK(result.reassigned == 0);
     CHECK(result.gapBound == doctest::Approx(24.0).epsilon(0.02));
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 20.0), input, result).ok());
     CHECK(placesOf(result, 4) == Places{0, 1, 2, 3});
@@ -165,7 +165,7 @@ TEST_CASE("kept places stay, however dear") {
     PlanResult result;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, result).ok());
     CHECK(placesOf(result, 3) == Places{0, 1, -1});
-    CHECK(result.changed == 0);
+    CHECK(result.reassigned == 0);
     CHECK(result.objective == doctest::Approx(2.0).epsilon(0.02));
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("fronts that stop early give the same optimum as fronts over all the g
             std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
         for (Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, narrow).ok());
-        changes += narrow.changed;
+        changes += narrow.reassigned;
         input.noIncumbents();
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
         CHECK(narrow.flows.size() == wide.flows.size());
@@ -279,7 +279,7 @@ TEST_CASE("bad input is refused by name and changes nothing") {
     CHECK(refused(definition(0.5, 0.0), good) == "plan exponent is not in [1, 16]");
     CHECK(refused(definition(2.0, -1.0), good) == "plan threshold is not a finite number >= 0");
     muster::PlanInput none = good.view();
-    none.cost = nullptr;
+    none.unitCost = nullptr;
     CHECK(plan->start(def, none).message() == "plan has no unit cost");
     PlanResult result;
     muster::ThreadPool pool(1);

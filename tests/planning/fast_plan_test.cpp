@@ -53,9 +53,9 @@ struct Walk {
         in.places = places;
         in.usable = usable;
         in.incumbent = incumbent;
-        in.cost = &cost;
+        in.unitCost = &cost;
         in.ground = &ground;
-        in.excess = &excess;
+        in.dynamicCost = &excess;
         return in;
     }
     PlanResult plan(Plan& plan, ThreadPool& pool) const {
@@ -72,7 +72,7 @@ struct Walk {
     void walk(Plan& plan, ThreadPool& pool, double step) {
         std::vector<Vec2> direction(characters.size());
         std::vector<double> left(characters.size());
-        plan.steer({characters, incumbent, places, &environment, 1.5, &ground, &excess}, pool, direction,
+        plan.guide({characters, incumbent, places, &environment, 1.5, &ground, &excess}, pool, direction,
                    left);
         for (std::size_t i = 0; i < characters.size(); ++i)
             characters[i] = environment.projectToFreeSpace(characters[i] + direction[i] * std::min(step, left[i]), 0.25);
@@ -81,7 +81,7 @@ struct Walk {
     double gap(ThreadPool& pool) const {
         const auto judge = makeExactPlan();
         PlanDef keep = def;
-        keep.threshold = 1e9;
+        keep.commitThreshold = 1e9;
         PlanResult result;
         REQUIRE(judge->start(keep, input()).ok());
         REQUIRE(judge->finish(pool, result).ok());
@@ -132,7 +132,7 @@ TEST_CASE("the first plan takes every place once and reports what it costs") {
     double sum = 0.0;
     for (const double c : a.cost) sum += c * c;
     CHECK(a.objective == doctest::Approx(sum));
-    CHECK(a.changed == 100);
+    CHECK(a.reassigned == 100);
     // By the exact costs what it took is near the optimum; its own are longer by what the coarse ground adds
     // at corners.
     scene.take(a);
@@ -196,12 +196,12 @@ TEST_CASE("work aside, with steering beside it, comes to what finish alone does"
     for (int step = 0; step < 60; ++step) {
         const PlanResult expected = scene.plan(*whole, pool);
         REQUIRE(aside->start(scene.def, scene.input()).ok());
-        CHECK(aside->worksAside());
+        CHECK(aside->worksInBackground());
         aside->advance(0, 1, pool);
-        std::thread worker([&] { aside->workAside(); });
-        const SteerInput input{scene.characters, scene.incumbent, scene.places, &scene.environment, 1.5,
-                               &scene.ground,    &scene.excess};
-        aside->steer(input, pool, direction, left);
+        std::thread worker([&] { aside->workInBackground(); });
+        const GuidanceInput input{scene.characters, scene.incumbent, scene.places, &scene.environment, 1.5,
+                                  &scene.ground,    &scene.excess};
+        aside->guide(input, pool, direction, left);
         CHECK(aside->pending());
         CHECK(aside->waitingPlace(0) >= -1);
         worker.join();
@@ -213,11 +213,11 @@ TEST_CASE("work aside, with steering beside it, comes to what finish alone does"
         REQUIRE(result.flows.size() == expected.flows.size());
         for (std::size_t k = 0; k < result.flows.size(); ++k)
             REQUIRE(result.flows[k].place == expected.flows[k].place);
-        whole->steer(input, pool, direction, left);
+        whole->guide(input, pool, direction, left);
         scene.take(expected);
         scene.walk(*whole, pool, 0.05);
     }
-    aside->workAside();  // Nothing to do.
+    aside->workInBackground();  // Nothing to do.
     CHECK_FALSE(aside->pending());
 }
 
@@ -262,7 +262,7 @@ TEST_CASE("fixed places are kept, and who has none waits beside one") {
     const PlanResult kept = scene.plan(*plan, pool);
     REQUIRE(kept.flows.size() == 40);
     for (const Flow& flow : kept.flows) CHECK(flow.place == 39 - flow.character);
-    CHECK(kept.changed == 0);
+    CHECK(kept.reassigned == 0);
 
     scene.def.reassign = true;
     scene.usable.assign(40, 1);

@@ -19,9 +19,9 @@ using Places = std::vector<std::int32_t>;
 
 PlanDef leastLongest(double threshold, bool geodesic) {
     PlanDef def;
-    def.longestWalk = true;
-    def.threshold = threshold;
-    def.thresholdShare = 0.0;
+    def.bottleneck = true;
+    def.commitThreshold = threshold;
+    def.commitThresholdShare = 0.0;
     def.geodesic = geodesic;
     return def;
 }
@@ -78,7 +78,7 @@ TEST_CASE("the longest walk is the least of all permutations, and the squares th
         CHECK(result.objective == doctest::Approx(sum).epsilon(1e-9));
         CHECK(result.gapBound <= 1e-9 * sum);
         PlanDef def = leastLongest(0.0, false);
-        def.longestWalk = false;
+        def.bottleneck = false;
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, squares).ok());
         CHECK(squares.objective <= result.objective * (1.0 + 1e-12));
         CHECK(longest(squares) >= longest(result) * (1.0 - 1e-12));
@@ -94,7 +94,7 @@ TEST_CASE("two share the way where one alone would walk farther") {
                     .ok());
         CHECK(placesOf(result, 2) == Places{1, 0});
         PlanDef def = leastLongest(0.1, geodesic);
-        def.longestWalk = false;
+        def.bottleneck = false;
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, triangle({-1, -1}), result).ok());
         CHECK(placesOf(result, 2) == Places{0, 1});
     }
@@ -108,10 +108,10 @@ TEST_CASE("the longest walk is shortened only by more than the threshold") {
     CHECK(result.objective == doctest::Approx(12.5).epsilon(1e-12));
     REQUIRE(planAtOnce(*muster::makeExactPlan(), leastLongest(2.8, false), triangle({0, 1}), result).ok());
     CHECK(placesOf(result, 2) == Places{0, 1});
-    CHECK(result.changed == 0);
+    CHECK(result.reassigned == 0);
     // Nobody changes back for the sake of the sum.
     REQUIRE(planAtOnce(*muster::makeExactPlan(), leastLongest(0.0, false), triangle({1, 0}), result).ok());
-    CHECK(result.changed == 0);
+    CHECK(result.reassigned == 0);
 }
 
 TEST_CASE("as many as possible are matched first, however far one has to go") {
@@ -144,7 +144,7 @@ TEST_CASE("fronts that stop early give the same longest walk") {
             std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
         for (Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, narrow).ok());
-        changes += narrow.changed;
+        changes += narrow.reassigned;
         input.noIncumbents();
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
         CHECK(longest(narrow) == doctest::Approx(longest(wide)).epsilon(1e-9));

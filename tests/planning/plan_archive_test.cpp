@@ -50,10 +50,10 @@ void checkSame(Plan& a, Plan& b, const OwnedInput& input) {
     const std::vector<std::int32_t> place = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     std::vector<Vec2> directionA(9), directionB(9);
     std::vector<double> costA(9), costB(9);
-    const muster::SteerInput steering{input.characters, place, input.places, &environment, 1.5};
+    const muster::GuidanceInput steering{input.characters, place, input.places, &environment, 1.5};
     muster::ThreadPool pool;
-    a.steer(steering, pool, directionA, costA);
-    b.steer(steering, pool, directionB, costB);
+    a.guide(steering, pool, directionA, costA);
+    b.guide(steering, pool, directionB, costB);
     CHECK(directionA == directionB);
     CHECK(costA == costB);
     for (std::int32_t j = 0; j < 9; ++j) CHECK(a.costAt(j, {-3.1, 2.2}) == b.costAt(j, {-3.1, 2.2}));
@@ -90,7 +90,7 @@ TEST_CASE("save in the middle of pending work, load, go on: equal") {
         CHECK(resultA.cost == resultB.cost);
         CHECK(resultA.objective == resultB.objective);
         CHECK(resultA.gapBound == resultB.gapBound);
-        CHECK(resultA.changed == resultB.changed);
+        CHECK(resultA.reassigned == resultB.reassigned);
         CHECK(muster_test::placesOf(resultA, 9) == muster_test::placesOf(resultB, 9));
         checkSame(*plan, *copy, second);
         CHECK(hashed(*copy) == hashed(*plan));

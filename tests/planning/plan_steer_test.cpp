@@ -40,7 +40,7 @@ Steered steer(muster::Plan& plan, const muster::Environment& environment, Vec2 p
               const std::vector<Vec2>& placesNow, double direct = 1.5) {
     Steered out{};
     muster::ThreadPool pool;
-    plan.steer({{&p, 1}, {&place, 1}, placesNow, &environment, direct}, pool, {&out.direction, 1},
+    plan.guide({{&p, 1}, {&place, 1}, placesNow, &environment, direct}, pool, {&out.direction, 1},
                {&out.cost, 1});
     return out;
 }

@@ -42,9 +42,11 @@ void CommitRule::merge(std::span<const Flow> incumbent, std::span<const Flow> be
 // Where the longest walk counts first, a piece also changes for shortening it, from its own dearest pair to
 // the dearest of the best flows.
 bool CommitRule::worthwhile(const PlanDef& def, const Piece& piece, double dearest) const {
-    const auto least = [&](double cost) { return std::max(def.threshold, def.thresholdShare * cost); };
+    const auto least = [&](double cost) {
+        return std::max(def.commitThreshold, def.commitThresholdShare * cost);
+    };
     if (piece.moreMatched > dust_) return true;
-    if (def.longestWalk && piece.incumbentDearest - dearest > least(piece.incumbentDearest)) return true;
+    if (def.bottleneck && piece.incumbentDearest - dearest > least(piece.incumbentDearest)) return true;
     return piece.incumbentCost - piece.bestCost > least(piece.incumbentCost);
 }
 

@@ -78,7 +78,7 @@ void ExactPlan::collectIncumbents() {
 Status ExactPlan::solveOnce() {
     TransportationProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(),
                                   demand_};
-    if (pending_.def().longestWalk) {
+    if (pending_.def().bottleneck) {
         const double longest = bottleneck_.solve(problem);
         allowed_ = powered_;
         for (double& c : allowed_)
@@ -144,7 +144,7 @@ void ExactPlan::keepIncumbents(PlanResult& result) {
 void ExactPlan::report(PlanResult& result) {
     result.cost.assign(pending_.characters(), kInfinite);
     result.objective = 0.0;
-    result.changed = 0;
+    result.reassigned = 0;
     std::size_t k = 0;
     for (std::int32_t i = 0; i < pending_.characters(); ++i) {
         std::int32_t place = -1;
@@ -158,7 +158,7 @@ void ExactPlan::report(PlanResult& result) {
             place = flow.place;
         }
         if (place >= 0) result.cost[i] = cost_[pairIndex(i, place, pending_.places())];
-        if (place != pending_.incumbent(i)) ++result.changed;
+        if (place != pending_.incumbent(i)) ++result.reassigned;
     }
 }
 

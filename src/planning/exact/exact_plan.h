@@ -21,7 +21,7 @@ public:
     bool pending() const override { return pending_.valid(); }
     void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
-    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction,
+    void guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec2> direction,
                std::span<double> cost) override;
     std::int32_t waitingPlace(std::int32_t character) const override {
         const bool known = finished_.valid() && character >= 0 && character < finished_.characters();

@@ -14,7 +14,7 @@ constexpr double kHair = 0.01;
 
 }  // namespace
 
-void ExactPlan::steer(const SteerInput& input, ThreadPool&, std::span<Vec2> direction,
+void ExactPlan::guide(const GuidanceInput& input, ThreadPool&, std::span<Vec2> direction,
                       std::span<double> cost) {
     MUSTER_ASSERT(input.place.size() == input.characters.size() &&
                   direction.size() == input.characters.size() && cost.size() == input.characters.size());
@@ -22,7 +22,8 @@ void ExactPlan::steer(const SteerInput& input, ThreadPool&, std::span<Vec2> dire
         Heading heading{{0.0, 0.0}, kInfinite};
         const std::int32_t place = input.place[i];
         if (place >= 0 && static_cast<std::size_t>(place) < input.places.size())
-            heading = head(input.characters[i], place, input.places[place], *input.environment, input.direct);
+            heading = head(input.characters[i], place, input.places[place], *input.environment,
+                           input.directReach);
         direction[i] = heading.direction;
         cost[i] = heading.cost;
     }

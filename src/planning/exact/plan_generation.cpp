@@ -39,7 +39,7 @@ void PlanGeneration::freeze(const PlanDef& def, const PlanInput& input, const Pl
     copy(input.demand, demand_);
     copy(input.usable, usable_);
     copy(input.incumbent, incumbent_);
-    cost_ = *input.cost;
+    cost_ = *input.unitCost;
     solved_ = 0;
     setWide(former);
     valid_ = true;

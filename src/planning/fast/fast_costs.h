@@ -26,13 +26,13 @@ public:
         own_ = own;
     }
     float cost(std::int32_t character, std::int32_t place) override { return price(character, place); }
-    double leastUnitCost() const override { return geodesic_ ? geodesics_->perMetre() : 1.0; }
+    double leastUnitCost() const override { return geodesic_ ? geodesics_->leastUnitCost() : 1.0; }
     double lowerBound(std::int32_t character, std::int32_t place) const override {
-        return geodesic_ ? geodesics_->atLeast(characters_[character], place) : 0.0;
+        return geodesic_ ? geodesics_->lowerBound(characters_[character], place) : 0.0;
     }
     bool unsteady(std::int32_t character, std::int32_t place) const override {
-        return geodesic_ &&
-               (geodesics_->unsteady(characters_[character]) || geodesics_->unsteady(places_[place]));
+        return geodesic_ && (geodesics_->hasMovingCost(characters_[character]) ||
+                             geodesics_->hasMovingCost(places_[place]));
     }
     void evaluate(std::span<const AssignmentPair> pairs, std::span<float> cost, ThreadPool& pool) override {
         constexpr std::size_t kChunk = 256;

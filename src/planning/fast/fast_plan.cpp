@@ -48,7 +48,7 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = checkPlan(def, input); !status.ok()) return status;
     if (!input.supply.empty() || !input.demand.empty())
         return invalidArgument("a fast plan takes one unit of supply and demand each");
-    if (input.ground == nullptr || input.excess == nullptr)
+    if (input.ground == nullptr || input.dynamicCost == nullptr)
         return invalidArgument("a fast plan needs the still ground and the excess");
     def_ = def;
     copy(input.characters, characters_);
@@ -56,9 +56,9 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copy(input.usable, usable_);
     copy(input.incumbent, incumbent_);
     present_.clear();
-    copy(input.present, present_);
+    copy(input.connected, present_);
     ground_ = input.ground;
-    excess_ = input.excess;
+    excess_ = input.dynamicCost;
     pending_ = true;
     measured_ = matched_ = false;
     return {};
@@ -67,7 +67,7 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
 // What walkers need of windows was noted while they walked; nobody reads the windows now.
 void FastPlan::update(ThreadPool& pool, const StaticGround& ground, const DynamicCost& excess,
                       std::span<const Vec2> places) {
-    geodesics_.remember(walkers_);
+    geodesics_.retainFields(walkers_);
     geodesics_.update(ground, excess, places, pool);
 }
 
@@ -86,15 +86,15 @@ void FastPlan::match(ThreadPool& pool) {
     matched_ = true;
 }
 
-void FastPlan::workAside() {
+void FastPlan::workInBackground() {
     match(alone_);
 }
 
 DynamicAssignmentDef FastPlan::assignmentDef(std::size_t characters) const {
     DynamicAssignmentDef def;
-    def.exponent = def_.longestWalk ? kLongestWalkExponent : def_.exponent;
-    def.threshold = def_.longestWalk ? 0.0 : def_.threshold;
-    def.thresholdShare = def_.longestWalk ? kLongestWalkShare : def_.thresholdShare;
+    def.exponent = def_.bottleneck ? kLongestWalkExponent : def_.exponent;
+    def.threshold = def_.bottleneck ? 0.0 : def_.commitThreshold;
+    def.thresholdShare = def_.bottleneck ? kLongestWalkShare : def_.commitThresholdShare;
     // A small crowd can afford a better start.
     if (characters <= kSmallCrowd) def.initialRounds = kSmallRounds;
     const auto count = static_cast<double>(std::max<std::size_t>(1, characters));
@@ -124,7 +124,7 @@ void FastPlan::measureOwn(ThreadPool& pool) {
         if (goesOn)
             way_[i].cost = geodesics_.cost(characters_[i], place);
         else
-            way_[i] = geodesics_.ahead(characters_[i], place, walkers_[i]);
+            way_[i] = geodesics_.guidance(characters_[i], place, walkers_[i]);
         own_[i] = def_.geodesic ? way_[i].cost : static_cast<float>(distance(characters_[i], places_[place]));
     });
 }
@@ -143,7 +143,7 @@ void FastPlan::assign(ThreadPool& pool) {
         std::vector<Vec2> from;
         const std::size_t stride = std::max<std::size_t>(1, characters_.size() / kSurveyed);
         for (std::size_t i = 0; i < characters_.size(); i += stride) from.push_back(characters_[i]);
-        geodesics_.survey(from, pool);
+        geodesics_.prefetch(from, pool);
         // Nobody holds a place that it would be a pity to change.
         DynamicAssignmentDef def = assignmentDef(characters_.size());
         def.threshold = 0.0;
@@ -174,16 +174,16 @@ void FastPlan::report(PlanResult& result) const {
     result.flows.clear();
     result.cost.assign(characters_.size(), kInfinite);
     result.objective = 0.0;
-    result.changed = 0;
+    result.reassigned = 0;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(characters_.size()); ++i) {
         const std::int32_t j = placeOf[i];
-        if (j != incumbent_[i]) ++result.changed;
+        if (j != incumbent_[i]) ++result.reassigned;
         if (j < 0 || (!usable_.empty() && usable_[j] == 0)) continue;
         result.flows.push_back({i, j, 1.0});
         result.cost[i] = cost[i];
         result.objective += power(cost[i], def_.exponent);
     }
-    result.gapBound = def_.reassign && !def_.longestWalk ? assignment_.dualityGap() : result.objective;
+    result.gapBound = def_.reassign && !def_.bottleneck ? assignment_.dualityGap() : result.objective;
 }
 
 // The nearest place that somebody can take; the search goes round among those who have none.
@@ -215,11 +215,11 @@ std::int32_t FastPlan::waitingPlace(std::int32_t character) const {
     return known ? waiting_[character] : -1;
 }
 
-void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction,
+void FastPlan::guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec2> direction,
                      std::span<double> cost) {
     MUSTER_ASSERT(input.place.size() == input.characters.size() &&
                   direction.size() == input.characters.size() && cost.size() == input.characters.size());
-    if (!updated_ && input.ground != nullptr) update(pool, *input.ground, *input.excess, input.places);
+    if (!updated_ && input.ground != nullptr) update(pool, *input.ground, *input.dynamicCost, input.places);
     const bool fresh = updated_ && ownPlace_.size() == input.characters.size();
     updated_ = false;
     walkers_.resize(input.characters.size());
@@ -228,9 +228,9 @@ void FastPlan::steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> 
         direction[i] = {};
         cost[i] = kInfinite;
         if (place < 0 || static_cast<std::size_t>(place) >= input.places.size()) return;
-        const WayAhead way = fresh && ownPlace_[i] == place
+        const Guidance way = fresh && ownPlace_[i] == place
                                  ? way_[i]
-                                 : geodesics_.ahead(input.characters[i], place, walkers_[i]);
+                                 : geodesics_.guidance(input.characters[i], place, walkers_[i]);
         direction[i] = way.direction;
         cost[i] = way.direction == Vec2{} && way.cost > 0.0f ? kInfinite : static_cast<double>(way.cost);
     });
@@ -282,7 +282,7 @@ bool FastPlan::consistent() const {
 }
 
 bool FastPlan::consistentWays() const {
-    const auto sane = [](const WayAhead& way) {
+    const auto sane = [](const Guidance& way) {
         return isFinite(way.direction) && lengthSquared(way.direction) < 1.1 && !std::isnan(way.cost);
     };
     return way_.size() == ownPlace_.size() && std::all_of(way_.begin(), way_.end(), sane);

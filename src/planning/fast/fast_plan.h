@@ -14,7 +14,7 @@
 namespace muster {
 
 /// From the positions given to start() advance() works out the costs and ways of all to their own places,
-/// which steer() uses, and workAside() the matching; finish() does what of these is left.
+/// which guide() uses, and workInBackground() the matching; finish() does what of these is left.
 class FastPlan final : public Plan {
 public:
     const char* name() const override { return "fast"; }
@@ -24,9 +24,9 @@ public:
     bool pending() const override { return pending_; }
     void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
-    bool worksAside() const override { return true; }
-    void workAside() override;
-    void steer(const SteerInput& input, ThreadPool& pool, std::span<Vec2> direction,
+    bool worksInBackground() const override { return true; }
+    void workInBackground() override;
+    void guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec2> direction,
                std::span<double> cost) override;
     std::int32_t waitingPlace(std::int32_t character) const override;
     double costAt(std::int32_t place, Vec2 p) const override;
@@ -60,7 +60,7 @@ private:
     std::vector<std::int32_t> incumbent_;
     std::vector<std::uint8_t> present_;   // Per character: in the places' region.
     std::vector<float> own_;              // Per character: cost to its place.
-    std::vector<WayAhead> way_;           // Per character, to ownPlace_.
+    std::vector<Guidance> way_;           // Per character, to ownPlace_.
     std::vector<std::int32_t> ownPlace_;  // Its place when that was worked out.
     std::uint32_t round_ = 0;             // Of working it out.
     bool pending_ = false;
@@ -71,7 +71,7 @@ private:
     bool planned_ = false;  // A plan was finished.
     DynamicAssignment assignment_;
     Geodesics geodesics_;
-    std::vector<WayPoint> walkers_;
+    std::vector<SteeringTarget> walkers_;
     std::vector<std::int32_t> waiting_;  // Per character: place beside which it waits, -1.
     std::uint32_t turn_ = 0;             // Of the search for these.
     // Of this step only.

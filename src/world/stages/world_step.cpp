@@ -168,12 +168,12 @@ void World::Impl::startPlan(Group& group) {
     input.usable = group.places.fit();
     input.incumbent = memory.groupPlaces;
     if (group.plan->readsUnitCost()) {
-        input.cost = &costBuilder.cost();
+        input.unitCost = &costBuilder.cost();
     } else {
         findPresent(group, input.characters);
-        input.present = memory.groupPresent;
+        input.connected = memory.groupPresent;
         input.ground = &ground;
-        input.excess = &excess;
+        input.dynamicCost = &excess;
     }
     const bool whole = group.planNow || !group.plan->readsUnitCost();
     group.slices = whole ? 1 : static_cast<std::int32_t>(planPeriodOf(parameters));
@@ -225,7 +225,7 @@ void World::Impl::launchPlans() {
     if (aside.empty()) return;
     pool->launch(
         [](void* plans) {
-            for (Plan* plan : *static_cast<std::vector<Plan*>*>(plans)) plan->workAside();
+            for (Plan* plan : *static_cast<std::vector<Plan*>*>(plans)) plan->workInBackground();
         },
         &aside);
 }
@@ -236,10 +236,10 @@ void World::Impl::plan() {
     updateGround();
     for (std::size_t g = 0; g < groups.size(); ++g) {
         Group& group = groups[g];
-        if (group.plan->worksAside() && group.plan->pending() && !group.planNow) finishPlan(group);
+        if (group.plan->worksInBackground() && group.plan->pending() && !group.planNow) finishPlan(group);
         if (plansThisStep(group, g)) startPlan(group);
         if (!group.plan->pending()) continue;
-        if (group.plan->worksAside())
+        if (group.plan->worksInBackground())
             planAside(group);
         else
             planInSlices(group);
@@ -253,10 +253,10 @@ void World::Impl::steerGroup(Group& group) {
     memory.groupDirections.resize(count);
     memory.groupCosts.resize(count);
     directTheUnmatched(group, positions);
-    const SteerInput input{positions,    memory.groupPlaces,     group.places.positions(),
-                           &environment, parameters.directReach, &ground,
-                           &excess};
-    group.plan->steer(input, *pool, memory.groupDirections, memory.groupCosts);
+    const GuidanceInput input{positions,    memory.groupPlaces,     group.places.positions(),
+                              &environment, parameters.directReach, &ground,
+                              &excess};
+    group.plan->guide(input, *pool, memory.groupDirections, memory.groupCosts);
     const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
     for (std::size_t k = 0; k < count; ++k) {
         const auto i = static_cast<std::size_t>(group.members[k]);

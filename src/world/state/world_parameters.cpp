@@ -56,9 +56,9 @@ PlanMode World::Impl::planMode() const {
 PlanDef World::Impl::planDef() const {
     PlanDef def;
     def.exponent = parameters.exponent;
-    def.threshold = parameters.threshold;
-    def.thresholdShare = parameters.thresholdShare;
-    def.longestWalk = static_cast<int>(parameters.objective) == static_cast<int>(PlanObjective::LongestWalk);
+    def.commitThreshold = parameters.threshold;
+    def.commitThresholdShare = parameters.thresholdShare;
+    def.bottleneck = static_cast<int>(parameters.objective) == static_cast<int>(PlanObjective::LongestWalk);
     def.geodesic = parameters.geodesic != 0.0;
     return def;
 }
