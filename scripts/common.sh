@@ -3,13 +3,14 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit 1
 
-# Debian packages: to build the program; on top of that for the C++ tests, the browser tests, WebAssembly.
+# Debian packages: to build the program; on top of that for the C++ tests, style, browser tests, WebAssembly, Blender.
 build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev libsqlite3-dev)
 test_packages=(doctest-dev librapidcheck-dev liblemon-dev)
+style_packages=(clang-format clang-tidy git)
 browser_packages=(chromium libgl1-mesa-dri libegl1)
 wasm_packages=(emscripten)
 blender_packages=(blender python3-numpy)
-configure_again=no  # Once packages have come, for what is found now.
+configure_again=no  # Becomes yes once packages have come, for what is found now.
 
 say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
 fail() { printf 'muster: %s\n' "$*" >&2; exit 1; }
@@ -42,17 +43,40 @@ install_node() {
     install_packages nodejs npm
 }
 
-# build_program PRESET TARGET...: configures once, and again where packages have come, then builds.
+# configure PRESET: configures a build once, and again where packages have come.
+configure() {
+    [ -f "build/$1/build.ninja" ] && [ "$configure_again" = no ] && return 0
+    cmake --preset "$1" >/dev/null || fail "cmake could not configure the preset $1"
+}
+
+# show_progress LOG: copies what ninja prints to LOG and shows how far it is: on a terminal in one line that changes, else in
+# a line every ten seconds.
+show_progress() {
+    local line shown=$SECONDS
+    while IFS= read -r line; do
+        printf '%s\n' "$line" >>"$1"
+        [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (.*) ]] || continue
+        local percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+        if [ -t 2 ]; then
+            printf '\r\033[K%3d %%  %.70s' "$percent" "${BASH_REMATCH[3]##*/}" >&2
+        elif [ $((SECONDS - shown)) -ge 10 ]; then
+            printf '%3d %%\n' "$percent" >&2
+            shown=$SECONDS
+        fi
+    done
+    [ ! -t 2 ] || printf '\r\033[K' >&2
+}
+
+# build_program PRESET TARGET...: configures where needed, then builds and shows the progress.
 build_program() {
-    local preset=$1
+    local preset=$1 log=build/$1/build.log
     shift
-    if [ ! -f "build/$preset/build.ninja" ] || [ "$configure_again" = yes ]; then
-        cmake --preset "$preset" >/dev/null || fail "cmake could not configure the preset $preset"
-    fi
-    cmake --build "build/$preset" --target "$@" >"build/$preset/build.log" 2>&1 || {
-        grep -A 12 -m 1 -E 'error|FAILED' "build/$preset/build.log" >&2
-        fail "the build failed; the whole log is build/$preset/build.log"
-    }
+    configure "$preset"
+    : >"$log"
+    NINJA_STATUS='[%f/%t] ' cmake --build "build/$preset" --target "$@" 2>&1 | show_progress "$log"
+    [ "${PIPESTATUS[0]}" -eq 0 ] && return 0
+    grep -A 12 -m 1 -E 'error|FAILED' "$log" >&2
+    fail "the build failed; the whole log is $log"
 }
 
 # install_page_packages: what web/package-lock.json asks for.
@@ -73,4 +97,14 @@ build_page() {
         (cd web && npm run --silent build) >&2 || fail "the page does not build"
         touch web/dist/index.html
     fi
+}
+
+# build_both TARGET...: builds these targets of the release build, and the page beside them, which mostly waits for its packages.
+build_both() {
+    local page
+    install_node
+    build_page &
+    page=$!
+    build_program release "$@"
+    wait "$page" || fail "the page could not be built"
 }

@@ -6,7 +6,11 @@
 
 namespace muster {
 
-std::string sourceFolder() { return MUSTER_SOURCE_DIR; }
-std::string programPath() { return MUSTER_PROGRAM; }
+std::string sourceFolder() {
+    return MUSTER_SOURCE_DIR;
+}
+std::string programPath() {
+    return MUSTER_PROGRAM;
+}
 
 }  // namespace muster

@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# The rules of style; ends with "N passed, N failed". Usage: style.sh [--all | --format]
+#
+#     without an option   formatting of all files; clang-tidy and lonely headers of those that differ from origin/main
+#     --all               everything of all files
+#     --format            formatting of all files only
+#
+# ./test style runs it, and configures the release build, whose compile_commands.json it reads.
+set -u
+. "$(dirname "$0")/common.sh"
+
+what=${1:-changed}
+passed=0
+failed=0
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# rule NAME COMMAND...: runs it and counts it.
+rule() {
+    local name=$1
+    shift
+    if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "style: $name"; fi
+}
+
+# sources PATTERN...: files under version control or new, all of them or those that differ from origin/main (where there is
+# none, from the last commit but one).
+sources() {
+    local base
+    if [ "$what" = --all ] || [ "$what" = --format ]; then
+        git ls-files --cached --others --exclude-standard -- "$@"
+    else
+        base=$(git merge-base HEAD origin/main 2>/dev/null || git rev-parse HEAD~1 2>/dev/null || git rev-parse HEAD)
+        [ "$base" != "$(git rev-parse HEAD)" ] || base=$(git rev-parse -q --verify HEAD~1 || echo "$base")
+        git diff --name-only --diff-filter=d "$base" -- "$@"
+        git ls-files --others --exclude-standard -- "$@"
+    fi | sort -u | while read -r file; do [ ! -e "$file" ] || echo "$file"; done
+}
+
+formatted() {
+    git ls-files --cached --others --exclude-standard -- '*.cpp' '*.h' | while read -r file; do [ ! -e "$file" ] || echo "$file"; done |
+        xargs -P "$(nproc)" -n 20 clang-format --dry-run -Werror 2>&1 | grep -E 'error' | cut -d: -f1 | sort -u >"$work/format"
+    sed 's/^/clang-format -i /' "$work/format"
+    [ ! -s "$work/format" ]
+}
+
+# No file names a place on somebody's machine.
+portable() {
+    ! git grep -InE '(^|[^a-zA-Z0-9_.])/(home|Users|root|work|mnt)/[a-z]' -- . ':!web/package-lock.json' ':!scripts/style.sh'
+}
+
+tidy() {
+    sources '*.cpp' | grep -E '^(src|apps|bench)/' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/release --quiet >"$work/tidy" 2>"$work/errors"
+    grep -E -A 3 '(warning|error): ' "$work/tidy"
+    ! grep -qE '(warning|error): ' "$work/tidy"
+}
+
+lonely_headers() {
+    sources '*.h' >"$work/headers"
+    node scripts/lonely_headers.mjs build/release "$work/headers"
+}
+
+# page_rule SCRIPT: a script of the page's package.json, where there is one.
+page_rule() {
+    grep -q "\"$1\":" web/package.json || return 0
+    (cd web && npm run --silent "$1")
+}
+
+rule "files that clang-format would change" formatted
+rule "paths of a machine" portable
+if [ "$what" != --format ]; then
+    configure release
+    rule "findings of clang-tidy" tidy
+    rule "headers that do not compile alone" lonely_headers
+    install_page_packages
+    rule "findings in the page's sources" page_rule lint
+    rule "files of the page that are not formatted" page_rule format:check
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
