@@ -20,7 +20,7 @@ for (const file of ['index.html', 'results.json', 'summary.md'])
 const results = JSON.parse(readFileSync(`${report}/results.json`, 'utf8'));
 if (results.length === 0) fails('no criterion was judged');
 for (const { experiment, criterion, preset, value, threshold, pass } of results) {
-  if (experiment === 'X13') console.log(`measured: X13, ${preset}: ${criterion}: ${value.toFixed(0)}`);
+  if (experiment === 'X13') console.log(`measured: X13, ${preset}: ${criterion}: ${Math.round(value)}`);
   else if (preset !== 'muster') continue; // Shown for comparison.
   else if (pass) passed += 1;
   else fails(`${experiment}: ${criterion}: ${value}, the threshold is ${threshold}`);

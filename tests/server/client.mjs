@@ -9,6 +9,19 @@ const numbered = (section) => Object.fromEntries(Object.keys(section).map((name,
 export const fromServer = numbered(schema.server);
 export const fromClient = numbered(schema.client);
 
+/** How long a test waits for what must come [ms]: no measure of speed, only an end for what hangs. */
+export const kPatience = 60000;
+
+/** Waits until `test` holds, looking again every 20 ms; false where it does not in all that time. */
+export async function eventually(test) {
+  const end = Date.now() + kPatience;
+  while (!test()) {
+    if (Date.now() > end) return false;
+    await new Promise((done) => setTimeout(done, 20));
+  }
+  return true;
+}
+
 /** Connects to the studio. */
 export function dial(port) {
   return new Promise((resolve, reject) => {
@@ -151,7 +164,7 @@ export class RawSocket {
   }
 
   /** Waits until `test` holds of this socket; false after `ms`. */
-  async until(test, ms = 3000) {
+  async until(test, ms = kPatience) {
     const end = Date.now() + ms;
     while (!test(this)) {
       const left = end - Date.now();
@@ -165,7 +178,7 @@ export class RawSocket {
   }
 
   /** The first message of that number, waited for. */
-  async message(number, ms = 3000) {
+  async message(number, ms = kPatience) {
     const is = (bytes) => bytes[0] === number;
     await this.until((self) => self.messages.some(is), ms);
     return this.messages.find(is) ?? null;

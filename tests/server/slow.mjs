@@ -17,8 +17,8 @@ export async function watchSilence(start) {
   const dead = await RawSocket.open(studio.port);
   dead.answersPings = false;
   const began = Date.now();
-  await dead.until((self) => self.closed, 40000);
-  const result = { ms: Date.now() - began, pings: dead.pings, aliveClosed: alive.closed, alivePings: alive.pings };
+  await dead.until((self) => self.closed, 120000);
+  const result = { ms: Date.now() - began, pings: dead.pings, deadClosed: dead.closed, aliveClosed: alive.closed, alivePings: alive.pings };
   alive.close();
   stop(studio);
   return result;
@@ -47,7 +47,7 @@ async function trickle(port, seconds) {
 /** A body that comes within its minute, and one that does not. */
 export async function watchBodies(start) {
   const studio = await start('--port', '18380');
-  const [intime, late] = await Promise.all([trickle(studio.port, 56), trickle(studio.port, 66)]);
+  const [intime, late] = await Promise.all([trickle(studio.port, 50), trickle(studio.port, 66)]);
   stop(studio);
   return { intime, late };
 }
