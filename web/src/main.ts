@@ -9,10 +9,10 @@ import './ui/styles/layout_floating.css';
 import './ui/styles/layout_sheet.css';
 import './ui/styles/layout_phone.css';
 
-import { StudioClient } from './engine/studio_client';
-import { fetchBodies } from './people/gltf_body';
+import { StudioClient } from './link/studio_client';
+import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { StudioApp } from './ui/studio_app';
-import { StudioView } from './view/studio_view';
+import { StudioView } from './scene/studio_view';
 
 function byId<T extends HTMLElement>(id: string, type: new () => T): T {
   const found = document.getElementById(id);
@@ -28,7 +28,7 @@ function socketAddress(): string {
 
 const canvas = byId('scene', HTMLCanvasElement);
 const view = new StudioView(canvas, byId('overlay', HTMLElement));
-const worker = new Worker(new URL('./engine/worker.ts', import.meta.url), { type: 'module' });
+const worker = new Worker(new URL('./link/worker.ts', import.meta.url), { type: 'module' });
 const client = new StudioClient(worker);
 const app = new StudioApp(client, view, canvas, byId('ui', HTMLElement));
 client.connect(socketAddress());

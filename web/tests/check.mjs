@@ -6,7 +6,8 @@ import { join } from 'node:path';
 
 const folder = mkdtempSync(join(tmpdir(), 'muster-check-'));
 const report = join(folder, 'vitest.json');
-const run = (program, ...options) => spawnSync('npx', ['--no-install', program, ...options], { stdio: ['ignore', 'inherit', 'inherit'] }).status;
+const run = (program, ...options) =>
+  spawnSync('npx', ['--no-install', program, ...options], { stdio: ['ignore', 'inherit', 'inherit'] }).status;
 
 const types = run('tsc', '--noEmit');
 const tests = run('vitest', 'run', '--reporter=default', '--reporter=json', `--outputFile.json=${report}`);

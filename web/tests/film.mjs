@@ -13,12 +13,45 @@ const TILE = { width: 296, height: 380, gap: 4 };
 
 /** When [s], whom to look at (who plays this clip; all where empty), the height of the picture on the ground [m]. */
 const FILMS = [
-  { name: 'film-x04', scenario: 'paper/x04-woodland', turn: 0.33, moments: [
-    [2.4, '', 10], [7.5, 'duck', 7.5], [13, 'duck', 7.5], [18.6, 'duck', 7.5], [25, 'duck', 7.5], [33, '', 10]] },
-  { name: 'film-x05', scenario: 'paper/x05-traffic', turn: 0.33, moments: [
-    [0.8, '', 10], [3.2, 'jump', 8], [7, '', 10], [13.6, '', 11], [19.5, '', 11], [26.6, 'jump', 8]] },
-  { name: 'film-x06', scenario: 'paper/x06-course', turn: 0.6, moments: [
-    [2.8, '', 10], [8.6, 'climb', 7], [34.4, 'jump-over', 7], [44, 'crawl', 7], [57, 'swim', 8], [63.9, 'swim-exit', 8]] },
+  {
+    name: 'film-x04',
+    scenario: 'paper/x04-woodland',
+    turn: 0.33,
+    moments: [
+      [2.4, '', 10],
+      [7.5, 'duck', 7.5],
+      [13, 'duck', 7.5],
+      [18.6, 'duck', 7.5],
+      [25, 'duck', 7.5],
+      [33, '', 10],
+    ],
+  },
+  {
+    name: 'film-x05',
+    scenario: 'paper/x05-traffic',
+    turn: 0.33,
+    moments: [
+      [0.8, '', 10],
+      [3.2, 'jump', 8],
+      [7, '', 10],
+      [13.6, '', 11],
+      [19.5, '', 11],
+      [26.6, 'jump', 8],
+    ],
+  },
+  {
+    name: 'film-x06',
+    scenario: 'paper/x06-course',
+    turn: 0.6,
+    moments: [
+      [2.8, '', 10],
+      [8.6, 'climb', 7],
+      [34.4, 'jump-over', 7],
+      [44, 'crawl', 7],
+      [57, 'swim', 8],
+      [63.9, 'swim-exit', 8],
+    ],
+  },
 ];
 
 function option(name, fallback) {
@@ -47,7 +80,9 @@ async function playTo(studio, time) {
 async function shoot(studio, { scenario, moments, turn }) {
   await studio.page.addStyleTag({ content: '#ui, #overlay { visibility: hidden !important; }' });
   // The page's own camera stays out of it.
-  await studio.page.evaluate(() => Object.assign(globalThis.__muster.view, { fitCrowd: () => undefined, lookAt: () => undefined }));
+  await studio.page.evaluate(() =>
+    Object.assign(globalThis.__muster.view, { fitCrowd: () => undefined, lookAt: () => undefined }),
+  );
   await studio.restart();
   await studio.page.keyboard.press('w');
   await studio.until('the demonstration', () => globalThis.__muster.frame.demonstrating);

@@ -9,30 +9,30 @@ type Numbers = Uint8Array | Int8Array | Uint16Array | Int16Array | Uint32Array |
 
 /** Reads values in turn; throws ProtocolError where the bytes do not suffice or have no such value. */
 export class ByteReader {
-  private readonly view: DataView;
-  private at = 0;
+  private readonly view_: DataView;
+  private at_ = 0;
 
-  constructor(private readonly buffer: ArrayBuffer) {
-    this.view = new DataView(buffer);
+  constructor(private readonly buffer_: ArrayBuffer) {
+    this.view_ = new DataView(buffer_);
   }
 
   u8(): number {
-    return this.view.getUint8(this.advance(1));
+    return this.view_.getUint8(this.advance(1));
   }
   u16(): number {
-    return this.view.getUint16(this.advance(2), true);
+    return this.view_.getUint16(this.advance(2), true);
   }
   i16(): number {
-    return this.view.getInt16(this.advance(2), true);
+    return this.view_.getInt16(this.advance(2), true);
   }
   u32(): number {
-    return this.view.getUint32(this.advance(4), true);
+    return this.view_.getUint32(this.advance(4), true);
   }
   f32(): number {
-    return this.view.getFloat32(this.advance(4), true);
+    return this.view_.getFloat32(this.advance(4), true);
   }
   f64(): number {
-    return this.view.getFloat64(this.advance(8), true);
+    return this.view_.getFloat64(this.advance(8), true);
   }
   bool(): boolean {
     return this.choice(2) === 1;
@@ -40,13 +40,13 @@ export class ByteReader {
   /** A byte below `count`. */
   choice(count: number): number {
     const value = this.u8();
-    if (value >= count) throw new ProtocolError(`byte ${this.at - 1}: ${value} where 0 to ${count - 1} was expected`);
+    if (value >= count) throw new ProtocolError(`byte ${this.at_ - 1}: ${value} where 0 to ${count - 1} was expected`);
     return value;
   }
   string(): string {
     const length = this.u32();
     const from = this.advance(length);
-    return new TextDecoder().decode(new Uint8Array(this.buffer, from, length));
+    return new TextDecoder().decode(new Uint8Array(this.buffer_, from, length));
   }
   u8s(): Uint8Array {
     return new Uint8Array(this.slice(1));
@@ -71,14 +71,14 @@ export class ByteReader {
   }
   list<T>(read: (reader: ByteReader) => T): T[] {
     const count = this.u32();
-    if (count > this.view.byteLength - this.at) throw new ProtocolError(`a list of ${count} does not fit`);
+    if (count > this.view_.byteLength - this.at_) throw new ProtocolError(`a list of ${count} does not fit`);
     const items: T[] = [];
     for (let i = 0; i < count; ++i) items.push(read(this));
     return items;
   }
   /** Throws where bytes are left over. */
   end(): void {
-    const left = this.view.byteLength - this.at;
+    const left = this.view_.byteLength - this.at_;
     if (left > 0) throw new ProtocolError(`${left} bytes too many`);
   }
 
@@ -86,45 +86,46 @@ export class ByteReader {
   private slice(bytesEach: number): ArrayBuffer {
     const size = this.u32() * bytesEach;
     const from = this.advance(size);
-    return this.buffer.slice(from, from + size);
+    return this.buffer_.slice(from, from + size);
   }
   private advance(size: number): number {
-    const from = this.at;
-    if (size > this.view.byteLength - from) throw new ProtocolError(`the message ends at byte ${this.view.byteLength}`);
-    this.at += size;
+    const from = this.at_;
+    if (size > this.view_.byteLength - from)
+      throw new ProtocolError(`the message ends at byte ${this.view_.byteLength}`);
+    this.at_ += size;
     return from;
   }
 }
 
 /** Appends values. */
 export class ByteWriter {
-  private buffer = new ArrayBuffer(256);
-  private view = new DataView(this.buffer);
-  private size = 0;
+  private buffer_ = new ArrayBuffer(256);
+  private view_ = new DataView(this.buffer_);
+  private size_ = 0;
 
   u8(value: number): void {
     const at = this.reserve(1);
-    this.view.setUint8(at, value);
+    this.view_.setUint8(at, value);
   }
   u16(value: number): void {
     const at = this.reserve(2);
-    this.view.setUint16(at, value, true);
+    this.view_.setUint16(at, value, true);
   }
   i16(value: number): void {
     const at = this.reserve(2);
-    this.view.setInt16(at, value, true);
+    this.view_.setInt16(at, value, true);
   }
   u32(value: number): void {
     const at = this.reserve(4);
-    this.view.setUint32(at, value, true);
+    this.view_.setUint32(at, value, true);
   }
   f32(value: number): void {
     const at = this.reserve(4);
-    this.view.setFloat32(at, value, true);
+    this.view_.setFloat32(at, value, true);
   }
   f64(value: number): void {
     const at = this.reserve(8);
-    this.view.setFloat64(at, value, true);
+    this.view_.setFloat64(at, value, true);
   }
   bool(value: boolean): void {
     this.u8(value ? 1 : 0);
@@ -159,24 +160,24 @@ export class ByteWriter {
   }
   /** What was written. */
   bytes(): ArrayBuffer {
-    return this.buffer.slice(0, this.size);
+    return this.buffer_.slice(0, this.size_);
   }
 
   /** Every platform that browsers run on is little-endian, as the protocol is. */
   private raw(values: Numbers): void {
     this.u32(values.length);
     const from = this.reserve(values.byteLength);
-    new Uint8Array(this.buffer, from).set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength));
+    new Uint8Array(this.buffer_, from).set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength));
   }
   /** May exchange the view: call it before reading `this.view`. */
   private reserve(size: number): number {
-    const from = this.size;
-    this.size += size;
-    if (this.size > this.buffer.byteLength) {
-      const larger = new ArrayBuffer(Math.max(this.size, 2 * this.buffer.byteLength));
-      new Uint8Array(larger).set(new Uint8Array(this.buffer, 0, from));
-      this.buffer = larger;
-      this.view = new DataView(larger);
+    const from = this.size_;
+    this.size_ += size;
+    if (this.size_ > this.buffer_.byteLength) {
+      const larger = new ArrayBuffer(Math.max(this.size_, 2 * this.buffer_.byteLength));
+      new Uint8Array(larger).set(new Uint8Array(this.buffer_, 0, from));
+      this.buffer_ = larger;
+      this.view_ = new DataView(larger);
     }
     return from;
   }

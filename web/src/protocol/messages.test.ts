@@ -23,7 +23,7 @@ function hex(buffer: ArrayBuffer): string {
 
 function goldenFrame(): ArrayBuffer {
   const bytes = readFileSync(fileURLToPath(new URL('../../../tests/golden/frame.bin', import.meta.url)));
-  return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
+  return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
 }
 
 const everyMessage: ClientMessage[] = [
@@ -63,7 +63,9 @@ describe('the bytes', () => {
           events: [{ phase: TouchPhase.Up, touch: 258, x: 1, y: -2, time: 0.5, group: 3 }],
         }),
       ),
-    ).toBe('01' + '01000000' + '02' + '02010000' + '000000000000f03f' + '00000000000000c0' + '000000000000e03f' + '03000000');
+    ).toBe(
+      '01' + '01000000' + '02' + '02010000' + '000000000000f03f' + '00000000000000c0' + '000000000000e03f' + '03000000',
+    );
     expect(hex(encodeClient({ type: 'PinControl', group: 1, control: 2, pinned: true }))).toBe('03010000000200000001');
     expect(hex(encodeClient({ type: 'SetSpeed', factor: 0.5 }))).toBe('090000003f');
     expect(hex(encodeServer({ type: 'Pong', time: 1 }))).toBe('07000000000000f03f');

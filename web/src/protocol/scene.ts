@@ -92,26 +92,27 @@ export function isSameWorld(a: SceneFacts, b: SceneFacts): boolean {
   return a.name === b.name && corners(a) === corners(b);
 }
 
+/** What a scene has where its JSON says nothing; the title is its name then. */
+const kAbsent: Omit<SceneFacts, 'box' | 'title'> = {
+  name: '',
+  description: '',
+  credit: '',
+  demonstration: false,
+  cell: 0.25,
+  radius: 0.25,
+  obstacles: [],
+  patches: [],
+  clips: [],
+  groups: [],
+  items: [],
+  checkpoints: [],
+  parameters: [],
+};
+
 /** Reads the JSON of a Scene message; absent lists are empty. Throws where it is no JSON object with a box. */
 export function parseScene(json: string): SceneFacts {
   const raw: unknown = JSON.parse(json);
   if (typeof raw !== 'object' || raw === null || !('box' in raw)) throw new Error('The scene has no box.');
-  const facts = raw as Partial<SceneFacts> & { box: SceneBox };
-  return {
-    name: facts.name ?? '',
-    title: facts.title ?? facts.name ?? '',
-    description: facts.description ?? '',
-    credit: facts.credit ?? '',
-    demonstration: facts.demonstration ?? false,
-    box: facts.box,
-    cell: facts.cell ?? 0.25,
-    radius: facts.radius ?? 0.25,
-    obstacles: facts.obstacles ?? [],
-    patches: facts.patches ?? [],
-    clips: facts.clips ?? [],
-    groups: facts.groups ?? [],
-    items: facts.items ?? [],
-    checkpoints: facts.checkpoints ?? [],
-    parameters: facts.parameters ?? [],
-  };
+  const facts = { ...kAbsent, ...(raw as Partial<SceneFacts> & { box: SceneBox }) };
+  return { ...facts, title: facts.title ?? facts.name };
 }

@@ -35,9 +35,7 @@ describe('CameraGesture', () => {
     gesture.move([contactAt(1, 0, { pointer: 7 })]);
     gesture.end(contactAt(1, 0, { pointer: 7 }));
     gesture.move([contactAt(6, 0, { pointer: 9 })]);
-    expect(calls).toEqual([
-      'pinch 0,0 400,0 > 0,0 500,0', 'pinch 0,0 500,0 > 100,0 500,0', 'pan 500,0 600,0',
-    ]);
+    expect(calls).toEqual(['pinch 0,0 400,0 > 0,0 500,0', 'pinch 0,0 500,0 > 100,0 500,0', 'pan 500,0 600,0']);
   });
   it('lets a third finger wait', () => {
     const gesture = new CameraGesture(camera);

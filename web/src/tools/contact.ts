@@ -1,6 +1,5 @@
 // A finger, pen or mouse on the scene.
-
-import type { GroundPoint, ScreenPoint } from '../view/camera_types';
+import type { GroundPoint, ScreenPoint } from '../model/plane';
 
 export interface Contact {
   /** The browser's pointer id. */

@@ -4,17 +4,17 @@ import { ControlDrag } from './drawn_controls';
 import { CrowdKeys } from './crowd_keys';
 import { FormationHitTest } from './formation_hit_test';
 import { grabAt } from './grab';
-import { HeldControls } from './held_controls';
+import { VirtualControls } from './virtual_controls';
 import { FakeClient, FakeScene, contactAt, controlFrame, frameWith, onScreen } from './test_support';
 import { ToolChooser } from './tool_chooser';
 import { TouchEditor } from './touch_editor';
 import { TouchSender } from './touch_sender';
-import type { CameraControls } from '../view/camera_types';
+import type { CameraControls } from '../scene/camera/camera_controls';
 
 const noCamera = {} as CameraControls;
 let client: FakeClient;
 let scene: FakeScene;
-let controls: HeldControls;
+let controls: VirtualControls;
 let keys: CrowdKeys;
 
 /** Two points of ours, at (1, 1) and (6, 1); the second is the newer. */
@@ -38,13 +38,22 @@ beforeEach(() => {
   client = new FakeClient();
   scene = new FakeScene();
   const touches = new TouchSender(client);
-  controls = new HeldControls(client, touches, () => 1);
+  controls = new VirtualControls(client, touches, () => 1);
   const camera = new CameraGesture(noCamera);
   const orbit = new OrbitGesture(noCamera);
   const editor = new TouchEditor(touches, scene);
   chooser = new ToolChooser({ scene, hitTest: new FormationHitTest(), editor, camera, orbit, controls });
-  const world = { camera: noCamera, screenToWorld: ({ x, y }: { x: number; y: number }) => ({ x: x / 100, y: y / 100 }) };
-  keys = new CrowdKeys(world, controls, chooser, () => ({ x: 0, y: 0 }), () => undefined);
+  const world = {
+    camera: noCamera,
+    screenToWorld: ({ x, y }: { x: number; y: number }) => ({ x: x / 100, y: y / 100 }),
+  };
+  keys = new CrowdKeys(
+    world,
+    controls,
+    chooser,
+    () => ({ x: 0, y: 0 }),
+    () => undefined,
+  );
   observe(twoPoints(), chooser);
 });
 
@@ -78,12 +87,19 @@ it('acts on what the mouse has in hand, not on what lay where it began', () => {
 });
 
 it('acts on a control that is dragged, though another is newer', () => {
-  const older = controlFrame(3, 1, [{ x: 1, y: 1 }, { x: 3, y: 1 }]);
+  const older = controlFrame(3, 1, [
+    { x: 1, y: 1 },
+    { x: 3, y: 1 },
+  ]);
   const made = controls.create({ group: 5, kind: 1, positions: older.points, time: 1, keep: true, pinned: false });
   older.points.forEach((point, i) => (point.touch = made.fingers[i]!.touch));
   const frame = frameWith(2, [older, twoPoints().groups[0]!.controls[1]!]);
   observe(frame, chooser);
-  const drag = new ControlDrag(grabAt(frame.groups, { x: 1, y: 1 }, onScreen, () => 'whole')!, controls, scene);
+  const drag = new ControlDrag(
+    grabAt(frame.groups, { x: 1, y: 1 }, onScreen, () => 'whole')!,
+    controls,
+    scene,
+  );
   mouse('pointerdown', 1, 1, 1);
   drag.begin(contactAt(1, 1));
   keys.removeControl();

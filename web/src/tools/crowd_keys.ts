@@ -1,12 +1,12 @@
 // Keys that act on camera and controls.
 
-import { pageClock } from '../engine/latency_meter';
-import type { StudioFrame } from '../engine/studio_frame';
-import type { CameraControls, GroundPoint, ScreenPoint } from '../view/camera_types';
-import { pointsOf } from '../geometry/plane';
-import type { HeldControls, OwnControl } from './held_controls';
+import type { StudioFrame } from '../model/studio_frame';
+import type { CameraControls } from '../scene/camera/camera_controls';
+import { pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
+import type { VirtualControls, OwnControl } from './virtual_controls';
 import { KeyboardSteering, type ArrowKey, type GroundAxes } from './keyboard_steering';
 import type { ToolChooser } from './tool_chooser';
+import { pageClock } from '../model/page_clock';
 
 export interface KeyScene {
   readonly camera: CameraControls;
@@ -15,8 +15,8 @@ export interface KeyScene {
 
 export type PointerFacts = Pick<PointerEvent, 'type' | 'pointerType' | 'buttons' | 'clientX' | 'clientY'>;
 
-const PAN_PX = 60;
-const PAN_FAR_PX = 240;
+const kPanPx = 60;
+const kPanFarPx = 240;
 
 /** Right and up on the ground, as the camera looks; the world's axes where the middle shows no ground. */
 export function groundAxes(toGround: (at: ScreenPoint) => GroundPoint | null, middle: ScreenPoint): GroundAxes {
@@ -31,86 +31,90 @@ export function groundAxes(toGround: (at: ScreenPoint) => GroundPoint | null, mi
 }
 
 export class CrowdKeys {
-  private readonly steering: KeyboardSteering;
-  private frame: StudioFrame | null = null;
+  private readonly steering_: KeyboardSteering;
+  private frame_: StudioFrame | null = null;
   /** Where the mouse is over the scene; null while it drags. */
-  private pointer: ScreenPoint | null = null;
+  private pointer_: ScreenPoint | null = null;
 
   constructor(
-    private readonly scene: KeyScene,
-    private readonly controls: HeldControls,
-    private readonly chooser: ToolChooser,
-    private readonly middle: () => ScreenPoint,
-    private readonly say: (text: string) => void,
+    private readonly scene_: KeyScene,
+    private readonly controls_: VirtualControls,
+    private readonly chooser_: ToolChooser,
+    private readonly middle_: () => ScreenPoint,
+    private readonly say_: (text: string) => void,
   ) {
-    this.steering = new KeyboardSteering(controls);
+    this.steering_ = new KeyboardSteering(controls_);
   }
 
   observe(frame: StudioFrame): void {
-    this.frame = frame;
+    this.frame_ = frame;
   }
 
   /** A pointer event over the scene. A drag has its control in hand: what lies under the mouse then is chance. */
   pointed({ type, pointerType, buttons, clientX, clientY }: PointerFacts): void {
     if (pointerType === 'touch') return;
-    this.pointer = type !== 'pointerleave' && buttons === 0 ? { x: clientX, y: clientY } : null;
+    this.pointer_ = type !== 'pointerleave' && buttons === 0 ? { x: clientX, y: clientY } : null;
   }
 
   arrow(key: ArrowKey, long: boolean): void {
-    if (this.steering.active) {
-      const axes = groundAxes((at) => this.scene.screenToWorld(at), this.middle());
-      this.steering.move(key, long, axes, pageClock());
+    if (this.steering_.active) {
+      const axes = groundAxes((at) => this.scene_.screenToWorld(at), this.middle_());
+      this.steering_.move(key, long, axes, pageClock());
       return;
     }
-    const px = long ? PAN_FAR_PX : PAN_PX;
+    const px = long ? kPanFarPx : kPanPx;
     const x = key === 'ArrowLeft' ? px : key === 'ArrowRight' ? -px : 0;
     const y = key === 'ArrowUp' ? px : key === 'ArrowDown' ? -px : 0;
-    this.scene.camera.panBy(x, y);
+    this.scene_.camera.panBy(x, y);
   }
 
   zoom(factor: number): void {
-    this.scene.camera.zoomAt(this.middle(), factor);
+    this.scene_.camera.zoomAt(this.middle_(), factor);
   }
 
   turn(radians: number): void {
-    this.scene.camera.orbit(radians, 0);
+    this.scene_.camera.orbit(radians, 0);
   }
 
   /** Takes the middle of a group's mesh in hand, or drops it. */
   grabOrDrop(active: number): void {
-    if (this.steering.active) {
-      this.steering.drop(pageClock());
-      this.say('Dropped');
+    if (this.steering_.active) {
+      this.steering_.drop(pageClock());
+      this.say_('Dropped');
       return;
     }
-    const group = this.frame?.groups[active];
-    if (group && this.steering.grab(group.id, pointsOf(group.vertices), pageClock())) {
-      this.say('In hand: arrow keys carry it, Enter drops it');
+    const group = this.frame_?.groups[active];
+    if (group && this.steering_.grab(group.id, pointsOf(group.vertices), pageClock())) {
+      this.say_('In hand: arrow keys carry it, Enter drops it');
     }
   }
 
   letGo(): void {
-    this.controls.letGoAll(pageClock(), this.frame);
+    this.controls_.letGoAll(pageClock(), this.frame_);
   }
 
   togglePin(): void {
     const target = this.target();
     if (!target) return;
-    this.controls.togglePin(target.group, target.control, pageClock());
-    this.say(target.control.pinned ? 'Let go' : 'Pinned');
+    this.controls_.togglePin(target.group, target.control, pageClock());
+    this.say_(target.control.pinned ? 'Let go' : 'Pinned');
   }
 
   removeControl(): void {
     const target = this.target();
     if (!target) return;
-    this.controls.remove(target.group, target.control);
-    this.say('Removed');
+    this.controls_.remove(target.group, target.control);
+    this.say_('Removed');
   }
 
   /** What is dragged, else what lies under the mouse, whoever holds it, else our newest. */
   private target(): OwnControl | null {
-    if (!this.frame) return null;
-    const ground = this.pointer && this.scene.screenToWorld(this.pointer);
-    return this.controls.draggedIn(this.frame) ?? (ground && this.chooser.nearest(ground)) ?? this.controls.newestIn(this.frame);
+    if (!this.frame_) return null;
+    const ground = this.pointer_ && this.scene_.screenToWorld(this.pointer_);
+    return (
+      this.controls_.draggedIn(this.frame_) ??
+      (ground && this.chooser_.nearest(ground)) ??
+      this.controls_.newestIn(this.frame_)
+    );
   }
 }

@@ -1,15 +1,15 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { StudioFrame } from '../engine/studio_frame';
-import type { DraftControl } from '../view/mark_layer';
-import { Drafts, type AskedControl } from './drafts';
-import { HeldControls } from './held_controls';
+import type { StudioFrame } from '../model/studio_frame';
+import { Drafts, type PendingControl } from './drafts';
+import { VirtualControls } from './virtual_controls';
 import { FakeClient, FakeScene, contactAt, controlFrame, frameWith } from './test_support';
 import { TouchEditor } from './touch_editor';
 import { TouchSender } from './touch_sender';
+import type { DraftControl } from '../scene/marks/draft_control';
 
 let shown: readonly DraftControl[];
 let calls: number;
-let asked: () => readonly AskedControl[];
+let asked: () => readonly PendingControl[];
 let drafts: Drafts;
 
 function frame(playing: boolean, touchEcho = 0, step = 1, more: Partial<StudioFrame> = {}): StudioFrame {
@@ -20,21 +20,41 @@ beforeEach(() => {
   shown = [];
   calls = 0;
   asked = () => [];
-  drafts = new Drafts((list) => {
-    shown = list;
-    calls += 1;
-  }, () => asked(), () => 1);
+  drafts = new Drafts(
+    (list) => {
+      shown = list;
+      calls += 1;
+    },
+    () => asked(),
+    () => 1,
+  );
 });
 
 describe('drafts of fingers', () => {
   const drawn = (): void => {
-    for (const [time, x] of [[10, 0], [11, 1], [12, 2]] as const) drafts.add(7, 5, { x, y: 0 }, time);
+    for (const [time, x] of [
+      [10, 0],
+      [11, 1],
+      [12, 2],
+    ] as const)
+      drafts.add(7, 5, { x, y: 0 }, time);
   };
 
   it('show what a finger draws while the world is paused, until a step takes it', () => {
     drafts.observe(frame(false));
     drawn();
-    expect(shown).toEqual([{ group: 0, points: [{ x: 0, y: 0 }, { x: 1, y: 0 }, { x: 2, y: 0 }], closed: false, handles: [{ x: 0, y: 0 }] }]);
+    expect(shown).toEqual([
+      {
+        group: 0,
+        points: [
+          { x: 0, y: 0 },
+          { x: 1, y: 0 },
+          { x: 2, y: 0 },
+        ],
+        closed: false,
+        handles: [{ x: 0, y: 0 }],
+      },
+    ]);
     drafts.observe(frame(false, 11, 2));
     expect(shown[0]?.points).toEqual([{ x: 2, y: 0 }]);
     drafts.observe(frame(false, 12, 3));
@@ -78,8 +98,8 @@ describe('drafts of fingers', () => {
 it('drafts of fingers and of new controls come from the tools that send them', () => {
   const client = new FakeClient();
   const sender = new TouchSender(client);
-  const controls = new HeldControls(client, sender, () => 1, drafts);
-  asked = () => controls.unanswered;
+  const controls = new VirtualControls(client, sender, () => 1, drafts);
+  asked = () => controls.pending;
   const editor = new TouchEditor(sender, new FakeScene(), drafts);
   drafts.observe(frame(false));
   const finger = editor.ownerFor({ index: 0, group: 5, distance: 0 });
@@ -94,7 +114,12 @@ it('drafts of fingers and of new controls come from the tools that send them', (
   lost.end(contactAt(3, 0, { time: 14 }), true);
   expect(shown).toHaveLength(1);
   // An area with a corner inside its hull.
-  const positions = [{ x: 0, y: 0 }, { x: 4, y: 0 }, { x: 2, y: 1 }, { x: 2, y: 4 }];
+  const positions = [
+    { x: 0, y: 0 },
+    { x: 4, y: 0 },
+    { x: 2, y: 1 },
+    { x: 2, y: 4 },
+  ];
   const held = controls.create({ group: 5, kind: 2, positions, time: 15, keep: true, pinned: false });
   expect(shown).toHaveLength(2);
   expect(shown[1]).toMatchObject({ closed: true, handles: positions });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { GroupMesh } from '../protocol/messages';
-import type { StudioGroup } from '../engine/studio_frame';
+import type { StudioGroup } from '../model/studio_frame';
 import { FormationHitTest, fingertipFrom, metresFrom } from './formation_hit_test';
 
 function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame: StudioGroup } {

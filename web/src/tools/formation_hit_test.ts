@@ -1,10 +1,9 @@
 // Which formation a contact begins on, tested against the newest Vf.
 
-import { distanceToSegment, insideTriangle, pointsOf } from '../geometry/plane';
+import { distanceToSegment, insideTriangle, pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
 import type { GroupMesh } from '../protocol/messages';
-import type { StudioGroup } from '../engine/studio_frame';
-import type { GroundPoint, ScreenPoint } from '../view/camera_types';
-import { rimOf } from '../view/mesh_topology';
+import type { StudioGroup } from '../model/studio_frame';
+import { rimOf } from '../scene/marks/mesh_topology';
 
 export interface FormationHit {
   /** Index into the frame's groups. */
@@ -18,9 +17,9 @@ export interface FormationHit {
 export type RimReach = (a: GroundPoint, b: GroundPoint) => number | null;
 
 /** A fingertip on the screen, but never less or more than this on the ground [m]. */
-const TIP_PX = 24;
-const TIP_LEAST = 0.3;
-const TIP_MOST = 1.5;
+const kTipPx = 24;
+const kTipLeast = 0.3;
+const kTipMost = 1.5;
 
 /** Within so many metres. */
 export function metresFrom(point: GroundPoint, most: number): RimReach {
@@ -35,9 +34,9 @@ export function fingertipFrom(point: GroundPoint, toScreen: (point: GroundPoint)
   const at = toScreen(point);
   return (a, b) => {
     const metres = distanceToSegment(point, a, b);
-    if (metres > TIP_MOST) return null;
+    if (metres > kTipMost) return null;
     const px = distanceToSegment(at, toScreen(a), toScreen(b));
-    return px <= TIP_PX || metres <= TIP_LEAST ? px : null;
+    return px <= kTipPx || metres <= kTipLeast ? px : null;
   };
 }
 
@@ -49,21 +48,21 @@ interface Mesh {
 }
 
 export class FormationHitTest {
-  private readonly meshes = new Map<number, Mesh>();
-  private groups: readonly StudioGroup[] = [];
+  private readonly meshes_ = new Map<number, Mesh>();
+  private groups_: readonly StudioGroup[] = [];
 
   setMesh({ group, version, triangles, boundary }: GroupMesh): void {
-    this.meshes.set(group, { version, triangles, rim: rimOf(boundary) });
+    this.meshes_.set(group, { version, triangles, rim: rimOf(boundary) });
   }
 
   setGroups(groups: readonly StudioGroup[]): void {
-    this.groups = groups;
+    this.groups_ = groups;
   }
 
   /** The group whose mesh holds the point, or whose rim is nearest within reach; null for empty ground. */
   find(point: GroundPoint, reach: RimReach): FormationHit | null {
     let best: FormationHit | null = null;
-    this.groups.forEach((group, index) => {
+    this.groups_.forEach((group, index) => {
       const distance = this.distanceTo(group, point, reach);
       if (distance !== null && (best === null || distance < best.distance)) best = { index, group: group.id, distance };
     });
@@ -72,7 +71,7 @@ export class FormationHitTest {
 
   /** Null out of reach, and where mesh and vertices do not belong together yet. */
   private distanceTo(group: StudioGroup, point: GroundPoint, reach: RimReach): number | null {
-    const mesh = this.meshes.get(group.id);
+    const mesh = this.meshes_.get(group.id);
     if (!mesh || mesh.version !== group.meshVersion) return null;
     const vertices = pointsOf(group.vertices);
     const corner = (vertex: number): GroundPoint => vertices[vertex] ?? { x: NaN, y: NaN };

@@ -2,16 +2,36 @@ import { describe, expect, it } from 'vitest';
 import { grabAt } from './grab';
 import { controlFrame, frameWith, onScreen } from './test_support';
 
-const line = controlFrame(1, 1, [{ x: 0, y: 0 }, { x: 10, y: 0 }]);
-const area = controlFrame(2, 2, [{ x: 0, y: 5 }, { x: 6, y: 5 }, { x: 3, y: 9 }]);
+const line = controlFrame(1, 1, [
+  { x: 0, y: 0 },
+  { x: 10, y: 0 },
+]);
+const area = controlFrame(2, 2, [
+  { x: 0, y: 5 },
+  { x: 6, y: 5 },
+  { x: 3, y: 9 },
+]);
 const { groups } = frameWith(1, [line, area]);
 
 describe('grabAt', () => {
   it('takes one end, the whole bar, or all of an area', () => {
-    expect(grabAt(groups, { x: 9.9, y: 0.1 }, onScreen, () => 'whole')).toMatchObject({ group: 5, control: { id: 1 }, touches: [2] });
-    expect(grabAt(groups, { x: 5, y: 0.1 }, onScreen, () => 'whole')).toMatchObject({ control: { id: 1 }, touches: [1, 2] });
-    expect(grabAt(groups, { x: 3, y: 6 }, onScreen, () => 'whole')).toMatchObject({ control: { id: 2 }, touches: [1, 2, 3] });
-    expect(grabAt(groups, { x: 3, y: 8.8 }, onScreen, () => 'whole')).toMatchObject({ control: { id: 2 }, touches: [3] });
+    expect(grabAt(groups, { x: 9.9, y: 0.1 }, onScreen, () => 'whole')).toMatchObject({
+      group: 5,
+      control: { id: 1 },
+      touches: [2],
+    });
+    expect(grabAt(groups, { x: 5, y: 0.1 }, onScreen, () => 'whole')).toMatchObject({
+      control: { id: 1 },
+      touches: [1, 2],
+    });
+    expect(grabAt(groups, { x: 3, y: 6 }, onScreen, () => 'whole')).toMatchObject({
+      control: { id: 2 },
+      touches: [1, 2, 3],
+    });
+    expect(grabAt(groups, { x: 3, y: 8.8 }, onScreen, () => 'whole')).toMatchObject({
+      control: { id: 2 },
+      touches: [3],
+    });
   });
   it('takes only what it may', () => {
     expect(grabAt(groups, { x: 5, y: 0 }, onScreen, () => 'handles')).toBeNull();

@@ -1,9 +1,15 @@
 // What of the controls on the meshes a contact takes hold of: an end, a bar, or a whole area.
 
-import { convexHull, distance, distanceToSegment, insidePolygon } from '../geometry/plane';
+import {
+  convexHull,
+  distance,
+  distanceToSegment,
+  insidePolygon,
+  type GroundPoint,
+  type ScreenPoint,
+} from '../model/plane';
 import { ControlKind, type ControlFrame } from '../protocol/messages';
-import type { StudioGroup } from '../engine/studio_frame';
-import type { GroundPoint, ScreenPoint } from '../view/camera_types';
+import type { StudioGroup } from '../model/studio_frame';
 
 export interface Grab {
   /** Index into the frame's groups. */
@@ -20,8 +26,8 @@ export type Grabbable = 'nothing' | 'handles' | 'whole';
 export type ToScreen = (point: GroundPoint) => ScreenPoint;
 
 /** Handles draw at 22 px but catch 48, also where the view foreshortens the ground. */
-const HANDLE_PX = 24;
-const BAR_PX = 12;
+const kHandlePx = 24;
+const kBarPx = 12;
 
 interface Candidate {
   readonly grab: Grab;
@@ -41,7 +47,7 @@ function holdsBody(control: ControlFrame, ground: GroundPoint, at: ScreenPoint, 
   const { kind, points } = control;
   if (kind === ControlKind.Area) return insidePolygon(ground, convexHull(points));
   if (kind !== ControlKind.Line) return false;
-  return distanceToSegment(at, toScreen(points[0]!), toScreen(points[points.length - 1]!)) <= BAR_PX;
+  return distanceToSegment(at, toScreen(points[0]!), toScreen(points[points.length - 1]!)) <= kBarPx;
 }
 
 /** Handles win over bars and areas; reaches are measured on the screen. */
@@ -60,7 +66,7 @@ export function grabAt(
       if (part === 'nothing') continue;
       const base = { index, group: group.id, control };
       const near = nearestHandle(base, at, toScreen);
-      if (near && near.distance <= Math.min(HANDLE_PX, handle?.distance ?? HANDLE_PX)) handle = near;
+      if (near && near.distance <= Math.min(kHandlePx, handle?.distance ?? kHandlePx)) handle = near;
       if (part === 'whole' && holdsBody(control, ground, at, toScreen)) {
         body = { ...base, touches: control.points.map(({ touch }) => touch) };
       }

@@ -1,12 +1,17 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { TouchPhase } from '../protocol/messages';
 import { groundAxes } from './crowd_keys';
-import { HeldControls } from './held_controls';
+import { VirtualControls } from './virtual_controls';
 import { KeyboardSteering, innerCorners } from './keyboard_steering';
 import { FakeClient } from './test_support';
 import { TouchSender } from './touch_sender';
 
-const square = [{ x: 0, y: 0 }, { x: 10, y: 0 }, { x: 10, y: 10 }, { x: 0, y: 10 }];
+const square = [
+  { x: 0, y: 0 },
+  { x: 10, y: 0 },
+  { x: 10, y: 10 },
+  { x: 0, y: 10 },
+];
 const axes = { right: { x: 1, y: 0 }, up: { x: 0, y: 1 } };
 let client: FakeClient;
 let touches: TouchSender;
@@ -15,7 +20,7 @@ let steering: KeyboardSteering;
 beforeEach(() => {
   client = new FakeClient();
   touches = new TouchSender(client);
-  steering = new KeyboardSteering(new HeldControls(client, touches, () => 1));
+  steering = new KeyboardSteering(new VirtualControls(client, touches, () => 1));
 });
 
 describe('KeyboardSteering', () => {
@@ -28,7 +33,12 @@ describe('KeyboardSteering', () => {
     const last = client.touches().slice(-4);
     expect(last[0]).toMatchObject({ x: 2 - 2, y: 2 + 0.5 });
     steering.drop(4);
-    expect(client.touches().slice(-4).every((event) => event.phase === TouchPhase.Up)).toBe(true);
+    expect(
+      client
+        .touches()
+        .slice(-4)
+        .every((event) => event.phase === TouchPhase.Up),
+    ).toBe(true);
     expect(steering.active).toBe(false);
   });
   it('does nothing without a mesh or twice', () => {
@@ -40,7 +50,12 @@ describe('KeyboardSteering', () => {
 });
 
 it('innerCorners lie well inside the hull', () => {
-  expect(innerCorners(square)).toEqual([{ x: 2, y: 2 }, { x: 8, y: 2 }, { x: 8, y: 8 }, { x: 2, y: 8 }]);
+  expect(innerCorners(square)).toEqual([
+    { x: 2, y: 2 },
+    { x: 8, y: 2 },
+    { x: 8, y: 8 },
+    { x: 2, y: 8 },
+  ]);
 });
 
 it('groundAxes follow the camera', () => {

@@ -1,16 +1,15 @@
 // Steering a formation without a pointer: grab its middle as an area, move it by arrow keys, drop it.
 
 import { ControlKind } from '../protocol/messages';
-import type { GroundPoint } from '../view/camera_types';
-import { middleOf, convexHull } from '../geometry/plane';
-import type { Held, HeldControls } from './held_controls';
+import { middleOf, convexHull, type GroundPoint } from '../model/plane';
+import type { VirtualControl, VirtualControls } from './virtual_controls';
 import { lassoCorners } from './lasso';
 
 /** Corners of the grabbed area, from the middle towards the hull. */
-const SHARE = 0.6;
+const kShare = 0.6;
 /** Per key press [m]. */
-const STEP = 0.5;
-const LONG_STEP = 2;
+const kStep = 0.5;
+const kLongStep = 2;
 
 export type ArrowKey = 'ArrowUp' | 'ArrowDown' | 'ArrowLeft' | 'ArrowRight';
 
@@ -25,38 +24,45 @@ export function innerCorners(vertices: readonly GroundPoint[]): GroundPoint[] {
   const hull = convexHull(vertices);
   const corners = lassoCorners(hull, 0);
   const middle = middleOf(corners);
-  return corners.map((p) => ({ x: middle.x + SHARE * (p.x - middle.x), y: middle.y + SHARE * (p.y - middle.y) }));
+  return corners.map((p) => ({ x: middle.x + kShare * (p.x - middle.x), y: middle.y + kShare * (p.y - middle.y) }));
 }
 
 export class KeyboardSteering {
-  private held: Held | null = null;
+  private control_: VirtualControl | null = null;
 
-  constructor(private readonly controls: HeldControls) {}
+  constructor(private readonly controls_: VirtualControls) {}
 
   get active(): boolean {
-    return this.held !== null && this.controls.all.includes(this.held);
+    return this.control_ !== null && this.controls_.all.includes(this.control_);
   }
 
   grab(group: number, vertices: readonly GroundPoint[], time: number): boolean {
     const positions = innerCorners(vertices);
     if (this.active || positions.length < 3) return false;
-    this.held = this.controls.create({ group, kind: ControlKind.Area, positions, time, keep: true, pinned: false });
+    this.control_ = this.controls_.create({
+      group,
+      kind: ControlKind.Area,
+      positions,
+      time,
+      keep: true,
+      pinned: false,
+    });
     return true;
   }
 
   move(key: ArrowKey, long: boolean, axes: GroundAxes, time: number): void {
-    if (!this.held || !this.active) return;
-    const step = long ? LONG_STEP : STEP;
+    if (!this.control_ || !this.active) return;
+    const step = long ? kLongStep : kStep;
     const axis = key === 'ArrowUp' || key === 'ArrowDown' ? axes.up : axes.right;
     const sign = key === 'ArrowUp' || key === 'ArrowRight' ? step : -step;
-    for (const finger of this.held.fingers) {
+    for (const finger of this.control_.fingers) {
       const at = { x: finger.at.x + sign * axis.x, y: finger.at.y + sign * axis.y };
-      this.controls.move(this.held, finger, at, time);
+      this.controls_.move(this.control_, finger, at, time);
     }
   }
 
   drop(time: number): void {
-    if (this.held && this.active) this.controls.letGo(this.held, time);
-    this.held = null;
+    if (this.control_ && this.active) this.controls_.letGo(this.control_, time);
+    this.control_ = null;
   }
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { insidePolygon } from '../geometry/plane';
+import { insidePolygon } from '../model/plane';
 import { lassoCorners } from './lasso';
 
 function circle(count: number, radius: number) {
@@ -25,11 +25,23 @@ describe('lassoCorners', () => {
     expect(lassoCorners(loop)).toHaveLength(4);
   });
   it('keeps a triangle', () => {
-    expect(lassoCorners([{ x: 0, y: 0 }, { x: 6, y: 0 }, { x: 3, y: 5 }])).toHaveLength(3);
+    expect(
+      lassoCorners([
+        { x: 0, y: 0 },
+        { x: 6, y: 0 },
+        { x: 3, y: 5 },
+      ]),
+    ).toHaveLength(3);
   });
   it('refuses loops that hold nothing', () => {
     expect(lassoCorners([])).toEqual([]);
-    expect(lassoCorners([{ x: 0, y: 0 }, { x: 5, y: 0 }, { x: 9, y: 0 }])).toEqual([]);
+    expect(
+      lassoCorners([
+        { x: 0, y: 0 },
+        { x: 5, y: 0 },
+        { x: 9, y: 0 },
+      ]),
+    ).toEqual([]);
     expect(lassoCorners(circle(20, 0.1))).toEqual([]);
   });
 });

@@ -1,9 +1,8 @@
 // From a drawn loop to the few corners of an area control.
 
-import type { GroundPoint } from '../view/camera_types';
-import { convexHull, turn } from '../geometry/plane';
+import { convexHull, turn, type GroundPoint } from '../model/plane';
 
-const MOST_CORNERS = 6;
+const kMostCorners = 6;
 
 /** Twice the area that goes when the corner goes. */
 function loss(hull: readonly GroundPoint[], corner: number): number {
@@ -24,7 +23,7 @@ export function lassoCorners(loop: readonly GroundPoint[], leastArea = 0.5): Gro
   while (hull.length > 3) {
     const losses = hull.map((_, corner) => loss(hull, corner));
     const least = Math.min(...losses);
-    if (hull.length <= MOST_CORNERS && least > doubled / 50) break;
+    if (hull.length <= kMostCorners && least > doubled / 50) break;
     hull.splice(losses.indexOf(least), 1);
   }
   return hull;

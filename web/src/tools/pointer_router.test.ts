@@ -10,7 +10,12 @@ let zoom: number;
 
 /** jsdom has no PointerEvent: a mouse event with the fields that the router reads. */
 function fire(type: string, fields: Record<string, unknown> = {}): void {
-  const event = new MouseEvent(type, { bubbles: true, cancelable: true, clientX: Number(fields['x'] ?? 0), clientY: Number(fields['y'] ?? 0) });
+  const event = new MouseEvent(type, {
+    bubbles: true,
+    cancelable: true,
+    clientX: Number(fields['x'] ?? 0),
+    clientY: Number(fields['y'] ?? 0),
+  });
   const all = { pointerId: 1, pointerType: 'touch', ...fields };
   for (const [name, value] of Object.entries(all)) {
     if (name !== 'x' && name !== 'y') Object.defineProperty(event, name, { value });
@@ -46,7 +51,13 @@ describe('PointerRouter', () => {
   });
   it('hands on every coalesced event', () => {
     fire('pointerdown', { x: 50 });
-    const coalesced = [60, 70, 80].map((x) => ({ clientX: x, clientY: 0, pointerId: 1, pointerType: 'touch', timeStamp: 0 }));
+    const coalesced = [60, 70, 80].map((x) => ({
+      clientX: x,
+      clientY: 0,
+      pointerId: 1,
+      pointerType: 'touch',
+      timeStamp: 0,
+    }));
     fire('pointermove', { x: 80, getCoalescedEvents: () => coalesced });
     expect(log[1]).toBe('edit move 60 70 80');
   });

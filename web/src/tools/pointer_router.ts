@@ -1,8 +1,8 @@
 // From the browser's pointer events to contacts, each owned by one tool from its start to its end.
 
-import { pageClock } from '../engine/latency_meter';
-import type { GroundPoint, ScreenPoint } from '../view/camera_types';
 import type { Contact, ContactOwner } from './contact';
+import type { GroundPoint, ScreenPoint } from '../model/plane';
+import { pageClock } from '../model/page_clock';
 
 export interface RouterHandlers {
   /** Decides who owns a contact that begins. */
@@ -23,59 +23,59 @@ interface Owned {
   raw: boolean;
 }
 
-const MOST_TOUCHES = 10;
-const TAP_PX = 8;
-const TAP_SECONDS = 0.35;
-const LINE_PX = 16;
+const kMostTouches = 10;
+const kTapPx = 8;
+const kTapSeconds = 0.35;
+const kLinePx = 16;
 
 export class PointerRouter {
-  private readonly owned = new Map<number, Owned>();
+  private readonly owned_ = new Map<number, Owned>();
 
   constructor(
-    private readonly surface: HTMLElement,
-    private readonly toGround: (at: ScreenPoint) => GroundPoint | null,
-    private readonly handlers: RouterHandlers,
+    private readonly surface_: HTMLElement,
+    private readonly toGround_: (at: ScreenPoint) => GroundPoint | null,
+    private readonly handlers_: RouterHandlers,
   ) {
-    surface.addEventListener('pointerdown', (event) => this.down(event));
-    surface.addEventListener('pointermove', (event) => this.moved(event));
-    surface.addEventListener('pointerrawupdate', (event) => this.rawMoved(event as PointerEvent));
-    surface.addEventListener('pointerup', (event) => this.up(event, false));
-    surface.addEventListener('pointercancel', (event) => this.up(event, true));
-    surface.addEventListener('lostpointercapture', (event) => this.up(event, true));
-    surface.addEventListener('dblclick', (event) => this.doubleClick(event));
-    surface.addEventListener('wheel', (event) => this.wheeled(event), { passive: false });
-    surface.addEventListener('contextmenu', (event) => event.preventDefault());
-    surface.addEventListener('mousedown', (event) => {
+    surface_.addEventListener('pointerdown', (event) => this.down(event));
+    surface_.addEventListener('pointermove', (event) => this.moved(event));
+    surface_.addEventListener('pointerrawupdate', (event) => this.rawMoved(event as PointerEvent));
+    surface_.addEventListener('pointerup', (event) => this.up(event, false));
+    surface_.addEventListener('pointercancel', (event) => this.up(event, true));
+    surface_.addEventListener('lostpointercapture', (event) => this.up(event, true));
+    surface_.addEventListener('dblclick', (event) => this.doubleClick(event));
+    surface_.addEventListener('wheel', (event) => this.wheeled(event), { passive: false });
+    surface_.addEventListener('contextmenu', (event) => event.preventDefault());
+    surface_.addEventListener('mousedown', (event) => {
       if (event.button === 1) event.preventDefault();
     });
   }
 
   /** Contacts that are down. */
   get count(): number {
-    return this.owned.size;
+    return this.owned_.size;
   }
 
   private down(event: PointerEvent): void {
     const contact = this.contactOf(event);
-    if (this.owned.has(event.pointerId) || this.owned.size >= MOST_TOUCHES) return;
+    if (this.owned_.has(event.pointerId) || this.owned_.size >= kMostTouches) return;
     // The scene answers to keys from now on; a ring is for those who came by keyboard.
     const quietly: FocusOptions & { focusVisible: boolean } = { preventScroll: true, focusVisible: false };
-    this.surface.focus(quietly);
+    this.surface_.focus(quietly);
     try {
-      this.surface.setPointerCapture(event.pointerId);
+      this.surface_.setPointerCapture(event.pointerId);
     } catch {
       // The pointer has gone in the meantime: its end will come as an event.
     }
-    this.handlers.pointed(contact);
-    const owner = this.handlers.choose(contact);
-    this.owned.set(event.pointerId, { owner, from: contact, still: true, raw: false });
+    this.handlers_.pointed(contact);
+    const owner = this.handlers_.choose(contact);
+    this.owned_.set(event.pointerId, { owner, from: contact, still: true, raw: false });
     owner.begin(contact);
   }
 
   private moved(event: PointerEvent): void {
-    const owned = this.owned.get(event.pointerId);
+    const owned = this.owned_.get(event.pointerId);
     if (!owned) {
-      this.handlers.pointed(this.contactOf(event));
+      this.handlers_.pointed(this.contactOf(event));
       return;
     }
     if (!owned.raw) this.follow(owned, event);
@@ -83,7 +83,7 @@ export class PointerRouter {
 
   /** Browsers keep pointermove back until just before the next drawn frame; raw updates come at once. */
   private rawMoved(event: PointerEvent): void {
-    const owned = this.owned.get(event.pointerId);
+    const owned = this.owned_.get(event.pointerId);
     if (!owned) return;
     owned.raw = true;
     this.follow(owned, event);
@@ -94,31 +94,39 @@ export class PointerRouter {
     const contacts = (coalesced.length > 0 ? coalesced : [event]).map((one) => this.contactOf(one));
     const { screen } = contacts[contacts.length - 1]!;
     const { from } = owned;
-    owned.still &&= Math.hypot(screen.x - from.screen.x, screen.y - from.screen.y) <= TAP_PX;
+    owned.still &&= Math.hypot(screen.x - from.screen.x, screen.y - from.screen.y) <= kTapPx;
     owned.owner.move(contacts);
   }
 
   private up(event: PointerEvent, cancelled: boolean): void {
-    const owned = this.owned.get(event.pointerId);
+    const owned = this.owned_.get(event.pointerId);
     if (!owned) return;
-    this.owned.delete(event.pointerId);
+    this.owned_.delete(event.pointerId);
     const contact = this.contactOf(event);
     owned.owner.end(contact, cancelled);
-    if (!cancelled && owned.still && contact.time - owned.from.time < TAP_SECONDS) this.handlers.tapped(contact);
+    if (!cancelled && owned.still && contact.time - owned.from.time < kTapSeconds) this.handlers_.tapped(contact);
   }
 
   private doubleClick(event: MouseEvent): void {
     const { button, shiftKey: shift, altKey: alt } = event;
     const at = this.placeOf(event);
-    this.handlers.doubleClicked({ ...at, pointer: -1, kind: 'mouse', time: pageClock(event.timeStamp), button, shift, alt });
+    this.handlers_.doubleClicked({
+      ...at,
+      pointer: -1,
+      kind: 'mouse',
+      time: pageClock(event.timeStamp),
+      button,
+      shift,
+      alt,
+    });
   }
 
   private wheeled(event: WheelEvent): void {
     event.preventDefault();
-    const delta = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX : 1);
+    const delta = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? kLinePx : 1);
     // A pinch on a touch pad arrives as a wheel with Ctrl and far smaller steps.
     const perPx = event.ctrlKey ? 0.01 : 0.0016;
-    this.handlers.wheel(this.placeOf(event).screen, Math.exp(-delta * perPx));
+    this.handlers_.wheel(this.placeOf(event).screen, Math.exp(-delta * perPx));
   }
 
   private contactOf(event: PointerEvent): Contact {
@@ -135,8 +143,8 @@ export class PointerRouter {
   }
 
   private placeOf(event: MouseEvent): { screen: ScreenPoint; ground: GroundPoint | null } {
-    const box = this.surface.getBoundingClientRect();
+    const box = this.surface_.getBoundingClientRect();
     const screen = { x: event.clientX - box.left, y: event.clientY - box.top };
-    return { screen, ground: this.toGround(screen) };
+    return { screen, ground: this.toGround_(screen) };
   }
 }

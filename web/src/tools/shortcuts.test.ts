@@ -21,7 +21,12 @@ beforeEach(() => {
 });
 
 describe('findShortcut', () => {
-  const event = (key: string, target: EventTarget | null, ctrlKey = false) => ({ key, target, ctrlKey, metaKey: false });
+  const event = (key: string, target: EventTarget | null, ctrlKey = false) => ({
+    key,
+    target,
+    ctrlKey,
+    metaKey: false,
+  });
   it('takes letters of either case, but leaves Ctrl to the browser', () => {
     expect(findShortcut(shortcuts, event('R', document.body))?.keys).toBe('R');
     expect(findShortcut(shortcuts, event('r', document.body, true))).toBeNull();
@@ -47,8 +52,16 @@ it('a held key acts once, unless it is one that repeats', () => {
   const root = document.createElement('div');
   document.body.append(root);
   const zoom = vi.fn();
-  new ShortcutHandler(root, [...shortcuts, { keys: '+', does: '', group: 'Camera', match: ['+'], run: zoom, repeats: true }]);
-  for (const [key, repeat] of [['r', false], ['r', true], ['+', false], ['+', true]] as const) {
+  new ShortcutHandler(root, [
+    ...shortcuts,
+    { keys: '+', does: '', group: 'Camera', match: ['+'], run: zoom, repeats: true },
+  ]);
+  for (const [key, repeat] of [
+    ['r', false],
+    ['r', true],
+    ['+', false],
+    ['+', true],
+  ] as const) {
     const event = new KeyboardEvent('keydown', { key, repeat, cancelable: true });
     root.dispatchEvent(event);
     expect(event.defaultPrevented).toBe(true);
@@ -61,7 +74,11 @@ describe('SpaceKey', () => {
   it('plays on a tap, pans while the mouse drags, and leaves buttons alone', () => {
     const panning: boolean[] = [];
     let taps = 0;
-    new SpaceKey(document, (held) => panning.push(held), () => (taps += 1));
+    new SpaceKey(
+      document,
+      (held) => panning.push(held),
+      () => (taps += 1),
+    );
     press(document.body, ' ');
     press(document.body, ' ', 'keyup');
     expect([taps, panning]).toEqual([1, [true, false]]);

@@ -20,7 +20,10 @@ export interface Shortcut {
 
 /** Where typing or choosing goes on, shortcuts keep out. */
 function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && target.closest('input, textarea, select, dialog, [role="menu"], [role="listbox"]') !== null;
+  return (
+    target instanceof HTMLElement &&
+    target.closest('input, textarea, select, dialog, [role="menu"], [role="listbox"]') !== null
+  );
 }
 
 function isControl(target: EventTarget | null): boolean {
@@ -40,13 +43,13 @@ export function findShortcut(
 export class ShortcutHandler {
   constructor(
     target: EventTarget,
-    private readonly shortcuts: readonly Shortcut[],
+    private readonly shortcuts_: readonly Shortcut[],
   ) {
     target.addEventListener('keydown', (event) => this.handle(event as KeyboardEvent));
   }
 
   private handle(event: KeyboardEvent): void {
-    const shortcut = findShortcut(this.shortcuts, event);
+    const shortcut = findShortcut(this.shortcuts_, event);
     if (!shortcut?.run || event.defaultPrevented) return;
     event.preventDefault();
     if (!event.repeat || shortcut.repeats) shortcut.run(event);

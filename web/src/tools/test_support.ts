@@ -1,9 +1,9 @@
 // What several tests of the tools need: a client that remembers, and contacts.
 
 import type { ClientMessage, ControlFrame, TouchEvent } from '../protocol/messages';
-import type { StudioFrame } from '../engine/studio_frame';
-import type { GroundPoint, ScreenPoint } from '../view/camera_types';
+import type { StudioFrame } from '../model/studio_frame';
 import type { Contact } from './contact';
+import type { GroundPoint, ScreenPoint } from '../model/plane';
 
 export class FakeClient {
   readonly sent: ClientMessage[] = [];
@@ -28,17 +28,40 @@ export function onScreen({ x, y }: GroundPoint): ScreenPoint {
 }
 
 export function contactAt(x: number, y: number, more: Partial<Contact> = {}): Contact {
-  return { pointer: 1, kind: 'touch', screen: onScreen({ x, y }), ground: { x, y }, time: 0, button: 0, shift: false, alt: false, ...more };
+  return {
+    pointer: 1,
+    kind: 'touch',
+    screen: onScreen({ x, y }),
+    ground: { x, y },
+    time: 0,
+    button: 0,
+    shift: false,
+    alt: false,
+    ...more,
+  };
 }
 
-export function controlFrame(id: number, kind: 0 | 1 | 2, at: readonly GroundPoint[], more: Partial<ControlFrame> = {}): ControlFrame {
+export function controlFrame(
+  id: number,
+  kind: 0 | 1 | 2,
+  at: readonly GroundPoint[],
+  more: Partial<ControlFrame> = {},
+): ControlFrame {
   const points = at.map(({ x, y }, i) => ({ touch: i + 1, down: false, x, y, path: new Float32Array() }));
   return { id, kind, client: 1, pinned: false, open: false, points, supplementary: new Float32Array(), ...more };
 }
 
 /** A frame with one group, 5, that has these controls. */
 export function frameWith(step: number, controls: readonly ControlFrame[]): StudioFrame {
-  const group = { id: 5, meshVersion: 1, lag: 0, vertices: new Float32Array(), places: new Float32Array(), fit: new Uint8Array(), controls };
+  const group = {
+    id: 5,
+    meshVersion: 1,
+    lag: 0,
+    vertices: new Float32Array(),
+    places: new Float32Array(),
+    fit: new Uint8Array(),
+    controls,
+  };
   return { type: 'Frame', step, groups: [group] } as unknown as StudioFrame;
 }
 

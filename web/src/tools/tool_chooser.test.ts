@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { GroupMesh } from '../protocol/messages';
-import type { CameraControls } from '../view/camera_types';
+import type { CameraControls } from '../scene/camera/camera_controls';
 import { CameraGesture, OrbitGesture } from './camera_gesture';
 import { ControlDrag, Lasso, RubberBand } from './drawn_controls';
 import { FormationHitTest } from './formation_hit_test';
-import { HeldControls } from './held_controls';
+import { VirtualControls } from './virtual_controls';
 import { FakeClient, FakeScene, contactAt, controlFrame, frameWith } from './test_support';
 import { ToolChooser } from './tool_chooser';
 import { TouchEditor } from './touch_editor';
@@ -20,9 +20,16 @@ beforeEach(() => {
   client = new FakeClient();
   const scene = new FakeScene();
   const touches = new TouchSender(client);
-  const controls = new HeldControls(client, touches, () => 1);
+  const controls = new VirtualControls(client, touches, () => 1);
   const hitTest = new FormationHitTest();
-  const mesh = { type: 'GroupMesh', group: 5, version: 1, formation: 'square', triangles: new Uint32Array([0, 1, 2, 0, 2, 3]), boundary: new Uint32Array([4, 0, 1, 2, 3]) };
+  const mesh = {
+    type: 'GroupMesh',
+    group: 5,
+    version: 1,
+    formation: 'square',
+    triangles: new Uint32Array([0, 1, 2, 0, 2, 3]),
+    boundary: new Uint32Array([4, 0, 1, 2, 3]),
+  };
   hitTest.setMesh(mesh as GroupMesh);
   const frame = frameWith(1, [controlFrame(3, 0, [{ x: 1, y: 1 }], { pinned: true })]);
   frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);

@@ -1,15 +1,20 @@
 // Who owns a contact: decided once, where and how it begins.
 
 import type { ControlFrame } from '../protocol/messages';
-import type { StudioFrame } from '../engine/studio_frame';
-import type { GroundPoint, ScreenPoint } from '../view/camera_types';
+import type { StudioFrame } from '../model/studio_frame';
 import type { CameraGesture, OrbitGesture } from './camera_gesture';
 import type { Contact, ContactOwner } from './contact';
 import { ControlDrag, Lasso, RubberBand, type ControlPreview, type DrawTarget } from './drawn_controls';
-import { fingertipFrom, metresFrom, type FormationHit, type FormationHitTest, type RimReach } from './formation_hit_test';
+import {
+  fingertipFrom,
+  metresFrom,
+  type FormationHit,
+  type FormationHitTest,
+  type RimReach,
+} from './formation_hit_test';
 import { grabAt, type Grab, type Grabbable } from './grab';
-import { middleOf } from '../geometry/plane';
-import type { HeldControls } from './held_controls';
+import { middleOf, type GroundPoint, type ScreenPoint } from '../model/plane';
+import type { VirtualControls } from './virtual_controls';
 import type { TouchEditor, TouchMarks } from './touch_editor';
 
 export interface ChooserScene extends TouchMarks, ControlPreview {
@@ -22,30 +27,30 @@ export interface ChooserTools {
   readonly editor: TouchEditor;
   readonly camera: CameraGesture;
   readonly orbit: OrbitGesture;
-  readonly controls: HeldControls;
+  readonly controls: VirtualControls;
 }
 
 /** A rubber band may begin so near the mesh [m]. */
-const NEAR = 3;
-const MIDDLE = 1;
-const RIGHT = 2;
+const kNear = 3;
+const kMiddle = 1;
+const kRight = 2;
 
 export class ToolChooser {
-  private frame: StudioFrame | null = null;
+  private frame_: StudioFrame | null = null;
   /** Space is held: the left button pans. */
   panning = false;
 
-  constructor(private readonly tools: ChooserTools) {}
+  constructor(private readonly tools_: ChooserTools) {}
 
   observe(frame: StudioFrame): void {
-    this.frame = frame;
+    this.frame_ = frame;
   }
 
   choose(contact: Contact): ContactOwner {
-    const { camera, orbit } = this.tools;
+    const { camera, orbit } = this.tools_;
     if (contact.kind === 'mouse') {
-      if (contact.button === RIGHT) return orbit;
-      if (contact.button === MIDDLE || this.panning) return camera;
+      if (contact.button === kRight) return orbit;
+      if (contact.button === kMiddle || this.panning) return camera;
     }
     const { ground } = contact;
     if (!ground) return camera;
@@ -54,7 +59,7 @@ export class ToolChooser {
 
   /** The control whose handle, bar or inside lies here, if it may be grabbed. */
   grab(ground: GroundPoint): Grab | null {
-    return this.grabWhere(ground, (control, group) => this.tools.controls.grabbable(control, group));
+    return this.grabWhere(ground, (control, group) => this.tools_.controls.grabbable(control, group));
   }
 
   /** The control here, whoever holds it. */
@@ -67,27 +72,27 @@ export class ToolChooser {
     return this.find(ground, fingertipFrom(ground, this.toScreen));
   }
 
-  private readonly toScreen = (point: GroundPoint): ScreenPoint => this.tools.scene.worldToScreen(point);
+  private readonly toScreen = (point: GroundPoint): ScreenPoint => this.tools_.scene.worldToScreen(point);
 
   private grabWhere(ground: GroundPoint, grabbable: (control: ControlFrame, group: number) => Grabbable): Grab | null {
-    return grabAt(this.frame?.groups ?? [], ground, this.toScreen, grabbable);
+    return grabAt(this.frame_?.groups ?? [], ground, this.toScreen, grabbable);
   }
 
   private find(ground: GroundPoint, reach: RimReach): FormationHit | null {
-    return this.tools.hitTest.find(ground, reach);
+    return this.tools_.hitTest.find(ground, reach);
   }
 
   /** Keys held with a mouse or a pen draw a whole control. */
   private drawing(contact: Contact, ground: GroundPoint): ContactOwner | null {
     if (contact.kind === 'touch' || (!contact.shift && !contact.alt)) return null;
-    const { controls, scene } = this.tools;
-    const near = this.find(ground, metresFrom(ground, NEAR));
+    const { controls, scene } = this.tools_;
+    const near = this.find(ground, metresFrom(ground, kNear));
     if (contact.alt) return new Lasso((corners) => this.lassoed(corners), near?.index ?? 0, controls, scene);
     return near ? new RubberBand(near, controls, scene) : null;
   }
 
   private editing(ground: GroundPoint): ContactOwner | null {
-    const { controls, scene, editor } = this.tools;
+    const { controls, scene, editor } = this.tools_;
     const grab = this.grab(ground);
     if (grab) return new ControlDrag(grab, controls, scene);
     const hit = this.formation(ground);
@@ -96,7 +101,7 @@ export class ToolChooser {
 
   private lassoed(corners: readonly GroundPoint[]): DrawTarget | null {
     for (const point of [middleOf(corners), ...corners]) {
-      const target = this.find(point, metresFrom(point, NEAR));
+      const target = this.find(point, metresFrom(point, kNear));
       if (target) return target;
     }
     return null;

@@ -26,7 +26,12 @@ describe('TouchEditor', () => {
     owner.move([contactAt(1.1, 1, { time: 10.01 }), contactAt(1.2, 1, { time: 10.02 })]);
     owner.end(contactAt(1.3, 1, { time: 10.03 }), false);
     const events = client.touches();
-    expect(events.map((event) => event.phase)).toEqual([TouchPhase.Down, TouchPhase.Move, TouchPhase.Move, TouchPhase.Up]);
+    expect(events.map((event) => event.phase)).toEqual([
+      TouchPhase.Down,
+      TouchPhase.Move,
+      TouchPhase.Move,
+      TouchPhase.Up,
+    ]);
     expect(events.map((event) => event.time)).toEqual([10, 10.01, 10.02, 10.03]);
     expect(events[0]).toMatchObject({ group: 5, x: 1, y: 1 });
     expect(new Set(events.map((event) => event.touch)).size).toBe(1);
@@ -37,7 +42,8 @@ describe('TouchEditor', () => {
     for (let round = 0; round < 2; ++round) {
       for (let pointer = 0; pointer < 10; ++pointer) editor.ownerFor(hit).begin(contactAt(pointer, 0, { pointer }));
       expect(editor.count).toBe(10);
-      for (let pointer = 0; pointer < 10; ++pointer) editor.ownerFor(hit).end(contactAt(pointer, 0, { pointer }), false);
+      for (let pointer = 0; pointer < 10; ++pointer)
+        editor.ownerFor(hit).end(contactAt(pointer, 0, { pointer }), false);
     }
     const downs = client.touches().filter((event) => event.phase === TouchPhase.Down);
     expect(new Set(downs.map((event) => event.touch)).size).toBe(20);
@@ -57,7 +63,10 @@ describe('TouchEditor', () => {
     owner.begin(contactAt(1, 1));
     owner.end(contactAt(1, 1), false);
     expect(client.touches().map((event) => event.phase)).toEqual([
-      TouchPhase.Down, TouchPhase.Cancel, TouchPhase.Down, TouchPhase.Up,
+      TouchPhase.Down,
+      TouchPhase.Cancel,
+      TouchPhase.Down,
+      TouchPhase.Up,
     ]);
   });
 
@@ -65,7 +74,10 @@ describe('TouchEditor', () => {
     const owner = editor.ownerFor(hit);
     owner.begin(contactAt(1, 1, { pointer: 4 }));
     owner.end(contactAt(1, 1, { pointer: 4 }), false);
-    expect(scene.marks).toEqual([[1, { x: 1, y: 1 }, 0], [1, null, 0]]);
+    expect(scene.marks).toEqual([
+      [1, { x: 1, y: 1 }, 0],
+      [1, null, 0],
+    ]);
   });
 });
 

@@ -1,10 +1,10 @@
 // Contacts that begin on a formation: each is a finger that the server makes controls of.
 
-import type { GroundPoint } from '../view/camera_types';
 import type { Contact, ContactOwner } from './contact';
-import { noDrafts, type DraftBook } from './drafts';
+import { kNoDrafts, type DraftBook } from './drafts';
 import type { FormationHit } from './formation_hit_test';
 import type { TouchSender } from './touch_sender';
+import type { GroundPoint } from '../model/plane';
 
 /** The ring under a finger, drawn in the very next frame; its id is the touch, or negative. */
 export interface TouchMarks {
@@ -20,20 +20,20 @@ interface Finger {
   moved: boolean;
 }
 
-const STILL_PX = 4;
+const kStillPx = 4;
 
 export class TouchEditor {
-  private readonly fingers = new Map<number, Finger>();
+  private readonly fingers_ = new Map<number, Finger>();
 
   constructor(
-    private readonly sender: TouchSender,
-    private readonly marks: TouchMarks,
-    private readonly drafts: DraftBook = noDrafts,
+    private readonly sender_: TouchSender,
+    private readonly marks_: TouchMarks,
+    private readonly drafts_: DraftBook = kNoDrafts,
   ) {}
 
   /** Fingers that are down. */
   get count(): number {
-    return this.fingers.size;
+    return this.fingers_.size;
   }
 
   /** The owner of a contact that began on this formation. */
@@ -47,37 +47,44 @@ export class TouchEditor {
 
   private begin(contact: Contact, hit: FormationHit): void {
     if (!contact.ground) return;
-    const touch = this.sender.nextTouch();
-    this.fingers.set(contact.pointer, { touch, index: hit.index, group: hit.group, from: contact, last: contact.ground, moved: false });
-    this.marks.touchMark(touch, contact.ground, hit.index);
-    this.sender.down(touch, contact.ground, contact.time, hit.group);
-    this.drafts.add(touch, hit.group, contact.ground, contact.time);
+    const touch = this.sender_.nextTouch();
+    this.fingers_.set(contact.pointer, {
+      touch,
+      index: hit.index,
+      group: hit.group,
+      from: contact,
+      last: contact.ground,
+      moved: false,
+    });
+    this.marks_.touchMark(touch, contact.ground, hit.index);
+    this.sender_.down(touch, contact.ground, contact.time, hit.group);
+    this.drafts_.add(touch, hit.group, contact.ground, contact.time);
   }
 
   private move(contacts: readonly Contact[]): void {
     for (const contact of contacts) {
-      const finger = this.fingers.get(contact.pointer);
+      const finger = this.fingers_.get(contact.pointer);
       if (!finger || !contact.ground) continue;
       const dx = contact.screen.x - finger.from.screen.x;
       const dy = contact.screen.y - finger.from.screen.y;
-      finger.moved ||= Math.hypot(dx, dy) > STILL_PX;
+      finger.moved ||= Math.hypot(dx, dy) > kStillPx;
       finger.last = contact.ground;
-      this.sender.move(finger.touch, contact.ground, contact.time);
-      this.marks.touchMark(finger.touch, contact.ground, finger.index);
-      this.drafts.add(finger.touch, finger.group, contact.ground, contact.time);
+      this.sender_.move(finger.touch, contact.ground, contact.time);
+      this.marks_.touchMark(finger.touch, contact.ground, finger.index);
+      this.drafts_.add(finger.touch, finger.group, contact.ground, contact.time);
     }
-    this.sender.moved();
+    this.sender_.moved();
   }
 
   private end(contact: Contact, cancelled: boolean): void {
-    const finger = this.fingers.get(contact.pointer);
+    const finger = this.fingers_.get(contact.pointer);
     if (!finger) return;
-    this.fingers.delete(contact.pointer);
-    this.marks.touchMark(finger.touch, null, finger.index);
+    this.fingers_.delete(contact.pointer);
+    this.marks_.touchMark(finger.touch, null, finger.index);
     // A click that drew nothing must leave no control behind that would stand in the way of a double click.
     const dropped = cancelled || (contact.kind === 'mouse' && !finger.moved);
-    if (dropped) this.drafts.drop(finger.touch);
-    if (dropped) this.sender.cancel(finger.touch, finger.last, contact.time);
-    else this.sender.up(finger.touch, contact.ground ?? finger.last, contact.time);
+    if (dropped) this.drafts_.drop(finger.touch);
+    if (dropped) this.sender_.cancel(finger.touch, finger.last, contact.time);
+    else this.sender_.up(finger.touch, contact.ground ?? finger.last, contact.time);
   }
 }

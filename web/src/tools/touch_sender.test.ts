@@ -11,7 +11,11 @@ beforeEach(() => {
   sent = [];
   times = [];
   now = 1000;
-  sender = new TouchSender({ send: (message: ClientMessage) => sent.push(message as Touches) }, (time) => times.push(time), () => now);
+  sender = new TouchSender(
+    { send: (message: ClientMessage) => sent.push(message as Touches) },
+    (time) => times.push(time),
+    () => now,
+  );
 });
 
 const phases = (): number[][] => sent.map((message) => message.events.map((event) => event.phase));

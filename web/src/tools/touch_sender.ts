@@ -1,28 +1,28 @@
 // Sends touches: downs and lifts at once, moves at once too, unless the last left only just now.
 
 import { TouchPhase, type TouchEvent } from '../protocol/messages';
-import type { MessageSender } from '../engine/studio_client';
-import type { GroundPoint } from '../view/camera_types';
+import type { MessageSender } from '../link/studio_client';
+import type { GroundPoint } from '../model/plane';
 
 /** Moves of fast mice leave together, no oftener than this [ms]; what waits leaves with the next drawn frame. */
 const kSpacing = 8;
 
 export class TouchSender {
-  private queue: TouchEvent[] = [];
-  private lastTouch = 0;
-  private lastSent = -Infinity;
+  private queue_: TouchEvent[] = [];
+  private lastTouch_ = 0;
+  private lastSent_ = -Infinity;
 
   /** `sent` hears the time of every event that leaves, for the measurement of latency; `now` in [ms]. */
   constructor(
-    private readonly client: MessageSender,
-    private readonly sent: (time: number) => void = () => undefined,
-    private readonly now: () => number = () => performance.now(),
+    private readonly client_: MessageSender,
+    private readonly sent_: (time: number) => void = () => undefined,
+    private readonly now_: () => number = () => performance.now(),
   ) {}
 
   /** A number that no finger of this page has had. */
   nextTouch(): number {
-    this.lastTouch += 1;
-    return this.lastTouch;
+    this.lastTouch_ += 1;
+    return this.lastTouch_;
   }
 
   down(touch: number, at: GroundPoint, time: number, group: number): void {
@@ -37,7 +37,7 @@ export class TouchSender {
 
   /** The moves of one event are all there. */
   moved(): void {
-    if (this.now() - this.lastSent >= kSpacing) this.flush();
+    if (this.now_() - this.lastSent_ >= kSpacing) this.flush();
   }
 
   up(touch: number, at: GroundPoint, time: number): void {
@@ -52,15 +52,15 @@ export class TouchSender {
 
   /** Sends what waits. */
   flush(): void {
-    if (this.queue.length === 0) return;
-    const events = this.queue;
-    this.queue = [];
-    this.lastSent = this.now();
-    this.client.send({ type: 'Touches', events });
-    for (const event of events) if (event.phase <= TouchPhase.Move) this.sent(event.time);
+    if (this.queue_.length === 0) return;
+    const events = this.queue_;
+    this.queue_ = [];
+    this.lastSent_ = this.now_();
+    this.client_.send({ type: 'Touches', events });
+    for (const event of events) if (event.phase <= TouchPhase.Move) this.sent_(event.time);
   }
 
   private push(phase: TouchPhase, touch: number, at: GroundPoint, time: number, group: number): void {
-    this.queue.push({ phase, touch, x: at.x, y: at.y, time, group });
+    this.queue_.push({ phase, touch, x: at.x, y: at.y, time, group });
   }
 }

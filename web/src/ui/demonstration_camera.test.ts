@@ -7,7 +7,12 @@ const padding = () => ({ left: 100, right: 100, top: 0, bottom: 0 });
 let camera: DemonstrationCamera;
 
 /** One character; a metre is a pixel. */
-const frame = (step: number, x: number, demonstrating = true): WatchedFrame => ({ step, demonstrating, x: [x - 1, x + 1], y: [200, 200] });
+const frame = (step: number, x: number, demonstrating = true): WatchedFrame => ({
+  step,
+  demonstrating,
+  x: [x - 1, x + 1],
+  y: [200, 200],
+});
 const observe = (one: WatchedFrame) => camera.observe(one, 1000, 400, padding);
 
 beforeEach(() => {

@@ -1,6 +1,7 @@
 // While a demonstration runs the camera goes along with the crowd, until somebody takes the scene in hand.
 
-import type { CameraControls, Padding, ScreenPoint } from '../view/camera_types';
+import type { CameraControls, Padding } from '../scene/camera/camera_controls';
+import type { ScreenPoint } from '../model/plane';
 
 /** The crowd's middle may wander in this share of the ground between the panels. */
 const kFree = 0.3;
@@ -21,48 +22,51 @@ export interface WatchedFrame {
 }
 
 export class DemonstrationCamera {
-  private follows = false;
+  private follows_ = false;
   /** The camera went along and nobody has moved it since. */
-  private away = false;
-  private running = false;
-  private step = 0;
+  private away_ = false;
+  private running_ = false;
+  private step_ = 0;
 
   /** `fit` brings the whole crowd into view. */
-  constructor(private readonly host: CameraHost, private readonly fit: () => void) {}
+  constructor(
+    private readonly host_: CameraHost,
+    private readonly fit_: () => void,
+  ) {}
 
   /** Somebody uses the scene: it stays as it is. */
   release(): void {
-    this.follows = false;
-    this.away = false;
+    this.follows_ = false;
+    this.away_ = false;
   }
 
   /** Another world: its view opens by itself. */
   forget(): void {
     this.release();
-    this.running = false;
-    this.step = 0;
+    this.running_ = false;
+    this.step_ = 0;
   }
 
   /** For each frame; the size is the canvas's [CSS px]. */
   observe(frame: WatchedFrame, width: number, height: number, padding: () => Padding): void {
-    if (frame.step < this.step && this.away) {
+    if (frame.step < this.step_ && this.away_) {
       // All stand at the start again.
-      this.away = false;
-      this.fit();
+      this.away_ = false;
+      this.fit_();
     }
-    if (frame.demonstrating && !this.running) this.follows = true;
-    this.running = frame.demonstrating;
-    this.step = frame.step;
-    if (this.running && this.follows && frame.x.length > 0) this.goAlong(frame, width, height, padding());
+    if (frame.demonstrating && !this.running_) this.follows_ = true;
+    this.running_ = frame.demonstrating;
+    this.step_ = frame.step;
+    if (this.running_ && this.follows_ && frame.x.length > 0) this.goAlong(frame, width, height, padding());
   }
 
   private goAlong(frame: WatchedFrame, width: number, height: number, padding: Padding): void {
-    const at = this.host.worldToScreen({ x: mean(frame.x), y: mean(frame.y) });
+    const at = this.host_.worldToScreen({ x: mean(frame.x), y: mean(frame.y) });
     const dx = beyond(at.x, padding.left, width - padding.right);
     const dy = beyond(at.y, padding.top, height - padding.bottom);
     if (dx === 0 && dy === 0) return;
-    this.away = true;
-    this.host.camera.panBy(-kEase * dx, -kEase * dy);
+    this.away_ = true;
+    this.host_.camera.panBy(-kEase * dx, -kEase * dy);
   }
 }
 

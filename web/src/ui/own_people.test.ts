@@ -1,9 +1,9 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it, vi } from 'vitest';
-import type { OwnCharacter } from '../people/own_character';
-import { makePlainBody } from '../people/plain_body';
+import type { OwnCharacter } from '../scene/crowd/own_character/own_character';
+import { makePlainBody } from '../scene/crowd/bodies/plain_body';
 import { OwnPeople, welcomeText } from './own_people';
-import { StudioStore } from './studio_state';
+import { StudioStore } from '../model/studio_store';
 
 const kCharacter: OwnCharacter = { body: { ...makePlainBody(), name: 'robot.glb' }, clips: [], triangles: 900 };
 
@@ -27,7 +27,9 @@ it('dresses everybody in a file and takes it off again', async () => {
 });
 
 it('leaves all as it was where a file will not do, and says why', async () => {
-  const people = new OwnPeople({ setOwnBody }, store, () => Promise.reject(new Error('cat.glb cannot be used: there is no joint for the left knee')));
+  const people = new OwnPeople({ setOwnBody }, store, () =>
+    Promise.reject(new Error('cat.glb cannot be used: there is no joint for the left knee')),
+  );
   await people.open([new File(['x'], 'cat.glb')]);
   await people.open([]);
   expect(setOwnBody).not.toHaveBeenCalled();
@@ -55,13 +57,16 @@ it('keeps what was asked for last, however long an earlier file takes to read', 
 it('takes files that are dropped on the page', async () => {
   const people = new OwnPeople({ setOwnBody }, store, () => Promise.resolve(kCharacter));
   people.acceptDrops(window);
-  const drop = Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File(['x'], 'a.glb')], types: ['Files'] } });
+  const drop = Object.assign(new Event('drop', { cancelable: true }), {
+    dataTransfer: { files: [new File(['x'], 'a.glb')], types: ['Files'] },
+  });
   window.dispatchEvent(drop);
   expect(drop.defaultPrevented).toBe(true);
   await vi.waitFor(() => expect(setOwnBody).toHaveBeenCalledTimes(1));
 });
 
 it('says what came with it and what it costs', () => {
-  expect(welcomeText({ ...kCharacter, clips: [{ name: 'run' }, { name: 'walk' }] as never, triangles: 40000 }))
-    .toBe('Everybody is robot.glb now, with run, walk of its own; with 40,000 triangles a large crowd of it will be slow.');
+  expect(welcomeText({ ...kCharacter, clips: [{ name: 'run' }, { name: 'walk' }] as never, triangles: 40000 })).toBe(
+    'Everybody is robot.glb now, with run, walk of its own; with 40,000 triangles a large crowd of it will be slow.',
+  );
 });

@@ -2,9 +2,9 @@
 
 import { NoticeLevel, type Notice } from '../protocol/messages';
 import { problem } from '../protocol/problem';
-import type { OwnCharacter } from '../people/own_character';
-import type { StudioScene } from '../view/studio_scene';
-import type { StudioStore } from './studio_state';
+import type { OwnCharacter } from '../scene/crowd/own_character/own_character';
+import type { StudioScene } from '../scene/studio_scene';
+import type { StudioStore } from '../model/studio_store';
 
 /** Reads files; throws with a sentence for the visitor. */
 export type CharacterReader = (files: readonly File[]) => Promise<OwnCharacter>;
@@ -12,56 +12,59 @@ export type CharacterReader = (files: readonly File[]) => Promise<OwnCharacter>;
 /** More triangles than this make a crowd slow. */
 const kManyTriangles = 15000;
 
-/** Files that may belong to a character. */
-export const kCharacterFiles = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp';
-
 async function readLazily(files: readonly File[]): Promise<OwnCharacter> {
-  const { readCharacter } = await import('../people/own_character');
+  const { readCharacter } = await import('../scene/crowd/own_character/own_character');
   return readCharacter(files);
 }
 
-function told(code: string, level: NoticeLevel, text: string): Notice {
+function noticeOf(code: string, level: NoticeLevel, text: string): Notice {
   return { ...problem(code, text), level };
 }
 
 /** What is said when it has come. */
 export function welcomeText({ body, clips, triangles }: OwnCharacter): string {
   const own = clips.length > 0 ? `, with ${clips.map((clip) => clip.name).join(', ')} of its own` : '';
-  const slow = triangles > kManyTriangles ? `; with ${Math.round(triangles).toLocaleString('en')} triangles a large crowd of it will be slow` : '';
+  const slow =
+    triangles > kManyTriangles
+      ? `; with ${Math.round(triangles).toLocaleString('en')} triangles a large crowd of it will be slow`
+      : '';
   return `Everybody is ${body.name} now${own}${slow}.`;
 }
 
 export class OwnPeople {
   /** Counts what was asked for: of two files the one that came later stays, however long the other takes to read. */
-  private asked_ = 0;
+  private requests_ = 0;
 
   constructor(
-    private readonly view: Pick<StudioScene, 'setOwnBody'>,
-    private readonly store: StudioStore,
-    private readonly read: CharacterReader = readLazily,
+    private readonly view_: Pick<StudioScene, 'setOwnBody'>,
+    private readonly store_: StudioStore,
+    private readonly read_: CharacterReader = readLazily,
   ) {}
 
   /** Reads files and dresses everybody; says why where it cannot. */
   async open(files: readonly File[]): Promise<void> {
     if (files.length === 0) return;
-    const mine = ++this.asked_;
+    const mine = ++this.requests_;
     try {
-      const character = await this.read(files);
-      if (mine !== this.asked_) return;
-      this.view.setOwnBody(character.body, character.clips);
+      const character = await this.read_(files);
+      if (mine !== this.requests_) return;
+      this.view_.setOwnBody(character.body, character.clips);
       const level = character.triangles > kManyTriangles ? NoticeLevel.Warning : NoticeLevel.Info;
-      this.store.set({ ownCharacter: character.body.name, notice: told('character', level, welcomeText(character)) });
+      this.store_.set({
+        ownCharacter: character.body.name,
+        notice: noticeOf('character', level, welcomeText(character)),
+      });
     } catch (error) {
-      if (mine !== this.asked_) return;
+      if (mine !== this.requests_) return;
       const reason = error instanceof Error ? error.message : String(error);
-      this.store.set({ notice: problem('character', `${reason.replace(/\.$/, '')}.`) });
+      this.store_.set({ notice: problem('character', `${reason.replace(/\.$/, '')}.`) });
     }
   }
 
   reset(): void {
-    this.asked_ += 1;
-    this.view.setOwnBody(null);
-    this.store.set({ ownCharacter: '' });
+    this.requests_ += 1;
+    this.view_.setOwnBody(null);
+    this.store_.set({ ownCharacter: '' });
   }
 
   /** Files dropped anywhere on the page. */

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { OverlayKind, TransportAction, type ClientMessage } from '../protocol/messages';
 import { StudioController, nextSpeed } from './studio_controller';
-import { StudioStore } from './studio_state';
+import { StudioStore } from '../model/studio_store';
 
 let sent: ClientMessage[];
 let said: string[];
@@ -16,7 +16,10 @@ beforeEach(() => {
   store = new StudioStore();
   const client = { send: (message: ClientMessage) => sent.push(message), retry: () => undefined };
   const camera = { fitCrowd: () => undefined, lookAt: (point: { x: number; y: number }) => seen.push(point) };
-  controller = new StudioController(client, store, camera, (text) => said.push(text), { open: () => Promise.resolve(), reset: () => undefined });
+  controller = new StudioController(client, store, camera, (text) => said.push(text), {
+    open: () => Promise.resolve(),
+    reset: () => undefined,
+  });
 });
 
 const group = { id: 7, name: 'North', colour: 0, count: 9, formation: 'square' };
@@ -35,7 +38,10 @@ describe('StudioController', () => {
     controller.togglePlay();
     store.set({ playing: true });
     controller.togglePlay();
-    expect(sent.map((one) => one.type === 'Transport' && one.action)).toEqual([TransportAction.Play, TransportAction.Pause]);
+    expect(sent.map((one) => one.type === 'Transport' && one.action)).toEqual([
+      TransportAction.Play,
+      TransportAction.Pause,
+    ]);
   });
   it('gives formations to the active group, and nothing where there is none', () => {
     controller.setFormation('ring');
@@ -58,7 +64,9 @@ describe('StudioController', () => {
     controller.chooseCharacter(30);
     controller.toggleOverlay(OverlayKind.Cost);
     expect(sent.map((one) => one.type === 'SetOverlay' && [one.kind, one.character])).toEqual([
-      [OverlayKind.None, 0], [OverlayKind.Cost, 30], [OverlayKind.None, 0],
+      [OverlayKind.None, 0],
+      [OverlayKind.Cost, 30],
+      [OverlayKind.None, 0],
     ]);
     expect(store.state.overlay).toBe(OverlayKind.None);
   });
@@ -70,12 +78,25 @@ describe('StudioController', () => {
     controller.chooseCharacter(30);
     controller.askOverlayAgain();
     expect(sent.map((one) => one.type === 'SetOverlay' && [one.kind, one.character])).toEqual([
-      [OverlayKind.Density, 0], [OverlayKind.Density, 0], [OverlayKind.Cost, 30], [OverlayKind.Cost, 30],
+      [OverlayKind.Density, 0],
+      [OverlayKind.Density, 0],
+      [OverlayKind.Cost, 30],
+      [OverlayKind.Cost, 30],
     ]);
   });
   it('leaves a replay by loading what was steered before it, or what is called like it', () => {
-    const info = (name: string, title: string) => ({ type: 'ScenarioInfo', name, title, description: '', characters: 9 });
-    store.set({ scenarios: [info('block', 'Block'), info('open', 'Open square')] as never, replaying: true, title: 'Open square' });
+    const info = (name: string, title: string) => ({
+      type: 'ScenarioInfo',
+      name,
+      title,
+      description: '',
+      characters: 9,
+    });
+    store.set({
+      scenarios: [info('block', 'Block'), info('open', 'Open square')] as never,
+      replaying: true,
+      title: 'Open square',
+    });
     controller.leaveReplay();
     store.set({ lastLive: 'block' });
     controller.leaveReplay();
@@ -101,7 +122,10 @@ describe('StudioController', () => {
     controller.toggleDemonstration();
     store.set({ demonstrating: true });
     controller.toggleDemonstration();
-    expect(sent.map((one) => one.type === 'Transport' && one.action)).toEqual([TransportAction.Demonstrate, TransportAction.Restart]);
+    expect(sent.map((one) => one.type === 'Transport' && one.action)).toEqual([
+      TransportAction.Demonstrate,
+      TransportAction.Restart,
+    ]);
   });
   it('shows the spot of a message, where it has one', () => {
     controller.showNoticePlace();

@@ -2,21 +2,22 @@
 
 import { OverlayKind, TransportAction } from '../protocol/messages';
 import { problem } from '../protocol/problem';
-import type { MessageSender } from '../engine/studio_client';
-import type { GroundPoint } from '../view/camera_types';
-import { OBJECTIVES, objectiveParameter } from './objective';
+import type { MessageSender } from '../link/studio_client';
+import { kObjectives, objectiveParameter } from '../model/objective';
 import type { OwnPeople } from './own_people';
-import type { StudioActions } from './studio_actions';
-import type { LayerState, StudioStore } from './studio_state';
+import type { StudioActions } from '../model/studio_actions';
 import { downloadTake, openTake } from './takes';
 import { rememberTheme, writeSetting } from './theme';
+import type { GroundPoint } from '../model/plane';
+import type { Layers } from '../model/view_settings';
+import type { StudioStore } from '../model/studio_store';
 
-export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4];
-export const HINT_KEY = 'muster.hint';
+export const kSpeeds: readonly number[] = [0.25, 0.5, 1, 2, 4];
+export const kHintKey = 'muster.hint';
 
 /** The next speed in the list, round its ends; from between two, the next in that direction. */
 export function nextSpeed(speed: number, back: boolean): number {
-  const list = back ? [...SPEEDS].reverse() : SPEEDS;
+  const list = back ? [...kSpeeds].reverse() : kSpeeds;
   const next = list.find((one) => (back ? one < speed - 1e-3 : one > speed + 1e-3));
   return next ?? list[0]!;
 }
@@ -34,53 +35,53 @@ export interface ControllerCamera {
 export class StudioController implements StudioActions {
   /** `say` speaks to the live region. */
   constructor(
-    private readonly client: ControllerLink,
-    private readonly store: StudioStore,
-    private readonly camera: ControllerCamera,
-    private readonly say: (text: string) => void,
-    private readonly people: Pick<OwnPeople, 'open' | 'reset'>,
+    private readonly client_: ControllerLink,
+    private readonly store_: StudioStore,
+    private readonly camera_: ControllerCamera,
+    private readonly say_: (text: string) => void,
+    private readonly people_: Pick<OwnPeople, 'open' | 'reset'>,
   ) {}
 
   togglePlay(): void {
-    const { playing } = this.store.state;
-    this.client.send({ type: 'Transport', action: playing ? TransportAction.Pause : TransportAction.Play });
-    this.say(playing ? 'Paused' : 'Playing');
+    const { playing } = this.store_.state;
+    this.client_.send({ type: 'Transport', action: playing ? TransportAction.Pause : TransportAction.Play });
+    this.say_(playing ? 'Paused' : 'Playing');
   }
 
   singleStep(): void {
-    this.client.send({ type: 'Transport', action: TransportAction.SingleStep });
+    this.client_.send({ type: 'Transport', action: TransportAction.SingleStep });
   }
 
   restart(): void {
-    this.client.send({ type: 'Transport', action: TransportAction.Restart });
-    this.say('Back to the start');
+    this.client_.send({ type: 'Transport', action: TransportAction.Restart });
+    this.say_('Back to the start');
   }
 
   toggleDemonstration(): void {
-    const { demonstration, demonstrating } = this.store.state;
+    const { demonstration, demonstrating } = this.store_.state;
     if (demonstrating) return this.restart();
-    if (!demonstration) return this.say('There is nothing to watch here');
-    this.client.send({ type: 'Transport', action: TransportAction.Demonstrate });
+    if (!demonstration) return this.say_('There is nothing to watch here');
+    this.client_.send({ type: 'Transport', action: TransportAction.Demonstrate });
   }
 
   nextSpeed(back = false): void {
-    const factor = nextSpeed(this.store.state.speed, back);
-    this.client.send({ type: 'SetSpeed', factor });
-    this.say(`Speed ${factor}`);
+    const factor = nextSpeed(this.store_.state.speed, back);
+    this.client_.send({ type: 'SetSpeed', factor });
+    this.say_(`Speed ${factor}`);
   }
 
   toggleRecord(): void {
-    if (this.store.state.replaying) {
-      this.say('A take is replayed: leave it to record');
+    if (this.store_.state.replaying) {
+      this.say_('A take is replayed: leave it to record');
       return;
     }
-    const on = this.store.state.recorded < 0;
-    this.client.send({ type: 'Record', on });
-    this.say(on ? 'Recording' : 'Recording stopped');
+    const on = this.store_.state.recorded < 0;
+    this.client_.send({ type: 'Record', on });
+    this.say_(on ? 'Recording' : 'Recording stopped');
   }
 
   downloadTake(): void {
-    void downloadTake(this.store.state.title).then((text) => this.tell(text));
+    void downloadTake(this.store_.state.title).then((text) => this.tell(text));
   }
 
   openTake(file: File): void {
@@ -88,121 +89,122 @@ export class StudioController implements StudioActions {
   }
 
   openCharacter(files: readonly File[]): void {
-    void this.people.open(files).then(() => this.say(this.store.state.notice?.text ?? ''));
+    void this.people_.open(files).then(() => this.say_(this.store_.state.notice?.text ?? ''));
   }
 
   ourPeople(): void {
-    this.people.reset();
-    this.say('Our people are back');
+    this.people_.reset();
+    this.say_('Our people are back');
   }
 
   /** Loads what was there before the take; where that is unknown, the scenario that is called like it, or the first. */
   leaveReplay(): void {
-    const { scenarios, title, lastLive } = this.store.state;
-    const found = scenarios.find(({ name }) => name === lastLive) ?? scenarios.find((one) => one.title === title) ?? scenarios[0];
+    const { scenarios, title, lastLive } = this.store_.state;
+    const found =
+      scenarios.find(({ name }) => name === lastLive) ?? scenarios.find((one) => one.title === title) ?? scenarios[0];
     if (found) this.loadScenario(found.name);
   }
 
   loadScenario(name: string): void {
     this.setOverlay(OverlayKind.None, -1);
-    this.client.send({ type: 'LoadScenario', name });
+    this.client_.send({ type: 'LoadScenario', name });
   }
 
   setObjective(index: number): void {
-    const { name, value } = objectiveParameter(this.store.state.parameters, index);
-    this.client.send({ type: 'SetParameter', name, value });
-    this.say(`Plans: ${OBJECTIVES[index]!.label.toLowerCase()}`);
+    const { name, value } = objectiveParameter(this.store_.state.parameters, index);
+    this.client_.send({ type: 'SetParameter', name, value });
+    this.say_(`Plans: ${kObjectives[index]!.label.toLowerCase()}`);
   }
 
   setFormation(name: string): void {
-    const { groups, active } = this.store.state;
+    const { groups, active } = this.store_.state;
     const group = groups[active];
     if (!group) return;
-    this.client.send({ type: 'SetFormation', group: group.id, formation: name });
+    this.client_.send({ type: 'SetFormation', group: group.id, formation: name });
     // The change itself is spoken when it happens.
-    if (!this.store.state.playing) this.say(`${group.name}: ${name} with the next step`);
+    if (!this.store_.state.playing) this.say_(`${group.name}: ${name} with the next step`);
   }
 
   setActiveGroup(index: number): void {
-    const group = this.store.state.groups[index];
+    const group = this.store_.state.groups[index];
     if (!group) return;
-    this.store.set({ active: index });
-    this.say(`${group.name} chosen`);
+    this.store_.set({ active: index });
+    this.say_(`${group.name} chosen`);
   }
 
   /** Round the list. */
   nextGroup(): void {
-    const { groups, active } = this.store.state;
+    const { groups, active } = this.store_.state;
     if (groups.length > 0) this.setActiveGroup((active + 1) % groups.length);
   }
 
-  toggleLayer(layer: keyof LayerState): void {
-    const { layers } = this.store.state;
-    this.store.set({ layers: { ...layers, [layer]: !layers[layer] } });
+  toggleLayer(layer: keyof Layers): void {
+    const { layers } = this.store_.state;
+    this.store_.set({ layers: { ...layers, [layer]: !layers[layer] } });
   }
 
   toggleOverlay(kind: OverlayKind): void {
-    const shown = this.store.state.overlay === kind;
+    const shown = this.store_.state.overlay === kind;
     this.setOverlay(shown ? OverlayKind.None : kind, -1);
   }
 
   /** The character whose cost is shown. */
   chooseCharacter(id: number): void {
     this.setOverlay(OverlayKind.Cost, id);
-    this.say(`Cost of character ${id}`);
+    this.say_(`Cost of character ${id}`);
   }
 
   toggleTheme(): void {
-    const theme = this.store.state.theme === 'dark' ? 'light' : 'dark';
+    const theme = this.store_.state.theme === 'dark' ? 'light' : 'dark';
     rememberTheme(window, theme);
-    this.store.set({ theme });
+    this.store_.set({ theme });
   }
 
   showHelp(open: boolean): void {
-    if (this.store.state.help !== open) this.store.set({ help: open });
+    if (this.store_.state.help !== open) this.store_.set({ help: open });
   }
 
   dismissHint(): void {
-    writeSetting(() => window.localStorage, HINT_KEY, 'seen');
-    this.store.set({ hint: false });
+    writeSetting(() => window.localStorage, kHintKey, 'seen');
+    this.store_.set({ hint: false });
   }
 
   showNoticePlace(): void {
-    const { notice } = this.store.state;
-    if (notice?.hasPlace) this.camera.lookAt({ x: notice.x, y: notice.y });
+    const { notice } = this.store_.state;
+    if (notice?.hasPlace) this.camera_.lookAt({ x: notice.x, y: notice.y });
   }
 
   dismissNotice(): void {
-    this.store.set({ notice: null });
+    this.store_.set({ notice: null });
   }
 
   retry(): void {
-    this.client.retry();
+    this.client_.retry();
   }
 
   fit(): void {
-    this.camera.fitCrowd();
+    this.camera_.fitCrowd();
   }
 
   /** A server that was found again knows nothing of what was asked for. */
   askOverlayAgain(): void {
-    const { overlay, chosen } = this.store.state;
+    const { overlay, chosen } = this.store_.state;
     if (overlay !== OverlayKind.None) this.askOverlay(overlay, chosen);
   }
 
   private setOverlay(kind: OverlayKind, chosen: number): void {
-    this.store.set({ overlay: kind, chosen, cost: null, ramp: null });
+    this.store_.set({ overlay: kind, chosen, cost: null, ramp: null });
     this.askOverlay(kind, chosen);
   }
 
   private askOverlay(kind: OverlayKind, chosen: number): void {
     // Nobody chosen yet: there is no field to ask for.
     const asked = kind === OverlayKind.Cost && chosen < 0 ? OverlayKind.None : kind;
-    this.client.send({ type: 'SetOverlay', kind: asked, character: Math.max(0, chosen) });
+    this.client_.send({ type: 'SetOverlay', kind: asked, character: Math.max(0, chosen) });
   }
 
   private tell(text: string | null): void {
     if (text === null) return;
-    this.store.set({ notice: problem('take', text) });
+    this.store_.set({ notice: problem('take', text) });
   }
 }

@@ -1,8 +1,8 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it } from 'vitest';
-import type { StudioActions } from './studio_actions';
+import type { StudioActions } from '../model/studio_actions';
 import { StudioShell } from './studio_shell';
-import { StudioStore } from './studio_state';
+import { StudioStore } from '../model/studio_store';
 
 let store: StudioStore;
 let page: HTMLElement;

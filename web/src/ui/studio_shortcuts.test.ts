@@ -1,11 +1,19 @@
 // @vitest-environment jsdom
 import { expect, it } from 'vitest';
 import { findShortcut } from '../tools/shortcuts';
-import type { StudioActions } from './studio_actions';
+import type { StudioActions } from '../model/studio_actions';
 import { studioShortcuts, type KeyTools } from './studio_shortcuts';
 
 const calls: string[] = [];
-const recorder = new Proxy({}, { get: (_, name) => (...values: unknown[]) => calls.push([name, ...values].map(String).join(' ')) });
+const recorder = new Proxy(
+  {},
+  {
+    get:
+      (_, name) =>
+      (...values: unknown[]) =>
+        calls.push([name, ...values].map(String).join(' ')),
+  },
+);
 const shortcuts = studioShortcuts(recorder as StudioActions, recorder as KeyTools);
 
 function press(key: string, shiftKey = false): string | undefined {

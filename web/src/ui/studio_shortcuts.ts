@@ -3,8 +3,8 @@
 import { OverlayKind } from '../protocol/messages';
 import type { ArrowKey } from '../tools/keyboard_steering';
 import type { Shortcut } from '../tools/shortcuts';
-import { FORMATIONS } from './formation_panel';
-import type { StudioActions } from './studio_actions';
+import { kFormations } from './panels/formation_panel';
+import type { StudioActions } from '../model/studio_actions';
 
 /** What keys ask of camera and tools. */
 export interface KeyTools {
@@ -18,25 +18,56 @@ export interface KeyTools {
   nextGroup(): void;
 }
 
-const QUARTER_STEP = Math.PI / 36;
+const kQuarterStep = Math.PI / 36;
 
 function crowdKeys(tools: KeyTools): Shortcut[] {
   return [
-    { keys: 'Enter', does: 'takes the formation in hand, and drops it', group: 'Crowd', match: ['Enter'], sceneOnly: true, run: () => tools.grabOrDrop() },
+    {
+      keys: 'Enter',
+      does: 'takes the formation in hand, and drops it',
+      group: 'Crowd',
+      match: ['Enter'],
+      sceneOnly: true,
+      run: () => tools.grabOrDrop(),
+    },
     { keys: '← ↑ → ↓', does: 'carry it (Shift: farther)', group: 'Crowd', match: [] },
-    { keys: 'P', does: 'pins the control under the pointer, or the newest', group: 'Crowd', match: ['p'], run: () => tools.togglePin() },
-    { keys: 'Delete', does: 'removes it', group: 'Crowd', match: ['Delete', 'Backspace'], run: () => tools.removeControl() },
+    {
+      keys: 'P',
+      does: 'pins the control under the pointer, or the newest',
+      group: 'Crowd',
+      match: ['p'],
+      run: () => tools.togglePin(),
+    },
+    {
+      keys: 'Delete',
+      does: 'removes it',
+      group: 'Crowd',
+      match: ['Delete', 'Backspace'],
+      run: () => tools.removeControl(),
+    },
     { keys: 'Esc', does: 'lets go of all controls', group: 'Crowd', match: ['Escape'], run: () => tools.letGo() },
     { keys: 'G', does: 'next group', group: 'Crowd', match: ['g'], run: () => tools.nextGroup() },
   ];
 }
 
 function formationKeys(actions: StudioActions): Shortcut[] {
-  const choices = FORMATIONS.slice(0, 8);
-  const all: Shortcut = { keys: '1 – 8', does: choices.map(({ label }) => label.toLowerCase()).join(', '), group: 'Formations', match: [] };
+  const choices = kFormations.slice(0, 8);
+  const all: Shortcut = {
+    keys: '1 – 8',
+    does: choices.map(({ label }) => label.toLowerCase()).join(', '),
+    group: 'Formations',
+    match: [],
+  };
   const keys = choices.map(({ name, label }, i): Shortcut => {
     const key = String(i + 1);
-    return { keys: key, does: label, group: 'Formations', match: [key], unlisted: true, run: () => actions.setFormation(name) };
+    return {
+      keys: key,
+      does: label,
+      group: 'Formations',
+      match: [key],
+      unlisted: true,
+      run: () => actions.setFormation(name),
+    };
   });
   return [all, ...keys];
 }
@@ -46,9 +77,21 @@ function timeKeys(actions: StudioActions): Shortcut[] {
     // Space acts on its release, as it also pans while a mouse drags: see SpaceKey.
     { keys: 'Space', does: 'plays or pauses', group: 'Time', match: [] },
     { keys: '.', does: 'single step', group: 'Time', match: ['.'], repeats: true, run: () => actions.singleStep() },
-    { keys: '< >', does: 'slower, faster', group: 'Time', match: ['<', '>'], run: (event) => actions.nextSpeed(event.key === '<') },
+    {
+      keys: '< >',
+      does: 'slower, faster',
+      group: 'Time',
+      match: ['<', '>'],
+      run: (event) => actions.nextSpeed(event.key === '<'),
+    },
     { keys: 'R', does: 'records a take, and stops', group: 'Time', match: ['r'], run: () => actions.toggleRecord() },
-    { keys: 'W', does: 'watches what the scenario shows, and stops', group: 'Time', match: ['w'], run: () => actions.toggleDemonstration() },
+    {
+      keys: 'W',
+      does: 'watches what the scenario shows, and stops',
+      group: 'Time',
+      match: ['w'],
+      run: () => actions.toggleDemonstration(),
+    },
     { keys: 'Home', does: 'restart', group: 'Time', match: ['Home'], sceneOnly: true, run: () => actions.restart() },
   ];
 }
@@ -56,15 +99,43 @@ function timeKeys(actions: StudioActions): Shortcut[] {
 function cameraKeys(actions: StudioActions, tools: KeyTools): Shortcut[] {
   const arrows = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight'];
   return [
-    { keys: '← ↑ → ↓', does: 'pan', group: 'Camera', match: arrows, sceneOnly: true, repeats: true, run: (event) => tools.arrow(event.key as ArrowKey, event.shiftKey) },
-    { keys: '+ -', does: 'zoom', group: 'Camera', match: ['+', '=', '-'], repeats: true, run: (event) => tools.zoom(event.key === '-' ? 1 / 1.2 : 1.2) },
-    { keys: 'Q E', does: 'turn', group: 'Camera', match: ['q', 'e'], repeats: true, run: (event) => tools.turn(event.key.toLowerCase() === 'q' ? QUARTER_STEP : -QUARTER_STEP) },
+    {
+      keys: '← ↑ → ↓',
+      does: 'pan',
+      group: 'Camera',
+      match: arrows,
+      sceneOnly: true,
+      repeats: true,
+      run: (event) => tools.arrow(event.key as ArrowKey, event.shiftKey),
+    },
+    {
+      keys: '+ -',
+      does: 'zoom',
+      group: 'Camera',
+      match: ['+', '=', '-'],
+      repeats: true,
+      run: (event) => tools.zoom(event.key === '-' ? 1 / 1.2 : 1.2),
+    },
+    {
+      keys: 'Q E',
+      does: 'turn',
+      group: 'Camera',
+      match: ['q', 'e'],
+      repeats: true,
+      run: (event) => tools.turn(event.key.toLowerCase() === 'q' ? kQuarterStep : -kQuarterStep),
+    },
     { keys: 'F', does: 'fits crowd and paths', group: 'Camera', match: ['f'], run: () => actions.fit() },
   ];
 }
 
 function showKeys(actions: StudioActions): Shortcut[] {
-  const key = (keys: string, does: string, run: () => void): Shortcut => ({ keys, does, group: 'Show', match: [keys.toLowerCase()], run });
+  const key = (keys: string, does: string, run: () => void): Shortcut => ({
+    keys,
+    does,
+    group: 'Show',
+    match: [keys.toLowerCase()],
+    run,
+  });
   return [
     key('M', 'mesh', () => actions.toggleLayer('mesh')),
     key('L', 'places', () => actions.toggleLayer('places')),
@@ -78,5 +149,11 @@ function showKeys(actions: StudioActions): Shortcut[] {
 }
 
 export function studioShortcuts(actions: StudioActions, tools: KeyTools): Shortcut[] {
-  return [...crowdKeys(tools), ...formationKeys(actions), ...timeKeys(actions), ...cameraKeys(actions, tools), ...showKeys(actions)];
+  return [
+    ...crowdKeys(tools),
+    ...formationKeys(actions),
+    ...timeKeys(actions),
+    ...cameraKeys(actions, tools),
+    ...showKeys(actions),
+  ];
 }

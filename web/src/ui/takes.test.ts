@@ -4,7 +4,9 @@ import { openTake, takeName } from './takes';
 afterEach(() => vi.unstubAllGlobals());
 
 it('names takes after scenario and time', () => {
-  expect(takeName('Three paths!', new Date(Date.UTC(2026, 10, 21, 5, 30, 7)))).toBe('three-paths-2026-11-21-05-30-07.take');
+  expect(takeName('Three paths!', new Date(Date.UTC(2026, 10, 21, 5, 30, 7)))).toBe(
+    'three-paths-2026-11-21-05-30-07.take',
+  );
   expect(takeName('', new Date(0))).toMatch(/^take-1970/);
 });
 

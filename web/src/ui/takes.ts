@@ -2,7 +2,11 @@
 
 /** A file name for a take of this scenario. */
 export function takeName(scenario: string, now: Date): string {
-  const plain = scenario.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'take';
+  const plain =
+    scenario
+      .toLowerCase()
+      .replace(/[^a-z0-9]+/g, '-')
+      .replace(/^-|-$/g, '') || 'take';
   return `${plain}-${now.toISOString().slice(0, 19).replace(/[:T]/g, '-')}.take`;
 }
 
@@ -10,7 +14,10 @@ export function takeName(scenario: string, now: Date): string {
 export async function downloadTake(scenario: string): Promise<string | null> {
   try {
     const answer = await fetch('take');
-    if (!answer.ok) return answer.status === 404 ? 'There is no take yet: record one first.' : `The take could not be downloaded: ${answer.statusText}.`;
+    if (!answer.ok)
+      return answer.status === 404
+        ? 'There is no take yet: record one first.'
+        : `The take could not be downloaded: ${answer.statusText}.`;
     const url = URL.createObjectURL(await answer.blob());
     const link = document.createElement('a');
     link.href = url;
@@ -26,7 +33,11 @@ export async function downloadTake(scenario: string): Promise<string | null> {
 /** Null where it worked, else a sentence for the visitor. */
 export async function openTake(file: File): Promise<string | null> {
   try {
-    const answer = await fetch('take', { method: 'POST', body: file, headers: { 'Content-Type': 'application/octet-stream' } });
+    const answer = await fetch('take', {
+      method: 'POST',
+      body: file,
+      headers: { 'Content-Type': 'application/octet-stream' },
+    });
     if (answer.ok) return null;
     const reason = (await answer.text()).trim();
     return `“${file.name}” could not be opened: ${reason || answer.statusText}`;

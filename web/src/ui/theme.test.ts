@@ -9,7 +9,12 @@ beforeEach(() => {
   dark = false;
   changed = [];
   window.localStorage.clear();
-  window.matchMedia = (() => ({ get matches() { return dark; }, addEventListener: (_: string, tell: () => void) => changed.push(tell) })) as unknown as typeof window.matchMedia;
+  window.matchMedia = (() => ({
+    get matches() {
+      return dark;
+    },
+    addEventListener: (_: string, tell: () => void) => changed.push(tell),
+  })) as unknown as typeof window.matchMedia;
 });
 
 it('follows the system until the visitor chooses', () => {

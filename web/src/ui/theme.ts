@@ -1,8 +1,7 @@
 // Light or dark: the visitor's choice, else the system's.
+import type { Theme } from '../model/view_settings';
 
-import type { Theme } from './studio_state';
-
-const KEY = 'muster.theme';
+const kKey = 'muster.theme';
 
 /** Storage may be forbidden; then choices last as long as the page. */
 export function readSetting(storage: () => Storage, key: string): string | null {
@@ -22,7 +21,7 @@ export function writeSetting(storage: () => Storage, key: string, value: string)
 }
 
 export function preferredTheme(page: Window): Theme {
-  const chosen = readSetting(() => page.localStorage, KEY);
+  const chosen = readSetting(() => page.localStorage, kKey);
   if (chosen === 'light' || chosen === 'dark') return chosen;
   return page.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 }
@@ -30,15 +29,17 @@ export function preferredTheme(page: Window): Theme {
 /** Tells when the system changes between light and dark and the visitor has chosen none of them. */
 export function followSystemTheme(page: Window, changed: (theme: Theme) => void): void {
   page.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
-    if (readSetting(() => page.localStorage, KEY) === null) changed(preferredTheme(page));
+    if (readSetting(() => page.localStorage, kKey) === null) changed(preferredTheme(page));
   });
 }
 
 export function applyTheme(page: Window, theme: Theme): void {
   page.document.documentElement.dataset['theme'] = theme;
-  page.document.querySelector('meta[name="theme-color"]')?.setAttribute('content', theme === 'dark' ? '#21262C' : '#E6E1D9');
+  page.document
+    .querySelector('meta[name="theme-color"]')
+    ?.setAttribute('content', theme === 'dark' ? '#21262C' : '#E6E1D9');
 }
 
 export function rememberTheme(page: Window, theme: Theme): void {
-  writeSetting(() => page.localStorage, KEY, theme);
+  writeSetting(() => page.localStorage, kKey, theme);
 }

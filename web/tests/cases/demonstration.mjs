@@ -5,7 +5,7 @@ import { layout } from './look.mjs';
 
 const kName = 'paper/x04-woodland';
 
-const watchButton = (studio) => studio.page.locator('.transport .watch');
+const watchButton = (studio) => studio.page.locator('.playback .watch');
 
 async function tap(studio, locator) {
   const box = await locator.boundingBox();
@@ -33,15 +33,24 @@ async function scrollTo(studio, item) {
 async function chooseByTouch(studio) {
   await tap(studio, studio.page.locator('.scenario-button'));
   const heading = studio.page.locator('.scenario-heading').first();
-  expect((await heading.textContent()) === 'The paper’s experiments', `a heading for the folder: ${await heading.textContent()}`);
+  expect(
+    (await heading.textContent()) === 'The paper’s experiments',
+    `a heading for the folder: ${await heading.textContent()}`,
+  );
   await studio.shot('scenario-groups');
-  const title = await studio.page.evaluate((name) => globalThis.__muster.state.scenarios.find((one) => one.name === name).title, kName);
+  const title = await studio.page.evaluate(
+    (name) => globalThis.__muster.state.scenarios.find((one) => one.name === name).title,
+    kName,
+  );
   const item = studio.page.locator('.scenario-item', { hasText: title });
   await scrollTo(studio, item);
   await studio.shot('scenario-groups-scrolled');
   await tap(studio, item);
   await studio.until('the chosen scenario', (wanted) => globalThis.__muster.state.scenario === wanted, kName);
-  await studio.until('its crowd', () => globalThis.__muster.frame.time < 3 && globalThis.__muster.frame.groups.length > 0);
+  await studio.until(
+    'its crowd',
+    () => globalThis.__muster.frame.time < 3 && globalThis.__muster.frame.groups.length > 0,
+  );
   await studio.fit();
 }
 
@@ -50,25 +59,42 @@ export async function demonstration(studio) {
   expect((await watchButton(studio).getAttribute('aria-pressed')) === 'false', 'nothing runs at first');
   const before = await studio.frame();
   await tap(studio, watchButton(studio));
-  await studio.until('the pressed button', () => document.querySelector('.watch').getAttribute('aria-pressed') === 'true');
-  await studio.until('the spoken word', () => /demonstration is running/.test(document.querySelector('[role="status"].unseen').textContent));
-  await studio.until('controls under fingers', () => globalThis.__muster.frame.groups[0].controls.some((control) => control.points.some((point) => point.down)));
+  await studio.until(
+    'the pressed button',
+    () => document.querySelector('.watch').getAttribute('aria-pressed') === 'true',
+  );
+  await studio.until('the spoken word', () =>
+    /demonstration is running/.test(document.querySelector('[role="status"].unseen').textContent),
+  );
+  await studio.until('controls under fingers', () =>
+    globalThis.__muster.frame.groups[0].controls.some((control) => control.points.some((point) => point.down)),
+  );
   const held = await studio.frame();
-  expect(held.groups[0].controls.every((control) => control.client !== held.me), 'the controls are not ours');
+  expect(
+    held.groups[0].controls.every((control) => control.client !== held.me),
+    'the controls are not ours',
+  );
   await studio.until('marks at the handles', marked);
   await studio.wait(1200);
   await studio.shot('watching');
   await layout(studio);
-  await studio.until('half of the crowd to move', (start) => {
-    const { frame } = globalThis.__muster;
-    const walked = start.filter(({ x, y }, i) => Math.hypot(frame.x[i] - x, frame.y[i] - y) > 1);
-    return walked.length > start.length / 2;
-  }, crowd(before), 30000);
+  await studio.until(
+    'half of the crowd to move',
+    (start) => {
+      const { frame } = globalThis.__muster;
+      const walked = start.filter(({ x, y }, i) => Math.hypot(frame.x[i] - x, frame.y[i] - y) > 1);
+      return walked.length > start.length / 2;
+    },
+    crowd(before),
+    30000,
+  );
   await staysInView(studio);
   await tap(studio, watchButton(studio));
   await studio.until('the plain start', () => {
     const { frame } = globalThis.__muster;
-    return frame.groups[0].controls.length === 0 && document.querySelector('.watch').getAttribute('aria-pressed') === 'false';
+    return (
+      frame.groups[0].controls.length === 0 && document.querySelector('.watch').getAttribute('aria-pressed') === 'false'
+    );
   });
   await studio.wait(600);
   const after = crowd(await studio.frame());
@@ -104,9 +130,11 @@ function marked() {
   if (canvas.hidden || box.width === 0) return false;
   const ratio = canvas.width / box.width;
   const pen = canvas.getContext('2d');
-  return frame.groups[0].controls.flatMap((control) => [...control.points]).every((point) => {
-    const at = view.worldToScreen({ x: point.x, y: point.y });
-    const { data } = pen.getImageData((at.x - box.left) * ratio - 8, (at.y - box.top) * ratio - 8, 16, 16);
-    return data.some((value, i) => i % 4 === 3 && value > 0);
-  });
+  return frame.groups[0].controls
+    .flatMap((control) => [...control.points])
+    .every((point) => {
+      const at = view.worldToScreen({ x: point.x, y: point.y });
+      const { data } = pen.getImageData((at.x - box.left) * ratio - 8, (at.y - box.top) * ratio - 8, 16, 16);
+      return data.some((value, i) => i % 4 === 3 && value > 0);
+    });
 }

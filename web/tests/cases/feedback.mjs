@@ -4,16 +4,19 @@ import { distance, extreme, points, shifted } from '../support/geometry.mjs';
 
 /** Pixels of the canvas of marks that are painted near a spot on the screen. */
 function painted(studio, at, reach = 14) {
-  return studio.page.evaluate(([{ x, y }, half]) => {
-    const canvas = document.querySelector('canvas.marks');
-    if (canvas.hidden) return 0;
-    const bounds = canvas.getBoundingClientRect();
-    const ratio = canvas.width / bounds.width;
-    const at = (from, to) => Math.round((from - to - half) * ratio);
-    const size = Math.round(2 * half * ratio);
-    const { data } = canvas.getContext('2d').getImageData(at(x, bounds.left), at(y, bounds.top), size, size);
-    return data.filter((value, i) => i % 4 === 3 && value > 0).length;
-  }, [at, reach]);
+  return studio.page.evaluate(
+    ([{ x, y }, half]) => {
+      const canvas = document.querySelector('canvas.marks');
+      if (canvas.hidden) return 0;
+      const bounds = canvas.getBoundingClientRect();
+      const ratio = canvas.width / bounds.width;
+      const at = (from, to) => Math.round((from - to - half) * ratio);
+      const size = Math.round(2 * half * ratio);
+      const { data } = canvas.getContext('2d').getImageData(at(x, bounds.left), at(y, bounds.top), size, size);
+      return data.filter((value, i) => i % 4 === 3 && value > 0).length;
+    },
+    [at, reach],
+  );
 }
 
 /** While the world is paused, what fingers draw is seen until a step takes it; and nothing stays that should fade. */
@@ -45,7 +48,10 @@ export async function paused(studio) {
   await studio.until('the step', (n) => globalThis.__muster.frame.step === n + 1, step);
   await studio.wait(150);
   const taken = (await studio.frame()).groups[0].controls[0];
-  expect(taken.points[0].path.length >= 8, `the step took the whole path: ${taken.points[0].path.length / 2} checkpoints`);
+  expect(
+    taken.points[0].path.length >= 8,
+    `the step took the whole path: ${taken.points[0].path.length / 2} checkpoints`,
+  );
   await studio.shot('paused-step');
   await studio.page.keyboard.press('Space');
 }
@@ -53,9 +59,14 @@ export async function paused(studio) {
 /** A refused touch says what and where, and the place can be looked at. */
 export async function refused(studio) {
   const place = { x: 18, y: 14 };
-  await studio.page.evaluate(() => globalThis.__muster.view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, 2));
+  await studio.page.evaluate(() =>
+    globalThis.__muster.view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, 2),
+  );
   await studio.wait(200);
-  await studio.send({ type: 'Touches', events: [{ phase: 0, touch: 9001, ...place, time: performance.now() / 1000, group: 0 }] });
+  await studio.send({
+    type: 'Touches',
+    events: [{ phase: 0, touch: 9001, ...place, time: performance.now() / 1000, group: 0 }],
+  });
   const notice = studio.page.locator('.notice');
   await notice.waitFor();
   const words = await notice.textContent();
@@ -66,7 +77,10 @@ export async function refused(studio) {
   await studio.wait(800);
   const [at] = await studio.screen([place]);
   const { width, height } = studio.page.viewportSize();
-  expect(distance(at, { x: width / 2, y: height / 2 }) < 0.3 * Math.min(width, height), `the camera went there: ${JSON.stringify(at)}`);
+  expect(
+    distance(at, { x: width / 2, y: height / 2 }) < 0.3 * Math.min(width, height),
+    `the camera went there: ${JSON.stringify(at)}`,
+  );
   await notice.locator('.notice-close').click();
   expect(!(await notice.isVisible()), 'it can be closed');
 }

@@ -7,9 +7,17 @@ const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/
 
 async function serious(studio, state) {
   await studio.page.evaluate(axeSource);
-  const { violations } = await studio.page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+  const { violations } = await studio.page.evaluate(() =>
+    globalThis.axe.run(document, { resultTypes: ['violations'] }),
+  );
   const bad = violations.filter((one) => one.impact === 'serious' || one.impact === 'critical');
-  const told = bad.map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(' ')).slice(0, 3).join(', ')}`);
+  const told = bad.map(
+    (one) =>
+      `${one.id}: ${one.nodes
+        .map((node) => node.target.join(' '))
+        .slice(0, 3)
+        .join(', ')}`,
+  );
   expect(bad.length === 0, `axe finds in the ${state}: ${told.join('; ')}`);
 }
 
@@ -19,7 +27,11 @@ async function tabStops(studio) {
   const stops = [];
   for (let i = 0; i < 24; ++i) {
     await studio.page.keyboard.press('Tab');
-    stops.push(await studio.page.evaluate(() => document.activeElement.closest('[role="toolbar"]')?.ariaLabel ?? document.activeElement.ariaLabel));
+    stops.push(
+      await studio.page.evaluate(
+        () => document.activeElement.closest('[role="toolbar"]')?.ariaLabel ?? document.activeElement.ariaLabel,
+      ),
+    );
   }
   return stops;
 }
@@ -50,23 +62,39 @@ export async function layout(studio) {
   await studio.shot('layout');
   const found = await studio.page.evaluate(() => {
     const visible = (node) => node.getClientRects().length > 0 && getComputedStyle(node).visibility === 'visible';
-    const boxes = [...document.querySelectorAll('#ui button')].filter(visible).map((node) => ({ name: node.ariaLabel ?? node.textContent, box: node.getBoundingClientRect() }));
+    const boxes = [...document.querySelectorAll('#ui button')]
+      .filter(visible)
+      .map((node) => ({ name: node.ariaLabel ?? node.textContent, box: node.getBoundingClientRect() }));
     const small = boxes.filter(({ box }) => box.width < 43.9 || box.height < 43.9).map(({ name }) => name);
-    const panels = [...document.querySelectorAll('#ui .panel, #ui .sheet')].filter(visible)
+    const panels = [...document.querySelectorAll('#ui .panel, #ui .sheet')]
+      .filter(visible)
       .filter((node) => getComputedStyle(node).position !== 'static' && node.parentElement.closest('.panel') === null)
       .map((node) => ({ name: node.className, box: node.getBoundingClientRect() }));
-    const outside = panels.filter(({ box }) => box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5).map(({ name }) => name);
+    const outside = panels
+      .filter(
+        ({ box }) => box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5,
+      )
+      .map(({ name }) => name);
     const overlaps = [];
-    panels.forEach((a, i) => panels.slice(i + 1).forEach((b) => {
-      const apart = a.box.right <= b.box.left || b.box.right <= a.box.left || a.box.bottom <= b.box.top || b.box.bottom <= a.box.top;
-      if (!apart) overlaps.push(`${a.name} / ${b.name}`);
-    }));
-    const transport = [...document.querySelectorAll('.transport button')].filter(visible).filter((node) => !node.closest('.take-list'))
-      .filter((node) => Math.min(node.getBoundingClientRect().width, node.getBoundingClientRect().height) < 47.9).map((node) => node.ariaLabel);
+    panels.forEach((a, i) =>
+      panels.slice(i + 1).forEach((b) => {
+        const apart =
+          a.box.right <= b.box.left ||
+          b.box.right <= a.box.left ||
+          a.box.bottom <= b.box.top ||
+          b.box.bottom <= a.box.top;
+        if (!apart) overlaps.push(`${a.name} / ${b.name}`);
+      }),
+    );
+    const transport = [...document.querySelectorAll('.playback button')]
+      .filter(visible)
+      .filter((node) => !node.closest('.take-list'))
+      .filter((node) => Math.min(node.getBoundingClientRect().width, node.getBoundingClientRect().height) < 47.9)
+      .map((node) => node.ariaLabel);
     return { transport, small, outside, overlaps, scroll: document.documentElement.scrollWidth - innerWidth };
   });
   expect(found.small.length === 0, `targets under 44 px: ${found.small.join(', ')}`);
-  expect(found.transport.length === 0, `buttons of the transport under 48 px: ${found.transport.join(', ')}`);
+  expect(found.playback.length === 0, `buttons of the transport under 48 px: ${found.playback.join(', ')}`);
   expect(found.outside.length === 0, `panels beyond the window: ${found.outside.join(', ')}`);
   expect(found.overlaps.length === 0, `panels over each other: ${found.overlaps.join(', ')}`);
   expect(found.scroll <= 0, `the page scrolls sideways by ${found.scroll} px`);

@@ -20,10 +20,17 @@ export async function mousePoint(studio) {
   const corner = extreme(vertices(await studio.frame()), 1, 0);
   const target = shifted(corner, 4, 1);
   await drag(studio, corner, target);
-  await studio.until('the mesh to follow', ([x, y]) => {
-    const v = globalThis.__muster.frame.groups[0].vertices;
-    return Array.from({ length: v.length / 2 }, (_, i) => Math.hypot(v[2 * i] - x, v[2 * i + 1] - y)).some((d) => d < 0.8);
-  }, [target.x, target.y], 30000);
+  await studio.until(
+    'the mesh to follow',
+    ([x, y]) => {
+      const v = globalThis.__muster.frame.groups[0].vertices;
+      return Array.from({ length: v.length / 2 }, (_, i) => Math.hypot(v[2 * i] - x, v[2 * i + 1] - y)).some(
+        (d) => d < 0.8,
+      );
+    },
+    [target.x, target.y],
+    30000,
+  );
   await studio.shot('mouse-point');
 }
 
@@ -34,16 +41,26 @@ export async function mouseLine(studio) {
   await studio.until('a line', () => globalThis.__muster.frame.groups[0].controls.some((one) => one.kind === 1));
   const [line] = controls(await studio.frame());
   await drag(studio, line.points[0], shifted(line.points[0], 3, 1));
-  await studio.until('its end to move', ([x, y]) => {
-    const p = globalThis.__muster.frame.groups[0].controls[0]?.points[0];
-    return p && Math.hypot(p.x - x, p.y - y) > 2;
-  }, [line.points[0].x, line.points[0].y], 30000);
+  await studio.until(
+    'its end to move',
+    ([x, y]) => {
+      const p = globalThis.__muster.frame.groups[0].controls[0]?.points[0];
+      return p && Math.hypot(p.x - x, p.y - y) > 2;
+    },
+    [line.points[0].x, line.points[0].y],
+    30000,
+  );
   const still = controls(await studio.frame())[0].points[1];
   expect(distance(still, line.points[1]) < 0.8, 'the other end stays');
   await studio.shot('mouse-line');
   const bar = mean(controls(await studio.frame())[0].points);
   await drag(studio, bar, shifted(bar, 2, 0));
-  await studio.until('both ends to move', ([x]) => globalThis.__muster.frame.groups[0].controls[0]?.points[1].x > x + 1, [still.x], 30000);
+  await studio.until(
+    'both ends to move',
+    ([x]) => globalThis.__muster.frame.groups[0].controls[0]?.points[1].x > x + 1,
+    [still.x],
+    30000,
+  );
   await studio.page.keyboard.press('p');
   await studio.until('the pin', () => globalThis.__muster.frame.groups[0].controls[0]?.pinned === true);
   await studio.page.keyboard.press('Delete');
@@ -68,10 +85,15 @@ export async function mouseArea(studio) {
   const area = controls(await studio.frame())[0];
   expectBetween(area.points.length, 3, 6, 'corners of the area');
   await drag(studio, middle, shifted(middle, 4, 0));
-  await studio.until('the mesh to be carried', (x) => {
-    const v = globalThis.__muster.frame.groups[0].vertices;
-    return v.reduce((s, one, i) => (i % 2 ? s : s + one), 0) / (v.length / 2) > x + 2.5;
-  }, middle.x, 30000);
+  await studio.until(
+    'the mesh to be carried',
+    (x) => {
+      const v = globalThis.__muster.frame.groups[0].vertices;
+      return v.reduce((s, one, i) => (i % 2 ? s : s + one), 0) / (v.length / 2) > x + 2.5;
+    },
+    middle.x,
+    30000,
+  );
   await studio.shot('mouse-area');
   await studio.page.keyboard.press('Escape');
   await studio.until('the end of it', () => globalThis.__muster.frame.groups[0].controls.length === 0);
@@ -105,17 +127,20 @@ export async function mousePin(studio) {
   const corner = extreme(vertices(await studio.frame()), 1, 0);
   const [at] = await studio.screen([corner]);
   await studio.page.mouse.dblclick(at.x, at.y);
-  await studio.until('a pinned point', () => globalThis.__muster.frame.groups[0].controls.some((one) => one.pinned && one.kind === 0));
+  await studio.until('a pinned point', () =>
+    globalThis.__muster.frame.groups[0].controls.some((one) => one.pinned && one.kind === 0),
+  );
   await studio.shot('mouse-pin');
   await studio.page.mouse.dblclick(at.x, at.y);
   await studio.until('the pin to go', () => globalThis.__muster.frame.groups[0].controls.length === 0);
 }
 
 export async function mouseCamera(studio) {
-  const look = () => studio.page.evaluate(() => {
-    const { view } = globalThis.__muster;
-    return { zoom: view.pixelsPerMetre(), ...view.worldToScreen({ x: 0, y: 0 }) };
-  });
+  const look = () =>
+    studio.page.evaluate(() => {
+      const { view } = globalThis.__muster;
+      return { zoom: view.pixelsPerMetre(), ...view.worldToScreen({ x: 0, y: 0 }) };
+    });
   const { mouse } = studio.page;
   const { width, height } = studio.page.viewportSize();
   const before = await look();
@@ -141,19 +166,29 @@ export async function keyboardOnly(studio) {
   await page.locator('#scene').focus();
   const start = mean(vertices(await studio.frame()));
   await keyboard.press('Enter');
-  await studio.until('the area in hand', () => globalThis.__muster.frame.groups[0].controls.some((one) => one.kind === 2));
+  await studio.until('the area in hand', () =>
+    globalThis.__muster.frame.groups[0].controls.some((one) => one.kind === 2),
+  );
   for (let i = 0; i < 10; ++i) await keyboard.press('ArrowRight');
-  await studio.until('the mesh to move', ([x, y]) => {
-    const v = globalThis.__muster.frame.groups[0].vertices;
-    let sx = 0;
-    let sy = 0;
-    for (let i = 0; i < v.length; i += 2) [sx, sy] = [sx + v[i], sy + v[i + 1]];
-    return Math.hypot(sx / (v.length / 2) - x, sy / (v.length / 2) - y) > 3;
-  }, [start.x, start.y], 30000);
+  await studio.until(
+    'the mesh to move',
+    ([x, y]) => {
+      const v = globalThis.__muster.frame.groups[0].vertices;
+      let sx = 0;
+      let sy = 0;
+      for (let i = 0; i < v.length; i += 2) [sx, sy] = [sx + v[i], sy + v[i + 1]];
+      return Math.hypot(sx / (v.length / 2) - x, sy / (v.length / 2) - y) > 3;
+    },
+    [start.x, start.y],
+    30000,
+  );
   await keyboard.press('Enter');
   await studio.shot('keyboard');
   await keyboard.press('4');
-  await studio.until('the wedge', () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Wedge');
+  await studio.until(
+    'the wedge',
+    () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Wedge',
+  );
   await keyboard.press('Space');
   await studio.until('the pause', () => globalThis.__muster.frame.playing === false);
   await studio.wait(200);

@@ -15,7 +15,10 @@ async function show(studio, label, title) {
   await button(studio, label).click();
   await untilPainted(studio);
   expect((await button(studio, label).getAttribute('aria-pressed')) === 'true', `${label} is pressed`);
-  expect((await legend(studio).locator('h2').textContent()) === title, `the legend tells of it: ${await legend(studio).textContent()}`);
+  expect(
+    (await legend(studio).locator('h2').textContent()) === title,
+    `the legend tells of it: ${await legend(studio).textContent()}`,
+  );
   await studio.shot(`overlay-${label.toLowerCase()}`);
 }
 
@@ -38,7 +41,10 @@ export async function overlays(studio) {
   expect((await button(studio, 'Field').getAttribute('aria-pressed')) === 'false', 'one overlay at a time');
   await button(studio, 'Cost').click();
   await studio.until('the question who', () => /Tap a character/.test(document.querySelector('.legend').textContent));
-  expect(await studio.page.evaluate(() => globalThis.__muster.view.fieldScale === null), 'no field before somebody is chosen');
+  expect(
+    await studio.page.evaluate(() => globalThis.__muster.view.fieldScale === null),
+    'no field before somebody is chosen',
+  );
   const { x, y } = await frontCharacter(studio);
   await studio.fingers.down({ 1: { x, y } });
   await studio.wait(60);
@@ -47,9 +53,15 @@ export async function overlays(studio) {
   await untilPainted(studio);
   await studio.shot('overlay-cost');
   const words = await legend(studio).textContent();
-  expect(/Character \d+/.test(words) && /Way to walk\s*\d+\.\d m/.test(words), `the legend gives the figures: ${words}`);
+  expect(
+    /Character \d+/.test(words) && /Way to walk\s*\d+\.\d m/.test(words),
+    `the legend gives the figures: ${words}`,
+  );
   const { chosen, cost } = await studio.page.evaluate(() => globalThis.__muster.state);
-  expect(cost.way >= cost.straight - 0.3, `the way of ${chosen} is no shorter than the straight line: ${cost.way}, ${cost.straight}`);
+  expect(
+    cost.way >= cost.straight - 0.3,
+    `the way of ${chosen} is no shorter than the straight line: ${cost.way}, ${cost.straight}`,
+  );
   const draws = await studio.page.evaluate(() => globalThis.__muster.view.stats.drawCalls);
   expect(draws <= 60, `${draws} draws, at most 60 allowed`);
   await button(studio, 'Cost').click();
@@ -66,22 +78,40 @@ export async function overlayAfterLoss(studio, server) {
   await studio.until('the banner', () => document.documentElement.hasAttribute('data-lost'));
   await studio.wait(300);
   await studio.shot('lost-with-notice');
-  const [lost, notice] = await studio.page.evaluate(() => [...document.querySelectorAll('.banners > .banner')].map((one) => one.getBoundingClientRect().toJSON()));
+  const [lost, notice] = await studio.page.evaluate(() =>
+    [...document.querySelectorAll('.banners > .banner')].map((one) => one.getBoundingClientRect().toJSON()),
+  );
   expect(lost.height > 0 && notice.height > 0 && notice.top >= lost.bottom, 'the message stands below the banner');
-  const inert = await studio.page.evaluate(() => ['.play', '.formation', '.scenario-button', '.theme-button', '.help-button'].map((one) => document.querySelector(one).closest('[inert]') !== null));
+  const inert = await studio.page.evaluate(() =>
+    ['.play', '.formation', '.scenario-button', '.theme-button', '.help-button'].map(
+      (one) => document.querySelector(one).closest('[inert]') !== null,
+    ),
+  );
   expect(inert.join() === 'true,true,true,false,false', `what would do nothing is inert: ${inert}`);
   const again = await startStudio({ scenario: server.scenario, port: server.port });
   try {
-    await studio.page.locator('.banner', { hasText: 'Try now' }).locator('button', { hasText: 'Try now' }).click({ timeout: 1500 }).catch(() => undefined);
-    await studio.until('the connection', () => globalThis.__muster.connected && !document.documentElement.hasAttribute('data-lost'), null, 20000);
-    const painted = await studio.page.evaluate(() => new Promise((resolve) => {
-      const timer = setTimeout(() => resolve(false), 5000);
-      const end = globalThis.__muster.client.on('overlay', ({ kind }) => {
-        clearTimeout(timer);
-        end();
-        resolve(kind === 3);
-      });
-    }));
+    await studio.page
+      .locator('.banner', { hasText: 'Try now' })
+      .locator('button', { hasText: 'Try now' })
+      .click({ timeout: 1500 })
+      .catch(() => undefined);
+    await studio.until(
+      'the connection',
+      () => globalThis.__muster.connected && !document.documentElement.hasAttribute('data-lost'),
+      null,
+      20000,
+    );
+    const painted = await studio.page.evaluate(
+      () =>
+        new Promise((resolve) => {
+          const timer = setTimeout(() => resolve(false), 5000);
+          const end = globalThis.__muster.client.on('overlay', ({ kind }) => {
+            clearTimeout(timer);
+            end();
+            resolve(kind === 3);
+          });
+        }),
+    );
     expect(painted, 'the new server paints the density again');
   } finally {
     await again.stop();

@@ -19,7 +19,12 @@ async function blueShare(studio) {
     const { frame, view } = globalThis.__muster;
     const at = Array.from(frame.x, (x, i) => view.worldToScreen({ x, y: frame.y[i] }));
     const [x, y] = [at.map((p) => p.x), at.map((p) => p.y)];
-    return { x: Math.min(...x), y: Math.min(...y) - 20, width: Math.max(...x) - Math.min(...x), height: Math.max(...y) - Math.min(...y) };
+    return {
+      x: Math.min(...x),
+      y: Math.min(...y) - 20,
+      width: Math.max(...x) - Math.min(...x),
+      height: Math.max(...y) - Math.min(...y),
+    };
   });
   const png = (await studio.page.screenshot({ clip: box })).toString('base64');
   return studio.page.evaluate(async (data) => {
@@ -40,12 +45,17 @@ async function hideMarks(studio) {
 }
 
 async function expectPeople(studio, what) {
-  await studio.until('bodies from the server', () => globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'));
+  await studio.until('bodies from the server', () =>
+    globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'),
+  );
   await hideMarks(studio);
   const bodies = await drawn(studio);
   console.log(`measured: ${what}: ${bodies.map((one) => `${one.body} ${one.near} near, ${one.far} far`).join('; ')}`);
   expect(sum(bodies, 'near') + sum(bodies, 'far') === 100, `all hundred are drawn: ${JSON.stringify(bodies)}`);
-  expect(bodies.length === 2 && bodies.every((one) => one.near + one.far > 25), `two bodies share the crowd: ${JSON.stringify(bodies)}`);
+  expect(
+    bodies.length === 2 && bodies.every((one) => one.near + one.far > 25),
+    `two bodies share the crowd: ${JSON.stringify(bodies)}`,
+  );
   const share = await blueShare(studio);
   console.log(`measured: ${what}: ${(100 * share).toFixed(1)} % of the crowd's box is blue`);
   expectBetween(share, 0.02, 0.5, 'shirts in the picture');
@@ -59,12 +69,16 @@ export async function appear(studio) {
   expect(sum(bodies, 'near') === 100, 'seen from here all are fine');
   await studio.until('whole poses', () => globalThis.__muster.frame.near.length === 100);
   const before = await stats(studio);
-  await studio.page.evaluate(() => globalThis.__muster.view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, 0.3));
+  await studio.page.evaluate(() =>
+    globalThis.__muster.view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, 0.3),
+  );
   await studio.wait(900);
   const far = await drawn(studio);
   expect(sum(far, 'far') === 100, `from afar all are coarse: ${JSON.stringify(far)}`);
   const after = await stats(studio);
-  console.log(`measured: a hundred near: ${before.drawCalls} draws, ${before.triangles} triangles; far: ${after.drawCalls} draws, ${after.triangles} triangles`);
+  console.log(
+    `measured: a hundred near: ${before.drawCalls} draws, ${before.triangles} triangles; far: ${after.drawCalls} draws, ${after.triangles} triangles`,
+  );
   // Per body a draw and one into the shadow map fewer.
   expectBetween(before.drawCalls - after.drawCalls, 1, 4, 'draws that the fine ones take more');
   expect(after.triangles < 0.4 * before.triangles, 'coarse bodies have fewer triangles');
@@ -90,11 +104,16 @@ export async function motions(studio) {
   await studio.send({ type: 'SetSpeed', factor: 8 });
   const seen = new Set();
   for (const motion of ['climb', 'crawl', 'swim']) {
-    await studio.until(`somebody who plays ${motion}`, (name) => {
-      const { frame, view } = globalThis.__muster;
-      const clip = view.people.clips.indexOf(name);
-      return frame.clip.some((one) => one === clip);
-    }, motion, 90000);
+    await studio.until(
+      `somebody who plays ${motion}`,
+      (name) => {
+        const { frame, view } = globalThis.__muster;
+        const clip = view.people.clips.indexOf(name);
+        return frame.clip.some((one) => one === clip);
+      },
+      motion,
+      90000,
+    );
     for (const clip of await studio.page.evaluate(playing)) seen.add(clip);
     await studio.shot(`motion-${motion}`);
   }
@@ -103,39 +122,55 @@ export async function motions(studio) {
 }
 
 const choose = (studio, name, buffer) =>
-  studio.page.locator('input[aria-label="Open a character"]').setInputFiles({ name, mimeType: 'model/gltf-binary', buffer });
+  studio.page
+    .locator('input[aria-label="Open a character"]')
+    .setInputFiles({ name, mimeType: 'model/gltf-binary', buffer });
 const notice = (studio) => studio.page.locator('.banner.notice strong').textContent();
 
 export async function ownCharacter(studio) {
   const mixamo = (name) => `mixamorig:${name.replace('Chest', 'Spine2')}`;
   await choose(studio, 'robot.glb', madeCharacter({ rename: mixamo, unit: 100, clip: 'Armature|Run' }));
-  await studio.until('everybody to be it', () => globalThis.__muster.view.people.drawn.every((one) => one.body === 'robot.glb' && one.near + one.far > 0));
+  await studio.until('everybody to be it', () =>
+    globalThis.__muster.view.people.drawn.every((one) => one.body === 'robot.glb' && one.near + one.far > 0),
+  );
   expect(/robot\.glb now, with run of its own/.test(await notice(studio)), `it is told: ${await notice(studio)}`);
   await studio.shot('own-character');
   await choose(studio, 'painted.glb', madeCharacter({ picture: true }));
-  await studio.until('one with a picture', () => globalThis.__muster.view.people.drawn.every((one) => one.body === 'painted.glb' && one.near + one.far > 0));
+  await studio.until('one with a picture', () =>
+    globalThis.__muster.view.people.drawn.every((one) => one.body === 'painted.glb' && one.near + one.far > 0),
+  );
   await studio.wait(600);
   await choose(studio, 'legless.glb', madeCharacter({ rename: (name) => (name === 'LeftLeg' ? null : name) }));
-  await studio.until('what is missing', () => /no joint for the left knee/.test(document.querySelector('.banner.notice strong').textContent));
+  await studio.until('what is missing', () =>
+    /no joint for the left knee/.test(document.querySelector('.banner.notice strong').textContent),
+  );
   expect((await drawn(studio))[0].body === 'painted.glb', 'the one before stays');
-  await studio.page.evaluate(() => [...document.querySelectorAll('.menu-item')].find((one) => one.textContent === 'Our people').click());
-  await studio.until('our people', () => globalThis.__muster.view.people.drawn.every((one) => one.body !== 'painted.glb'));
+  await studio.page.evaluate(() =>
+    [...document.querySelectorAll('.menu-item')].find((one) => one.textContent === 'Our people').click(),
+  );
+  await studio.until('our people', () =>
+    globalThis.__muster.view.people.drawn.every((one) => one.body !== 'painted.glb'),
+  );
 }
 
 /** Page time of pictures [ms], while everybody runs. */
 async function pageTimes(studio, pictures) {
-  return studio.page.evaluate((count) => new Promise((done) => {
-    const { stats } = globalThis.__muster.view;
-    const times = [];
-    let last = stats.frames;
-    const look = () => {
-      if (stats.frames !== last) times.push(stats.frameMs);
-      last = stats.frames;
-      if (times.length >= count) done(times);
-      else requestAnimationFrame(look);
-    };
-    look();
-  }), pictures);
+  return studio.page.evaluate(
+    (count) =>
+      new Promise((done) => {
+        const { stats } = globalThis.__muster.view;
+        const times = [];
+        let last = stats.pictures;
+        const look = () => {
+          if (stats.pictures !== last) times.push(stats.pictureMs);
+          last = stats.pictures;
+          if (times.length >= count) done(times);
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+    pictures,
+  );
 }
 
 /** The quietest of some rounds: without a GPU simulation and drawing share the page's processor. */
@@ -153,31 +188,50 @@ async function expectBudget(studio, what, budget) {
   const times = await quietTimes(studio, budget.pageMs);
   const { drawCalls, triangles } = await stats(studio);
   const [half, most] = [percentile(times, 0.5), percentile(times, 0.95)];
-  console.log(`measured: ${what}: ${drawCalls} draws, ${triangles} triangles, page ${half.toFixed(2)} ms (p95 ${most.toFixed(2)} ms)`);
+  console.log(
+    `measured: ${what}: ${drawCalls} draws, ${triangles} triangles, page ${half.toFixed(2)} ms (p95 ${most.toFixed(2)} ms)`,
+  );
   expect(drawCalls <= budget.draws, `${drawCalls} draws, at most ${budget.draws}`);
   expect(triangles <= budget.triangles, `${triangles} triangles, at most ${budget.triangles}`);
   expect(half <= budget.pageMs, `the page takes ${half} ms for a picture, at most ${budget.pageMs}`);
 }
 
 export async function budgets(studio) {
-  await studio.until('bodies from the server', () => globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'));
+  await studio.until('bodies from the server', () =>
+    globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'),
+  );
   await studio.until('near ones', (most) => globalThis.__muster.frame.near.length === most, BUDGET.near);
   await studio.shot('thousand');
   await expectBudget(studio, `a thousand people, ${BUDGET.near} with whole poses`, BUDGET);
-  expect(/draws · .* triangles/.test(await studio.page.locator('.stats-readout').textContent()), 'the address shows the figures');
+  expect(
+    /draws · .* triangles/.test(await studio.page.locator('.stats-readout').textContent()),
+    'the address shows the figures',
+  );
 }
 
 /** Ten thousand who walk, from a server that makes them up: everybody is drawn, most of them tiny. */
 export async function budgetsOfMany(studio, server) {
-  await studio.until('bodies from the server', () => globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'));
-  await studio.until('settled levels', () => globalThis.__muster.view.people.drawn.reduce((sum, one) => sum + one.far, 0) <= 1600, undefined, 60000);
+  await studio.until('bodies from the server', () =>
+    globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'),
+  );
+  await studio.until(
+    'settled levels',
+    () => globalThis.__muster.view.people.drawn.reduce((sum, one) => sum + one.far, 0) <= 1600,
+    undefined,
+    60000,
+  );
   const bodies = await drawn(studio);
   const all = sum(bodies, 'near') + sum(bodies, 'far') + sum(bodies, 'tiny');
-  console.log(`measured: ten thousand people: ${sum(bodies, 'near')} near, ${sum(bodies, 'far')} far, ${sum(bodies, 'tiny')} tiny`);
+  console.log(
+    `measured: ten thousand people: ${sum(bodies, 'near')} near, ${sum(bodies, 'far')} far, ${sum(bodies, 'tiny')} tiny`,
+  );
   expect(all === 10000, `all are drawn: ${JSON.stringify(bodies)}`);
   const bytes = Math.max(...server.sizes()) / 10000;
   expectBetween(bytes, 4, 8, 'bytes of a frame for each');
   await studio.shot('ten-thousand');
-  expect(/^10\D?000/.test(await studio.page.locator('.figure-characters .value').textContent()), 'the readout counts them');
+  expect(
+    /^10\D?000/.test(await studio.page.locator('.figure-characters .value').textContent()),
+    'the readout counts them',
+  );
   await expectBudget(studio, `ten thousand people, 100 with whole poses, ${bytes.toFixed(2)} bytes each`, MANY);
 }

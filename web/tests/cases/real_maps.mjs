@@ -13,7 +13,7 @@ import { programPath, startStudio } from '../support/server.mjs';
 import { StudioPage } from '../support/studio_page.mjs';
 
 const maps = fileURLToPath(new URL('../../../../shared/maps/', import.meta.url));
-const pictures = process.env.MUSTER_PICTURES;  // A folder to write the pictures of the README to.
+const pictures = process.env.MUSTER_PICTURES; // A folder to write the pictures of the README to.
 const run = promisify(execFile);
 
 const MAPS = {
@@ -22,20 +22,42 @@ const MAPS = {
     rows: 256,
     credit: 'Map data from OpenStreetMap contributors (ODbL); grid from the Moving AI benchmark set, N. Sturtevant.',
     // Column and row of the map: out of the square, down a lane of 7 m, over a yard, through a gap of 7 m.
-    way: [[57, 92], [60.5, 108], [63.5, 117], [67, 123], [72, 132], [78, 145], [86, 156], [93.5, 160.5], [99.7, 165.5],
-      [107, 174.5], [116, 186], [123, 195]],
+    way: [
+      [57, 92],
+      [60.5, 108],
+      [63.5, 117],
+      [67, 123],
+      [72, 132],
+      [78, 145],
+      [86, 156],
+      [93.5, 160.5],
+      [99.7, 165.5],
+      [107, 174.5],
+      [116, 186],
+      [123, 195],
+    ],
   },
   lak303d: {
     file: 'lak303d.map',
     rows: 194,
     credit: 'Dragon Age: Origins, BioWare; grid from the Moving AI benchmark set, N. Sturtevant.',
     // Past the pillar, out of the hall by a door of 5 m, up the bent passage.
-    way: [[107, 166], [109, 152], [115, 145], [121, 142.5], [128, 138], [136, 131], [143, 122], [147, 112], [147, 102]],
+    way: [
+      [107, 166],
+      [109, 152],
+      [115, 145],
+      [121, 142.5],
+      [128, 138],
+      [136, 131],
+      [143, 122],
+      [147, 112],
+      [147, 102],
+    ],
   },
 };
-const STROKE = 34;  // Drawn at one go, at most [m].
-const PICTURED = 4;  // The stroke after which the picture is taken: across the yard, to the gap.
-const ZOOM = 11;    // While steering [px/m].
+const STROKE = 34; // Drawn at one go, at most [m].
+const PICTURED = 4; // The stroke after which the picture is taken: across the yard, to the gap.
+const ZOOM = 11; // While steering [px/m].
 
 /** The cases, or none and a line that says why. */
 export function cases() {
@@ -60,7 +82,18 @@ async function throughMap(first, name) {
   let studio = null;
   try {
     const scenario = join(folder, `${name}.json`);
-    await run(programPath(), ['import', maps + map.file, '-o', scenario, '--cell', '1', '--count', '100', '--credit', map.credit]);
+    await run(programPath(), [
+      'import',
+      maps + map.file,
+      '-o',
+      scenario,
+      '--cell',
+      '1',
+      '--count',
+      '100',
+      '--credit',
+      map.credit,
+    ]);
     expect(JSON.parse(readFileSync(scenario, 'utf8')).credit === map.credit, 'the scenario names whose data it uses');
     server = await startStudio({ scenario, port: 18180 });
     studio = await StudioPage.open(first.context.browser(), server.url, {});
@@ -94,7 +127,12 @@ async function steerAndRecord(studio, steering, take, name, server) {
     await studio.shot(`${name}-walked-${stroke}`);
   }
   await studio.send({ type: 'SetSpeed', factor: 4 });
-  await studio.until('the end of the last path', () => globalThis.__muster.frame.groups[0].controls.length === 0, null, 90000);
+  await studio.until(
+    'the end of the last path',
+    () => globalThis.__muster.frame.groups[0].controls.length === 0,
+    null,
+    90000,
+  );
   await studio.until('everybody on their places', everybodyThere, null, 90000);
   await studio.send({ type: 'SetSpeed', factor: 1 });
   await studio.wait(1200);
@@ -114,7 +152,8 @@ function everybodyThere() {
   const { frame } = globalThis.__muster;
   const place = frame.groups[0].places;
   return Array.from(frame.x).every((x, i) => {
-    for (let k = 0; k < place.length; k += 2) if (Math.hypot(place[k] - x, place[k + 1] - frame.y[i]) < 0.5) return true;
+    for (let k = 0; k < place.length; k += 2)
+      if (Math.hypot(place[k] - x, place[k + 1] - frame.y[i]) < 0.5) return true;
     return false;
   });
 }
@@ -125,7 +164,9 @@ async function judgeReplay(take, name) {
   expect(replayed.finished === true && replayed.torn_bytes === 0, `the take is whole: ${JSON.stringify(replayed)}`);
   const { stuck, unmatched, overlap_pairs_max: overlaps, step_ms: times } = replayed.figures;
   const step = `step p50 ${times.p50.toFixed(2)} ms, p95 ${times.p95.toFixed(2)} ms`;
-  console.log(`measured: ${name}, ${replayed.steps} steps, ${replayed.commands} commands, hash ${replayed.hash}, replay's ${step}`);
+  console.log(
+    `measured: ${name}, ${replayed.steps} steps, ${replayed.commands} commands, hash ${replayed.hash}, replay's ${step}`,
+  );
   expect(stuck === 0 && unmatched === 0, `nobody is stuck or without a place: ${stuck}, ${unmatched}`);
   expect(overlaps === 0, `nobody overlaps: ${overlaps} pairs`);
 }
@@ -149,7 +190,10 @@ class Steering {
   /** Pinches until streets are seen, and chooses the vertex to lead by: that in the middle. */
   async begin() {
     const { vertices, middle } = await this.crowdNow();
-    this.vertex = vertices.reduce((best, v, i) => (distance(v, middle) < distance(vertices[best], middle) ? i : best), 0);
+    this.vertex = vertices.reduce(
+      (best, v, i) => (distance(v, middle) < distance(vertices[best], middle) ? i : best),
+      0,
+    );
     for (let i = 0; i < 6 && (await this.zoom()) > ZOOM; ++i) await this.pinchTogether();
   }
 
@@ -170,7 +214,10 @@ class Steering {
     const { width, height } = this.studio.page.viewportSize();
     const spots = [];
     for (let x = 60; x < width; x += 40) for (let y = 60; y < height; y += 40) spots.push({ x, y });
-    const free = await this.studio.page.evaluate((list) => list.map(({ x, y }) => document.elementFromPoint(x, y)?.tagName === 'CANVAS'), spots);
+    const free = await this.studio.page.evaluate(
+      (list) => list.map(({ x, y }) => document.elementFromPoint(x, y)?.tagName === 'CANVAS'),
+      spots,
+    );
     const open = spots.filter((spot, i) => free[i] && mesh.every((v) => distance(v, spot) > 90));
     expect(open.length > 0, 'there is empty ground to put a finger on');
     return open.reduce((best, spot) => (distance(spot, wanted) < distance(best, wanted) ? spot : best));
@@ -223,7 +270,9 @@ class Steering {
     const held = (await this.crowdNow()).vertices[this.vertex];
     const [start, ...stops] = await this.studio.screen([held, ...stroke]);
     await this.studio.fingers.down({ 1: start });
-    await this.studio.until('the finger to hold', () => globalThis.__muster.frame.groups[0].controls.some((one) => one.points.some((p) => p.down)));
+    await this.studio.until('the finger to hold', () =>
+      globalThis.__muster.frame.groups[0].controls.some((one) => one.points.some((p) => p.down)),
+    );
     for (const stop of stops) await this.studio.fingers.move({ 1: stop }, { steps: 10, ms: 200 });
     await this.studio.fingers.up();
     this.end = at;
@@ -249,7 +298,7 @@ async function picture(studio, server, path) {
     await page.addInitScript(() => localStorage.setItem('muster.hint', 'seen'));
     await page.goto(`${server.url}?quality=full`);
     await page.waitForFunction(() => (globalThis.__muster?.frame?.groups.length ?? 0) > 0, null, { timeout: 60000 });
-    await page.waitForTimeout(16000);  // Tags fade; a software renderer is slow.
+    await page.waitForTimeout(16000); // Tags fade; a software renderer is slow.
     await page.screenshot({ path, timeout: 120000 });
   } finally {
     await context.close();

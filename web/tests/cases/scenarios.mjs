@@ -16,14 +16,27 @@ export async function scenarioPicker(studio) {
   const items = studio.page.locator('.scenario-item');
   await studio.page.locator('.scenario-button').click();
   expect((await items.count()) >= 6, `the list holds the scenarios: ${await items.count()}`);
-  const [name, count] = await Promise.all([items.nth(1).locator('.scenario-name').textContent(), items.nth(1).locator('.scenario-count').textContent()]);
+  const [name, count] = await Promise.all([
+    items.nth(1).locator('.scenario-name').textContent(),
+    items.nth(1).locator('.scenario-count').textContent(),
+  ]);
   await studio.shot('scenario-list');
   await studio.page.keyboard.press('Escape');
-  expect(await studio.page.evaluate(() => document.activeElement.classList.contains('scenario-button')), 'Escape gives the focus back');
+  expect(
+    await studio.page.evaluate(() => document.activeElement.classList.contains('scenario-button')),
+    'Escape gives the focus back',
+  );
   await choose(studio, items.nth(1));
-  await studio.until('the chosen scenario', (wanted) => document.querySelector('.scenario-button .title').textContent === wanted, name);
+  await studio.until(
+    'the chosen scenario',
+    (wanted) => document.querySelector('.scenario-button .title').textContent === wanted,
+    name,
+  );
   await studio.until('its crowd', (n) => globalThis.__muster.frame.x.length === n, Number(count));
-  expect(await studio.page.evaluate(() => document.activeElement.id === 'scene'), 'a choice by mouse gives the focus to the scene');
+  expect(
+    await studio.page.evaluate(() => document.activeElement.id === 'scene'),
+    'a choice by mouse gives the focus to the scene',
+  );
 }
 
 /** Every scenario that ships shows its crowd between the panels and keeps to the draws that the look allows. */
@@ -31,10 +44,14 @@ export async function everyScenario(studio) {
   const scenarios = await studio.page.evaluate(() => globalThis.__muster.state.scenarios);
   for (const { name, characters } of scenarios) {
     await studio.send({ type: 'LoadScenario', name });
-    await studio.until(`the scenario ${name}`, ([id, n]) => {
-      const { frame, state } = globalThis.__muster;
-      return state.scenario === id && frame.sceneRevision > 0 && frame.x.length === n;
-    }, [name, characters]);
+    await studio.until(
+      `the scenario ${name}`,
+      ([id, n]) => {
+        const { frame, state } = globalThis.__muster;
+        return state.scenario === id && frame.sceneRevision > 0 && frame.x.length === n;
+      },
+      [name, characters],
+    );
     await studio.wait(1200);
     await studio.shot(`scenario-${name.replace('/', '-')}`);
     const calls = await drawCalls(studio);
@@ -62,11 +79,15 @@ export async function growingCrowd(studio) {
   await studio.shot('growing-crowd');
   await studio.page.reload();
   const fresh = await drawn();
-  expect(Math.abs(grown - fresh) < 0.02 * fresh, `triangles after a smaller world: ${grown}, of a fresh page: ${fresh}`);
+  expect(
+    Math.abs(grown - fresh) < 0.02 * fresh,
+    `triangles after a smaller world: ${grown}, of a fresh page: ${fresh}`,
+  );
 }
 
 const verticesOf = (frame, group) => points(frame.groups[group].vertices);
-const crowdOf = (frame, group) => frame.x.map((x, i) => ({ x, y: frame.y[i], group: frame.groupOf[i] })).filter((one) => one.group === group);
+const crowdOf = (frame, group) =>
+  frame.x.map((x, i) => ({ x, y: frame.y[i], group: frame.groupOf[i] })).filter((one) => one.group === group);
 
 /** The newest frame, with the group of every character: frames leave that out where it is known. */
 async function wholeFrame(studio) {
@@ -87,19 +108,31 @@ export async function twoGroups(studio) {
     return first.controls.length === 0 && second.controls.length === 1;
   });
   await studio.fingers.move({ 1: to }, { ms: 500 });
-  await studio.until('the second mesh to follow', ([x, y]) => {
-    const v = globalThis.__muster.frame.groups[1].vertices;
-    return Array.from({ length: v.length / 2 }, (_, i) => Math.hypot(v[2 * i] - x, v[2 * i + 1] - y)).some((d) => d < 0.8);
-  }, [target.x, target.y], 30000);
+  await studio.until(
+    'the second mesh to follow',
+    ([x, y]) => {
+      const v = globalThis.__muster.frame.groups[1].vertices;
+      return Array.from({ length: v.length / 2 }, (_, i) => Math.hypot(v[2 * i] - x, v[2 * i + 1] - y)).some(
+        (d) => d < 0.8,
+      );
+    },
+    [target.x, target.y],
+    30000,
+  );
   const active = () => studio.page.evaluate(() => globalThis.__muster.state.active);
   expect((await active()) === 1, 'touching a formation chooses its group');
   await studio.shot('two-groups');
   await studio.fingers.up();
-  await studio.until('its crowd to follow', ([y, first]) => {
-    const { frame } = globalThis.__muster;
-    const crowd = Array.from(frame.y).slice(first);
-    return crowd.reduce((s, v) => s + v, 0) / crowd.length > y + 1;
-  }, [mean(crowdOf(before, 1)).y, crowdOf(before, 0).length], 30000);
+  await studio.until(
+    'its crowd to follow',
+    ([y, first]) => {
+      const { frame } = globalThis.__muster;
+      const crowd = Array.from(frame.y).slice(first);
+      return crowd.reduce((s, v) => s + v, 0) / crowd.length > y + 1;
+    },
+    [mean(crowdOf(before, 1)).y, crowdOf(before, 0).length],
+    30000,
+  );
   const after = await wholeFrame(studio);
   const still = Math.max(...verticesOf(after, 0).map((v, i) => distance(v, verticesOf(before, 0)[i])));
   expect(still < 0.05, `the mesh of the first group stays: ${still} m`);
@@ -116,12 +149,22 @@ async function chooseByChip(studio, before) {
   expect((await chips.nth(0).getAttribute('aria-pressed')) === 'true', 'the first chip is pressed');
   expect((await chips.nth(1).getAttribute('aria-pressed')) === 'false', 'the second is not');
   await studio.page.locator('.formation', { hasText: 'Ring' }).click();
-  await studio.until('the ring', (v) => globalThis.__muster.frame.groups[0].meshVersion > v, before.groups[0].meshVersion);
+  await studio.until(
+    'the ring',
+    (v) => globalThis.__muster.frame.groups[0].meshVersion > v,
+    before.groups[0].meshVersion,
+  );
   await studio.wait(150);
   await studio.shot('two-groups-ring');
   const after = await studio.frame();
   expect(after.groups[1].meshVersion === before.groups[1].meshVersion, 'the other group keeps its formation');
-  await studio.until('the pressed button', () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Ring');
+  await studio.until(
+    'the pressed button',
+    () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Ring',
+  );
   await chips.nth(1).click();
-  await studio.until('the formation of the other group', () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Wedge');
+  await studio.until(
+    'the formation of the other group',
+    () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Wedge',
+  );
 }

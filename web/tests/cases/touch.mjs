@@ -15,7 +15,8 @@ async function fingersOn(studio, world) {
 }
 
 async function untilControl(studio, kind, count) {
-  const test = ([k, n]) => globalThis.__muster.frame.groups[0].controls.some((one) => one.kind === k && one.points.length === n);
+  const test = ([k, n]) =>
+    globalThis.__muster.frame.groups[0].controls.some((one) => one.kind === k && one.points.length === n);
   await studio.until(`a control of kind ${kind} with ${count} points`, test, [kind, count]);
 }
 
@@ -43,10 +44,15 @@ export async function pointDrag(studio) {
   const moved = Math.min(...vertices(after).map((v) => distance(v, target)));
   expect(moved < 0.6, `a vertex follows the finger: the nearest is ${moved} m away`);
   await studio.fingers.up();
-  await studio.until('the crowd to follow', (x) => {
-    const { frame } = globalThis.__muster;
-    return frame.x.reduce((s, v) => s + v, 0) / frame.x.length > x + 1;
-  }, mean(crowd(before)).x, 30000);
+  await studio.until(
+    'the crowd to follow',
+    (x) => {
+      const { frame } = globalThis.__muster;
+      return frame.x.reduce((s, v) => s + v, 0) / frame.x.length > x + 1;
+    },
+    mean(crowd(before)).x,
+    30000,
+  );
 }
 
 export async function lineDrag(studio) {
@@ -111,11 +117,17 @@ export async function lineAndArea(studio) {
   await studio.wait(800);
   await studio.shot('line-and-area');
   const frame = await studio.frame();
-  const kinds = controls(frame).map((one) => one.kind).sort();
+  const kinds = controls(frame)
+    .map((one) => one.kind)
+    .sort();
   expect(kinds.join() === `${LINE},${AREA}`, `a line and an area at once: ${kinds}`);
   const after = vertices(frame);
   const half = (sign) => before.map((v, i) => i).filter((i) => sign * (before[i].x - middle.x) > 1.5);
-  const change = (part) => distortion(part.map((i) => before[i]), part.map((i) => after[i]));
+  const change = (part) =>
+    distortion(
+      part.map((i) => before[i]),
+      part.map((i) => after[i]),
+    );
   const [bends, keeps] = [change(half(-1)), change(half(1))];
   expect(bends > 1.5 * keeps && bends > 0.1, `the left half bends (${bends}), the right keeps its shape (${keeps})`);
   await studio.fingers.up();
@@ -132,19 +144,31 @@ export async function drawAheadAndLift(studio) {
   await studio.fingers.down(start);
   for (const at of stops) await studio.fingers.move({ 1: at }, { steps: 6, ms: 60 });
   await studio.fingers.up();
-  await studio.until('the lifted finger', () => globalThis.__muster.frame.groups[0].controls.some((one) => !one.points[0].down));
+  await studio.until('the lifted finger', () =>
+    globalThis.__muster.frame.groups[0].controls.some((one) => !one.points[0].down),
+  );
   const lifted = controls(await studio.frame())[0].points[0];
   expect(lifted.path.length >= 4, `the path is still ahead: ${lifted.path.length / 2} checkpoints`);
   expect(distance(lifted, way[2]) > 3, 'the crowd is far behind the finger');
   await studio.shot('draw-ahead');
   await studio.send({ type: 'SetSpeed', factor: 2 });
-  await studio.until('the end of the path', () => globalThis.__muster.frame.groups[0].controls.length === 0, null, 60000);
+  await studio.until(
+    'the end of the path',
+    () => globalThis.__muster.frame.groups[0].controls.length === 0,
+    null,
+    60000,
+  );
   const end = extreme(vertices(await studio.frame()), 1, 0);
   expect(distance(end, way[2]) < 2.5, `the mesh went to the end of the path: ${distance(end, way[2])} m off`);
-  await studio.until('the crowd', (x) => {
-    const { frame } = globalThis.__muster;
-    return frame.x.reduce((s, v) => s + v, 0) / frame.x.length > x + 7;
-  }, mean(crowd(before)).x, 40000);
+  await studio.until(
+    'the crowd',
+    (x) => {
+      const { frame } = globalThis.__muster;
+      return frame.x.reduce((s, v) => s + v, 0) / frame.x.length > x + 7;
+    },
+    mean(crowd(before)).x,
+    40000,
+  );
   await studio.send({ type: 'SetSpeed', factor: 1 });
 }
 
@@ -164,19 +188,27 @@ export async function formationOnTheWay(studio) {
   await studio.fingers.move(await fingersOn(studio, [shifted(corner, 6, 2)]), { ms: 400 });
   await studio.shot('formation-on-the-way');
   await studio.fingers.up([1]);
-  await studio.until('the button', () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Ring');
-  await studio.until('a ring with an empty middle', () => {
-    const { frame } = globalThis.__muster;
-    const place = frame.groups[0].places;
-    let x = 0;
-    let y = 0;
-    for (let i = 0; i < place.length; i += 2) {
-      x += (2 * place[i]) / place.length;
-      y += (2 * place[i + 1]) / place.length;
-    }
-    const far = Array.from(frame.x, (px, i) => Math.hypot(px - x, frame.y[i] - y)).sort((a, b) => a - b);
-    return far[Math.floor(0.1 * far.length)] > 2.2;
-  }, null, 45000);
+  await studio.until(
+    'the button',
+    () => document.querySelector('.formation[aria-pressed="true"] .label')?.textContent === 'Ring',
+  );
+  await studio.until(
+    'a ring with an empty middle',
+    () => {
+      const { frame } = globalThis.__muster;
+      const place = frame.groups[0].places;
+      let x = 0;
+      let y = 0;
+      for (let i = 0; i < place.length; i += 2) {
+        x += (2 * place[i]) / place.length;
+        y += (2 * place[i + 1]) / place.length;
+      }
+      const far = Array.from(frame.x, (px, i) => Math.hypot(px - x, frame.y[i] - y)).sort((a, b) => a - b);
+      return far[Math.floor(0.1 * far.length)] > 2.2;
+    },
+    null,
+    45000,
+  );
 }
 
 export async function pinchOnGround(studio) {
@@ -188,7 +220,10 @@ export async function pinchOnGround(studio) {
   const zoom = () => studio.page.evaluate(() => globalThis.__muster.view.pixelsPerMetre());
   const before = await zoom();
   await studio.fingers.down({ 1: { x: middle.x - 30, y: middle.y }, 2: { x: middle.x + 30, y: middle.y } });
-  await studio.fingers.move({ 1: { x: middle.x - 75, y: middle.y - 10 }, 2: { x: middle.x + 75, y: middle.y + 10 } }, { ms: 400 });
+  await studio.fingers.move(
+    { 1: { x: middle.x - 75, y: middle.y - 10 }, 2: { x: middle.x + 75, y: middle.y + 10 } },
+    { ms: 400 },
+  );
   await studio.wait(200);
   await studio.shot('pinch');
   const after = await zoom();
@@ -210,5 +245,7 @@ export async function tenFingers(studio) {
   });
   await studio.shot('ten-fingers');
   await studio.fingers.up();
-  await studio.until('all fingers gone', () => globalThis.__muster.frame.groups[0].controls.every((one) => one.points.every((p) => !p.down)));
+  await studio.until('all fingers gone', () =>
+    globalThis.__muster.frame.groups[0].controls.every((one) => one.points.every((p) => !p.down)),
+  );
 }

@@ -21,8 +21,18 @@ async function protocol() {
 function sceneOf(count) {
   const half = Math.ceil(0.75 * Math.sqrt(count)) + 20;
   return {
-    name: 'made', title: 'Made', box: { min: [-half, -half], max: [half, half] }, cell: 1, radius: 0.25,
-    groups: [0, 1].map((k) => ({ id: k + 1, name: ['Blue', 'Ember'][k], count: count / 2, formation: 'square', colour: k })),
+    name: 'made',
+    title: 'Made',
+    box: { min: [-half, -half], max: [half, half] },
+    cell: 1,
+    radius: 0.25,
+    groups: [0, 1].map((k) => ({
+      id: k + 1,
+      name: ['Blue', 'Ember'][k],
+      count: count / 2,
+      formation: 'square',
+      colour: k,
+    })),
     parameters: [{ name: 'plan.exponent', value: 2 }],
   };
 }
@@ -30,7 +40,12 @@ function sceneOf(count) {
 /** Two clips of a few poses: enough for the page to have something to mix. */
 function motions(type) {
   const clip = (name) => ({
-    name, motion: name, rate: 10, cyclic: true, poses: 8, hips: Float32Array.from({ length: 24 }, (_, i) => (i % 3 === 2 ? 0.95 : 0)),
+    name,
+    motion: name,
+    rate: 10,
+    cyclic: true,
+    poses: 8,
+    hips: Float32Array.from({ length: 24 }, (_, i) => (i % 3 === 2 ? 0.95 : 0)),
     rotations: Int16Array.from({ length: 8 * 21 * 4 }, (_, i) => (i % 4 === 3 ? 32767 : 0)),
   });
   return { type, joints: [], clips: [clip('idle'), clip('run')] };
@@ -39,13 +54,24 @@ function motions(type) {
 /** A square mesh of 20 by 20 corners with `count` places on it. */
 function meshOf(group, count) {
   const triangles = [];
-  for (let j = 0; j < 19; ++j) for (let i = 0; i < 19; ++i) {
-    const a = 20 * j + i;
-    triangles.push(a, a + 1, a + 21, a, a + 21, a + 20);
-  }
-  const rim = [...Array(19).keys(), ...Array.from({ length: 19 }, (_, k) => 19 + 20 * k), ...Array.from({ length: 19 }, (_, k) => 399 - k), ...Array.from({ length: 19 }, (_, k) => 380 - 20 * k)];
+  for (let j = 0; j < 19; ++j)
+    for (let i = 0; i < 19; ++i) {
+      const a = 20 * j + i;
+      triangles.push(a, a + 1, a + 21, a, a + 21, a + 20);
+    }
+  const rim = [
+    ...Array(19).keys(),
+    ...Array.from({ length: 19 }, (_, k) => 19 + 20 * k),
+    ...Array.from({ length: 19 }, (_, k) => 399 - k),
+    ...Array.from({ length: 19 }, (_, k) => 380 - 20 * k),
+  ];
   return {
-    type: 'GroupMesh', group, version: 1, formation: 'square', triangles: Uint32Array.from(triangles), boundary: Uint32Array.of(rim.length, ...rim),
+    type: 'GroupMesh',
+    group,
+    version: 1,
+    formation: 'square',
+    triangles: Uint32Array.from(triangles),
+    boundary: Uint32Array.of(rim.length, ...rim),
     placeTriangles: Uint32Array.from({ length: count }, (_, k) => Math.floor((k * 722) / count)),
     placeWeights: new Float32Array(2 * count).fill(0.33),
   };
@@ -80,18 +106,35 @@ class Walkers {
     }
     const now = [this.packed(0), this.packed(1)];
     const whole = frame === 1;
-    const steps = now.map((list, k) => (whole ? new Int8Array(0) : Int8Array.from(list, (one, i) => one - this.told[k][i])));
+    const steps = now.map((list, k) =>
+      whole ? new Int8Array(0) : Int8Array.from(list, (one, i) => one - this.told[k][i]),
+    );
     this.told = now;
-    const changed = whole ? [] : Array.from({ length: Math.round(count * 0.04) }, (_, k) => (frame * 7919 + k * 25) % count);
+    const changed = whole
+      ? []
+      : Array.from({ length: Math.round(count * 0.04) }, (_, k) => (frame * 7919 + k * 25) % count);
     for (const who of changed) this.clip[who] ^= 1;
     const heading = Math.floor(((0.4 * time) / (2 * Math.PI)) * 256);
     return {
-      count, x0: -128, y0: -128, quantum: QUANTUM, x: whole ? now[0] : new Uint16Array(0), y: whole ? now[1] : new Uint16Array(0),
-      stepX: steps[0], stepY: steps[1], jumped: new Uint32Array(0), jumpedX: new Uint16Array(0), jumpedY: new Uint16Array(0),
-      heading: new Uint8Array(count).fill(heading), headingFine: new Uint8Array(0), changed: Uint32Array.from(new Set(changed)),
+      count,
+      x0: -128,
+      y0: -128,
+      quantum: QUANTUM,
+      x: whole ? now[0] : new Uint16Array(0),
+      y: whole ? now[1] : new Uint16Array(0),
+      stepX: steps[0],
+      stepY: steps[1],
+      jumped: new Uint32Array(0),
+      jumpedX: new Uint16Array(0),
+      jumpedY: new Uint16Array(0),
+      heading: new Uint8Array(count).fill(heading),
+      headingFine: new Uint8Array(0),
+      changed: Uint32Array.from(new Set(changed)),
       clip: whole ? this.clip.slice() : Uint8Array.from(new Set(changed), (who) => this.clip[who]),
-      phase: Uint8Array.from({ length: count }, (_, i) => frame * 7 + i), phaseFine: new Uint8Array(0),
-      near: Uint32Array.from({ length: near }, (_, k) => k), nearPlaces: Float32Array.from({ length: 3 * near }, (_, k) => [this.x, this.y, this.x][k % 3][Math.floor(k / 3)]),
+      phase: Uint8Array.from({ length: count }, (_, i) => frame * 7 + i),
+      phaseFine: new Uint8Array(0),
+      near: Uint32Array.from({ length: near }, (_, k) => k),
+      nearPlaces: Float32Array.from({ length: 3 * near }, (_, k) => [this.x, this.y, this.x][k % 3][Math.floor(k / 3)]),
       nearPoses: new Int16Array(66 * near).fill(6),
     };
   }
@@ -143,20 +186,51 @@ class Conversation {
     const first = frame === 1;
     const half = this.count / 2;
     const side = 1.2 * Math.sqrt(this.count);
-    const corners = (k) => Float32Array.from({ length: 800 }, (_, n) => {
-      const i = Math.floor(n / 2);
-      return n % 2 === 0 ? side * ((i % 20) / 19 - 0.5) : side * (0.5 * (Math.floor(i / 20) / 19) - 0.5 + 0.5 * k) + Math.sin(frame / 30);
-    });
+    const corners = (k) =>
+      Float32Array.from({ length: 800 }, (_, n) => {
+        const i = Math.floor(n / 2);
+        return n % 2 === 0
+          ? side * ((i % 20) / 19 - 0.5)
+          : side * (0.5 * (Math.floor(i / 20) / 19) - 0.5 + 0.5 * k) + Math.sin(frame / 30);
+      });
     const groups = [0, 1].map((k) => ({
-      id: k + 1, meshVersion: 1, lag: 1, walkSum: 3 * half, walkSquares: 12 * half, walkLongest: 9, vertices: corners(k), moved: new Uint32Array(0),
-      offsets: new Int16Array(0), unfit: new Uint8Array(0), controls: [],
+      id: k + 1,
+      meshVersion: 1,
+      lag: 1,
+      walkSum: 3 * half,
+      walkSquares: 12 * half,
+      walkLongest: 9,
+      vertices: corners(k),
+      moved: new Uint32Array(0),
+      offsets: new Int16Array(0),
+      unfit: new Uint8Array(0),
+      controls: [],
     }));
-    this.sizes.push(this.send({
-      type: 'Frame', frame, step: 2 * frame, time: frame / 30, playing: true, speed: 1, recordedSeconds: -1, replaying: false, demonstrating: false,
-      touchEcho: 0, sceneRevision: 1, ids: first ? Uint32Array.from({ length: this.count }, (_, i) => i + 1) : new Uint32Array(0),
-      group: first ? Uint8Array.from({ length: this.count }, (_, i) => (i < half ? 0 : 1)) : new Uint8Array(0),
-      crowd: this.walkers.crowd(frame, this.near), groups, moving: [], collected: new Uint8Array(0), stepMs: 8, lagP95: 1.5, swapsPerSecond: 0.3, events: [],
-    }));
+    this.sizes.push(
+      this.send({
+        type: 'Frame',
+        frame,
+        step: 2 * frame,
+        time: frame / 30,
+        playing: true,
+        speed: 1,
+        recordedSeconds: -1,
+        replaying: false,
+        demonstrating: false,
+        touchEcho: 0,
+        sceneRevision: 1,
+        ids: first ? Uint32Array.from({ length: this.count }, (_, i) => i + 1) : new Uint32Array(0),
+        group: first ? Uint8Array.from({ length: this.count }, (_, i) => (i < half ? 0 : 1)) : new Uint8Array(0),
+        crowd: this.walkers.crowd(frame, this.near),
+        groups,
+        moving: [],
+        collected: new Uint8Array(0),
+        stepMs: 8,
+        lagP95: 1.5,
+        swapsPerSecond: 0.3,
+        events: [],
+      }),
+    );
   }
 
   end() {
@@ -197,11 +271,17 @@ export async function startMadeCrowd({ count = 10000, near = 100, bodies = '' } 
     }
     const file = `${dist}${path === '/' ? 'index.html' : path.slice(1)}`;
     if (path.includes('..') || !existsSync(file)) return response.writeHead(404).end();
-    response.writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' }).end(readFileSync(file));
+    response
+      .writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' })
+      .end(readFileSync(file));
   });
   server.on('upgrade', (request, socket) => {
-    const accept = createHash('sha1').update(`${request.headers['sec-websocket-key']}258EAFA5-E914-47DA-95CA-C5AB0DC85B11`).digest('base64');
-    socket.write(`HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: ${accept}\r\nSec-WebSocket-Protocol: ${messages.SUBPROTOCOL}\r\n\r\n`);
+    const accept = createHash('sha1')
+      .update(`${request.headers['sec-websocket-key']}258EAFA5-E914-47DA-95CA-C5AB0DC85B11`)
+      .digest('base64');
+    socket.write(
+      `HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: ${accept}\r\nSec-WebSocket-Protocol: ${messages.SUBPROTOCOL}\r\n\r\n`,
+    );
     socket.on('error', () => {});
     const talk = new Conversation(socket, messages, count, near);
     conversations.push(talk);
@@ -209,9 +289,14 @@ export async function startMadeCrowd({ count = 10000, near = 100, bodies = '' } 
     listen(socket, (payload) => talk.hear(payload));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const stop = () => new Promise((resolve) => {
-    for (const talk of conversations) talk.end();
-    server.close(resolve);
-  });
-  return { url: `http://127.0.0.1:${server.address().port}/`, sizes: () => conversations.flatMap((talk) => talk.sizes.slice(1)), stop };
+  const stop = () =>
+    new Promise((resolve) => {
+      for (const talk of conversations) talk.end();
+      server.close(resolve);
+    });
+  return {
+    url: `http://127.0.0.1:${server.address().port}/`,
+    sizes: () => conversations.flatMap((talk) => talk.sizes.slice(1)),
+    stop,
+  };
 }

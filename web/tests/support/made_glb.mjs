@@ -2,23 +2,42 @@
 
 /** Name of ours, parent, place in metres (x to the left, y up, z forward), as glTF has them. */
 const JOINTS = [
-  ['Hips', -1, 0, 0.95, 0], ['Spine', 0, 0, 1.05, 0], ['Chest', 1, 0, 1.22, 0], ['Neck', 2, 0, 1.47, 0], ['Head', 3, 0, 1.56, 0],
+  ['Hips', -1, 0, 0.95, 0],
+  ['Spine', 0, 0, 1.05, 0],
+  ['Chest', 1, 0, 1.22, 0],
+  ['Neck', 2, 0, 1.47, 0],
+  ['Head', 3, 0, 1.56, 0],
   ...['Left', 'Right'].flatMap((side, i) => {
     const s = i === 0 ? 1 : -1;
     const first = 5 + 4 * i;
-    return [[`${side}Shoulder`, 2, 0.03 * s, 1.41, 0], [`${side}Arm`, first, 0.18 * s, 1.41, 0], [`${side}ForeArm`, first + 1, 0.38 * s, 1.21, 0],
-      [`${side}Hand`, first + 2, 0.56 * s, 1.03, 0]];
+    return [
+      [`${side}Shoulder`, 2, 0.03 * s, 1.41, 0],
+      [`${side}Arm`, first, 0.18 * s, 1.41, 0],
+      [`${side}ForeArm`, first + 1, 0.38 * s, 1.21, 0],
+      [`${side}Hand`, first + 2, 0.56 * s, 1.03, 0],
+    ];
   }),
   ...['Left', 'Right'].flatMap((side, i) => {
     const s = i === 0 ? 1 : -1;
     const first = 13 + 4 * i;
-    return [[`${side}UpLeg`, 0, 0.09 * s, 0.91, 0], [`${side}Leg`, first, 0.09 * s, 0.49, 0], [`${side}Foot`, first + 1, 0.09 * s, 0.08, 0],
-      [`${side}ToeBase`, first + 2, 0.09 * s, 0.03, 0.13]];
+    return [
+      [`${side}UpLeg`, 0, 0.09 * s, 0.91, 0],
+      [`${side}Leg`, first, 0.09 * s, 0.49, 0],
+      [`${side}Foot`, first + 1, 0.09 * s, 0.08, 0],
+      [`${side}ToeBase`, first + 2, 0.09 * s, 0.03, 0.13],
+    ];
   }),
 ];
 
 const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
-const FACES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+const FACES = [
+  [0, 2, 3, 1],
+  [4, 5, 7, 6],
+  [0, 1, 5, 4],
+  [2, 6, 7, 3],
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+];
 
 /** Boxes in the middle between joint and child; numbers in `unit`s. */
 function boxes(joints, unit) {
@@ -79,20 +98,43 @@ function animation(bytes, name, unit) {
   const s = Math.sin(0.25);
   const c = Math.cos(0.25);
   const turns = bytes.add(Float32Array.of(0, 0, 0, 1, 0, s, 0, c, 0, 0, 0, 1), 'VEC4', 5126);
-  const ways = bytes.add(Float32Array.of(0, 0.95, 0, 0, 0.85, 1, 0, 0.95, 2).map((one) => one * unit), 'VEC3', 5126);
-  return { name, samplers: [{ input, output: turns }, { input, output: ways }],
-    channels: [{ sampler: 0, target: { node: 0, path: 'rotation' } }, { sampler: 1, target: { node: 0, path: 'translation' } }] };
+  const ways = bytes.add(
+    Float32Array.of(0, 0.95, 0, 0, 0.85, 1, 0, 0.95, 2).map((one) => one * unit),
+    'VEC3',
+    5126,
+  );
+  return {
+    name,
+    samplers: [
+      { input, output: turns },
+      { input, output: ways },
+    ],
+    channels: [
+      { sampler: 0, target: { node: 0, path: 'rotation' } },
+      { sampler: 1, target: { node: 0, path: 'translation' } },
+    ],
+  };
 }
 
 /** One opaque pixel. */
-const PICTURE = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==', 'base64');
+const PICTURE = Buffer.from(
+  'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==',
+  'base64',
+);
 
 /** A material, with a picture where wanted: what goes into the file for it. */
 function paint(bytes, picture) {
-  const pbrMetallicRoughness = { baseColorFactor: [0.8, 0.1, 0.6, 1], ...(picture ? { baseColorTexture: { index: 0 } } : {}) };
+  const pbrMetallicRoughness = {
+    baseColorFactor: [0.8, 0.1, 0.6, 1],
+    ...(picture ? { baseColorTexture: { index: 0 } } : {}),
+  };
   if (!picture) return { materials: [{ pbrMetallicRoughness }] };
   const bufferView = bytes.view(Uint8Array.from(PICTURE));
-  return { materials: [{ pbrMetallicRoughness }], textures: [{ source: 0 }], images: [{ bufferView, mimeType: 'image/png' }] };
+  return {
+    materials: [{ pbrMetallicRoughness }],
+    textures: [{ source: 0 }],
+    images: [{ bufferView, mimeType: 'image/png' }],
+  };
 }
 
 function container(json, binary) {
@@ -139,14 +181,27 @@ export function madeCharacter({ rename = (name) => name, unit = 1, clip = '', pi
   const nodes = joints.map(([name, parent, ...at], j) => {
     const from = parent < 0 ? [0, 0, 0] : joints[parent].slice(2);
     const children = joints.flatMap(([, above], k) => (above === j ? [k] : []));
-    return { name, translation: at.map((one, k) => (one - from[k]) * unit), ...(children.length > 0 ? { children } : {}) };
+    return {
+      name,
+      translation: at.map((one, k) => (one - from[k]) * unit),
+      ...(children.length > 0 ? { children } : {}),
+    };
   });
   nodes.push({ name: 'Skin', mesh: 0, skin: 0 });
-  return container({
-    asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0, nodes.length - 1] }], nodes,
-    meshes: [{ primitives: [{ attributes, indices, material: 0 }] }],
-    ...paint(bytes, picture),
-    skins: [{ joints: joints.map((_, j) => j), inverseBindMatrices: inverse }], animations,
-    buffers: [{ byteLength: bytes.size }], bufferViews: bytes.views, accessors: bytes.accessors,
-  }, Buffer.concat(bytes.chunks));
+  return container(
+    {
+      asset: { version: '2.0' },
+      scene: 0,
+      scenes: [{ nodes: [0, nodes.length - 1] }],
+      nodes,
+      meshes: [{ primitives: [{ attributes, indices, material: 0 }] }],
+      ...paint(bytes, picture),
+      skins: [{ joints: joints.map((_, j) => j), inverseBindMatrices: inverse }],
+      animations,
+      buffers: [{ byteLength: bytes.size }],
+      bufferViews: bytes.views,
+      accessors: bytes.accessors,
+    },
+    Buffer.concat(bytes.chunks),
+  );
 }

@@ -13,7 +13,10 @@ export function programPath() {
 export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json', port = 18080 } = {}) {
   const program = programPath();
   if (!existsSync(program)) throw new Error(`There is no ${program}: build it first, or name another by MUSTER=...`);
-  const child = spawn(program, ['studio', scenario, '--port', String(port)], { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  const child = spawn(program, ['studio', scenario, '--port', String(port)], {
+    cwd: root,
+    stdio: ['ignore', 'pipe', 'pipe'],
+  });
   let output = '';
   const url = await new Promise((resolve, reject) => {
     const timer = setTimeout(() => reject(new Error(`The studio said no address in 20 s:\n${output}`)), 20000);

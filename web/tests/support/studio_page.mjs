@@ -65,7 +65,8 @@ export class StudioPage {
       const plain = (value) => {
         if (ArrayBuffer.isView(value)) return [...value];
         if (Array.isArray(value)) return value.map(plain);
-        if (value !== null && typeof value === 'object') return Object.fromEntries(Object.entries(value).map(([k, v]) => [k, plain(v)]));
+        if (value !== null && typeof value === 'object')
+          return Object.fromEntries(Object.entries(value).map(([k, v]) => [k, plain(v)]));
         return value;
       };
       return { ...plain(frame), me: client.clientId };

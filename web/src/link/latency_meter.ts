@@ -1,0 +1,57 @@
+// From a finger's event to the first drawn frame that shows it.
+
+export interface LatencySample {
+  /** Page clock [s]. */
+  readonly down: number;
+  /** The first server frame that shows the touch arrived; page clock [s]. */
+  readonly received: number;
+  /** A picture of it was drawn; page clock [s]. */
+  readonly shown: number;
+}
+
+/** A touch whose effect has arrived. */
+export interface ArrivedTouch {
+  readonly down: number;
+  readonly received: number;
+  /** The server frame that first showed it. */
+  readonly frame: number;
+}
+
+const kKept = 2000;
+
+export class LatencyMeter {
+  readonly samples: LatencySample[] = [];
+  private waiting_: number[] = [];
+  private arrived_: ArrivedTouch[] = [];
+
+  /** A touch event with this time was sent. */
+  touched(time: number): void {
+    this.waiting_.push(time);
+  }
+
+  /** A server frame arrived at `received` that shows all touches up to `echo`. */
+  echoed(echo: number, frame: number, received: number): void {
+    if (this.waiting_.length === 0 || echo <= 0) return;
+    for (const down of this.waiting_) if (down <= echo) this.arrived_.push({ down, received, frame });
+    this.waiting_ = this.waiting_.filter((time) => time > echo);
+  }
+
+  /** Takes the touches that a picture made of server frames up to `frame` shows. */
+  takeDrawn(frame: number): ArrivedTouch[] {
+    const drawn = this.arrived_.filter((one) => one.frame <= frame);
+    if (drawn.length > 0) this.arrived_ = this.arrived_.filter((one) => one.frame > frame);
+    return drawn;
+  }
+
+  /** That picture is done. */
+  drawn(touches: readonly ArrivedTouch[], shown: number): void {
+    for (const { down, received } of touches) this.samples.push({ down, received, shown });
+    if (this.samples.length > kKept) this.samples.splice(0, this.samples.length - kKept);
+  }
+
+  /** Touches that a lost connection or a new scene will never show. */
+  reset(): void {
+    this.waiting_ = [];
+    this.arrived_ = [];
+  }
+}

@@ -1,0 +1,86 @@
+import { describe, expect, it } from 'vitest';
+import type { GroupMesh } from '../protocol/messages';
+import type { StudioFrame } from './studio_frame';
+import { parseScene } from '../protocol/scene';
+import { FrameReader, countGroups, sceneKey } from './frame_reader';
+import { kInitialState } from './studio_state';
+
+const scene = parseScene(
+  JSON.stringify({
+    title: 'Open',
+    box: { min: [0, 0], max: [10, 10] },
+    groups: [
+      { id: 4, name: 'North', count: 2, formation: 'square', colour: 0 },
+      { id: 9, name: 'South', count: 1, formation: 'wedge', colour: 1 },
+    ],
+  }),
+);
+
+function frame(group: number[], groups: number[] = [4, 9]): StudioFrame {
+  const part = {
+    type: 'Frame',
+    group: Uint8Array.from(group),
+    x: new Float32Array(3),
+    groups: groups.map((id) => ({ id, controls: [], walkSum: 3, walkSquares: 5, walkLongest: 2 })),
+    playing: true,
+    speed: 2,
+    recordedSeconds: 1.5,
+    stepMs: 6,
+    lagP95: 0.8,
+    swapsPerSecond: 0.1,
+    replaying: false,
+    demonstrating: true,
+  };
+  return part as unknown as StudioFrame;
+}
+
+describe('FrameReader', () => {
+  it('joins names of the scene with counts of the frame', () => {
+    const reader = new FrameReader();
+    reader.setScene(scene);
+    const groups = reader.groups(frame([0, 0, 1]), []);
+    expect(groups.map(({ name, count, formation }) => `${name} ${count} ${formation}`)).toEqual([
+      'North 2 square',
+      'South 1 wedge',
+    ]);
+  });
+  it('keeps the list itself while nothing changes, also where counts are left out', () => {
+    const reader = new FrameReader();
+    reader.setScene(scene);
+    const groups = reader.groups(frame([0, 0, 1]), []);
+    expect(reader.groups(frame([]), groups)).toBe(groups);
+    reader.setMesh({ group: 9, formation: 'ring' } as GroupMesh);
+    expect(reader.groups(frame([]), groups)[1]!.formation).toBe('ring');
+  });
+  it('keeps the active group within what there is', () => {
+    const reader = new FrameReader();
+    reader.setScene(scene);
+    const change = reader.change(frame([0, 0, 0], [4]), { ...kInitialState, active: 1 });
+    expect(change.active).toBe(0);
+    expect(change.recorded).toBe(1.5);
+    expect(change.demonstrating).toBe(true);
+  });
+  it('remembers the scenario that was steered through a replay', () => {
+    const reader = new FrameReader();
+    reader.setScene(scene);
+    const live = {
+      ...kInitialState,
+      scenario: 'open',
+      ...reader.change(frame([0, 0, 1]), { ...kInitialState, scenario: 'open' }),
+    };
+    expect(live.lastLive).toBe('open');
+    const take = reader.change({ ...frame([0, 0, 1]), replaying: true }, { ...live, scenario: 'Open square' });
+    expect([take.replaying, take.lastLive]).toEqual([true, 'open']);
+  });
+});
+
+it('countGroups ignores indices of groups that are not there', () => {
+  expect(countGroups(Uint8Array.from([0, 1, 1, 7]), 2)).toEqual([1, 2]);
+});
+
+it('sceneKey sees other groups and ground, but no other counts and formations', () => {
+  const more = { ...scene, groups: scene.groups.map((group) => ({ ...group, count: 99, formation: 'ring' })) };
+  expect(sceneKey(more)).toBe(sceneKey(scene));
+  expect(sceneKey({ ...scene, groups: scene.groups.slice(1) })).not.toBe(sceneKey(scene));
+  expect(sceneKey({ ...scene, cell: 1 })).not.toBe(sceneKey(scene));
+});

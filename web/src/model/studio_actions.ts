@@ -1,0 +1,38 @@
+// What buttons, keys and gestures can ask for; panels know no more of the studio.
+
+import type { OverlayKind } from '../protocol/messages';
+import type { Layers } from './view_settings';
+
+export interface StudioActions {
+  togglePlay(): void;
+  singleStep(): void;
+  restart(): void;
+  /** From the start, with the touches that the scenario carries; back to the plain start where they run. */
+  toggleDemonstration(): void;
+  /** To the next of the usual speeds; backwards where `back`. */
+  nextSpeed(back?: boolean): void;
+  toggleRecord(): void;
+  downloadTake(): void;
+  openTake(file: File): void;
+  /** A character from files in place of our people, and back. */
+  openCharacter(files: readonly File[]): void;
+  ourPeople(): void;
+  loadScenario(name: string): void;
+  /** Ends a replay: the scenario comes back. */
+  leaveReplay(): void;
+  setFormation(name: string): void;
+  setActiveGroup(index: number): void;
+  /** What plans make least: an index into OBJECTIVES. */
+  setObjective(index: number): void;
+  toggleLayer(layer: keyof Layers): void;
+  /** Shows the overlay, or takes it away where it is shown. */
+  toggleOverlay(kind: OverlayKind): void;
+  toggleTheme(): void;
+  showHelp(open: boolean): void;
+  dismissHint(): void;
+  dismissNotice(): void;
+  /** Brings the spot that the message is about into view. */
+  showNoticePlace(): void;
+  retry(): void;
+  fit(): void;
+}

@@ -1,0 +1,52 @@
+// A frame as the page uses it: everybody, not what changed since the last one.
+
+import type { Frame, GroupFrame } from '../protocol/messages';
+
+/** Numbers per character in `rows`: x, y [m], heading [rad], share of the clip before; clip, how far in it (0 to 1),
+ * the clip before, how far in that. */
+export const kRowFloats = 8;
+/** Characters side by side where rows are a picture on the graphics card; `rows` has room for whole lines of them. */
+export const kRowsAcross = 64;
+
+/** Floats of `rows` for so many characters. */
+export function rowsLength(count: number): number {
+  return kRowFloats * kRowsAcross * Math.max(1, Math.ceil(count / kRowsAcross));
+}
+
+export interface StudioGroup extends Omit<GroupFrame, 'moved' | 'offsets' | 'unfit'> {
+  /** x, y per place [m]. */
+  places: Float32Array;
+  /** Per place, 0: no room for anyone. */
+  fit: Uint8Array;
+}
+
+export interface StudioFrame extends Omit<Frame, 'crowd' | 'groups'> {
+  /** Of everybody [m]. */
+  x: Float32Array;
+  y: Float32Array;
+  /** Index into the clips. */
+  clip: Uint8Array;
+  rows: Float32Array;
+  /** Indices of those who come with whole poses. */
+  near: Uint32Array;
+  /** Per such: hips x, y, z [m], then per joint x, y, z, w, for a body of size 1. */
+  nearPoses: Float32Array;
+  groups: StudioGroup[];
+}
+
+/** Buffers that go to the page without being copied. */
+export function buffersOf(frame: StudioFrame): ArrayBuffer[] {
+  const arrays = [
+    frame.x,
+    frame.y,
+    frame.clip,
+    frame.rows,
+    frame.near,
+    frame.nearPoses,
+    frame.ids,
+    frame.group,
+    frame.collected,
+  ];
+  for (const group of frame.groups) arrays.push(group.places, group.fit, group.vertices);
+  return [...new Set(arrays.map((one) => one.buffer as ArrayBuffer))];
+}

@@ -1,0 +1,114 @@
+// What the panels show.
+
+import type { FieldScale } from './field_scale';
+import type { Layers, Theme } from './view_settings';
+import { OverlayKind, type Notice, type ScenarioInfo } from '../protocol/messages';
+import type { SceneParameter } from '../protocol/scene';
+import type { Layout } from './layout';
+import type { Walks } from './objective';
+import type { LinkState } from './link_state';
+
+export type InputKind = 'touch' | 'mouse';
+
+export interface GroupInfo {
+  readonly id: number;
+  readonly name: string;
+  readonly colour: number;
+  readonly count: number;
+  readonly formation: string;
+}
+
+export interface CostFigures {
+  readonly cost: number;
+  readonly way: number;
+  readonly straight: number;
+}
+
+export interface StudioState {
+  readonly layout: Layout;
+  readonly theme: Theme;
+  readonly input: InputKind;
+  readonly link: LinkState;
+  /** Whether a scene was ever seen. */
+  readonly loaded: boolean;
+  readonly scenarios: readonly ScenarioInfo[];
+  readonly scenario: string;
+  readonly title: string;
+  readonly credit: string;
+  readonly groups: readonly GroupInfo[];
+  /** Index into groups. */
+  readonly active: number;
+  readonly layers: Layers;
+  readonly overlay: OverlayKind;
+  /** Character whose cost is shown; -1 for none. */
+  readonly chosen: number;
+  readonly cost: CostFigures | null;
+  readonly ramp: FieldScale | null;
+  readonly playing: boolean;
+  readonly replaying: boolean;
+  /** The scenario carries touches to watch. */
+  readonly demonstration: boolean;
+  /** They are being given. */
+  readonly demonstrating: boolean;
+  /** The scenario that was last steered, not replayed. */
+  readonly lastLive: string;
+  readonly speed: number;
+  /** Negative: not recording. */
+  readonly recorded: number;
+  readonly characters: number;
+  readonly stepMs: number;
+  readonly lag: number;
+  readonly swaps: number;
+  readonly walks: Walks;
+  /** Of the world. */
+  readonly parameters: readonly SceneParameter[];
+  /** Rises with each frame, for what draws histories. */
+  readonly frames: number;
+  /** The file that everybody looks like; empty for our people. */
+  readonly ownCharacter: string;
+  readonly notice: Notice | null;
+  readonly hint: boolean;
+  readonly help: boolean;
+}
+
+export const kInitialState: StudioState = {
+  layout: 'desktop',
+  theme: 'light',
+  input: 'mouse',
+  link: { phase: 'connecting' },
+  loaded: false,
+  scenarios: [],
+  scenario: '',
+  title: '',
+  credit: '',
+  groups: [],
+  active: 0,
+  layers: { mesh: true, places: true, paths: true },
+  overlay: OverlayKind.None,
+  chosen: -1,
+  cost: null,
+  ramp: null,
+  playing: false,
+  replaying: false,
+  demonstration: false,
+  demonstrating: false,
+  lastLive: '',
+  speed: 1,
+  recorded: -1,
+  characters: 0,
+  stepMs: 0,
+  lag: 0,
+  swaps: 0,
+  walks: { sum: 0, squares: 0, longest: 0 },
+  parameters: [],
+  frames: 0,
+  ownCharacter: '',
+  notice: null,
+  hint: false,
+  help: false,
+};
+
+/** The server is gone after a scene was seen: what needs it would do nothing. */
+export function isLost({ link, loaded }: Pick<StudioState, 'link' | 'loaded'>): boolean {
+  return loaded && link.phase !== 'open';
+}

@@ -1,0 +1,61 @@
+// Small frames for tests.
+
+import { kRowFloats, rowsLength } from './studio_frame';
+import type { ControlView, FrameView, GroupView } from './frame_view';
+
+/** What each character plays, and where it faces; what is not given is 0. */
+export interface Played {
+  readonly heading?: readonly number[];
+  readonly fade?: readonly number[];
+  readonly clip?: readonly number[];
+  readonly phase?: readonly number[];
+  readonly before?: readonly number[];
+  readonly beforePhase?: readonly number[];
+}
+
+/** A frame with one character per entry of `x`. */
+export function madeFrame(frame: number, x: readonly number[], more: Partial<FrameView> & Played = {}): FrameView {
+  const zeros = x.map(() => 0);
+  const { heading = [], fade = [], clip = zeros, phase = [], before = [], beforePhase = [], ...rest } = more;
+  const rows = new Float32Array(rowsLength(x.length));
+  const y = rest.y ?? zeros;
+  x.forEach((at, i) => {
+    const row = [at, y[i], heading[i], fade[i], clip[i], phase[i], before[i], beforePhase[i]].map((one) => one ?? 0);
+    rows.set(row, kRowFloats * i);
+  });
+  return {
+    frame,
+    step: frame,
+    time: frame / 60,
+    playing: true,
+    ids: x.map((_, i) => i + 1),
+    group: zeros,
+    x,
+    y,
+    clip,
+    rows,
+    near: [],
+    nearPoses: [],
+    groups: [],
+    moving: [],
+    collected: [],
+    ...rest,
+  };
+}
+
+/** A control of a kind with a handle per x, y pair; touches count from 1. */
+export function madeControl(id: number, kind: number, handles: readonly (readonly [number, number])[]): ControlView {
+  return {
+    id,
+    kind,
+    client: 1,
+    pinned: false,
+    open: false,
+    supplementary: [],
+    points: handles.map(([x, y], i) => ({ touch: i + 1, down: true, x, y, path: [] })),
+  };
+}
+
+export function madeGroup(id: number, controls: readonly ControlView[], more: Partial<GroupView> = {}): GroupView {
+  return { id, meshVersion: 1, lag: 0, vertices: [], places: [], fit: [], controls, ...more };
+}

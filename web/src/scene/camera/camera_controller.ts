@@ -1,0 +1,270 @@
+// The camera's place, and the maths between screen and ground. It knows nothing of three.js: the view copies its pose.
+
+import type { CameraControls, Padding } from './camera_controls';
+import type { GroundPoint, ScreenPoint } from '../../model/plane';
+
+const kDegree = Math.PI / 180;
+const kPitchMin = 25 * kDegree;
+const kPitchMax = 85 * kDegree;
+/** [m] */
+const kDistanceMin = 5;
+
+export interface CameraPose {
+  /** Ground in the middle of the view [m]. */
+  targetX: number;
+  targetY: number;
+  /** From the eye to the target [m]. */
+  distance: number;
+  /** Direction of view on the ground, from +y, counter-clockwise [rad]. */
+  turn: number;
+  /** Below the horizon [rad]. */
+  pitch: number;
+}
+
+interface Basis {
+  readonly eye: readonly [number, number, number];
+  readonly forward: readonly [number, number, number];
+  readonly right: readonly [number, number, number];
+  readonly up: readonly [number, number, number];
+}
+
+export class CameraController implements CameraControls {
+  private pose_: CameraPose = { targetX: 0, targetY: 0, distance: 40, turn: 0.33, pitch: 46 * kDegree };
+  private width_ = 1;
+  private height_ = 1;
+  private fieldOfView_ = 24 * kDegree;
+  private distanceMax_ = 400;
+  private bounds_ = { minX: -1e6, minY: -1e6, maxX: 1e6, maxY: 1e6 };
+  private glide_: { from: CameraPose; to: CameraPose; start: number; duration: number } | null = null;
+
+  get pose(): Readonly<CameraPose> {
+    return this.pose_;
+  }
+
+  /** Vertical [rad]. */
+  get fieldOfView(): number {
+    return this.fieldOfView_;
+  }
+
+  get width(): number {
+    return this.width_;
+  }
+
+  get height(): number {
+    return this.height_;
+  }
+
+  /** Size of the canvas [CSS px]; the lens follows it. */
+  resize(width: number, height: number): void {
+    this.width_ = Math.max(1, width);
+    this.height_ = Math.max(1, height);
+    this.fieldOfView_ = (Math.min(width, height) < 520 ? 28 : 24) * kDegree;
+  }
+
+  /** The view as a scene opens, before a fit. */
+  open(): void {
+    this.glide_ = null;
+    this.pose_.turn = 0.33;
+    this.pose_.pitch = (this.height_ > this.width_ ? 50 : 46) * kDegree;
+  }
+
+  /** Keeps the target in the world and the eye at a useful height. */
+  setWorld(minX: number, minY: number, maxX: number, maxY: number): void {
+    this.bounds_ = { minX, minY, maxX, maxY };
+    this.distanceMax_ = Math.max(60, 3.2 * Math.hypot(maxX - minX, maxY - minY));
+    this.limit();
+  }
+
+  setPose(pose: CameraPose): void {
+    this.pose_ = { ...pose };
+    this.limit();
+  }
+
+  pan(from: ScreenPoint, to: ScreenPoint): void {
+    const before = this.screenToGround(from);
+    const after = this.screenToGround(to);
+    if (before && after) this.shift(before.x - after.x, before.y - after.y);
+  }
+
+  panBy(dx: number, dy: number): void {
+    const middle = { x: this.width_ / 2, y: this.height_ / 2 };
+    this.pan(middle, { x: middle.x + dx, y: middle.y + dy });
+  }
+
+  pinch(before: readonly [ScreenPoint, ScreenPoint], after: readonly [ScreenPoint, ScreenPoint]): void {
+    const a = this.screenToGround(before[0]);
+    const b = this.screenToGround(before[1]);
+    if (!a || !b || Math.hypot(b.x - a.x, b.y - a.y) < 1e-6) return;
+    // Turn, distance and place act on each other through perspective, so the similarity is found step by step.
+    for (let round = 0; round < 24; ++round) {
+      const c = this.screenToGround(after[0]);
+      const d = this.screenToGround(after[1]);
+      if (!c || !d) return;
+      const wanted = Math.hypot(b.x - a.x, b.y - a.y);
+      const found = Math.hypot(d.x - c.x, d.y - c.y);
+      if (found < 1e-6) return;
+      let angle = Math.atan2(b.y - a.y, b.x - a.x) - Math.atan2(d.y - c.y, d.x - c.x);
+      angle = Math.atan2(Math.sin(angle), Math.cos(angle));
+      this.pose_.turn += angle;
+      this.pose_.distance = this.clampDistance(this.pose_.distance * Math.min(2, Math.max(0.5, wanted / found)));
+      const e = this.screenToGround(after[0]);
+      const f = this.screenToGround(after[1]);
+      if (!e || !f) return;
+      this.shift((a.x + b.x - e.x - f.x) / 2, (a.y + b.y - e.y - f.y) / 2);
+      if (Math.abs(angle) < 1e-9 && Math.abs(wanted / found - 1) < 1e-9) return;
+    }
+  }
+
+  zoomAt(at: ScreenPoint, factor: number): void {
+    const before = this.screenToGround(at);
+    this.glide_ = null;
+    this.pose_.distance = this.clampDistance(this.pose_.distance / factor);
+    const after = this.screenToGround(at);
+    if (before && after) this.shift(before.x - after.x, before.y - after.y);
+  }
+
+  orbit(turn: number, tilt: number): void {
+    this.glide_ = null;
+    this.pose_.turn += turn;
+    this.pose_.pitch = Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch + tilt));
+  }
+
+  fit(points: readonly GroundPoint[], padding: Padding): void {
+    if (points.length === 0) return;
+    this.glide_ = null;
+    const left = padding.left;
+    const top = padding.top;
+    const width = Math.max(80, this.width_ - padding.left - padding.right);
+    const height = Math.max(80, this.height_ - padding.top - padding.bottom);
+    for (let round = 0; round < 16; ++round) {
+      const box = this.screenBox(points);
+      const ratio = Math.max((box.maxX - box.minX) / width, (box.maxY - box.minY) / height, 1e-3);
+      this.pose_.distance = this.clampDistance(this.pose_.distance * Math.min(4, Math.max(0.25, ratio)));
+      const moved = this.screenBox(points);
+      this.pan(
+        { x: (moved.minX + moved.maxX) / 2, y: (moved.minY + moved.maxY) / 2 },
+        { x: left + width / 2, y: top + height / 2 },
+      );
+    }
+  }
+
+  /** As `fit`, but gliding there within `duration` [ms]. */
+  glideFit(points: readonly GroundPoint[], padding: Padding, now: number, duration: number): void {
+    const from = { ...this.pose_ };
+    this.fit(points, padding);
+    this.glideFrom(from, now, duration);
+  }
+
+  /** Glides until the point lies in the middle between the panels; distance, turn and pitch stay. */
+  glideTo(point: GroundPoint, padding: Padding, now: number, duration: number): void {
+    const from = { ...this.pose_ };
+    const middle = this.screenToGround({
+      x: (padding.left + this.width_ - padding.right) / 2,
+      y: (padding.top + this.height_ - padding.bottom) / 2,
+    });
+    if (middle) this.shift(point.x - middle.x, point.y - middle.y);
+    this.glideFrom(from, now, duration);
+  }
+
+  /** Moves along a glide; true while it lasts. */
+  update(now: number): boolean {
+    const glide = this.glide_;
+    if (!glide) return false;
+    const t = Math.min(1, Math.max(0, (now - glide.start) / glide.duration));
+    const s = t * t * (3 - 2 * t);
+    const mix = (a: number, b: number): number => a + (b - a) * s;
+    this.pose_.targetX = mix(glide.from.targetX, glide.to.targetX);
+    this.pose_.targetY = mix(glide.from.targetY, glide.to.targetY);
+    this.pose_.distance = mix(glide.from.distance, glide.to.distance);
+    if (t >= 1) this.glide_ = null;
+    return true;
+  }
+
+  /** Null above the horizon. */
+  screenToGround(at: ScreenPoint): GroundPoint | null {
+    const { eye, forward, right, up } = this.basis();
+    const tangent = Math.tan(this.fieldOfView_ / 2);
+    const u = ((2 * at.x) / this.width_ - 1) * tangent * (this.width_ / this.height_);
+    const v = (1 - (2 * at.y) / this.height_) * tangent;
+    const dz = forward[2] + up[2] * v + right[2] * u;
+    if (dz > -1e-4) return null;
+    const t = -eye[2] / dz;
+    return {
+      x: eye[0] + t * (forward[0] + right[0] * u + up[0] * v),
+      y: eye[1] + t * (forward[1] + right[1] * u + up[1] * v),
+    };
+  }
+
+  /** A point `z` [m] above the ground on the screen. Points behind the eye land far outside. */
+  worldToScreen(x: number, y: number, z = 0): ScreenPoint {
+    const { eye, forward, right, up } = this.basis();
+    const dx = x - eye[0];
+    const dy = y - eye[1];
+    const dz = z - eye[2];
+    const depth = Math.max(1e-3, dx * forward[0] + dy * forward[1] + dz * forward[2]);
+    const scale = this.height_ / (2 * Math.tan(this.fieldOfView_ / 2)) / depth;
+    return {
+      x: this.width_ / 2 + scale * (dx * right[0] + dy * right[1] + dz * right[2]),
+      y: this.height_ / 2 - scale * (dx * up[0] + dy * up[1] + dz * up[2]),
+    };
+  }
+
+  /** CSS px of a metre across the view at its middle. */
+  pixelsPerMetre(): number {
+    return this.height_ / (2 * Math.tan(this.fieldOfView_ / 2) * this.pose_.distance);
+  }
+
+  /** Eye and axes, all in world coordinates with z up. */
+  basis(): Basis {
+    const { targetX, targetY, distance, turn, pitch } = this.pose_;
+    const sinTurn = Math.sin(turn);
+    const cosTurn = Math.cos(turn);
+    const sinPitch = Math.sin(pitch);
+    const cosPitch = Math.cos(pitch);
+    const forward = [-sinTurn * cosPitch, cosTurn * cosPitch, -sinPitch] as const;
+    return {
+      eye: [targetX - forward[0] * distance, targetY - forward[1] * distance, -forward[2] * distance],
+      forward,
+      right: [cosTurn, sinTurn, 0],
+      up: [-sinTurn * sinPitch, cosTurn * sinPitch, cosPitch],
+    };
+  }
+
+  private screenBox(points: readonly GroundPoint[]): { minX: number; minY: number; maxX: number; maxY: number } {
+    const box = { minX: Infinity, minY: Infinity, maxX: -Infinity, maxY: -Infinity };
+    for (const point of points) {
+      const at = this.worldToScreen(point.x, point.y);
+      box.minX = Math.min(box.minX, at.x);
+      box.minY = Math.min(box.minY, at.y);
+      box.maxX = Math.max(box.maxX, at.x);
+      box.maxY = Math.max(box.maxY, at.y);
+    }
+    return box;
+  }
+
+  /** From a pose to the one it has now. */
+  private glideFrom(from: CameraPose, now: number, duration: number): void {
+    if (duration <= 0) return;
+    this.glide_ = { from, to: { ...this.pose_ }, start: now, duration };
+    this.pose_ = from;
+  }
+
+  private shift(dx: number, dy: number): void {
+    this.glide_ = null;
+    this.pose_.targetX += dx;
+    this.pose_.targetY += dy;
+    this.limit();
+  }
+
+  private clampDistance(distance: number): number {
+    return Math.min(this.distanceMax_, Math.max(kDistanceMin, distance));
+  }
+
+  private limit(): void {
+    const { minX, minY, maxX, maxY } = this.bounds_;
+    this.pose_.targetX = Math.min(maxX, Math.max(minX, this.pose_.targetX));
+    this.pose_.targetY = Math.min(maxY, Math.max(minY, this.pose_.targetY));
+    this.pose_.distance = this.clampDistance(this.pose_.distance);
+    this.pose_.pitch = Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch));
+  }
+}

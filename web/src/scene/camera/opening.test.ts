@@ -1,0 +1,42 @@
+import { describe, expect, it } from 'vitest';
+import { parseScene } from '../../protocol/scene';
+import { surroundings } from './opening';
+
+const scene = parseScene(
+  JSON.stringify({
+    box: { min: [-60, -60], max: [60, 60] },
+    obstacles: [
+      {
+        id: 1,
+        name: '',
+        polygon: [
+          [8, 0],
+          [9, 0],
+          [9, 1],
+        ],
+        height: 2,
+        moving: false,
+      },
+      { id: 2, name: '', centre: [0, 18], radius: 0.5, height: 2, moving: false },
+      { id: 3, name: '', centre: [-50, 0], radius: 0.5, height: 2, moving: false },
+    ],
+  }),
+);
+const crowd = [
+  { x: -2, y: -2 },
+  { x: 2, y: 2 },
+];
+
+describe('surroundings', () => {
+  it('holds what is near, drawn in, and leaves out what is far', () => {
+    expect(surroundings(scene, crowd)).toEqual([
+      { x: 8, y: 0 },
+      { x: 9, y: 0 },
+      { x: 9, y: 1 },
+      { x: 0, y: 13 },
+    ]);
+  });
+  it('has nothing to add where nobody is', () => {
+    expect(surroundings(scene, [])).toEqual([]);
+  });
+});

@@ -1,0 +1,26 @@
+// What the opening view shows beside the crowd: the obstacles and patches that await it.
+
+import type { Point2, SceneFacts } from '../../protocol/scene';
+import type { GroundPoint } from '../../model/plane';
+
+/** Things within this of the crowd are shown [m]. */
+const kNear = 20;
+/** They widen the view by no more than this to a side, so that people stay large [m]. */
+const kWiden = 11;
+
+/** Points to fit into the view: corners of what is near, drawn in where they would widen it too far. */
+export function surroundings(scene: SceneFacts | null, crowd: readonly GroundPoint[]): GroundPoint[] {
+  if (!scene || crowd.length === 0) return [];
+  const xs = crowd.map((point) => point.x);
+  const ys = crowd.map((point) => point.y);
+  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
+  const corners: Point2[] = [];
+  for (const one of [...scene.obstacles, ...scene.patches]) {
+    if (one.polygon) corners.push(...one.polygon);
+    else if ('centre' in one && one.centre) corners.push(one.centre);
+  }
+  return corners
+    .filter(([x, y]) => Math.hypot(x - clamp(x, x0, x1), y - clamp(y, y0, y1)) <= kNear)
+    .map(([x, y]) => ({ x: clamp(x, x0 - kWiden, x1 + kWiden), y: clamp(y, y0 - kWiden, y1 + kWiden) }));
+}

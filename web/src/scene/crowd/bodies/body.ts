@@ -1,0 +1,36 @@
+// A body that a crowd can be dressed in: its joints, and its skin at two levels of detail.
+
+import type { BufferGeometry, Texture } from 'three';
+import type { Rig } from './rig';
+
+/** What a corner of the skin is made of, as the attribute `region` numbers it; `own`: as its maker coloured it. */
+export const kRegion = { skin: 0, shirt: 1, trousers: 2, hair: 3, shoes: 4, own: 5 } as const;
+
+/** One draw call: geometry with `position`, `normal`, `joints`, `weights`, `region`, `tint`, and `uv` for a map. */
+export interface BodyPart {
+  readonly geometry: BufferGeometry;
+  readonly map: Texture | null;
+}
+
+export interface Body {
+  readonly name: string;
+  readonly rig: Rig;
+  readonly near: readonly BodyPart[];
+  readonly far: readonly BodyPart[];
+}
+
+/** Triangles of one level. */
+export function trianglesOf(parts: readonly BodyPart[]): number {
+  return parts.reduce(
+    (sum, { geometry }) => sum + (geometry.index?.count ?? geometry.attributes['position']!.count) / 3,
+    0,
+  );
+}
+
+/** Gives back what it holds on the graphics card. */
+export function disposeBody(body: Body): void {
+  for (const { geometry, map } of [...body.near, ...body.far]) {
+    geometry.dispose();
+    map?.dispose();
+  }
+}

@@ -1,0 +1,119 @@
+// The characters as shown just now: between two frames. Where everybody is, is mixed on the graphics card; here only for
+// those who ask, once for each picture.
+
+import { kRowFloats } from '../../model/studio_frame';
+import { bodyOf, lookOf, sizeOf } from './look';
+import { mix } from '../drawing/blend';
+import type { FrameBlend } from '../../model/frame_timeline';
+import type { FrameView, Numbers } from '../../model/frame_view';
+import { StandingGrid } from './standing_grid';
+
+/** Two places farther apart than this between frames are a fresh start, not a walk [m]. */
+export const kJump = 1.5;
+
+export class CrowdState {
+  count = 0;
+  ids = new Uint32Array(0);
+  group = new Uint8Array(0);
+  /** Over that of the skeleton. */
+  size = new Float32Array(0);
+  /** Skin and hair as one number. */
+  look = new Uint8Array(0);
+  /** Grows with every other list of members. */
+  version = 0;
+  private bodyDraw_ = new Uint8Array(0);
+  private blend_: FrameBlend | null = null;
+  private places_ = new Float32Array(0);
+  private placesStale_ = true;
+  private readonly grid_ = new StandingGrid();
+  private gridStale_ = true;
+
+  clear(): void {
+    this.setMembers([], []);
+    this.blend_ = null;
+  }
+
+  /** Takes the list of who is there; call when a frame brings one. */
+  setMembers(ids: Numbers, group: Numbers): void {
+    const count = ids.length;
+    this.count = count;
+    this.version += 1;
+    this.ids = Uint32Array.from(ids);
+    this.group = Uint8Array.from(group);
+    [this.size, this.look, this.bodyDraw_] = [new Float32Array(count), new Uint8Array(count), new Uint8Array(count)];
+    this.places_ = new Float32Array(2 * count);
+    for (let i = 0; i < count; ++i) {
+      const id = this.ids[i]!;
+      const { skin, hair } = lookOf(id);
+      this.size[i] = sizeOf(id);
+      this.look[i] = 5 * skin + hair;
+      // Divisible by as many bodies as there may ever be.
+      this.bodyDraw_[i] = bodyOf(id, 12);
+    }
+    this.placesStale_ = this.gridStale_ = true;
+  }
+
+  /** Takes the members that a frame tells of; true where they are others than before. */
+  takeMembers(frame: FrameView): boolean {
+    if (frame.ids.length > 0 && !sameNumbers(frame.ids, this.ids, frame.group, this.group)) {
+      this.setMembers(frame.ids, frame.group);
+      return true;
+    }
+    if (frame.x.length > 0 || this.count === 0) return false;
+    this.setMembers([], []);
+    return true;
+  }
+
+  /** Index of the group of the character with this id; undefined where there is none. */
+  groupOf(id: number): number | undefined {
+    const index = this.ids.indexOf(id);
+    return index < 0 ? undefined : (this.group[index] ?? -1);
+  }
+
+  /** Which of `bodies` (1, 2, 3, 4, 6) a character has. */
+  body(i: number, bodies: number): number {
+    return this.bodyDraw_[i]! % bodies;
+  }
+
+  /** Moves everyone to a moment between two frames. */
+  update(blend: FrameBlend): void {
+    this.gridStale_ ||= blend.to !== this.blend_?.to;
+    this.blend_ = blend;
+    this.placesStale_ = true;
+  }
+
+  /** x, y of everybody in this moment [m]. */
+  get places(): Float32Array {
+    if (this.placesStale_ && this.blend_) this.mixPlaces(this.blend_);
+    this.placesStale_ = false;
+    return this.places_;
+  }
+
+  /** True where somebody is within `reach` of a spot, in the newer of the two frames [m]. */
+  someoneNear(x: number, y: number, reach: number): boolean {
+    if (this.gridStale_ && this.blend_)
+      this.grid_.fill(this.blend_.to.rows, kRowFloats, Math.min(this.count, this.blend_.to.x.length));
+    this.gridStale_ = false;
+    return this.grid_.someoneNear(x, y, reach);
+  }
+
+  private mixPlaces({ from, to, alpha }: FrameBlend): void {
+    const count = Math.min(this.count, to.x.length);
+    const same = from.x.length === to.x.length;
+    for (let i = 0; i < count; ++i) {
+      const bx = to.x[i]!,
+        by = to.y[i]!;
+      const ax = same ? from.x[i]! : bx,
+        ay = same ? from.y[i]! : by;
+      const t = Math.hypot(bx - ax, by - ay) > kJump ? 1 : alpha;
+      this.places_[2 * i] = mix(ax, bx, t);
+      this.places_[2 * i + 1] = mix(ay, by, t);
+    }
+  }
+}
+
+function sameNumbers(a: Numbers, b: Numbers, c: Numbers, d: Numbers): boolean {
+  if (a.length !== b.length || c.length !== d.length) return false;
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i] || c[i] !== d[i]) return false;
+  return true;
+}

@@ -1,0 +1,35 @@
+import { describe, expect, it } from 'vitest';
+import { hexToRgb, srgbToLinear } from './colour';
+import { accentColour, paletteOf } from './palette';
+
+function luminance(hex: string): number {
+  const [r, g, b] = hexToRgb(hex);
+  return 0.2126 * srgbToLinear(r) + 0.7152 * srgbToLinear(g) + 0.0722 * srgbToLinear(b);
+}
+
+function contrast(a: string, b: string): number {
+  const [high, low] = [luminance(a), luminance(b)].sort((x, y) => y - x) as [number, number];
+  return (high + 0.05) / (low + 0.05);
+}
+
+describe('palette', () => {
+  it('accents stand out from the ground, and their words from them', () => {
+    for (const theme of ['light', 'dark'] as const) {
+      const palette = paletteOf(theme);
+      for (const accent of Object.values(palette.accents)) {
+        expect(contrast(accent, palette.ground)).toBeGreaterThan(3);
+        expect(contrast(accent, palette.onAccent)).toBeGreaterThanOrEqual(4.5);
+      }
+      for (const mark of [palette.waterLine, palette.net, palette.brickLine, palette.obstacleEdge]) {
+        expect(contrast(mark, palette.ground)).toBeGreaterThan(3);
+      }
+      expect(contrast(palette.ink, palette.panel)).toBeGreaterThan(12);
+    }
+  });
+
+  it('repeats after six', () => {
+    const palette = paletteOf('light');
+    expect(accentColour(palette, 6)).toBe(accentColour(palette, 0));
+    expect(accentColour(palette, -1)).toBe(accentColour(palette, 5));
+  });
+});

@@ -1,0 +1,126 @@
+// The colours of the scene in both themes (the tests hold the contrasts).
+import { accentOf, type Accent } from '../../model/accent';
+import type { Theme } from '../../model/view_settings';
+
+export interface Palette {
+  readonly ground: string;
+  readonly groundOutside: string;
+  readonly lineFine: string;
+  readonly lineCoarse: string;
+  readonly edge: string;
+  /** Part of its light that ground keeps in shadow. */
+  readonly shadowKeeps: number;
+  readonly panel: string;
+  readonly ink: string;
+  readonly ink2: string;
+  /** White round marks on the ground; near black in dark. */
+  readonly casing: string;
+  readonly onAccent: string;
+  readonly water: string;
+  readonly waterLine: string;
+  readonly coping: string;
+  readonly netFloor: string;
+  readonly net: string;
+  readonly brick: string;
+  readonly brickLine: string;
+  readonly plainFloor: string;
+  readonly obstacleEdge: string;
+  readonly roof: string;
+  readonly roofHatch: string;
+  readonly wall: string;
+  readonly crown: string;
+  readonly trunk: string;
+  readonly stone: string;
+  readonly item: string;
+  readonly carBodies: readonly string[];
+  readonly glass: string;
+  /** Shirts and marks while an overlay is on. */
+  readonly grey: string;
+  readonly accents: Readonly<Record<Accent, string>>;
+  readonly ramp: readonly string[];
+  readonly sun: number;
+  readonly sky: number;
+}
+
+const kLight: Palette = {
+  ground: '#E6E1D9',
+  groundOutside: '#DAD5CC',
+  lineFine: '#DDD7CE',
+  lineCoarse: '#CCC6BC',
+  edge: '#A39C90',
+  shadowKeeps: 0.7,
+  panel: '#FFFFFF',
+  ink: '#171B20',
+  ink2: '#545C66',
+  casing: '#FFFFFF',
+  onAccent: '#FFFFFF',
+  water: '#A8CFDA',
+  waterLine: '#2F7896',
+  coping: '#D9D1C2',
+  netFloor: '#E2D2AB',
+  net: '#6A5A36',
+  brick: '#D3B899',
+  brickLine: '#7A604A',
+  plainFloor: '#D8D2C6',
+  obstacleEdge: '#777166',
+  roof: '#EDE8DF',
+  roofHatch: '#DAD4C9',
+  wall: '#DDD6CA',
+  crown: '#9DBB8B',
+  trunk: '#8A6D52',
+  stone: '#E4DED2',
+  item: '#E9B93A',
+  carBodies: ['#C4BEB3', '#B5523F', '#7F93A8', '#5F8A7F'],
+  glass: '#2B3640',
+  grey: '#B4B0AC',
+  accents: { blue: '#1D5FD1', ember: '#CB4A0E', green: '#016553', plum: '#87598B', ochre: '#624A02', slate: '#313C4B' },
+  ramp: ['#F5F3C9', '#A1D1A3', '#4BA9A0', '#3A758F', '#3B4564'],
+  sun: 1.95,
+  sky: 1.6,
+};
+
+const kDark: Palette = {
+  ground: '#21262C',
+  groundOutside: '#1B2025',
+  lineFine: '#292F35',
+  lineCoarse: '#353C43',
+  edge: '#56606A',
+  shadowKeeps: 0.6,
+  panel: '#1F2429',
+  ink: '#EEF1F4',
+  ink2: '#B1B9C2',
+  casing: '#0E1114',
+  onAccent: '#0E1114',
+  water: '#1D4A5C',
+  waterLine: '#6FB6D2',
+  coping: '#3A4148',
+  netFloor: '#3E3829',
+  net: '#C9B67F',
+  brick: '#957A5F',
+  brickLine: '#B99C82',
+  plainFloor: '#2B3138',
+  obstacleEdge: '#6C7884',
+  roof: '#3F4750',
+  roofHatch: '#475059',
+  wall: '#343B43',
+  crown: '#4C6644',
+  trunk: '#5E4A39',
+  stone: '#4A525B',
+  item: '#F0C654',
+  carBodies: ['#5D7389', '#A9553F', '#7D858E', '#3F7468'],
+  glass: '#10151A',
+  grey: '#6C737B',
+  accents: { blue: '#74A9FF', ember: '#FF8A4C', green: '#90FBC9', plum: '#AC6BAA', ochre: '#FBE24F', slate: '#B7BCC2' },
+  ramp: ['#D6D4AA', '#82B185', '#238881', '#17566E', '#1E2744'],
+  sun: 1.9,
+  sky: 1.5,
+};
+
+export function paletteOf(theme: Theme): Palette {
+  return theme === 'dark' ? kDark : kLight;
+}
+
+/** The colour of a group's accent in this palette. */
+export function accentColour(palette: Palette, colour: number): string {
+  return palette.accents[accentOf(colour)];
+}

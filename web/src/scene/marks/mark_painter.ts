@@ -1,0 +1,213 @@
+// Draws the marks of controls in CSS px: handles, bars, hulls, paths, rings. It knows screens, not worlds.
+
+import { withAlpha } from '../drawing/colour';
+import type { MarkBounds } from './mark_extent';
+import type { ScreenPoint } from '../../model/plane';
+
+export type Pen = CanvasRenderingContext2D;
+
+export interface MarkColours {
+  readonly accent: string;
+  /** Round the accent: white, or near black in the dark. */
+  readonly casing: string;
+}
+
+const kHandle = 22;
+const kRing = 60;
+
+export class MarkPainter {
+  private readonly hatch_ = new Map<string, CanvasPattern | null>();
+
+  constructor(private readonly pen_: Pen) {}
+
+  /** Before a picture: clears, and sets CSS px of the screen for a canvas that covers this frame of it. */
+  begin(frame: MarkBounds, ratio: number): void {
+    this.pen_.setTransform(ratio, 0, 0, ratio, -frame.x * ratio, -frame.y * ratio);
+    this.pen_.clearRect(frame.x, frame.y, frame.width, frame.height);
+    this.pen_.lineCap = 'round';
+    this.pen_.lineJoin = 'round';
+    this.pen_.globalAlpha = 1;
+  }
+
+  set alpha(value: number) {
+    this.pen_.globalAlpha = Math.min(1, Math.max(0, value));
+  }
+
+  /** A stroke in its casing. */
+  cased(points: readonly ScreenPoint[], colours: MarkColours, width: number, casing: number, closed = false): void {
+    if (points.length < 2) return;
+    this.trace(points, closed);
+    this.stroke(colours.casing, casing);
+    this.stroke(colours.accent, width);
+  }
+
+  dashed(points: readonly ScreenPoint[], colour: string, width: number, closed: boolean): void {
+    if (points.length < 2) return;
+    this.pen_.setLineDash([10, 8]);
+    this.pen_.lineCap = 'butt';
+    this.trace(points, closed);
+    this.stroke(colour, width);
+    this.pen_.setLineDash([]);
+    this.pen_.lineCap = 'round';
+  }
+
+  /** A checkpoint; the next one is bigger and filled. */
+  checkpoint(at: ScreenPoint, colours: MarkColours, next: boolean): void {
+    if (next) {
+      this.disc(at, 7.2, colours.casing);
+      this.disc(at, 5.5, colours.accent);
+      return;
+    }
+    this.disc(at, 3, colours.accent);
+    this.disc(at, 1.6, colours.casing);
+  }
+
+  /** The head of an arrow where a finger lifted; `angle` on the screen [rad]. */
+  chevron(at: ScreenPoint, angle: number, colours: MarkColours): void {
+    const pen = this.pen_;
+    pen.save();
+    pen.translate(at.x, at.y);
+    pen.rotate(angle);
+    pen.beginPath();
+    pen.moveTo(7, 0);
+    pen.lineTo(-6.5, 6);
+    pen.lineTo(-3.2, 0);
+    pen.lineTo(-6.5, -6);
+    pen.closePath();
+    this.stroke(colours.casing, 4);
+    pen.fillStyle = colours.accent;
+    pen.fill();
+    pen.restore();
+  }
+
+  /** Under a finger, wider than its tip; `size` 0 to 1. */
+  ring(at: ScreenPoint, colours: MarkColours, size: number): void {
+    const radius = (kRing / 2) * size;
+    this.disc(at, radius, withAlpha(colours.accent, 0.13));
+    this.circle(at, radius + 1.5, withAlpha(colours.casing, 0.85), 1.5);
+    this.circle(at, radius, colours.accent, 2);
+  }
+
+  pointHandle(at: ScreenPoint, colours: MarkColours, size: number): void {
+    this.disc(at, (kHandle / 2 + 1.5) * size, colours.casing);
+    this.disc(at, (kHandle / 2) * size, colours.accent);
+    this.disc(at, 7.6 * size, colours.casing);
+    this.disc(at, 4.4 * size, colours.accent);
+  }
+
+  /** A capsule across the bar; `angle` of the bar [rad]. */
+  lineHandle(at: ScreenPoint, angle: number, colours: MarkColours, size: number): void {
+    const pen = this.pen_;
+    pen.save();
+    pen.translate(at.x, at.y);
+    pen.rotate(angle + Math.PI / 2);
+    pen.scale(size, size);
+    this.box(15, 10.5, 10.5, colours.casing);
+    this.box(13.5, 9, 9, colours.accent);
+    this.box(10.4, 5.9, 5.9, colours.casing);
+    this.box(5.5, 1.9, 1.9, colours.accent);
+    pen.restore();
+  }
+
+  areaHandle(at: ScreenPoint, colours: MarkColours, size: number): void {
+    const pen = this.pen_;
+    pen.save();
+    pen.translate(at.x, at.y);
+    pen.scale(size, size);
+    this.box(12, 12, 6.5, colours.casing);
+    this.box(10.5, 10.5, 5.5, colours.accent);
+    this.box(7.8, 7.8, 3.2, colours.casing);
+    pen.beginPath();
+    pen.moveTo(0, -4.4);
+    pen.lineTo(4.6, 3.7);
+    pen.lineTo(-4.6, 3.7);
+    pen.closePath();
+    pen.fillStyle = colours.accent;
+    pen.fill();
+    pen.restore();
+  }
+
+  /** A point held softly. */
+  softPoint(at: ScreenPoint, colours: MarkColours): void {
+    this.disc(at, 3.1, colours.accent);
+    this.disc(at, 1.9, colours.casing);
+  }
+
+  /** The part of a mesh that an area holds. */
+  hull(points: readonly ScreenPoint[], colours: MarkColours): void {
+    if (points.length < 3) return;
+    this.trace(points, true);
+    this.pen_.fillStyle = withAlpha(colours.accent, 0.17);
+    this.pen_.fill();
+    const hatch = this.hatchOf(colours.accent);
+    if (hatch) {
+      this.pen_.fillStyle = hatch;
+      this.pen_.fill();
+    }
+    this.stroke(withAlpha(colours.casing, 0.7), 5);
+    this.stroke(colours.accent, 3);
+  }
+
+  /** A filled outline with a thin rim, for a lasso. */
+  veil(points: readonly ScreenPoint[], colour: string): void {
+    if (points.length < 3) return;
+    this.trace(points, true);
+    this.pen_.fillStyle = withAlpha(colour, 0.1);
+    this.pen_.fill();
+  }
+
+  private hatchOf(colour: string): CanvasPattern | null {
+    const known = this.hatch_.get(colour);
+    if (known !== undefined) return known;
+    const tile = document.createElement('canvas');
+    tile.width = 8;
+    tile.height = 8;
+    const pen = tile.getContext('2d');
+    let pattern: CanvasPattern | null = null;
+    if (pen) {
+      pen.strokeStyle = withAlpha(colour, 0.22);
+      pen.lineWidth = 1;
+      for (const shift of [-8, 0, 8]) {
+        pen.beginPath();
+        pen.moveTo(shift - 1, 9);
+        pen.lineTo(shift + 9, -1);
+        pen.stroke();
+      }
+      pattern = this.pen_.createPattern(tile, 'repeat');
+    }
+    this.hatch_.set(colour, pattern);
+    return pattern;
+  }
+
+  private trace(points: readonly ScreenPoint[], closed: boolean): void {
+    this.pen_.beginPath();
+    points.forEach((point, i) => (i === 0 ? this.pen_.moveTo(point.x, point.y) : this.pen_.lineTo(point.x, point.y)));
+    if (closed) this.pen_.closePath();
+  }
+
+  private stroke(colour: string, width: number): void {
+    this.pen_.strokeStyle = colour;
+    this.pen_.lineWidth = width;
+    this.pen_.stroke();
+  }
+
+  private disc(at: ScreenPoint, radius: number, colour: string): void {
+    this.pen_.beginPath();
+    this.pen_.arc(at.x, at.y, Math.max(0, radius), 0, 2 * Math.PI);
+    this.pen_.fillStyle = colour;
+    this.pen_.fill();
+  }
+
+  private circle(at: ScreenPoint, radius: number, colour: string, width: number): void {
+    this.pen_.beginPath();
+    this.pen_.arc(at.x, at.y, Math.max(0, radius), 0, 2 * Math.PI);
+    this.stroke(colour, width);
+  }
+
+  private box(halfWidth: number, halfHeight: number, radius: number, colour: string): void {
+    this.pen_.beginPath();
+    this.pen_.roundRect(-halfWidth, -halfHeight, 2 * halfWidth, 2 * halfHeight, radius);
+    this.pen_.fillStyle = colour;
+    this.pen_.fill();
+  }
+}

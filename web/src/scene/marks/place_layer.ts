@@ -1,0 +1,146 @@
+// Rings on the ground, all in one draw: places (whole, dashed for those to come, crossed where nobody fits).
+
+import {
+  BufferAttribute,
+  Color,
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  LinearSRGBColorSpace,
+  Mesh,
+  ShaderMaterial,
+} from 'three';
+import { forgetInstances } from '../drawing/instances';
+
+/** How a ring is drawn. */
+export const kRing = { whole: 0, dashed: 1, crossed: 2 } as const;
+
+/** Half the quad beyond the ring's radius [m]. */
+const kMargin = 0.06;
+
+const kVertex = `
+attribute vec4 ring;
+attribute vec4 tint;
+varying vec2 vAt;
+varying vec4 vTint;
+varying float vRadius;
+varying float vStyle;
+void main() {
+  float reach = ring.z + ${kMargin.toFixed(2)};
+  vAt = position.xy * reach;
+  vTint = tint;
+  vRadius = ring.z;
+  vStyle = ring.w;
+  gl_Position = projectionMatrix * viewMatrix * vec4(ring.xy + vAt, 0.012, 1.0);
+}`;
+
+const kFragment = `
+varying vec2 vAt;
+varying vec4 vTint;
+varying float vRadius;
+varying float vStyle;
+uniform float uPixel;
+void main() {
+  float r = length(vAt);
+  float wide = max(fwidth(r), 1e-5);
+  float cover = clamp(0.65 * uPixel + 0.5 - abs(r - vRadius + 0.5 * wide) / wide, 0.0, 1.0);
+  if (vStyle > 0.5 && vStyle < 1.5) {
+    float turn = fract(atan(vAt.y, vAt.x) / 6.2831853 * 7.0);
+    cover *= smoothstep(0.0, 0.12, turn) * (1.0 - smoothstep(0.5, 0.62, turn));
+  }
+  if (vStyle > 1.5 && r < vRadius) {
+    vec2 cross = vec2(vAt.x + vAt.y, vAt.x - vAt.y) * 0.7071;
+    float away = min(abs(cross.x), abs(cross.y)) / wide;
+    cover = max(cover, clamp(0.65 * uPixel + 0.5 - away, 0.0, 1.0));
+  }
+  if (cover < 0.01) discard;
+  gl_FragColor = vec4(vTint.rgb, vTint.a * cover);
+}`;
+
+export class PlaceLayer {
+  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  private rings_ = new Float32Array(0);
+  private tints_ = new Float32Array(0);
+  private capacity_ = 0;
+  private count_ = 0;
+  private readonly scratch_ = new Color();
+
+  constructor() {
+    const geometry = new InstancedBufferGeometry();
+    geometry.setAttribute(
+      'position',
+      new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3),
+    );
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    geometry.instanceCount = 0;
+    const material = new ShaderMaterial({
+      vertexShader: kVertex,
+      fragmentShader: kFragment,
+      transparent: true,
+      depthWrite: false,
+      polygonOffset: true,
+      polygonOffsetFactor: -3,
+      polygonOffsetUnits: -6,
+      uniforms: { uPixel: { value: 1 } },
+    });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 5;
+  }
+
+  setPixelRatio(ratio: number): void {
+    (this.mesh.material.uniforms['uPixel'] as { value: number }).value = ratio;
+  }
+
+  /** Starts anew with room for `count` rings. */
+  begin(count: number): void {
+    this.count_ = 0;
+    if (count <= this.capacity_) return;
+    this.capacity_ = Math.ceil(count * 1.3) + 16;
+    this.rings_ = new Float32Array(4 * this.capacity_);
+    this.tints_ = new Float32Array(4 * this.capacity_);
+    forgetInstances(this.mesh.geometry);
+    for (const [name, array] of [
+      ['ring', this.rings_],
+      ['tint', this.tints_],
+    ] as const) {
+      const attribute = new InstancedBufferAttribute(array, 4);
+      attribute.setUsage(DynamicDrawUsage);
+      this.mesh.geometry.setAttribute(name, attribute);
+    }
+  }
+
+  /** All rings that follow have this colour. */
+  setTint(hex: string): void {
+    // As it is shown: the shader converts nothing.
+    this.scratch_.setStyle(hex, LinearSRGBColorSpace);
+  }
+
+  add(x: number, y: number, radius: number, style: number, alpha: number): void {
+    if (this.count_ >= this.capacity_) return;
+    const at = 4 * this.count_;
+    this.rings_[at] = x;
+    this.rings_[at + 1] = y;
+    this.rings_[at + 2] = radius;
+    this.rings_[at + 3] = style;
+    this.tints_[at] = this.scratch_.r;
+    this.tints_[at + 1] = this.scratch_.g;
+    this.tints_[at + 2] = this.scratch_.b;
+    this.tints_[at + 3] = alpha;
+    ++this.count_;
+  }
+
+  end(): void {
+    this.mesh.geometry.instanceCount = this.count_;
+    this.mesh.visible = this.count_ > 0;
+    for (const name of ['ring', 'tint']) {
+      const attribute = this.mesh.geometry.attributes[name];
+      if (attribute) attribute.needsUpdate = true;
+    }
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}

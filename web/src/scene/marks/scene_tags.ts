@@ -1,0 +1,166 @@
+// The words over the scene at this moment.
+
+import type { ControlKind } from '../../protocol/messages';
+import { kKindNames } from '../../model/control_watch';
+import type { Point2, SceneFacts } from '../../protocol/scene';
+import type { CameraController } from '../camera/camera_controller';
+import type { MarkState } from './mark_state';
+import type { ContourLabel } from '../ground/field_raster';
+import type { MovingView, OverlayView } from '../../model/frame_view';
+import { centroid } from '../drawing/geometry_builder';
+import { accentColour, type Palette } from '../drawing/palette';
+import { heightOfLook, lookOfMotion } from '../patches/patch_geometry';
+import { kMotionIcons, type Tag } from './tag_layer';
+import type { ScreenPoint } from '../../model/plane';
+
+/** How long a chip names a control's kind [ms]. */
+const kChipTime = 1200;
+const kChipFade = 180;
+/** Room a tag takes, and how far apart tags of the same words stand [CSS px]. */
+const kTagWidth = 150;
+const kTagHeight = 30;
+const kIconWidth = 40;
+const kPhoneWidth = 520;
+const kRepeatHeight = 150;
+
+export interface TagScene {
+  readonly camera: CameraController;
+  readonly palette: Palette;
+  readonly colours: readonly number[];
+  readonly now: number;
+  readonly moving: readonly MovingView[];
+  readonly overlay: OverlayView | null;
+  readonly contours: readonly ContourLabel[];
+  readonly chosenGroup: number;
+}
+
+/** `Net` and `crawl 0.21×`. */
+export function patchWords(name: string, clip: string, speed: number): { text: string; detail: string } {
+  const figure = speed >= 1 ? speed.toFixed(1) : speed.toFixed(2);
+  return { text: name || clip, detail: `${clip} ${figure}×` };
+}
+
+export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
+  const tags: Tag[] = [];
+  for (const patch of scene.patches) {
+    const clip = scene.clips[patch.motion]?.name ?? '';
+    const move = patch.moving ? view.moving.find((one) => one.kind === 1 && one.id === patch.id) : undefined;
+    const at = aboveOutline(patch.polygon, heightOfLook(lookOfMotion(clip)), move, view.camera);
+    if (!onScreen(at, view.camera)) continue;
+    const icon = kMotionIcons[clip];
+    tags.push({
+      key: `patch:${patch.id}`,
+      kind: 'patch',
+      at,
+      ...patchWords(patch.name, clip, patch.speed),
+      ...(icon ? { icon } : {}),
+    });
+  }
+  // Phones show icons alone.
+  const words = uncrowded(tags, view.camera.width > kPhoneWidth ? kTagWidth : kIconWidth);
+  scene.checkpoints.forEach((checkpoint, i) => {
+    const at = view.camera.worldToScreen(checkpoint.position[0], checkpoint.position[1]);
+    if (onScreen(at, view.camera)) words.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
+  });
+  return words;
+}
+
+/** Leaves out tags that would cover another, and those that repeat a neighbour's words. */
+export function uncrowded(tags: readonly Tag[], width = kTagWidth): Tag[] {
+  const kept: Tag[] = [];
+  const nearest = [...tags].sort((a, b) => b.at.y - a.at.y || a.key.localeCompare(b.key));
+  for (const tag of nearest) {
+    const crowded = kept.some((other) => {
+      const same = other.text === tag.text;
+      return (
+        Math.abs(other.at.x - tag.at.x) < (same ? 2 * width : width) &&
+        Math.abs(other.at.y - tag.at.y) < (same ? kRepeatHeight : kTagHeight)
+      );
+    });
+    if (!crowded) kept.push(tag);
+  }
+  return tags.filter((tag) => kept.includes(tag));
+}
+
+/** The middle of the outline, just above its highest corner on the screen. */
+function aboveOutline(
+  polygon: readonly Point2[],
+  height: number,
+  move: MovingView | undefined,
+  camera: CameraController,
+): ScreenPoint {
+  const centre = centroid(polygon);
+  const c = Math.cos(move?.angle ?? 0);
+  const s = Math.sin(move?.angle ?? 0);
+  let top = Infinity;
+  for (const point of polygon) {
+    const dx = point[0] - centre[0];
+    const dy = point[1] - centre[1];
+    const at = camera.worldToScreen(
+      centre[0] + (move?.x ?? 0) + c * dx - s * dy,
+      centre[1] + (move?.y ?? 0) + s * dx + c * dy,
+      height,
+    );
+    top = Math.min(top, at.y);
+  }
+  const middle = camera.worldToScreen(centre[0] + (move?.x ?? 0), centre[1] + (move?.y ?? 0), height);
+  return { x: middle.x, y: top - 20 };
+}
+
+/** Names the kinds of young controls. */
+export function chipTags(marks: MarkState, view: TagScene): Tag[] {
+  const tags: Tag[] = [];
+  for (const shown of marks.controls) {
+    const age = view.now - shown.kindSince;
+    if (shown.ended > 0 || age > kChipTime) continue;
+    const at = shown.control.points.map((point, i) => {
+      const n = point.path.length;
+      const handle = shown.handles[i] ?? point;
+      return view.camera.worldToScreen(point.path[n - 2] ?? handle.x, point.path[n - 1] ?? handle.y);
+    });
+    const top = Math.min(...at.map((point) => point.y));
+    const middle = at.reduce((sum, point) => sum + point.x, 0) / Math.max(1, at.length);
+    tags.push({
+      key: `chip:${shown.group}:${shown.control.id}`,
+      kind: 'chip',
+      text: kKindNames[shown.control.kind as ControlKind],
+      at: { x: middle, y: Math.max(16, top - 50) },
+      fill: accentColour(view.palette, view.colours[shown.group] ?? 0),
+      ink: view.palette.onAccent,
+      opacity: Math.min(1, (kChipTime - age) / kChipFade),
+    });
+  }
+  return tags;
+}
+
+/** Names the chosen character and its place, and numbers the contours. */
+export function overlayTags(view: TagScene): Tag[] {
+  const { overlay, camera } = view;
+  if (!overlay) return [];
+  const tags: Tag[] = view.contours.map((label) => ({
+    key: `contour:${label.text}`,
+    kind: 'contour',
+    text: label.text,
+    at: camera.worldToScreen(label.x, label.y),
+  }));
+  const path = overlay.path;
+  if (path.length < 4) return tags;
+  const fill = accentColour(view.palette, view.colours[view.chosenGroup] ?? 0);
+  const ink = view.palette.onAccent;
+  const from = camera.worldToScreen(path[0] ?? 0, path[1] ?? 0, 1.8);
+  const to = camera.worldToScreen(path[path.length - 2] ?? 0, path[path.length - 1] ?? 0);
+  tags.push({
+    key: 'chosen',
+    kind: 'chip',
+    text: `Character ${overlay.character}`,
+    at: { x: from.x, y: from.y - 20 },
+    fill,
+    ink,
+  });
+  tags.push({ key: 'place', kind: 'chip', text: 'Its place', at: { x: to.x, y: to.y + 32 }, fill, ink });
+  return tags;
+}
+
+function onScreen(at: ScreenPoint, camera: CameraController): boolean {
+  return at.x > -80 && at.y > -30 && at.x < camera.width + 80 && at.y < camera.height + 30;
+}

@@ -1,0 +1,96 @@
+// Words over the scene: names of patches, kinds of controls, numbers of contours. Plain elements, moved by transforms.
+import type { ScreenPoint } from '../../model/plane';
+
+export interface Tag {
+  readonly key: string;
+  readonly kind: 'patch' | 'chip' | 'contour' | 'spot';
+  readonly at: ScreenPoint;
+  readonly text: string;
+  /** Paler words after the name. */
+  readonly detail?: string;
+  /** Path data of a 20 x 20 icon. */
+  readonly icon?: string;
+  /** Fill and text colours of a chip. */
+  readonly fill?: string;
+  readonly ink?: string;
+  readonly opacity?: number;
+}
+
+/** Half the height of a tag [CSS px]; view.css agrees. */
+const kHalfHeight = 13;
+
+const kSvg = 'http://www.w3.org/2000/svg';
+
+export class TagLayer {
+  private readonly root_: HTMLElement;
+  private readonly elements_ = new Map<string, HTMLElement>();
+
+  constructor(root: HTMLElement) {
+    this.root_ = document.createElement('div');
+    this.root_.className = 'tags';
+    root.append(this.root_);
+  }
+
+  /** Shows exactly these tags; an element stays as long as its key does. */
+  show(tags: readonly Tag[]): void {
+    const unseen = new Set(this.elements_.keys());
+    for (const tag of tags) {
+      unseen.delete(tag.key);
+      let element = this.elements_.get(tag.key);
+      if (!element || element.dataset['text'] !== tag.text + (tag.detail ?? '')) {
+        element?.remove();
+        element = this.make(tag);
+        this.elements_.set(tag.key, element);
+        this.root_.append(element);
+        element.dataset['half'] = String(element.offsetWidth / 2);
+      }
+      // Whole px keep the letters sharp.
+      const left = Math.round(tag.at.x - Number(element.dataset['half']));
+      element.style.transform = `translate(${left}px, ${Math.round(tag.at.y - kHalfHeight)}px)`;
+      element.style.opacity = String(tag.opacity ?? 1);
+      if (tag.fill) element.style.background = tag.fill;
+      if (tag.ink) element.style.color = tag.ink;
+    }
+    for (const key of unseen) {
+      this.elements_.get(key)?.remove();
+      this.elements_.delete(key);
+    }
+  }
+
+  private make(tag: Tag): HTMLElement {
+    const element = document.createElement('div');
+    element.className = `tag tag-${tag.kind}`;
+    element.dataset['text'] = tag.text + (tag.detail ?? '');
+    if (tag.icon) element.append(makeIcon(tag.icon));
+    const name = document.createElement('b');
+    name.textContent = tag.text;
+    element.append(name);
+    if (tag.detail) {
+      const detail = document.createElement('span');
+      detail.textContent = tag.detail;
+      element.append(detail);
+    }
+    return element;
+  }
+}
+
+function makeIcon(path: string): SVGElement {
+  const svg = document.createElementNS(kSvg, 'svg');
+  svg.setAttribute('viewBox', '0 0 20 20');
+  svg.setAttribute('aria-hidden', 'true');
+  const line = document.createElementNS(kSvg, 'path');
+  line.setAttribute('d', path);
+  svg.append(line);
+  return svg;
+}
+
+/** A small figure per motion: strokes of a head, trunk and limbs. */
+export const kMotionIcons: Readonly<Record<string, string>> = {
+  crawl:
+    'M16.4 9.2a.9.9 0 1 0 .01 0M14.6 10.6 7.5 11.2 4 15h-2M7.5 11.2 8.6 15H6.4M14.6 10.6 15.6 15h1.8M11.5 11 12 14.6',
+  swim: 'M14.6 7.6a1 1 0 1 0 .01 0M4 11.6 9 8.2l3.4 3.4M9 8.2 11.6 5.6M2.4 14.4q1.9-1.6 3.8 0t3.8 0 3.8 0 3.8 0',
+  climb:
+    'M10.6 3.6a1 1 0 1 0 .01 0M15.4 2.2v15.6M10.4 6.6 9.2 11.4 12.2 13.6 11.4 17.6M9.2 11.4 7.2 17M10.4 6.8 13.4 5M10.2 7.4 13.8 9.4',
+  jump: 'M11.6 3.4a1 1 0 1 0 .01 0M11.2 6.2 9.4 10.4 13 11.6 12 14.6M9.4 10.4 5.4 12M11.2 6.6 14.6 5.4M11 6.8 7.2 6.4M4 17.2h12',
+  duck: 'M13.4 6.6a1 1 0 1 0 .01 0M12 8.8 7 10.4l3.2 2.8-1.4 4M7 10.4 5.4 13.6 6.2 17.2M12 9 14.4 12.4M3 3.4h14',
+};

@@ -1,0 +1,166 @@
+import { describe, expect, it } from 'vitest';
+import type { Point2 } from '../../protocol/scene';
+import type { GeometryBuilder } from '../drawing/geometry_builder';
+import { addPatch, lookOfMotion } from './patch_geometry';
+import { paletteOf } from '../drawing/palette';
+import { blended, emptyParts, hatchChords, type PatchParts, postsAlong } from './patch_parts';
+import { kBottom, kWaterLevel, widened } from './pool';
+
+const kSquare: readonly Point2[] = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+];
+
+function partsOf(clip: string, polygon = kSquare, name = ''): PatchParts {
+  const parts = emptyParts();
+  addPatch(parts, { id: 1, name, polygon, motion: 0, speed: 1, moving: false }, clip, paletteOf('light'));
+  return parts;
+}
+
+function boundsOf(builder: GeometryBuilder): { min: number[]; max: number[] } {
+  const geometry = builder.build();
+  geometry.computeBoundingBox();
+  return { min: geometry.boundingBox!.min.toArray(), max: geometry.boundingBox!.max.toArray() };
+}
+
+describe('patches', () => {
+  it('have an object by motion', () => {
+    expect(['crawl', 'swim', 'climb', 'jump', 'duck', 'run'].map(lookOfMotion)).toEqual([
+      'net',
+      'pool',
+      'wall',
+      'jump',
+      'branches',
+      'plain',
+    ]);
+  });
+
+  it('all have a floor but pools, and a dashed rim of their outline', () => {
+    for (const clip of ['crawl', 'climb', 'jump', 'duck', 'run', 'swim']) {
+      const parts = partsOf(clip);
+      expect(parts.floor.triangleCount).toBe(clip === 'swim' ? 0 : 2);
+      expect(parts.rim).toHaveLength(clip === 'swim' ? 0 : 4);
+      expect(parts.opening.triangleCount).toBe(clip === 'swim' ? 2 : 0);
+      expect(parts.leaves.triangleCount > 0).toBe(clip === 'duck');
+    }
+  });
+
+  it('wall: 1.3 m high and 0.4 m thick, along the middle of the patch, whichever way it lies', () => {
+    for (const outline of [
+      [
+        [-0.6, -7],
+        [0.6, -7],
+        [0.6, 7],
+        [-0.6, 7],
+      ],
+      [
+        [-7, -0.6],
+        [7, -0.6],
+        [7, 0.6],
+        [-7, 0.6],
+      ],
+    ] as Point2[][]) {
+      const { min, max } = boundsOf(partsOf('climb', outline).solid);
+      const sizes = [max[0]! - min[0]!, max[1]! - min[1]!].sort((a, b) => a - b);
+      expect(sizes[0]).toBeCloseTo(0.4);
+      expect(sizes[1]).toBeGreaterThan(13.8);
+      expect([max[2], min[2]]).toEqual([expect.closeTo(1.3), expect.closeTo(0)]);
+      expect(min[0]! + max[0]!).toBeCloseTo(0);
+    }
+  });
+
+  it('net: nowhere lower than the back of one who crawls, nowhere higher than its posts', () => {
+    const wide: Point2[] = [
+      [0, 0],
+      [6, 0],
+      [6, 15],
+      [0, 15],
+    ];
+    const heights = partsOf('crawl', wide).lines.flatMap(({ line }) => [line[0][2], line[1][2]]);
+    expect(Math.min(...heights)).toBeGreaterThan(0.66);
+    expect(Math.min(...heights)).toBeLessThan(0.75);
+    expect(Math.max(...heights)).toBeLessThanOrEqual(0.82);
+  });
+
+  it('pool: a basin below the ground, water just below its rim', () => {
+    const parts = partsOf('swim');
+    const { min, max } = boundsOf(parts.solid);
+    expect(min[2]).toBeCloseTo(kBottom);
+    expect(max[2]).toBeLessThan(0.05);
+    expect(boundsOf(parts.water).min[2]).toBeCloseTo(kWaterLevel);
+    // Walls face the water: seen from inside their area is that of the basin.
+    const p = parts.solid.build().attributes['normal']!.array;
+    expect(Array.from(p).filter((one, i) => i % 3 === 0 && one > 0.99).length).toBeGreaterThan(0);
+    expect(widened(kSquare, 0.5)).toEqual([
+      [-0.5, -0.5],
+      [4.5, -0.5],
+      [4.5, 4.5],
+      [-0.5, 4.5],
+    ]);
+  });
+
+  it('hurdle, hedge and mouse: half a metre high at most', () => {
+    const strip: Point2[] = [
+      [0, 0],
+      [2, 0],
+      [2, 8],
+      [0, 8],
+    ];
+    for (const name of ['Hurdle', 'Hedge', 'Mouse']) {
+      const { min, max } = boundsOf(
+        partsOf(
+          'jump',
+          name === 'Mouse'
+            ? [
+                [0, 0],
+                [2, 0],
+                [2, 2],
+                [0, 2],
+              ]
+            : strip,
+          name,
+        ).solid,
+      );
+      expect(max[2]).toBeGreaterThan(0.4);
+      expect(max[2]).toBeLessThan(0.57);
+      expect(min[2]).toBeGreaterThan(-0.1);
+    }
+  });
+
+  it('branches: leaves above those who duck, in reach of those who do not', () => {
+    const { min, max } = boundsOf(partsOf('duck').leaves);
+    expect(min[2]).toBeGreaterThan(1.25);
+    expect(min[2]).toBeLessThan(1.5);
+    expect(max[2]).toBeLessThan(2.6);
+    expect([min[0]! > -0.6, max[0]! < 4.6]).toEqual([true, true]);
+  });
+
+  it('posts stand at corners and no farther apart than asked', () => {
+    const posts = postsAlong(kSquare, 1.5);
+    expect(posts).toHaveLength(12);
+    for (const corner of kSquare) expect(posts).toContainEqual(corner);
+  });
+
+  it('hatch chords add up to the area over their spacing, holes between arms left out', () => {
+    const total = (outline: readonly Point2[]): number =>
+      hatchChords(outline, 0.6, 0.05).reduce((sum, [a, b]) => sum + Math.hypot(b[0] - a[0], b[1] - a[1]), 0) * 0.05;
+    expect(total(kSquare)).toBeCloseTo(16, 0);
+    const bay: readonly Point2[] = [
+      [0, 0],
+      [6, 0],
+      [6, 4],
+      [4, 4],
+      [4, 1],
+      [2, 1],
+      [2, 4],
+      [0, 4],
+    ];
+    expect(total(bay)).toBeCloseTo(18, 0);
+  });
+
+  it('colours mix by parts', () => {
+    expect(blended('#000000', '#FF8040', 0.5)).toBe('#804020');
+  });
+});

@@ -1,0 +1,69 @@
+// What tools and panels know of the view.
+
+import type { ViewStats } from './picture_stats';
+import type { Layers, Theme } from '../model/view_settings';
+import type { Body } from './crowd/bodies/body';
+import type { ClipPoses } from './crowd/clips/clip_bank';
+import type { SceneFacts } from '../protocol/scene';
+import type { CameraControls, Padding } from './camera/camera_controls';
+import type { FrameView, GroupMeshView, OverlayView } from '../model/frame_view';
+import type { GroundPoint, ScreenPoint } from '../model/plane';
+import type { DraftControl } from './marks/draft_control';
+
+/** Whom the server shall send whole poses of. */
+export interface Attention {
+  /** [m] */
+  readonly x: number;
+  readonly y: number;
+  /** How many of the nearest, at most. */
+  readonly count: number;
+}
+
+/** The contract; tools and panels hold no more than this. */
+export interface StudioScene {
+  readonly camera: CameraControls;
+  readonly stats: ViewStats;
+  /** Replaces the world; where it is another place the next frame opens the view on the crowd. */
+  setScene(scene: SceneFacts): void;
+  /** The clips that frames refer to by index. */
+  setMotions(clips: readonly ClipPoses[]): void;
+  /** Muster's own people; a simple one stands for them until they have come. */
+  setBodies(bodies: readonly Body[]): void;
+  /** A visitor's body for everybody, with clips in place of ours; null brings our people back. */
+  setOwnBody(body: Body | null, clips?: readonly ClipPoses[]): void;
+  /** Where this view looks. */
+  attention(): Attention;
+  setGroupMesh(mesh: GroupMeshView): void;
+  /** `receivedAt` by performance.now() [ms]. */
+  pushFrame(frame: FrameView, receivedAt: number): void;
+  /** Shows one field over the ground and greys all else; null takes it away. */
+  setOverlay(overlay: OverlayView | null): void;
+  setLayers(layers: Layers): void;
+  setTheme(theme: Theme): void;
+  setReducedMotion(reduced: boolean): void;
+  /** Greys the scene while the server is lost. */
+  setLost(lost: boolean): void;
+  /** The group whose panels are open (index into the scene's groups), or -1. */
+  setActiveGroup(index: number): void;
+  /** What panels cover; fits keep clear of it. */
+  setPadding(padding: Padding): void;
+  /** A ring under a finger in the very next frame; null lets it fade. A group of -1 means the camera. */
+  touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
+  /** What was drawn and no frame shows yet. */
+  showDrafts(drafts: readonly DraftControl[]): void;
+  /** Our number at the server: whose fingers these are. */
+  setClient(client: number): void;
+  /** A rubber band or lasso being drawn; null takes it away. */
+  previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
+  /** Id of the character whose figure lies under client coordinates, or -1. */
+  pick(clientX: number, clientY: number): number;
+  screenToWorld(at: ScreenPoint): GroundPoint | null;
+  worldToScreen(point: GroundPoint): ScreenPoint;
+  /** Fits crowd and paths between the panels. */
+  fitCrowd(): void;
+  /** Brings a spot between the panels. */
+  lookAt(point: GroundPoint): void;
+  /** CSS px that a metre on the ground takes in the middle of the view. */
+  pixelsPerMetre(): number;
+  dispose(): void;
+}

@@ -1,0 +1,400 @@
+// The scene: everything that is drawn from the world's frames, and the camera that looks at it.
+
+import './view.css';
+import type { Body } from './crowd/bodies/body';
+import type { ClipPoses } from './crowd/clips/clip_bank';
+import { isSameWorld, type SceneFacts } from '../protocol/scene';
+import { CameraController } from './camera/camera_controller';
+import { crowdOutline } from './camera/bounds_builder';
+import type { Padding } from './camera/camera_controls';
+import { MarkState } from './marks/mark_state';
+import type { CrowdLayer } from './crowd/crowd_layer';
+import { CrowdState } from './crowd/crowd_state';
+import { OverlayState } from './ground/overlay_state';
+import { type FrameBlend, FrameTimeline } from '../model/frame_timeline';
+import type { FrameView, GroupMeshView, MovingView, OverlayView } from '../model/frame_view';
+import { GroupState } from './marks/group_state';
+import { MarkLayer } from './marks/mark_layer';
+import { surroundings } from './camera/opening';
+import { accentColour, type Palette, paletteOf } from './drawing/palette';
+import { pickCharacter } from './crowd/picker';
+import { chooseQuality, rendererName } from './drawing/quality';
+import { chipTags, overlayTags, patchTags, type TagScene } from './marks/scene_tags';
+import { Stage } from './stage';
+import { PictureStats } from './picture_stats';
+import type { Attention, StudioScene } from './studio_scene';
+import { TagLayer } from './marks/tag_layer';
+import type { GroundPoint, ScreenPoint } from '../model/plane';
+import type { DraftControl } from './marks/draft_control';
+import type { Layers, Theme } from '../model/view_settings';
+import type { FieldScale } from '../model/field_scale';
+
+/** Rendering goes on this long after the last change, for what settles [ms]. */
+const kSettle = 700;
+/** The answer to a finger comes within this time, or does not come [ms]. */
+const kEchoWait = 60;
+/** Between two looks whether the last picture is finished [ms]. */
+const kRetry = 3;
+/** The camera's way to another view takes so long [ms]. */
+const kGlide = 260;
+const kNothingMoves: readonly MovingView[] = [];
+
+/** Draws the world once per display frame: controls and meshes of the newest frame, characters between the last two. */
+export class StudioView implements StudioScene {
+  readonly camera = new CameraController();
+  readonly stats = new PictureStats();
+  private readonly stage_: Stage;
+  private readonly marks_ = new MarkState();
+  private readonly markLayer_: MarkLayer;
+  private readonly tagLayer_: TagLayer;
+  private readonly timeline_ = new FrameTimeline();
+  private readonly crowd_ = new CrowdState();
+  private readonly groups_ = new GroupState();
+  private readonly observer_: ResizeObserver;
+  private scene_: SceneFacts | null = null;
+  private palette_: Palette = paletteOf('light');
+  private theme_: Theme = 'light';
+  private layers_: Layers = { mesh: true, places: true, paths: true };
+  private readonly overlay_ = new OverlayState();
+  private drafts_: readonly DraftControl[] = [];
+  /** A rubber band or lasso. */
+  private preview_: readonly DraftControl[] = [];
+  private padding_: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
+  private moving_: readonly MovingView[] = kNothingMoves;
+  private reduced_ = false;
+  private activeGroup_ = -1;
+  private opened_ = false;
+  private membersStale_ = true;
+  /** The next picture answers a finger. */
+  private urgent_ = false;
+  /** Where drawing is slow: until then only the answer to a finger may start a picture [ms]. */
+  private keptFreeUntil_ = 0;
+  private ringsStale_ = false;
+  private retry_ = 0;
+  private touchEcho_ = 0;
+  private activeUntil_ = 0;
+  private signature_ = '';
+  private request_ = 0;
+
+  constructor(
+    private readonly canvas_: HTMLCanvasElement,
+    private readonly overlayRoot_: HTMLElement,
+  ) {
+    this.stage_ = new Stage(canvas_, chooseQuality(location.search, rendererName));
+    this.markLayer_ = new MarkLayer(overlayRoot_);
+    this.tagLayer_ = new TagLayer(overlayRoot_);
+    this.observer_ = new ResizeObserver(() => this.resize());
+    this.observer_.observe(canvas_);
+    this.stage_.setPalette(this.palette_);
+    this.resize();
+    this.request_ = requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** Characters in the last picture by body, and the names of clips by index: for tests and the curious. */
+  get people(): { readonly drawn: CrowdLayer['drawn']; readonly clips: readonly string[] } {
+    const { drawn, bank } = this.stage_.crowd;
+    return { drawn, clips: Array.from({ length: bank.clipCount }, (_, clip) => bank.name(clip)) };
+  }
+
+  /** The scale of the overlay on show, for its legend; null without one. */
+  get fieldScale(): FieldScale | null {
+    return this.overlay_.scale;
+  }
+
+  setScene(scene: SceneFacts): void {
+    const anew = !this.scene_ || !isSameWorld(this.scene_, scene);
+    this.scene_ = scene;
+    this.membersStale_ = true;
+    this.stage_.setScene(scene, this.palette_);
+    if (anew) this.openScene(scene);
+    this.wake();
+  }
+
+  private openScene(scene: SceneFacts): void {
+    this.timeline_.clear();
+    this.crowd_.clear();
+    this.groups_.clear();
+    this.marks_.clear();
+    this.moving_ = kNothingMoves;
+    this.opened_ = false;
+    this.camera.setWorld(scene.box.min[0], scene.box.min[1], scene.box.max[0], scene.box.max[1]);
+    this.camera.open();
+    this.setOverlay(null);
+  }
+
+  setMotions(clips: readonly ClipPoses[]): void {
+    this.stage_.crowd.setMotions(clips);
+    this.wake();
+  }
+
+  setBodies(bodies: readonly Body[]): void {
+    this.stage_.crowd.setBodies(bodies);
+    this.wake();
+  }
+
+  setOwnBody(body: Body | null, clips: readonly ClipPoses[] = []): void {
+    this.stage_.crowd.setOwn(body, clips);
+    this.wake();
+  }
+
+  attention(): Attention {
+    const { targetX, targetY } = this.camera.pose;
+    return { x: targetX, y: targetY, count: this.stage_.wholePoses };
+  }
+
+  setGroupMesh(mesh: GroupMeshView): void {
+    this.groups_.setMesh(mesh);
+    this.wake();
+  }
+
+  pushFrame(frame: FrameView, receivedAt: number): void {
+    if (this.crowd_.takeMembers(frame)) this.membersStale_ = true;
+    this.timeline_.push(frame, receivedAt);
+    const echo = frame.touchEcho ?? 0;
+    if (this.stage_.paced && echo > this.touchEcho_) {
+      this.urgent_ = true;
+      this.keptFreeUntil_ = 0;
+      this.drawSoon();
+    }
+    this.touchEcho_ = echo;
+  }
+
+  setOverlay(overlay: OverlayView | null): void {
+    const changed = this.overlay_.set(overlay, this.camera.pose.turn);
+    this.stage_.setField(this.overlay_.raster);
+    this.stage_.environment.floorsVisible = this.overlay_.raster === null;
+    this.membersStale_ ||= changed;
+    this.wake();
+  }
+
+  setLayers(layers: Layers): void {
+    this.layers_ = layers;
+    this.wake();
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme_ = theme;
+    this.palette_ = paletteOf(theme);
+    this.overlayRoot_.dataset['theme'] = theme;
+    this.stage_.setPalette(this.palette_);
+    if (this.scene_) this.stage_.setScene(this.scene_, this.palette_);
+    this.membersStale_ = true;
+    this.wake();
+  }
+
+  setReducedMotion(reduced: boolean): void {
+    this.reduced_ = reduced;
+    this.marks_.reducedMotion = reduced;
+  }
+
+  setLost(lost: boolean): void {
+    for (const element of [this.canvas_, this.overlayRoot_]) element.classList.toggle('scene-lost', lost);
+  }
+
+  setActiveGroup(index: number): void {
+    this.activeGroup_ = index;
+    this.wake();
+  }
+
+  setPadding(padding: Padding): void {
+    this.padding_ = padding;
+  }
+
+  touchMark(id: number, world: GroundPoint | null, groupIndex: number): void {
+    const now = performance.now();
+    // A ring that only moves comes with the picture that answers the finger.
+    this.ringsStale_ ||= !world || this.marks_.rings.get(id)?.lifted !== 0;
+    this.marks_.touch(id, world, groupIndex, now);
+    if (groupIndex >= 0 && world) this.keptFreeUntil_ = now + kEchoWait;
+    this.wake();
+  }
+
+  showDrafts(drafts: readonly DraftControl[]): void {
+    this.drafts_ = drafts;
+    this.wake();
+  }
+
+  setClient(client: number): void {
+    this.marks_.client = client;
+  }
+
+  previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void {
+    this.preview_ = points ? [{ group: groupIndex, points, closed, handles: [] }] : [];
+    this.wake();
+  }
+
+  pick(clientX: number, clientY: number): number {
+    const bounds = this.canvas_.getBoundingClientRect();
+    const index = pickCharacter({ x: clientX - bounds.left, y: clientY - bounds.top }, this.crowd_, this.camera);
+    return index < 0 ? -1 : (this.crowd_.ids[index] ?? -1);
+  }
+
+  screenToWorld(at: ScreenPoint): GroundPoint | null {
+    return this.camera.screenToGround(at);
+  }
+
+  worldToScreen(point: GroundPoint): ScreenPoint {
+    return this.camera.worldToScreen(point.x, point.y);
+  }
+
+  fitCrowd(): void {
+    this.camera.glideFit(this.crowdPoints(), this.padding_, performance.now(), this.reduced_ ? 0 : kGlide);
+  }
+
+  lookAt(point: GroundPoint): void {
+    this.camera.glideTo(point, this.padding_, performance.now(), this.reduced_ ? 0 : kGlide);
+    this.wake();
+  }
+
+  pixelsPerMetre(): number {
+    return this.camera.pixelsPerMetre();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request_);
+    clearTimeout(this.retry_);
+    this.observer_.disconnect();
+    this.stage_.dispose();
+    this.overlayRoot_.replaceChildren();
+  }
+
+  private wake(): void {
+    this.activeUntil_ = performance.now() + kSettle;
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas_;
+    this.camera.resize(clientWidth, clientHeight);
+    this.stage_.resize(clientWidth, clientHeight);
+    this.markLayer_.resize(clientWidth, clientHeight, this.stage_.pixelRatio);
+    this.wake();
+  }
+
+  private tick(now: number): void {
+    this.request_ = requestAnimationFrame((next) => this.tick(next));
+    this.draw(now);
+  }
+
+  /** Where drawing is slow the answer to a finger waits for the last picture only, not for the display's beat. */
+  private drawSoon(): void {
+    clearTimeout(this.retry_);
+    this.draw(performance.now());
+    if (this.urgent_) this.retry_ = window.setTimeout(() => this.drawSoon(), kRetry);
+  }
+
+  /** True where this picture would stand in the way of another; see GpuPace. */
+  private mustWait(now: number): boolean {
+    if (!this.stage_.paced) return false;
+    return this.stage_.busy(this.urgent_) || (!this.urgent_ && now < this.keptFreeUntil_);
+  }
+
+  private draw(now: number): void {
+    const start = performance.now();
+    if (!this.changed(now)) return;
+    if (this.mustWait(now)) {
+      // The ring under a finger comes with the next beat all the same.
+      if (this.ringsStale_) this.showMarks(this.tagScene(now));
+      return;
+    }
+    this.urgent_ = false;
+    const blend = this.timeline_.sample(now);
+    if (blend) {
+      this.crowd_.update(blend);
+      this.moving_ = blend.to.moving;
+      this.stage_.environment.move(blend.from.moving, blend.to.moving, blend.alpha);
+      this.stage_.environment.setCollected(blend.to.collected);
+      this.openView();
+    }
+    const newest = this.timeline_.newest;
+    this.groups_.update(newest?.groups ?? []);
+    this.marks_.update(newest?.groups ?? [], now);
+    this.show(now, blend);
+    this.stats.finish(start, newest?.frame);
+  }
+
+  /** False where the next picture would be the last one again. */
+  private changed(now: number): boolean {
+    const moved = this.camera.update(now);
+    const newest = this.timeline_.newest;
+    const { targetX, targetY, distance, turn, pitch } = this.camera.pose;
+    const signature = `${newest?.frame}:${targetX}:${targetY}:${distance}:${turn}:${pitch}`;
+    if (moved || signature !== this.signature_ || this.marks_.rings.size > 0) this.activeUntil_ = now + kSettle;
+    this.signature_ = signature;
+    return now < this.activeUntil_;
+  }
+
+  private show(now: number, blend: FrameBlend | null): void {
+    const scene = this.scene_;
+    const greyed = this.overlay_.overlay !== null;
+    const colours = this.colours();
+    const accents = colours.map((colour) => (greyed ? this.palette_.grey : accentColour(this.palette_, colour)));
+    if (this.membersStale_) this.dress(colours, greyed);
+    this.groups_.showMeshes(this.stage_.meshes, this.layers_.mesh, accents);
+    this.groups_.showPlaces(this.stage_.places, this.layers_.places, accents, now);
+    if (this.stage_.environment.reveal(this.crowd_, this.camera)) this.wake();
+    this.stage_.crowd.update(this.crowd_, blend, this.camera);
+    this.stage_.render(this.camera, this.stats);
+    const view = this.tagScene(now);
+    this.showMarks(view);
+    const tags = scene ? patchTags(scene, view) : [];
+    const chips = chipTags(this.marks_, view);
+    // Also where no frame comes, as in a pause, they must go again.
+    if (chips.length > 0) this.wake();
+    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)]);
+  }
+
+  private showMarks(view: TagScene): void {
+    this.ringsStale_ = false;
+    const greyed = this.overlay_.overlay !== null;
+    this.markLayer_.draw(this.marks_, {
+      ...view,
+      paths: this.layers_.paths,
+      greyed,
+      drafts: [...this.drafts_, ...this.preview_],
+    });
+  }
+
+  private tagScene(now: number): TagScene {
+    return {
+      camera: this.camera,
+      palette: this.palette_,
+      colours: this.colours(),
+      now,
+      moving: this.moving_,
+      overlay: this.overlay_.overlay,
+      contours: this.overlay_.contours,
+      chosenGroup: this.chosenGroup(),
+    };
+  }
+
+  private colours(): readonly number[] {
+    return this.scene_?.groups.map((group) => group.colour) ?? [];
+  }
+
+  /** Gives people their colours. */
+  private dress(colours: readonly number[], greyed: boolean): void {
+    this.membersStale_ = false;
+    const chosen = greyed ? this.overlay_.character : -1;
+    this.stage_.crowd.setPalette(this.palette_, greyed, this.theme_ === 'dark');
+    this.stage_.crowd.setColours(colours, this.palette_, chosen);
+  }
+
+  private chosenGroup(): number {
+    const { overlay } = this.overlay_;
+    if (!overlay) return -1;
+    return this.crowd_.groupOf(overlay.character) ?? this.activeGroup_;
+  }
+
+  /** Opens the view on the crowd, and what awaits it, with the first frame that has one. */
+  private openView(): void {
+    if (this.opened_ || this.camera.width < 2) return;
+    const points = this.crowdPoints();
+    if (points.length === 0) return;
+    this.opened_ = true;
+    this.camera.fit([...points, ...surroundings(this.scene_, points)], this.padding_);
+  }
+
+  private crowdPoints(): GroundPoint[] {
+    return crowdOutline(this.crowd_.places, this.timeline_.newest?.groups ?? []);
+  }
+}

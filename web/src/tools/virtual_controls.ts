@@ -1,0 +1,238 @@
+// Controls whose fingers are not real ones: made by rubber band, lasso or keyboard, or taken up again after the
+// fingers lifted. Their touches stay down until they are let go.
+
+import { type ControlKind, type ControlFrame } from '../protocol/messages';
+import type { StudioFrame, StudioGroup } from '../model/studio_frame';
+import type { MessageSender } from '../link/studio_client';
+import { kNoDrafts, type DraftBook } from './drafts';
+import type { Grab, Grabbable } from './grab';
+import type { TouchSender } from './touch_sender';
+import type { GroundPoint } from '../model/plane';
+
+export interface VirtualFinger {
+  readonly touch: number;
+  /** The touch whose point it took over; 0 for none. */
+  readonly replacedTouch: number;
+  at: GroundPoint;
+}
+
+export interface VirtualControl {
+  readonly group: number;
+  readonly kind: ControlKind;
+  readonly fingers: readonly VirtualFinger[];
+  /** The server's number; 0 until a frame shows it. */
+  control: number;
+  /** The control that this one took the place of; 0 for none. */
+  readonly replaced: number;
+  pinned: boolean;
+  /** Stays when its drag ends. */
+  keep: boolean;
+  drags: number;
+  readonly bornAtStep: number;
+}
+
+export interface NewControl {
+  readonly group: number;
+  readonly kind: ControlKind;
+  readonly positions: readonly GroundPoint[];
+  readonly time: number;
+  readonly keep: boolean;
+  readonly pinned: boolean;
+  /** The control whose place it takes, and the touches of its points. */
+  readonly replaced?: number;
+  readonly replacedTouches?: readonly number[];
+}
+
+/** A control of ours in a frame. */
+export interface OwnControl {
+  readonly group: number;
+  readonly control: ControlFrame;
+}
+
+/** A control that no frame shows for so many steps was refused. */
+const kRefusedAfterSteps = 60;
+
+export class VirtualControls {
+  private controls_: VirtualControl[] = [];
+  private step_ = 0;
+
+  constructor(
+    private readonly client_: MessageSender,
+    private readonly touches_: TouchSender,
+    private readonly clientId_: () => number,
+    private readonly drafts_: DraftBook = kNoDrafts,
+  ) {}
+
+  get all(): readonly VirtualControl[] {
+    return this.controls_;
+  }
+
+  /** Those that no frame has shown yet. */
+  get pending(): readonly VirtualControl[] {
+    return this.controls_.filter((held) => held.control === 0);
+  }
+
+  /** What of a control may be taken hold of: all of ours and of pinned ones, the handles of others that were lifted. */
+  grabbable(control: ControlFrame, group: number): Grabbable {
+    if (this.holderOf(control, group)) return 'whole';
+    if (control.points.some((point) => point.down)) return 'nothing';
+    return control.pinned ? 'whole' : 'handles';
+  }
+
+  create(made: NewControl): VirtualControl {
+    const fingers = made.positions.map((at, i) => ({
+      touch: this.touches_.nextTouch(),
+      replacedTouch: made.replacedTouches?.[i] ?? 0,
+      at,
+    }));
+    this.client_.send({
+      type: 'AddControl',
+      group: made.group,
+      kind: made.kind,
+      touches: Uint32Array.from(fingers, (finger) => finger.touch),
+      xs: Float64Array.from(fingers, (finger) => finger.at.x),
+      ys: Float64Array.from(fingers, (finger) => finger.at.y),
+      time: made.time,
+    });
+    const { group, kind, pinned, keep, replaced = 0 } = made;
+    const held: VirtualControl = {
+      group,
+      kind,
+      fingers,
+      control: 0,
+      replaced,
+      pinned,
+      keep,
+      drags: 0,
+      bornAtStep: this.step_,
+    };
+    this.controls_.push(held);
+    this.drafts_.changed();
+    return held;
+  }
+
+  /** Ours already, or made anew in the place of one whose fingers have lifted. */
+  take(grab: Grab, time: number): VirtualControl {
+    const known = this.holderOf(grab.control, grab.group);
+    if (known) return known;
+    const { control, group } = grab;
+    this.touches_.flush();
+    this.client_.send({ type: 'RemoveControl', group, control: control.id });
+    const positions = control.points.map(({ x, y }) => ({ x, y }));
+    const was = control.points.map(({ touch }) => touch);
+    const { kind, pinned, id } = control;
+    return this.create({ group, kind, positions, time, keep: false, pinned, replaced: id, replacedTouches: was });
+  }
+
+  /** The fingers that hold what was grabbed: the server may show fewer points than there are fingers. */
+  fingersOf(held: VirtualControl, { control, touches }: Grab): readonly VirtualFinger[] {
+    const old = held.replaced === control.id;
+    return held.fingers.filter((finger) => touches.includes(old ? finger.replacedTouch : finger.touch));
+  }
+
+  /** Moves one finger. */
+  move(held: VirtualControl, finger: VirtualFinger, at: GroundPoint, time: number): void {
+    finger.at = at;
+    this.touches_.move(finger.touch, at, time);
+    this.drafts_.add(finger.touch, held.group, at, time);
+  }
+
+  /** A drag of it ended: unless it is meant to stay, its fingers lift. */
+  release(held: VirtualControl, time: number): void {
+    held.drags = Math.max(0, held.drags - 1);
+    if (held.drags === 0 && !held.keep && !held.pinned) this.letGo(held, time);
+  }
+
+  letGo(held: VirtualControl, time: number): void {
+    this.controls_ = this.controls_.filter((other) => other !== held);
+    for (const finger of held.fingers) this.touches_.up(finger.touch, finger.at, time);
+    this.drafts_.changed();
+  }
+
+  /** Ends all of ours, pinned or not; those that no frame shows yet lift. */
+  letGoAll(time: number, frame: StudioFrame | null): void {
+    for (const { touch } of this.controls_.flatMap((held) => held.fingers)) this.drafts_.drop(touch);
+    for (const held of this.pending) this.letGo(held, time);
+    this.controls_ = [];
+    this.touches_.flush();
+    for (const { group, control } of this.ownIn(frame)) {
+      this.client_.send({ type: 'RemoveControl', group, control: control.id });
+    }
+    this.drafts_.changed();
+  }
+
+  /** Ends a control at once. */
+  remove(group: number, control: ControlFrame): void {
+    const held = this.holderOf(control, group);
+    if (held) this.controls_ = this.controls_.filter((other) => other !== held);
+    this.client_.send({ type: 'RemoveControl', group, control: control.id });
+  }
+
+  togglePin(group: number, control: ControlFrame, time: number): void {
+    const pinned = !control.pinned;
+    this.client_.send({ type: 'PinControl', group, control: control.id, pinned });
+    const held = this.holderOf(control, group);
+    if (!held) return;
+    held.pinned = pinned;
+    if (pinned) return;
+    held.keep = false;
+    if (held.drags === 0) this.letGo(held, time);
+  }
+
+  /** Our newest control in this frame, for keys without a pointer: touches count on, ids only within a group. */
+  newestIn(frame: StudioFrame): OwnControl | null {
+    const age = ({ control }: OwnControl): number => Math.max(...control.points.map(({ touch }) => touch));
+    return this.ownIn(frame).reduce<OwnControl | null>(
+      (best, own) => (best && age(best) >= age(own) ? best : own),
+      null,
+    );
+  }
+
+  /** The control in this frame that a drag holds. */
+  draggedIn(frame: StudioFrame): OwnControl | null {
+    const dragged = this.controls_.filter((held) => held.drags > 0);
+    return (
+      this.ownIn(frame).find(({ group, control }) => dragged.some((held) => this.matches(held, control, group))) ?? null
+    );
+  }
+
+  /** Learns the numbers of new controls, pins those that shall be, forgets those that are gone. */
+  observe(frame: StudioFrame): void {
+    this.step_ = frame.step;
+    const shown = this.ownIn(frame);
+    for (const held of [...this.controls_]) {
+      const control = shown.find((own) => this.matches(held, own.control, own.group))?.control;
+      if (control && held.control === 0) {
+        held.control = control.id;
+        if (held.pinned)
+          this.client_.send({ type: 'PinControl', group: held.group, control: control.id, pinned: true });
+      }
+      const refused =
+        held.control === 0 && (frame.step < held.bornAtStep || frame.step - held.bornAtStep > kRefusedAfterSteps);
+      if (!control && (held.control !== 0 || refused))
+        this.controls_ = this.controls_.filter((other) => other !== held);
+    }
+  }
+
+  clear(): void {
+    this.controls_ = [];
+  }
+
+  private ownIn(frame: StudioFrame | null): OwnControl[] {
+    const me = this.clientId_();
+    const own = ({ id, controls }: StudioGroup): OwnControl[] =>
+      controls.filter((control) => control.client === me).map((control) => ({ group: id, control }));
+    return frame?.groups.flatMap(own) ?? [];
+  }
+
+  private holderOf(control: ControlFrame, group: number): VirtualControl | undefined {
+    return this.controls_.find(
+      (held) => (held.group === group && held.replaced === control.id) || this.matches(held, control, group),
+    );
+  }
+
+  private matches(held: VirtualControl, control: ControlFrame, group: number): boolean {
+    if (held.group !== group || control.client !== this.clientId_()) return false;
+    return control.points.some((point) => held.fingers.some((finger) => finger.touch === point.touch));
+  }
+}

@@ -1,0 +1,61 @@
+// The groups: colour, mark, name and count; the pressed one is what formations act on.
+
+import { element, setAttribute, setPressed, setText } from '../widgets/dom';
+import { formatCount } from '../../model/formatters';
+import { accentVariable, groupMark } from '../widgets/group_marks';
+import type { StudioActions } from '../../model/studio_actions';
+import type { GroupInfo, StudioState } from '../../model/studio_state';
+import { toolButton } from '../widgets/tool_button';
+import { ToolbarFocus } from '../widgets/toolbar_focus';
+import type { StudioStore } from '../../model/studio_store';
+
+export class GroupChips {
+  readonly root = element('div', { class: 'groups panel', role: 'toolbar', 'aria-label': 'Groups' });
+  private readonly add_ = toolButton({
+    icon: 'plus',
+    label: 'Add a group',
+    iconOnly: true,
+    soon: true,
+    className: 'add-group',
+  });
+  private readonly focus_: ToolbarFocus;
+  private shownKey_ = '';
+
+  constructor(
+    store: StudioStore,
+    private readonly actions_: StudioActions,
+  ) {
+    this.focus_ = new ToolbarFocus(this.root, store);
+    store.watch(['groups', 'active'], (state) => this.show(state));
+  }
+
+  private show(state: StudioState): void {
+    const key = state.groups.map((group) => `${group.id} ${group.name} ${group.colour}`).join('|');
+    if (key !== this.shownKey_) {
+      this.shownKey_ = key;
+      this.root.replaceChildren(...state.groups.map((group, i) => this.chip(group, i)), this.add_);
+      this.focus_.refresh();
+    }
+    this.root.hidden = state.groups.length === 0;
+    state.groups.forEach((group, i) => this.update(this.root.children[i]!, group, i === state.active));
+  }
+
+  private chip(group: GroupInfo, index: number): HTMLButtonElement {
+    const chip = element(
+      'button',
+      { type: 'button', class: 'chip', 'data-tip': `Choose ${group.name}`, 'data-key': 'G' },
+      groupMark(group.colour),
+      element('span', { class: 'chip-name' }, group.name),
+      element('span', { class: 'chip-count secondary' }),
+    );
+    chip.style.setProperty('--accent', accentVariable(group.colour));
+    chip.addEventListener('click', () => this.actions_.setActiveGroup(index));
+    return chip;
+  }
+
+  private update(chip: Element, group: GroupInfo, active: boolean): void {
+    setPressed(chip, active);
+    setText(chip.lastElementChild!, formatCount(group.count));
+    setAttribute(chip, 'aria-label', `${group.name}, ${group.count} characters`);
+  }
+}

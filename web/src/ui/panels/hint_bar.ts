@@ -1,0 +1,70 @@
+// For the first visit: four pictures of how to point, line, area and camera; the words follow the last input.
+
+import { element, setText } from '../widgets/dom';
+import type { StudioActions } from '../../model/studio_actions';
+import type { InputKind } from '../../model/studio_state';
+import type { StudioStore } from '../../model/studio_store';
+
+interface Words {
+  readonly title: string;
+  readonly does: string;
+}
+
+const kWords: Record<InputKind, readonly Words[]> = {
+  touch: [
+    { title: 'One finger', does: 'drags a point' },
+    { title: 'Two together', does: 'move a line' },
+    { title: 'Three or more', does: 'carry an area' },
+    { title: 'Empty ground', does: 'moves the camera' },
+  ],
+  mouse: [
+    { title: 'Drag', does: 'pulls a point' },
+    { title: 'Shift + drag', does: 'spans a line' },
+    { title: 'Ctrl or Alt + drag', does: 'lassoes an area' },
+    { title: 'Empty ground', does: 'moves the camera' },
+  ],
+};
+
+const kHalo = 'class="halo"';
+const kHandle = 'class="handle"';
+
+const kPictures = [
+  `<circle cx="20" cy="20" r="17" class="reach"/><circle ${kHalo} cx="20" cy="20" r="9.5"/><circle ${kHandle} cx="20" cy="20" r="4.2"/>`,
+  `<circle ${kHalo} cx="8" cy="30" r="8"/><circle ${kHalo} cx="32" cy="10" r="8"/><path class="bar" d="M8 30 32 10"/>` +
+    `<circle ${kHandle} cx="8" cy="30" r="4"/><circle ${kHandle} cx="32" cy="10" r="4"/>`,
+  `<path class="hull" d="M20 7 33 31 7 31Z"/><circle ${kHalo} cx="20" cy="7" r="7"/><circle ${kHalo} cx="7" cy="31" r="7"/>` +
+    `<circle ${kHalo} cx="33" cy="31" r="7"/><path class="outline" d="M20 7 33 31 7 31Z"/><circle ${kHandle} cx="20" cy="7" r="3.6"/>` +
+    `<circle ${kHandle} cx="7" cy="31" r="3.6"/><circle ${kHandle} cx="33" cy="31" r="3.6"/>`,
+  `<path class="arrows" d="M20 4v32 M4 20h32 M15.5 8.5 20 4l4.500 4.500 M15.500 31.500 20 36l4.500-4.500 M8.500 15.500 4 20l4.500 4.500 M31.500 15.500 36 20l-4.500 4.500"/>`,
+];
+
+function picture(body: string): SVGSVGElement {
+  const template = document.createElement('template');
+  template.innerHTML = `<svg class="hint-picture" width="40" height="40" viewBox="0 0 40 40" aria-hidden="true">${body}</svg>`;
+  return template.content.firstElementChild as SVGSVGElement;
+}
+
+export class HintBar {
+  readonly root = element('section', { class: 'hint panel', 'aria-label': 'How to steer the crowd' });
+
+  constructor(store: StudioStore, actions: StudioActions) {
+    const items = kPictures.map((body) => {
+      const title = element('strong');
+      const does = element('span', { class: 'secondary' });
+      this.root.append(
+        element('div', { class: 'hint-item' }, picture(body), element('div', { class: 'hint-words' }, title, does)),
+      );
+      return { title, does };
+    });
+    const done = element('button', { type: 'button', class: 'soft hint-done' }, 'Got it');
+    done.addEventListener('click', () => actions.dismissHint());
+    this.root.append(done);
+    store.watch(['input', 'hint', 'link', 'loaded'], (state) => {
+      this.root.hidden = !state.hint || !state.loaded || state.link.phase === 'lost';
+      kWords[state.input].forEach((words, i) => {
+        setText(items[i]!.title, words.title);
+        setText(items[i]!.does, words.does);
+      });
+    });
+  }
+}

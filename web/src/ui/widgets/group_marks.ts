@@ -1,0 +1,28 @@
+// Colour and mark of a group: colour never stands alone.
+
+import { accentOf, type Accent } from '../../model/accent';
+
+/** For style sheets: the colour follows the theme. */
+export function accentVariable(colour: number): string {
+  return `var(--group-${accentOf(colour)})`;
+}
+
+const kShapes: Record<Accent, string> = {
+  blue: '<circle cx="8" cy="8" r="7"/>',
+  ember: '<path d="M8 1.2 15.6 14.6H.4Z"/>',
+  green: '<rect x="1.6" y="1.6" width="12.8" height="12.8" rx="1.5"/>',
+  plum: '<path d="M8 .4 15.6 8 8 15.6.4 8Z"/>',
+  ochre: '<path d="M5.6 1h4.8v4.6H15v4.8h-4.6V15H5.6v-4.6H1V5.6h4.6Z"/>',
+  slate: '<circle cx="8" cy="8" r="5.4" fill="none" stroke="currentColor" stroke-width="3.2"/>',
+};
+
+/** 16 px, in the group's colour. */
+export function groupMark(colour: number): SVGSVGElement {
+  const template = document.createElement('template');
+  template.innerHTML =
+    `<svg class="mark" width="16" height="16" viewBox="0 0 16 16" fill="currentColor" aria-hidden="true">` +
+    `${kShapes[accentOf(colour)]}</svg>`;
+  const mark = template.content.firstElementChild as SVGSVGElement;
+  mark.style.color = accentVariable(colour);
+  return mark;
+}

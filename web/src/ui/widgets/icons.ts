@@ -1,0 +1,73 @@
+// The studio's icons, drawn on a grid of 20 with lines of 1.6.
+
+const kShapes = {
+  chevron: '<path d="m6.5 8.5 3.5 3.5 3.5-3.5"/>',
+  mesh: '<path d="M6 3.5h8l3 13H3Z M6 3.5l4 13 4-13 M4.4 10h11.2"/>',
+  places: '<circle cx="5" cy="6" r="2.3"/><circle cx="15" cy="6" r="2.3"/><circle cx="10" cy="14.5" r="2.3"/>',
+  paths:
+    '<path d="M3.5 15.5c5 .8 5-4 8.2-6.6 1.6-1.3 2.9-2.2 4.4-3.6"/><circle cx="3.6" cy="15.6" r="1.4" fill="currentColor"/><circle cx="16.3" cy="4.9" r="1.9" fill="currentColor"/>',
+  field:
+    '<circle cx="10" cy="10" r="2.2"/><path d="M10 1.8v3 M10 15.2v3 M1.8 10h3 M15.2 10h3 M4.2 4.2l2.1 2.1 M13.7 13.7l2.1 2.1 M4.2 15.8l2.1-2.1 M13.7 6.3l2.1-2.1"/>',
+  cost: '<circle cx="10" cy="10" r="1.7"/><path d="M5.4 12.6a5.2 5.2 0 0 1 4.2-7.8 M14.7 7.6a5.2 5.2 0 0 1-4 7.7 M2.8 7.8A7.8 7.8 0 0 1 14.2 3.4 M17.3 12.2A7.8 7.8 0 0 1 6.4 16.9"/>',
+  density: '<path d="M3 16.5v-4 M6.5 16.5v-8 M10 16.5v-13 M13.5 16.5V9 M17 16.5v-5" stroke-width="2"/>',
+  moon: '<path d="M16.2 12.3A7 7 0 0 1 7.7 3.8a7 7 0 1 0 8.5 8.5Z"/>',
+  sun: '<circle cx="10" cy="10" r="3.4"/><path d="M10 1.8v2 M10 16.2v2 M1.8 10h2 M16.2 10h2 M4.2 4.2l1.4 1.4 M14.4 14.4l1.4 1.4 M4.2 15.8l1.4-1.4 M14.4 5.6l1.4-1.4"/>',
+  help: '<path d="M6.8 7.2a3.2 3.2 0 1 1 4.9 2.7c-1.2.8-1.7 1.3-1.7 2.6"/><circle cx="10" cy="15.9" r="1.2" fill="currentColor" stroke="none"/>',
+  plus: '<path d="M10 3.5v13 M3.5 10h13"/>',
+  restart: '<path d="M4.1 11.2a6.1 6.1 0 1 0 1.5-5.1L3.6 8 M3.4 4v4.2h4.2"/>',
+  play: '<path d="M6.5 4.2v11.6L16 10Z" fill="currentColor" stroke-linejoin="round"/>',
+  pause: '<path d="M7 4.5v11 M13 4.5v11" stroke-width="3.4"/>',
+  watch:
+    '<path d="M1.8 10S4.6 4.9 10 4.9 18.2 10 18.2 10 15.4 15.1 10 15.1 1.8 10 1.8 10Z"/><circle cx="10" cy="10" r="2.3" fill="currentColor"/>',
+  step: '<path d="M4.5 4.5v11L12.8 10Z M16 4v12" stroke-linejoin="round"/>',
+  takes:
+    '<rect x="2.2" y="4.2" width="15.6" height="11.6" rx="2.4"/><path d="M8.4 7.4v5.2l4.4-2.6Z" fill="currentColor" stroke-width=".8"/>',
+  layers: '<path d="m10 2.8 7.4 3.9L10 10.6 2.6 6.7Z M2.6 10.2 10 14.1l7.4-3.9 M2.6 13.6 10 17.4l7.4-3.8"/>',
+  more: '<g fill="currentColor" stroke="none"><circle cx="4" cy="10" r="1.9"/><circle cx="10" cy="10" r="1.9"/><circle cx="16" cy="10" r="1.9"/></g>',
+  lost: '<path d="M2.5 8.2a11 11 0 0 1 5-2.8 M10.9 5a11 11 0 0 1 6.6 3.2 M5.2 11.2a7 7 0 0 1 3.1-1.8 M12.4 9.8a7 7 0 0 1 2.4 1.4 M8 14a3.2 3.2 0 0 1 4 0 M3.4 3.2l13.2 13.6"/>',
+  warning:
+    '<path d="M10 3 18 16.8H2Z M10 8v4.4" stroke-linejoin="round"/><circle cx="10" cy="14.6" r="1" fill="currentColor" stroke="none"/>',
+  info: '<circle cx="10" cy="10" r="7.6"/><path d="M10 9.2v5"/><circle cx="10" cy="6.2" r="1" fill="currentColor" stroke="none"/>',
+  error:
+    '<path d="M6.9 2.4h6.200l4.5 4.500v6.200l-4.5 4.500H6.900l-4.5-4.500V6.900Z M7.4 7.400l5.2 5.2 M12.6 7.400l-5.2 5.2" stroke-linejoin="round"/>',
+  leave: '<path d="M8.5 3.500h-4v13h4 M8 10h9 M13.6 6.4 17.2 10l-3.6 3.6" stroke-linejoin="round"/>',
+  close: '<path d="m5 5 10 10 M15 5 5 15"/>',
+  download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
+  open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',
+  character: '<circle cx="10" cy="5" r="2.7"/><path d="M4.5 17c.3-4.200 2-6.400 5.5-6.400s5.200 2.200 5.5 6.400"/>',
+  check: '<path d="m4 10.5 4 4 8-9"/>',
+  empty:
+    '<path d="M10 1.5 12.7 5H7.3Z M10 18.5 7.3 15h5.4Z M1.5 10 5 7.3v5.4Z M18.5 10 15 12.7V7.3Z M10 5v10 M5 10h10"/>',
+} as const;
+
+export type IconName = keyof typeof kShapes;
+
+function svg(body: string, size: number, box: number, attributes: string): SVGSVGElement {
+  const template = document.createElement('template');
+  template.innerHTML = `<svg width="${size}" height="${size}" viewBox="0 0 ${box} ${box}" aria-hidden="true" ${attributes}>${body}</svg>`;
+  return template.content.firstElementChild as SVGSVGElement;
+}
+
+export function icon(name: IconName, size = 20): SVGSVGElement {
+  const style = 'fill="none" stroke="currentColor" stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round"';
+  return svg(kShapes[name], size, 20, style);
+}
+
+/** The mark of Muster: a small crowd in a wedge, one of them in the accent. */
+export function logo(): SVGSVGElement {
+  const places = [
+    [15, 5],
+    [10, 13.5],
+    [20, 13.5],
+    [5, 22],
+    [15, 22],
+    [25, 22],
+  ] as const;
+  const dots = places.map(([x, y], i) => `<circle cx="${x}" cy="${y}" r="3" ${i === 2 ? 'class="logo-accent"' : ''}/>`);
+  return svg(dots.join(''), 30, 30, 'fill="currentColor" class="logo"');
+}
+
+/** Text in a record button and the like. */
+export function recordDot(): SVGSVGElement {
+  return svg('<circle cx="6" cy="6" r="6"/>', 12, 12, 'fill="currentColor"');
+}
