@@ -58,13 +58,7 @@ export class PlaybackBar {
       pressed: false,
       act: () => actions.toggleDemonstration(),
     });
-    this.record_ = element(
-      'button',
-      { type: 'button', class: 'record', 'aria-pressed': 'false', 'data-tip': 'Record a take', 'data-key': 'R' },
-      recordDot(),
-      this.recordLabel_,
-    );
-    this.record_.addEventListener('click', () => actions.toggleRecord());
+    this.record_ = this.recordButton(actions);
     this.takes_ = new TakeMenu(store, actions);
     this.fillReplay(actions);
     this.root.append(
@@ -83,6 +77,17 @@ export class PlaybackBar {
       this.show(state),
     );
     new ToolbarFocus(this.root, store);
+  }
+
+  private recordButton(actions: StudioActions): HTMLButtonElement {
+    const button = element(
+      'button',
+      { type: 'button', class: 'record', 'aria-pressed': 'false', 'data-tip': 'Record a take', 'data-key': 'R' },
+      recordDot(),
+      this.recordLabel_,
+    );
+    button.addEventListener('click', () => actions.toggleRecord());
+    return button;
   }
 
   /** What stands there during a replay. */
