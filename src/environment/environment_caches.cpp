@@ -270,7 +270,7 @@ void Environment::Impl::updateTravelSpeed(const CellRect& rect) {
 // Called before moving things move, and after.
 void Environment::Impl::appendMovingAreas() {
     for (const LayeredRaster* layer : {&clearance, &patchSpeed})
-        changes.insert(changes.end(), layer->covered().begin(), layer->covered().end());
+        changes.insert(changes.end(), layer->movingAreas().begin(), layer->movingAreas().end());
 }
 
 void Environment::Impl::moveThings() {
