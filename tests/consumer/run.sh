@@ -1,27 +1,52 @@
 #!/usr/bin/env bash
-# Installs the library into a folder of its own and builds a small consumer outside the tree with find_package(muster).
-set -eu
+# Installs everything into a folder of its own; builds and runs each sample outside the tree, with find_package(muster); tries
+# the installed program. Each sample, and the program, count as one test.
+set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cmake --install "$root/build/release" --prefix "$work/prefix" >/dev/null
-cp -r "$root/tests/consumer/program" "$work/program"
-cmake -S "$work/program" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
-cmake --build "$work/build"
-"$work/build/consumer"
-test -x "$work/prefix/bin/muster"
-"$work/prefix/bin/muster" --version
-# What is installed finds its scenarios and, where it was built, its page.
-cd "$work"
-if [ -f "$root/web/dist/index.html" ]; then
-    "$work/prefix/bin/muster" studio --port 18980 --json >"$work/address" &
+passed=0
+failed=0
+
+# check NAME COMMAND...: counts a command that has to succeed.
+check() {
+    local name=$1
+    shift
+    if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $name"; fi
+}
+
+# One build of all samples, which saves looking for the compiler once each.
+build_samples() {
+    cp -r "$root/samples" "$work/samples"
+    {
+        echo 'cmake_minimum_required(VERSION 3.25)'
+        echo 'project(samples LANGUAGES CXX)'
+        for folder in "$work"/samples/*/; do echo "add_subdirectory($(basename "$folder"))"; done
+    } >"$work/samples/CMakeLists.txt"
+    cmake -S "$work/samples" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix" \
+        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" >/dev/null && cmake --build "$work/build"
+}
+
+# The installed program, its scenarios and, where it was built, its page.
+try_program() {
+    local program=$work/prefix/bin/muster studio
+    "$program" --version && "$program" check "$work/prefix/share/muster/scenarios/open.json" || return 1
+    [ -f "$root/web/dist/index.html" ] || { echo "skipped: the installed studio, as the page is not built"; return 0; }
+    (cd "$work" && exec "$program" studio --port 18980 --json) >"$work/address" &
     studio=$!
-    for _ in $(seq 50); do [ -s "$work/address" ] && break; sleep 0.1; done
+    for _ in $(seq 600); do [ -s "$work/address" ] && break; sleep 0.1; done
     kill -TERM "$studio"
-    wait "$studio"
-    grep -q '"address": "http://127.0.0.1:' "$work/address"
-else
-    echo "skipped: the installed studio, as the page is not built"
-fi
-"$work/prefix/bin/muster" check "$work/prefix/share/muster/scenarios/open.json"
-echo "1 passed, 0 failed"
+    wait "$studio" && grep -q '"address": "http://127.0.0.1:' "$work/address"
+}
+
+cmake --install "$root/build/release" --prefix "$work/prefix" >/dev/null || { echo "0 passed, 1 failed"; exit 1; }
+build_samples || { echo "0 passed, 1 failed"; exit 1; }
+for folder in "$root"/samples/*/; do
+    name=$(basename "$folder")
+    mkdir "$work/$name.out"
+    check "$name" "$work/build/$name/$name" "$work/$name.out"
+done
+check "the exported file" test -s "$work/record_export.out/sample.glb"
+check "the installed program" try_program
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
