@@ -13,7 +13,7 @@
 namespace muster {
 namespace {
 
-/// One run that is to be made, and what it gave.
+/// One run and its results.
 struct Job {
     std::size_t experiment = 0;
     RunRequest request;
@@ -22,7 +22,7 @@ struct Job {
 
 using Experiments = std::vector<std::unique_ptr<Experiment>>;
 
-/// Those asked for, in the paper's order.
+/// The requested experiments, in the paper's order.
 Result<Experiments> choose(const std::vector<std::string>& wanted) {
     Experiments all = paperExperiments();
     std::string known;
@@ -46,8 +46,8 @@ Result<Experiments> choose(const std::vector<std::string>& wanted) {
     return chosen;
 }
 
-/// All runs. The first seed of every experiment goes first, so that what cannot be run is found early; then
-/// experiment by experiment, so that each is complete as soon as can be.
+/// All runs. The first seed of every experiment goes first, so that an experiment that cannot run is found
+/// early; then come the other seeds, experiment by experiment.
 std::vector<Job> jobsOf(const Experiments& experiments, const ReproduceDef& def, bool timed) {
     std::vector<Job> jobs;
     const auto add = [&](std::size_t e, std::int32_t from, std::int32_t to) {
@@ -64,7 +64,7 @@ std::vector<Job> jobsOf(const Experiments& experiments, const ReproduceDef& def,
 
 using Watch = std::function<void(const ReproduceProgress&)>;
 
-/// Makes the runs and tells how far it is. Once a run has failed no other begins.
+/// Makes the runs and reports the progress. Once a run has failed no other begins.
 class Runner {
 public:
     Runner(const Experiments& experiments, const ReproduceDef& def, const Watch& watch)

@@ -12,18 +12,18 @@
 
 namespace muster {
 
-/// What is to be reproduced.
+/// Options of a reproduction.
 struct ReproduceDef {
     std::vector<std::string> experiments;  ///< "X4"...; empty for all.
     std::int32_t seeds = 10;               ///< Runs of each arm, 1 to 1,000.
-    /// Runs side by side; 0 takes what the machine has. Changes no result.
+    /// Number of runs at the same time; 0 takes the number of processors. Changes no result.
     std::int32_t threads = 0;
     std::string folder;  ///< Of the paper's scenarios.
-    /// Parameters by name; what an arm sets itself stays.
+    /// Parameters by name; those that an arm sets stay.
     std::vector<std::pair<std::string, double>> settings = {};
 };
 
-/// An experiment as it came out.
+/// Results of one experiment.
 struct ExperimentResult {
     ExperimentText text;
     std::vector<Arm> arms;
@@ -33,18 +33,18 @@ struct ExperimentResult {
     std::vector<ChartDef> charts;
 };
 
-/// All of them, in their order.
+/// Results of all experiments, in their order.
 struct Reproduction {
     std::vector<ExperimentResult> experiments;
     std::int32_t seeds = 0;  ///< Of each arm.
     double seconds = 0.0;    ///< Wall time it took [s].
     std::string version;     ///< Of the program, for the report; left empty by reproduce().
     std::string when;        ///< When it was run, for the report; left empty by reproduce().
-    /// True where no binding criterion failed.
+    /// True if no binding criterion failed.
     bool passed() const;
 };
 
-/// How far it is, told after each run.
+/// Progress, reported after each run.
 struct ReproduceProgress {
     std::int32_t done = 0;            ///< Runs of all experiments.
     std::int32_t of = 0;              ///< As many there are.
@@ -55,12 +55,12 @@ struct ReproduceProgress {
     std::int32_t experimentOf = 0;    ///< As many it has.
 };
 
-/// What can be told before the first run: fails naming an unknown experiment, the number of seeds, the folder
-/// that is not there, or the scenario that it lacks.
+/// Checks what can be checked before the first run. Fails naming an unknown experiment, the number of seeds,
+/// a missing folder or a missing scenario.
 Status checkReproduce(const ReproduceDef& def);
 
-/// Runs them. `progress` is called from one thread at a time. Fails as checkReproduce() does, or naming the
-/// experiment and the scenario that cannot be run; then no further run begins.
+/// Runs the experiments. `progress` is called from one thread at a time. Fails as checkReproduce() does, or
+/// naming the experiment and the scenario that cannot be run; then no further run begins.
 Result<Reproduction> reproduce(const ReproduceDef& def,
                                const std::function<void(const ReproduceProgress&)>& progress);
 
@@ -70,10 +70,10 @@ std::string resultsJson(const Reproduction& reproduction);
 std::string reportHtml(const Reproduction& reproduction);
 /// DIR/summary.md: the table of criteria for other documents.
 std::string summaryMarkdown(const Reproduction& reproduction);
-/// The verdicts and how many hold, as lines for a terminal or a log.
+/// The verdicts and the number of criteria that hold, as lines for a terminal or a log.
 std::string summaryText(const Reproduction& reproduction);
 /// Writes index.html, results.json, summary.md and one SVG document per film strip (DIR/x4-film.svg), into a
-/// folder that is made where it is not there. Fails with IoError.
+/// folder that is created if needed. Fails with IoError.
 Status writeReport(const Reproduction& reproduction, const std::string& folder);
 
 }  // namespace muster

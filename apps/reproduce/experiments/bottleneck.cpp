@@ -7,13 +7,13 @@
 namespace muster {
 namespace {
 
-/// Matches starts with places at most `reach` away, by augmenting paths.
+/// Matches starts with places at most `reach` away, by augmenting paths (Kuhn).
 class Matching {
 public:
     Matching(std::span<const Vec2> starts, std::span<const Vec2> places, double reach)
         : starts_(starts), places_(places), reach_(reach), taker_(places.size(), -1) {}
 
-    /// True where everybody finds a place.
+    /// True if every start is matched.
     bool complete() {
         for (std::size_t i = 0; i < starts_.size(); ++i) {
             seen_.assign(places_.size(), 0);
@@ -23,7 +23,7 @@ public:
     }
 
 private:
-    // Recursion is at most as deep as there are places.
+    // The depth of the recursion is at most the number of places.
     bool augment(std::size_t i) {
         for (std::size_t j = 0; j < places_.size(); ++j) {
             if (seen_[j] != 0 || distance(starts_[i], places_[j]) > reach_) continue;

@@ -1,4 +1,4 @@
-// The least longest walk from starts to places: no assignment lets everybody be there earlier.
+// The bottleneck assignment of starts to places: the least possible longest walk.
 #pragma once
 
 #include <span>
@@ -7,9 +7,8 @@
 
 namespace muster {
 
-/// The smallest d such that every start can be given a place of its own at most d away in a straight line
-/// [m]: the value of the bottleneck assignment. 0 without starts; -1 where there are fewer places than
-/// starts.
+/// The value of the bottleneck assignment by straight distances: the smallest d such that every start can
+/// have a place of its own at most d away [m]. 0 without starts; -1 where there are fewer places than starts.
 double bottleneckWalk(std::span<const Vec2> starts, std::span<const Vec2> places);
 
 }  // namespace muster

@@ -20,7 +20,7 @@ void CarWatch::observe(const World& world) {
     const double radius = world.parameters().radius;
     for (const ObstaclePiece& piece : world.environment().pieces()) {
         if (!piece.moving) continue;
-        // The car goes on by this before the next step looks at it; seen from the car, people go back.
+        // Displacement of the car until the next step. In the axes of the car, people move the opposite way.
         const Vec2 ahead = piece.velocity * world.parameters().stepTime;
         for (std::size_t i = 0; i < positions.size(); ++i) {
             const double now = piece.signedDistance(positions[i]);

@@ -1,4 +1,4 @@
-// How near moving obstacles come to characters, and from how far a mesh gives way to them.
+// Measures how near moving obstacles come to characters, and at what distance a mesh gives way to them.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,24 @@
 
 namespace muster {
 
-/// Watches everything that moves in a world of one group. The number of characters and the mesh must not
+/// Measures all moving obstacles of a world of one group. The number of characters and the mesh must not
 /// change.
 class CarWatch {
 public:
     /// Call before the first step.
     explicit CarWatch(const World& world);
-    /// Call after every step. Cars are looked at where they stood when contacts were resolved, and where they
-    /// stand once the step is over.
+    /// Call after every step. Each car is measured where it was when contacts were resolved and where it is
+    /// at the end of the step.
     void observe(const World& world);
 
     /// Smallest gap between anybody's disc and a car's surface [m], at most kFar; 0 and less for contacts.
     double smallest() const;
-    /// Mean over all of each one's smallest gap [m].
+    /// Mean over the characters of their smallest gaps [m].
     double meanSmallest() const;
-    /// Characters that a car came nearer to than `gap` [m] <= kFar.
+    /// Number of characters that a car came nearer to than `gap` [m] <= kFar.
     std::int32_t nearer(double gap) const;
-    /// Mean distance between a car and where the user wants a vertex, at the moments when one that stood in
-    /// its place begins to give way (0.1 m) [m]; NaN where none did.
+    /// Mean distance between a car and a vertex of the user mesh at the moment when the final mesh begins to
+    /// differ there by 0.1 m [m]; NaN where it never did.
     double givesWayFrom() const;
 
     static constexpr double kFar = 3.0;  ///< Gaps are known up to this [m].

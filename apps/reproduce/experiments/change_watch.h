@@ -1,4 +1,4 @@
-// Watches changes of formation: how long the crowd takes, against the least possible.
+// Measures how long the crowd takes for changes of formation, relative to the least possible time.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,29 @@ namespace muster {
 struct FormationChangeRecord {
     FormationKind kind = FormationKind::Square;  ///< Into what.
     double time = 0.0;                           ///< When [s].
-    /// Least longest straight walk from where everybody stood to the new places [m].
+    /// Value of the bottleneck assignment from the positions at the change to the new places [m].
     double bottleneck = 0.0;
     /// From the change until 95 % have arrived (SPEC 8) [s]; NaN where they never did.
     double arrived95 = 0.0;
     double arrived100 = 0.0;  ///< The same of all.
     double stood95 = 0.0;     ///< As arrived95, within a tenth of a metre.
-    /// Not arrived when the watch on this change ended, and still for its last 5 s.
+    /// Characters that had not arrived when the observation of this change ended and stood still for its last
+    /// 5 s.
     std::int32_t stuck = 0;
     /// arrived95 over the time that the bottleneck takes at `speed` [m/s].
     double ratio(double speed) const { return arrived95 / (bottleneck / speed); }
-    /// stood95 over it.
+    /// stood95 over the same time.
     double strictRatio(double speed) const { return stood95 / (bottleneck / speed); }
 };
 
 /// Observes one group of a world from its first step on.
 class ChangeWatch {
 public:
-    /// Watches the group with that index.
+    /// Observes the group with that index.
     explicit ChangeWatch(const World& world, std::size_t group = 0);
     /// Call after every step.
     void observe(const World& world);
-    /// All changes so far, the last as it stood after the last step that was observed.
+    /// All changes so far. The last is as of the last observed step.
     std::vector<FormationChangeRecord> changes() const;
 
 private:

@@ -14,7 +14,7 @@ struct Corners {
     Vec2 centroid() const { return (a + b + c) / 3.0; }
 };
 
-/// |F - R| of one triangle: with singular values s1, s2 (s2 < 0 for one turned inside out) it is the distance
+/// |F - R| of one triangle: with singular values s1, s2 (s2 < 0 for an inverted triangle) it is the distance
 /// of (s1, s2) from (1, 1).
 double deviation(const Corners& rest, const Corners& now) {
     const Vec2 u = rest.b - rest.a, v = rest.c - rest.a;

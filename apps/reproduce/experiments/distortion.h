@@ -1,4 +1,4 @@
-// How far a deformed mesh is from its rest shape.
+// Measures how far a deformed mesh is from its rest shape.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 namespace muster {
 
 /// Deviation of each triangle's deformation gradient F (rest to deformed) from the rotation R nearest to it:
-/// the Frobenius norm |F - R|. 0 for a triangle moved rigidly, 0.1 x sqrt(2) for one grown by a tenth.
+/// the Frobenius norm |F - R|. 0 for a triangle moved rigidly, 0.1 x sqrt(2) for one enlarged by a tenth.
 std::vector<double> triangleDistortion(const TriangleMesh& rest, std::span<const Vec2> deformed);
 
 /// As-rigid-as-possible energy: the sum over triangles of area x |F - R|^2 [m^2].
 double arapEnergy(const TriangleMesh& rest, std::span<const Vec2> deformed);
 
-/// The same for the triangles whose rest centroid is left of x = 0, or else right of it: their mean of |F -
-/// R| by area.
+/// Mean of |F - R| weighted by area, of the triangles whose rest centroid is left of x = 0 and of those right
+/// of it.
 double meanDistortion(const TriangleMesh& rest, std::span<const Vec2> deformed, bool left);
 
 }  // namespace muster

@@ -8,11 +8,12 @@
 
 namespace muster {
 
-/// One encounter is one stay of a character in one patch; who comes back after at most `rearm` goes on with
-/// the same stay. The patches watched must not overlap, and the number of characters must not change.
+/// One encounter is one stay of a character in one patch; a character that comes back within `rearm`
+/// continues the same stay. The patches watched must not overlap, and the number of characters must not
+/// change.
 class EncounterWatch {
 public:
-    /// Watches all patches of `motion`. Who stands in one at the start has met it already.
+    /// Observes all patches of `motion`. A character that stands in one at the start has met it already.
     EncounterWatch(const World& world, MotionId motion, double rearm = 0.5);
     /// Call after every step.
     void observe(const World& world);

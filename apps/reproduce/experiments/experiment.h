@@ -68,13 +68,13 @@ struct RunRequest {
     std::vector<std::pair<std::string, double>> settings = {};
 };
 
-/// An experiment. Stateless: runs of one experiment go on side by side in several threads.
+/// An experiment. Stateless: several threads run one experiment at the same time.
 class Experiment {
 public:
     virtual ~Experiment() = default;
-    /// Its words.
+    /// Title and texts.
     virtual ExperimentText text() const = 0;
-    /// What is compared, the arm that is judged first.
+    /// The arms that are compared. The first is the one that is judged.
     virtual std::vector<Arm> arms() const = 0;
     /// The rows of its table.
     virtual std::vector<FigureInfo> figures() const = 0;
@@ -82,9 +82,9 @@ public:
     virtual bool timed() const { return false; }
     /// One run. Fails where its scenario cannot be read.
     virtual Result<RunSample> run(const RunRequest& request) const = 0;
-    /// What must be seen.
+    /// Judges the criteria.
     virtual void judge(const Samples& samples, Judge& judge) const = 0;
-    /// Charts beside the table; none by default.
+    /// Charts shown with the table; none by default.
     virtual std::vector<ChartDef> charts(const Samples& samples) const {
         (void)samples;
         return {};

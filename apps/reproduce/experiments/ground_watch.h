@@ -1,4 +1,4 @@
-// What characters did on the ground of each motion, by their positions.
+// Measures what characters do on the ground of each motion, by their positions.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// Watches on what ground characters walk, how far and for how long. Their number must not change meanwhile.
+/// Measures on what ground characters walk, how far and for how long. Their number must not change.
 class GroundWatch {
 public:
     /// Call before the first step.
@@ -22,8 +22,8 @@ public:
     double speed(MotionId motion) const;
     /// Characters that have been on its ground.
     std::int32_t visitors(MotionId motion) const;
-    /// Share of that time in which a character's motion id was another than its ground's; NaN where nobody
-    /// was on it.
+    /// Share of the time on its ground in which a character had another motion id; NaN where nobody was on
+    /// it.
     double wrongShare(MotionId motion) const;
 
 private:

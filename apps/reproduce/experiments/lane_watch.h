@@ -1,4 +1,4 @@
-// Which lane each character takes, and when.
+// Records which lane each character takes, and when.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace muster {
 
-/// Watches the line x = const, which borders divide into lanes: lane 0 lies below the first border, lane 1
-/// above it, and so on. A crossing goes from left to right; of several by one character the last counts. The
-/// number of characters must not change meanwhile.
+/// Observes the line x = const, which borders divide into lanes: lane 0 lies below the first border, lane 1
+/// above it, and so on. A crossing goes from left to right; if a character crosses several times the last
+/// crossing counts. The number of characters must not change.
 class LaneWatch {
 public:
     /// The line [m], and its borders in rising order [m]; call before the first step.
@@ -20,13 +20,13 @@ public:
 
     /// The lane that a point of this y [m] lies in; a point on a border is in the lane above it.
     std::int32_t laneAt(double y) const;
-    /// Lane of each character; -1 for who has not crossed.
+    /// Lane of each character; -1 for a character that has not crossed.
     const std::vector<std::int32_t>& lanes() const { return lane_; }
-    /// Who crossed in the last step, in rising order.
+    /// Indices of characters that crossed in the last step, ascending.
     const std::vector<std::size_t>& crossedNow() const { return crossed_; }
-    /// Characters that took the lane.
+    /// Number of characters that took the lane.
     std::int32_t count(std::int32_t lane) const;
-    /// When the last of all crossed [s]; NaN until all have.
+    /// Time at which the last character crossed [s]; NaN until all have.
     double lastCrossing() const;
 
 private:

@@ -1,4 +1,4 @@
-// How far Pacman's mouth is open, from his mesh.
+// Measures how far Pacman's mouth is open, from his mesh.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ struct Mouth {
     std::int32_t upper = 0;  ///< Tip of the upper lip: the foremost above the axis.
     std::int32_t lower = 0;  ///< Tip of the lower lip.
 
-    /// Finds them.
+    /// Finds the vertices.
     explicit Mouth(const TriangleMesh& rest);
-    /// Angle from the lower lip to the upper at the hinge, through the mouth [rad], 0 to 2 pi, of vertices as
-    /// they stand.
+    /// Angle at the hinge from the lower lip to the upper, through the mouth [rad], 0 to 2 pi, of the
+    /// vertices as they are now.
     double angle(std::span<const Vec2> vertices) const;
 };
 
@@ -26,7 +26,7 @@ class OpeningCounter {
 public:
     /// Shut below `shut`, open above `open` > shut [rad].
     OpeningCounter(double shut, double open) : shut_(shut), open_(open) {}
-    /// The next angle [rad].
+    /// Takes the angle of the next step [rad].
     void observe(double angle);
     std::int32_t openings() const { return openings_; }  ///< So far.
 

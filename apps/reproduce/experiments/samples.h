@@ -1,4 +1,4 @@
-// What runs gave, by arm and seed.
+// Results of runs, by arm and seed.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct FilmFrame {
     std::string svg;      ///< The picture, a whole SVG document.
 };
 
-/// What one run gave.
+/// The results of one run.
 struct RunSample {
     /// By name, in the unit of its FigureInfo. NaN: has no value here.
     std::map<std::string, double> figures;

@@ -64,7 +64,7 @@ Status Trial::start() {
     return {};
 }
 
-// Where characters came from, for pictures.
+// Past positions of characters, for pictures.
 void Trial::follow() {
     if (!film_) return;
     const auto every = static_cast<std::uint32_t>(
@@ -106,7 +106,7 @@ bool Trial::runUntilSettled(double longest, const std::function<void()>& watch) 
 
 void Trial::shoot(const std::string& caption) {
     if (!film_) return;
-    // A view too high or empty is a mistake in an experiment; the strip then shows words alone.
+    // An invalid view is a mistake in an experiment; the strip then shows the caption only.
     auto svg = svgPicture(*world_, picture_);
     MUSTER_ASSERT(svg.ok());
     frames_.push_back({time(), caption, svg.ok() ? std::move(svg).value() : std::string()});

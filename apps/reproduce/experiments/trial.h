@@ -1,4 +1,4 @@
-// A scenario of the paper with its gestures, stepped and watched.
+// One run of a scenario of the paper with its gestures.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace muster {
 
-/// How a trial begins.
+/// What a trial starts from.
 struct TrialDef {
     std::string scenario;  ///< File under the paper's folder without ".json".
     double jitter = 0.15;  ///< Starts are moved by up to this, by the seed [m] >= 0.
@@ -24,18 +24,18 @@ struct TrialDef {
     bool gestures = true;  ///< With the touches that the scenario carries.
 };
 
-/// One run of a world: first to be changed at will, then started, stepped and filmed.
+/// One run of a world: its definition may be changed first, then it is started, stepped and filmed.
 class Trial {
 public:
     /// Reads scenario and gestures, takes the request's preset (what differs between presets; the scenario's
     /// own parameters stay) and seed. Fails as loadScenario does, or naming a setting.
     static Result<Trial> open(const RunRequest& request, const TrialDef& def);
 
-    /// To be changed before start().
+    /// May be changed before start().
     WorldDef& def() { return def_; }
-    /// To be changed before start(); in the order of (step, client, sequence).
+    /// May be changed before start(); in the order of (step, client, sequence).
     std::vector<Command>& commands() { return commands_; }
-    /// Moves groups and touches aside, before start() [m].
+    /// Shifts all groups and touches, before start() [m].
     void shift(Vec2 by);
     /// Makes the world. Fails as World::create and World::submit do.
     Status start();
@@ -44,7 +44,7 @@ public:
     const World& world() const { return *world_; }           ///< After start().
     const RunMetrics& metrics() const { return *metrics_; }  ///< After start().
     double time() const { return world_->time(); }           ///< [s]
-    /// When the last gesture is given [s].
+    /// Time of the last gesture [s].
     double gesturesEnd() const { return gesturesEnd_; }
     /// One step.
     void step();
@@ -54,13 +54,13 @@ public:
     /// since the last gesture; calls `watch` after each. True where it settled.
     bool runUntilSettled(double longest, const std::function<void()>& watch = {});
 
-    /// What pictures show from now on [m], and how; the whole world, and all but the coloured grounds by
-    /// default.
+    /// Sets the box [m] and the layers that pictures show from now on. The default is the whole world with
+    /// all layers but the coloured grounds.
     PictureDef& picture() { return picture_; }
-    /// Where film is wanted: adds a picture of this moment.
+    /// Adds a picture of this moment if the request wants film.
     void shoot(const std::string& caption);
-    /// Figures of the run, the film and the hash, into a sample: arrived95, arrived100, stuck, unmatched,
-    /// swaps, overlaps, penetration (names of FigureInfo), those not reached NaN.
+    /// Writes figures of the run, the film and the hash to a sample: arrived95, arrived100, stuck, unmatched,
+    /// swaps, overlaps, penetration (names of FigureInfo). Times that were not reached are NaN.
     void report(RunSample& sample);
 
 private:

@@ -7,28 +7,28 @@
 
 namespace muster {
 
-/// Which of the seeds' values stands against the threshold.
+/// Which of the seeds' values is compared with the threshold.
 enum class Aggregate : std::uint8_t {
     Median,   ///< Of all seeds.
-    Lowest,   ///< In every seed at least.
-    Highest,  ///< In every seed at most.
+    Lowest,   ///< The value of every seed is at least the threshold.
+    Highest,  ///< The value of every seed is at most the threshold.
 };
 
-/// On which side of the threshold it passes. The threshold itself passes.
+/// The side of the threshold on which a value passes. The threshold itself passes.
 enum class Comparison : std::uint8_t { AtLeast, AtMost };
 
-/// One criterion as judged.
+/// The outcome of one criterion.
 struct Verdict {
     std::string criterion;  ///< "36 of 36 through the woodland in every seed"
-    std::string preset;     ///< Whose figures these are.
-    std::string unit;       ///< Of value and threshold; may be empty.
+    std::string preset;     ///< The preset of the runs.
+    std::string unit;       ///< Unit of value and threshold; may be empty.
     Comparison comparison = Comparison::AtLeast;
     Aggregate aggregate = Aggregate::Median;
     double value = 0.0;  ///< The aggregate; NaN where nothing could be measured (then it fails).
     double threshold = 0.0;
     bool pass = false;
-    bool binding = true;     ///< Decides over the whole; false where it is shown for comparison only.
-    std::int32_t seeds = 0;  ///< Values it rests on.
+    bool binding = true;     ///< True if it decides over the exit code; false if it is shown for comparison.
+    std::int32_t seeds = 0;  ///< Number of values.
     double low = 0.0;        ///< Lowest over the seeds.
     double high = 0.0;       ///< Highest over the seeds.
 };
@@ -36,12 +36,12 @@ struct Verdict {
 /// Collects verdicts. Criteria of the preset `muster` bind; others are shown for comparison.
 class Judge {
 public:
-    /// Judges one value per seed. `expected` values are needed: with fewer (a run had no value) it fails.
+    /// Judges one value per seed. A criterion with fewer values than expected (a run had none) fails.
     void require(const std::string& criterion, const std::string& preset, const std::vector<double>& values,
                  Aggregate aggregate, Comparison comparison, double threshold, const std::string& unit = "");
-    /// How many values each criterion must rest on.
+    /// `expected` is the number of values that each criterion needs.
     explicit Judge(std::size_t expected) : expected_(expected) {}
-    /// In the order they were judged.
+    /// All verdicts in the order they were judged.
     const std::vector<Verdict>& verdicts() const { return verdicts_; }
 
 private:

@@ -12,7 +12,8 @@
 namespace muster {
 namespace {
 
-/// What four fingers do to a square: they shift and turn it, stretch it along both sides, shear and taper it.
+/// What four fingers do to a square: they shift and rotate it, stretch it along both sides, shear and taper
+/// it.
 struct Drag {
     Vec2 shift;
     Rotation turn;
@@ -27,8 +28,8 @@ struct Drag {
     }
 };
 
-/// Fingers that pinch or spread the square with a turn; or, `oneWay`, that stretch it one way and squeeze it
-/// the other.
+/// Fingers that pinch or spread the square while they rotate it. With `oneWay` they stretch it along one axis
+/// and squeeze it along the other.
 Drag dragOf(std::uint64_t seed, bool oneWay) {
     Random random(seed);
     const auto between = [&](double low, double high) { return random.uniform(low, high); };
@@ -45,7 +46,7 @@ Drag dragOf(std::uint64_t seed, bool oneWay) {
     return drag;
 }
 
-/// Bends the straight ways of the fingers of the shipped drag to those of the seed, keeping their timing.
+/// Replaces the straight paths of the shipped drag by those of the seed and keeps their timing.
 void drawDrag(std::uint64_t seed, bool oneWay, std::vector<Command>& commands) {
     const Drag drag = dragOf(seed, oneWay);
     std::map<std::uint32_t, Vec2> from, to;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLongest = 60.0;  // Who has not arrived by then has not [s].
 
-/// Length walked by all.
+/// Length of the paths walked by all characters [m].
 class Walked {
 public:
     explicit Walked(const World& world) : last_(world.characters().position) {}

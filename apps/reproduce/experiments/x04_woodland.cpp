@@ -13,7 +13,7 @@ constexpr MotionId kRun = 0;
 constexpr MotionId kDuck = 2;
 constexpr double kWoodBegins = -10.7;  // All branches hang between these [m].
 constexpr double kWoodEnds = 11.7;
-// Starts: so far from their places that they are not forgotten at once [m].
+// Distance of starts from their places, large enough to matter for more than a moment [m].
 constexpr double kJitter = 1.5;
 constexpr double kHand = 0.5;      // How far the hand draws aside [m].
 constexpr double kLongest = 60.0;  // After the last gesture [s].
@@ -58,7 +58,7 @@ public:
     void judge(const Samples& samples, Judge& judge) const override;
 };
 
-/// When the first character came into the wood and the last left it.
+/// Times at which the first character entered the wood and the last left it [s].
 struct Crossing {
     double begins = -1.0;
     double ends = -1.0;
@@ -75,7 +75,7 @@ struct Crossing {
     }
 };
 
-/// Way and time within the wood but not under branches: the walk in and out does not count.
+/// Length [m] and time [s] of walking within the wood but not under branches.
 struct Between {
     std::vector<Vec2> last;
     double metres = 0.0;

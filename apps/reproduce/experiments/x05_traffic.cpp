@@ -15,7 +15,7 @@ namespace muster {
 namespace {
 
 constexpr MotionId kJump = 5;
-// Starts: so far from their places that they are not forgotten at once [m].
+// Distance of starts from their places, large enough to matter for more than a moment [m].
 constexpr double kJitter = 1.0;
 constexpr double kHand = 0.3;      // How far the hand draws aside [m].
 constexpr double kEarly = 1.0;     // How far each car is ahead or behind [m].
@@ -85,7 +85,7 @@ ExperimentText TrafficExperiment::text() const {
         "the rest."};
 }
 
-/// Each car a little ahead or behind along its street, by the seed.
+/// Moves each car a little along its street, by the seed.
 void shiftCars(WorldDef& def, std::uint64_t seed) {
     Random random(seed + 1000);
     for (ObstacleDef& obstacle : def.obstacles) {
@@ -140,7 +140,7 @@ Result<RunSample> TrafficExperiment::run(const RunRequest& request) const {
     return sample;
 }
 
-/// By seed: the least that a figure grows from one strength to the next.
+/// Smallest growth of a figure from one strength to the next, by seed.
 std::vector<double> leastGrowth(const Samples& samples, const char* figure, std::size_t weakest) {
     std::vector<double> least;
     for (std::size_t k = 0; k < weakest; ++k) {

@@ -15,7 +15,7 @@ namespace {
 constexpr MotionId kCrawl = 3, kSwim = 4, kJump = 5, kClimb = 6;
 constexpr std::array kTerrains{kClimb, kJump, kCrawl, kSwim};
 constexpr double kFinish = 23.5;  // Behind the pool [m].
-// Starts: so far from their places that they are not forgotten at once [m].
+// Distance of starts from their places, large enough to matter for more than a moment [m].
 constexpr double kJitter = 1.0;
 constexpr double kHand = 0.4;      // How far the hand draws aside [m].
 constexpr double kLongest = 60.0;  // After the last gesture [s].
@@ -66,7 +66,7 @@ public:
     void judge(const Samples& samples, Judge& judge) const override;
 };
 
-/// Which motions and phases each character was seen in.
+/// The motions and phases that each character had.
 class MotionsSeen {
 public:
     void observe(const World& world) {
@@ -103,7 +103,7 @@ private:
     std::int32_t changes_ = 0;
 };
 
-/// A picture when the middle of the crowd has come so far.
+/// A picture is taken when the mean position of the crowd reaches this point.
 struct Moment {
     double x;
     const char* caption;
@@ -121,7 +121,7 @@ double middle(const World& world) {
     return sum / static_cast<double>(world.characters().size());
 }
 
-/// All that is watched in a run.
+/// All measurements of a run.
 struct Watch {
     explicit Watch(const World& world) : ground(world), wall(world, kClimb), hedge(world, kJump) {}
 

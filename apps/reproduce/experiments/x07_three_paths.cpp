@@ -1,4 +1,4 @@
-// X7 (paper fig. 8a): a net, an open way and a pool side by side; the crowd parts as its mesh lies.
+// X7 (paper fig. 8a): a net, open ground and a pool in three lanes; the crowd divides as its mesh lies.
 #include <cmath>
 #include <limits>
 
@@ -72,7 +72,7 @@ public:
     void judge(const Samples& samples, Judge& judge) const override;
 };
 
-/// Who holds a place of which lane when it comes to the lanes, and which lane it then takes.
+/// The lane of each character's place when it reaches the entrance line, and the lane that it then takes.
 class PathWatch {
 public:
     explicit PathWatch(const World& world)
@@ -91,7 +91,7 @@ public:
             const std::int32_t place = characters.place[i];
             held_[i] = place < 0 ? -1 : entrance_.laneAt(places.positions()[place].y);
         }
-        // Still whole at the end: an earlier moment does not count where somebody fell behind again.
+        // An earlier moment does not count if a character fell behind again.
         whole_ = !inPlace(world) ? -1.0 : whole_ < 0.0 ? world.time() : whole_;
     }
     double kept() const {

@@ -1,4 +1,4 @@
-// X8 (paper fig. 8b): a narrow open way and two slow ones beside it; the crowded way drives some to the slow
+// X8 (paper fig. 8b): a narrow open path between two slow ones; crowding drives some characters to the slow
 // ones.
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,8 @@ constexpr double kMiddle = 0.0;      // Of the ways: who is here has taken one [
 constexpr double kAlley = 1.5;       // The alley lies between -y and y, the slow ways beyond [m].
 constexpr double kQueueReach = 4.0;  // Before the entrance [m].
 constexpr double kStanding = 0.5;    // Slower than this one waits [m/s].
-// After the last gesture; who has not arrived then counts as arriving then [s].
+// Time after the last gesture at which the run ends [s]. Characters still on their way count as arriving
+// then.
 constexpr double kLongest = 30.0;
 constexpr double kCurvePeriod = 0.5;  // [s]
 constexpr std::int32_t kAlleyLane = 1;
@@ -75,7 +76,7 @@ public:
     std::vector<ChartDef> charts(const Samples& samples) const override;
 };
 
-/// Who stands before the alley.
+/// Characters that stand in front of the alley.
 struct Queue {
     std::int32_t most = 0;
     double waited = 0.0;
@@ -94,7 +95,7 @@ struct Queue {
 };
 
 Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
-    // Presets choose the solver; only exact plans see which of several ways is the least crowded.
+    // Presets choose the solver; only exact plans see which of several paths is the least crowded.
     TrialDef def{.scenario = "x08-congestion", .settings = {{"plan.solver", 0.0}}};
     if (request.arm.id == "blind") def.settings.push_back({"density.enabled", 0.0});
     auto trial = Trial::open(request, def);
@@ -146,7 +147,7 @@ void CongestionExperiment::judge(const Samples& samples, Judge& judge) const {
         judge.require("with density all 36 pass in every seed", preset,
                       samples.values("density", preset, "through"), Aggregate::Lowest, Comparison::AtLeast,
                       36.0);
-        // Earlier in every seed: by a hundredth at least.
+        // Earlier by at least one percent in every seed.
         judge.require(
             "last arrival with density over that without, in every seed", preset,
             ratios(samples.values("density", preset, "last"), samples.values("blind", preset, "last")),

@@ -18,8 +18,8 @@ constexpr double kSkin = 0.05;       // Vertices that wait at the face of a hous
 constexpr double kView = 30.0;       // Width of a picture of the corridor [m].
 const char* const kShapes[] = {"wedge", "line", "ring", "crescent", "square"};
 
-/// Where seeds differ beyond their starts, which even out before the first change. The first keeps what is
-/// shipped.
+/// How seeds differ apart from their starts, which even out before the first change. The first seed is the
+/// shipped scenario.
 struct Variation {
     Vec2 shift;
     double turn = 0.0;
@@ -37,8 +37,8 @@ struct Variation {
     }
 };
 
-/// A change by its shape's name: the bottleneck walking time, and the time taken over it, to arrive and to
-/// stand within 0.1 m.
+/// Figures of a change, by the name of its shape: the bottleneck walking time, and the times to arrive and to
+/// stand within 0.1 m relative to it.
 void reportChange(const FormationChangeRecord& change, double speed, RunSample& sample) {
     const std::string name(formationName(change.kind));
     sample.figures["ratio_" + name] = change.ratio(speed);
@@ -46,12 +46,12 @@ void reportChange(const FormationChangeRecord& change, double speed, RunSample& 
     sample.figures["walk_" + name] = change.bottleneck / speed;
 }
 
-/// A change that was never complete (NaN) is the worst.
+/// A change that was never complete (NaN) counts as the worst.
 double worse(double a, double b) {
     return std::isnan(a) || std::isnan(b) ? kNothing : std::max(a, b);
 }
 
-/// Five changes by key; the mesh stands still.
+/// Five changes of formation while the mesh stands still.
 Result<RunSample> runOpen(const RunRequest& request) {
     auto trial = Trial::open(request, {.scenario = "x09-shapes"});
     if (!trial.ok()) return trial.status();
@@ -89,7 +89,7 @@ Result<RunSample> runOpen(const RunRequest& request) {
     return sample;
 }
 
-/// Across the corridor, which lies along x: of mesh and crowd.
+/// Widths of mesh and crowd across the corridor, which lies along x [m].
 struct Extent {
     double width = 0.0;
     double front = -1e9, rear = 1e9;
@@ -106,7 +106,7 @@ struct Extent {
     }
 };
 
-/// Widths of the arrow along its way.
+/// Widths of the arrow along its path.
 struct ArrowWatch {
     double before = kNothing;  // The last before the corridor can bend it.
     double inside = kNothing;  // The largest while all of it is inside.

@@ -29,7 +29,7 @@ std::uint32_t touchOf(const Command& command) {
     return 0;
 }
 
-/// Each finger of a seed is a little off the shipped one.
+/// Moves each finger a little, by the seed.
 void vary(std::uint64_t seed, std::vector<Command>& commands) {
     if (seed == 1) return;
     Random random(seed);
@@ -43,7 +43,7 @@ void vary(std::uint64_t seed, std::vector<Command>& commands) {
             move->position += offset[move->touch % offset.size()];
 }
 
-/// Follows mouth and body.
+/// Measures mouth and body.
 class PacmanWatch {
 public:
     explicit PacmanWatch(const World& world) : mouth_(world.group(0).mesh->formation().mesh) {}
@@ -167,11 +167,11 @@ public:
     }
 
 private:
-    /// Runs to the end, with pictures of the mouth shut and open in turn.
+    /// Runs to the end and takes pictures of the mouth shut and open, alternating.
     static void film(Trial& trial, PacmanWatch& watch) {
         trial.picture().view = Box{{-17.5, -6.6}, {11.5, 6.6}};
         const auto observe = [&] { watch.observe(trial.world()); };
-        // At rest; then shut and wide open in turn.
+        // First at rest, then shut and wide open, alternating.
         for (const double moment : {0.5, 4.0, 7.2, 9.8, 19.2, 27.8, 37.2}) {
             trial.runUntil(moment, observe);
             trial.shoot("mouth open by " + std::to_string(static_cast<int>(watch.angle() + 0.5)) +

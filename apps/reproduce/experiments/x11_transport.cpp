@@ -1,4 +1,4 @@
-// X11 (paper fig. 10): a dense square parts round an obstacle and merges: transport against kept places.
+// X11 (paper fig. 10): a dense square parts round an obstacle and merges: transport against fixed places.
 #include <cmath>
 
 #include "reproduce/experiments/catalogue.h"
@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kJitter = 0.5;  // Of starts [m]: so that the first plan has something to assign.
 constexpr double kHand = 0.3;    // How far the hand draws aside [m].
-// After the last gesture; who has not arrived then counts as arriving then [s].
+// Time after the last gesture at which the run ends [s]. Characters still on their way count as arriving
+// then.
 constexpr double kLongest = 30.0;
 
 class TransportExperiment final : public Experiment {
@@ -59,7 +60,7 @@ double planMode(const std::string& arm) {
     return static_cast<double>(arm == "once" ? PlanMode::AssignedOnce : PlanMode::Transport);
 }
 
-/// Characters within reach of their places at the end.
+/// Number of characters within reach of their places at the end.
 std::int32_t inPlace(const World& world) {
     const Characters& characters = world.characters();
     const std::vector<Vec2>& places = world.group(0).places->positions();
@@ -83,7 +84,7 @@ Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
         trial->picture().view = Box{{x - 6.0, -4.0}, {x + 6.0, 4.0}};
         trial->shoot(caption);
     };
-    // The first touch is at 0.5 s: everybody has a place by then.
+    // The first touch is at 0.5 s, when every character has a place.
     trial->runUntil(0.5);
     const std::vector<std::int32_t> first = trial->world().characters().place;
     shoot(-6.0, "at first");

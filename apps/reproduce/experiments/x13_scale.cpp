@@ -9,20 +9,21 @@
 namespace muster {
 namespace {
 
-/// A crowd that is measured: for so many steps, after so many that are not. Multiples of the plan's period.
+/// A crowd size, and how many steps of it are measured. Both numbers of steps are multiples of the plan's
+/// period.
 struct Size {
     std::int32_t count = 0;
     std::int32_t warmUp = 0;
     std::int32_t steps = 0;
 };
 
-// Fewer steps where each is dear, so that a run takes seconds.
+// Large crowds take fewer steps, so that a run takes seconds.
 constexpr Size kSizes[] = {{36, 40, 120}, {100, 24, 80}, {160, 16, 48}, {250, 12, 24}, {400, 12, 16},
                            {630, 8, 12},  {1000, 8, 8},  {1600, 8, 8},  {2500, 8, 8},  {5000, 8, 8}};
-constexpr std::uint64_t kLongSeeds = 2;  // The others end with the size below.
-constexpr std::int32_t kEnough = 160;    // The largest that a criterion asks for.
-constexpr double kSlowest = 10.0;        // Larger crowds are not tried once fewer steps were made [1/s].
-// Steps cost at least so much of a power of the size; nearer to 2 as measured.
+constexpr std::uint64_t kLongSeeds = 2;  // Other seeds end with kEnough.
+constexpr std::int32_t kEnough = 160;    // The largest crowd that a criterion is about.
+constexpr double kSlowest = 10.0;        // Larger crowds are not tried once a size makes fewer steps [1/s].
+// The cost of a step grows at least with this power of the size; the measured power is nearer to 2.
 constexpr double kGrowth = 1.5;
 constexpr double kReference = 100.0;  // Characters in the scenario as it ships.
 constexpr Vec2 kStart{-4.0, 0.0};     // In the middle of the trees [m].
@@ -46,8 +47,8 @@ constexpr Part kParts[] = {
      bit(Stage::Steering) | bit(Stage::Contacts) | bit(Stage::Patches) | bit(Stage::Events)},
 };
 
-/// The scene for another number of people: ground and trees for as many people per square metre as a hundred
-/// have, the fingers at the same corners of the formation.
+/// Changes the scene to another number of people: it keeps the people per square metre of ground and the
+/// fingers at the same corners of the formation.
 void enlarge(Trial& trial, std::int32_t count) {
     WorldDef& def = trial.def();
     GroupDef& group = def.groups[0];
@@ -126,11 +127,11 @@ public:
             "them "
             "the first plan, which is made whole in one step. A step simulates 1/60 s.",
             "x13-scale",
-            "Nearly all of a step is the plan: a cost field for each place, then the exact assignment. The "
-            "preset muster plans every fourth step and spreads the fields over these steps; the preset paper "
-            "does all of it in every step. Our machine is not the paper's, so its points show the shape of "
-            "the "
-            "fall, not a race."};
+            "The preset paper computes a cost field for each place and then an exact assignment, all in "
+            "every "
+            "step; the preset muster has fields of landmarks and repairs the matching of the step before. "
+            "Our "
+            "machine is not the paper's, so its points show the shape of the fall, not a race."};
     }
     std::vector<Arm> arms() const override {
         return {{"size", "Preset muster"}, {"size", "Preset paper", "paper"}};
@@ -179,7 +180,7 @@ public:
     std::vector<ChartDef> charts(const Samples& samples) const override {
         ChartDef rates{
             "Steps per second fall as the crowd grows.", "characters", "steps per second", true, true, {}};
-        ChartDef parts{"By the preset muster nearly all of a step is the plan.",
+        ChartDef parts{"What a step consists of, by the preset muster.",
                        "characters",
                        "milliseconds per step",
                        true,

@@ -18,7 +18,7 @@ constexpr double kLogSmallest = 1e-100;
 std::string label(double value, double step) {
     const double size = std::max(std::abs(value), step);
     if (value != 0.0 && (size >= 1e7 || step < 1e-6)) {
-        // As many digits as tell neighbours apart.
+        // As many digits as distinguish neighbouring ticks.
         const int digits = static_cast<int>(std::floor(std::log10(size) + 1e-9) -
                                             std::floor(std::log10(step) + 1e-9)) +
                            1;
@@ -30,7 +30,7 @@ std::string label(double value, double step) {
     return fixedNumber(value, value == 0.0 ? 0 : decimals);
 }
 
-/// 1, 2 or 5 times a power of ten, such that about so many steps cover the range.
+/// The step between ticks, 1, 2 or 5 times a power of ten, such that about that many steps cover the range.
 double stepFor(double range, bool whole) {
     const double raw = range / kWantedSteps;
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -55,7 +55,7 @@ Axis linearAxis(double low, double high, bool whole) {
     return axis;
 }
 
-/// 1, 2 and 5 times powers of ten, by index.
+/// The sequence of 1, 2 and 5 times powers of ten, by index.
 double logStop(int index) {
     const int decade = index >= 0 ? index / 3 : -((2 - index) / 3);
     const double digits[] = {1.0, 2.0, 5.0};
@@ -67,7 +67,7 @@ Axis logAxis(double low, double high) {
     while (logStop(first + 1) <= low * (1.0 + kAlike)) ++first;
     int last = first + 1;
     while (logStop(last) < high * (1.0 - kAlike)) ++last;
-    // Where there is no room for all, decades alone, from one to another.
+    // Only decades if there is no room for all ticks.
     const bool decadesOnly = last - first > 6;
     if (decadesOnly) {
         while (first % 3 != 0) --first;

@@ -6,7 +6,7 @@
 
 namespace muster {
 
-/// A mark on an axis.
+/// A tick of an axis.
 struct Tick {
     double value = 0.0;
     std::string label;
@@ -23,7 +23,7 @@ struct Axis {
     double place(double value) const;
 };
 
-/// Every how many ticks are labelled, so that labels of letters `letterWidth` wide fit side by side on an
+/// Stride of labelled ticks such that labels with letters `letterWidth` wide fit side by side on an
 /// axis of that length, both in the same unit.
 std::size_t labelStride(const Axis& axis, double length, double letterWidth);
 

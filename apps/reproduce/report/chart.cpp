@@ -10,7 +10,7 @@
 namespace muster {
 namespace {
 
-// Pixels of the drawing; on a phone they are a little smaller than the screen's.
+// Sizes in pixels of the drawing, which a phone shows a little smaller.
 constexpr double kWidth = 460.0, kPlotHeight = 240.0, kTop = 30.0, kRight = 18.0, kBelowPlot = 48.0;
 constexpr double kLetterWidth = 6.9, kLegendLine = 22.0, kLegendMark = 30.0;
 constexpr std::size_t kFewPoints = 16, kMarksPerLine = 8;
@@ -120,7 +120,7 @@ std::string legendSign(const ChartSeries& series, std::size_t index, double x, d
     return seriesGroup(index, content + seriesMark(index, x + 12.0, y, 4.0));
 }
 
-/// The legend, in rows from y on, which becomes the lowest line of words. A long title takes several lines.
+/// Draws the legend in rows from y on; y becomes the last baseline. A long title takes several lines.
 std::string drawLegend(const ChartDef& chart, double& y) {
     std::string out;
     double x = 4.0;

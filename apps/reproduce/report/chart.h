@@ -8,7 +8,7 @@
 namespace muster {
 
 /// The chart: axes with units, series in the groups' colours and marks, a legend where there are several. Its
-/// title is for those who do not see it; print it above. Points that are not finite, or not > 0 on a
+/// title is for screen readers; print it above the chart. Points that are not finite, or not > 0 on a
 /// logarithmic axis, break the line.
 std::string chartSvg(const ChartDef& chart);
 

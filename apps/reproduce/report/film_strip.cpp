@@ -9,14 +9,14 @@
 namespace muster {
 namespace {
 
-// All in pixels of the strip. 4 x 440 and what is between is 1,850: on 180 mm letters of 27 stand 7.5 points
-// high.
+// All sizes are in pixels of the strip. Four pictures of 440 and the gaps make 1,850: on a width of 180 mm
+// letters of 27 px are 7.5 points high.
 constexpr double kWidth = 440.0, kEmptyHeight = 300.0, kGap = 24.0, kMargin = 8.0;
 constexpr double kLetter = 27.0, kLine = 34.0, kBelow = 10.0;
 constexpr std::size_t kLettersPerLine = 31;
 constexpr const char* kInk = "#171B20";
 
-/// A picture with its words.
+/// A picture with its caption.
 struct Cell {
     double height = 0.0;  // Of the picture.
     std::vector<std::string> lines;

@@ -1,4 +1,4 @@
-// Pictures side by side, as one SVG document.
+// Film strip: pictures in rows, as one SVG document.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace muster {
 
-/// Pictures in a row where there are `frames`, so that rows are equally long: 5 of at most 4 stand as 3
-/// and 2.
+/// Number of pictures in a row such that rows are about equally long: 5 pictures with at most 4 in a row
+/// become 3 and 2.
 std::int32_t stripColumns(std::size_t frames, std::int32_t most = 4);
 
 /// A strip of all pictures, each with its time and caption below, in rows of at most `columns`. Letters are

@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-// Whatever stands in the page, it asks no network for anything.
+// The page makes no network request, whatever it contains.
 constexpr const char* kHead =
     "<!doctype html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
     "charset=\"utf-8\"/>\n"
@@ -36,7 +36,7 @@ std::string idsOf(const Reproduction& reproduction) {
     return ids;
 }
 
-/// The binding criteria that fail, by name, at the top.
+/// Names of the binding criteria that fail, for the top of the page.
 std::string failures(const Reproduction& reproduction) {
     std::string html;
     for (const ExperimentResult& experiment : reproduction.experiments) {

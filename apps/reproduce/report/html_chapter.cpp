@@ -128,7 +128,7 @@ std::string films(const ExperimentResult& experiment) {
         longest = std::max(longest, runs.front().film.size());
     }
     if (html.empty()) return html;
-    // Short films stand beside each other, so that arms can be compared.
+    // Short films are placed side by side, so that arms can be compared.
     const std::string kind = longest <= 2 ? " n" + std::to_string(longest) : "";
     return "<p class=\"help\">Pictures of the run with seed 1.</p>\n<div class=\"films" + kind + "\">\n" +
            html + "</div>\n";

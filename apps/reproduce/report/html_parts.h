@@ -1,4 +1,4 @@
-// The parts that the report's page is made of. All return well-formed XHTML, escaped.
+// The parts of the report's page. All return well-formed, escaped XHTML.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// A binding criterion passes or fails; others hold or do not, which decides nothing.
+/// Counts of criteria. Only binding criteria decide over the outcome.
 struct CriteriaCount {
     std::size_t judged = 0;  ///< Binding ones.
     std::size_t passed = 0;  ///< Of these.
@@ -16,7 +16,7 @@ struct CriteriaCount {
 
 /// "3 of 6".
 std::string shareText(const CriteriaCount& count);
-/// What comes behind it: "criteria hold".
+/// The words after the count: "criteria hold".
 std::string holdText(const CriteriaCount& count);
 
 /// Of one experiment.
@@ -24,7 +24,7 @@ CriteriaCount countCriteria(const ExperimentResult& experiment);
 /// Of all.
 CriteriaCount countCriteria(const Reproduction& reproduction);
 
-/// One criterion with what each preset gave; null where a preset was not judged.
+/// One criterion with the verdict of each preset; null if a preset was not judged.
 struct CriterionRow {
     std::vector<const Verdict*> byPreset;  ///< As presetsOf() lists them.
     const Verdict& any() const;            ///< One that is there.
@@ -38,24 +38,24 @@ std::vector<CriterionRow> criterionRows(const ExperimentResult& experiment);
 std::string anchorOf(const ExperimentResult& experiment);
 /// "at least 36 in every seed", as text.
 std::string requirementText(const Verdict& verdict);
-/// "36 s", or that there is none, as text.
+/// "36 s", or "no value", as text.
 std::string verdictValueText(const Verdict& verdict);
 /// "34 to 36, 10 seeds", as text; names seeds without a value.
 std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds);
 /// "Transport (paper)", as text: the preset is named where it is not "muster".
 std::string armTitle(const Arm& arm);
-/// The sign for pass or fail, with its word.
+/// The symbol for pass or fail, with its word.
 std::string resultSign(const Verdict& verdict);
 
 /// The table of all criteria.
 std::string summaryTable(const Reproduction& reproduction);
-/// The criteria of one experiment, the presets side by side.
+/// The criteria of one experiment, with a column per preset.
 std::string criteriaTable(const ExperimentResult& experiment, std::int32_t seeds);
 /// Medians and ranges of all figures and arms.
 std::string figuresTables(const ExperimentResult& experiment, std::int32_t seeds);
 /// The hash of the first seed, by arm.
 std::string hashTable(const ExperimentResult& experiment);
-/// One plot per figure that is not alike in all runs.
+/// One plot per figure that differs between runs.
 std::string stripPlots(const ExperimentResult& experiment);
 /// The pictures of the first seed, a strip per arm.
 std::string films(const ExperimentResult& experiment);

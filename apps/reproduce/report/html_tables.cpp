@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kArmsAcross = 6;  // What a printed page has room for.
 
-/// A cell that tells its column where the table is too narrow for columns.
+/// A cell that names its column, for screens too narrow for columns.
 std::string cell(const std::string& column, const std::string& content, const char* kind = "") {
     const std::string named = *kind == 0 ? std::string() : std::string(" class=\"") + kind + "\"";
     return "<td" + named + " data-label=\"" + escaped(column) + "\">" + content + "</td>";
@@ -38,7 +38,7 @@ std::string summaryRow(const ExperimentResult& experiment, const Verdict& verdic
     return row + cell("Result", resultSign(verdict)) + "</tr>\n";
 }
 
-/// What an arm gave of a figure, in a cell.
+/// The cell of one arm and one figure.
 std::string figureCell(const ExperimentResult& experiment, const Arm& arm, const FigureInfo& figure) {
     const std::vector<RunSample>& runs = experiment.samples.runs(arm.id, arm.preset);
     const auto measured = static_cast<std::size_t>(std::count_if(

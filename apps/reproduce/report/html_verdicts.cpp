@@ -1,4 +1,4 @@
-// What is said of verdicts.
+// Verdicts as text and table cells.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -13,7 +13,7 @@ bool sameNumber(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/// True where both are the same criterion, of whichever preset.
+/// True if both are the same criterion; presets may differ.
 bool sameCriterion(const Verdict& a, const Verdict& b) {
     return a.criterion == b.criterion && a.unit == b.unit && a.comparison == b.comparison &&
            a.aggregate == b.aggregate && sameNumber(a.threshold, b.threshold);

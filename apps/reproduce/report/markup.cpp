@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Bytes of the code point that begins there; 0 where it is no UTF-8, or none that XML allows.
+/// Number of bytes of the code point that begins there; 0 if it is not UTF-8 or not allowed in XML.
 std::size_t codePointLength(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) {
         return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i]));
@@ -79,7 +79,7 @@ std::string withoutZeros(std::string text) {
     return text;
 }
 
-/// Decimals for that many significant digits.
+/// Number of decimals for that many significant digits.
 int decimalsFor(double value, int digits) {
     if (value == 0.0) return 0;
     return std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));

@@ -34,7 +34,7 @@ std::string upright(double x, double top, double bottom, const char* kind, const
            "\" stroke-width=\"" + svgNumber(width) + "\"/>\n";
 }
 
-/// Heights above or below the row's middle such that marks lie side by side as far as the row has room.
+/// Heights above or below the middle of the row such that marks do not overlap as far as the row has room.
 std::vector<double> raised(const std::vector<double>& xs) {
     std::vector<double> heights;
     for (std::size_t i = 0; i < xs.size(); ++i) {

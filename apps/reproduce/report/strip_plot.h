@@ -1,4 +1,4 @@
-// One figure of all arms: a mark per seed, a bar at the median.
+// Strip plot of one figure for all arms: a mark per seed, a bar at the median.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct StripRow {
     std::size_t missing = 0;     ///< Seeds without a value; told beside the row.
 };
 
-/// What a plot shows.
+/// Definition of a plot.
 struct StripPlotDef {
     std::string title;   ///< For those who do not see it.
     bool whole = false;  ///< Ticks at whole numbers only.

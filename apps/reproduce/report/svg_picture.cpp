@@ -9,14 +9,14 @@
 namespace muster {
 namespace {
 
-/// The root's tag, from "<svg" to before ">"; empty where there is none.
+/// The tag of the root element, from "<svg" up to ">"; empty if there is none.
 std::string rootTag(const std::string& svg) {
     const std::size_t from = svg.find("<svg");
     const std::size_t end = from == std::string::npos ? from : svg.find('>', from);
     return end == std::string::npos ? std::string() : svg.substr(from, end - from);
 }
 
-/// Where ` name="value"` stands in a tag, both npos where it does not; the value is between the quotes.
+/// Range of the value of attribute `name` in a tag, between the quotes; npos if the tag has none.
 std::string attributeOf(const std::string& tag, const std::string& name) {
     const std::string start = " " + name + "=\"";
     const std::size_t from = tag.find(start);

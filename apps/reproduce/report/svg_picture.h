@@ -5,7 +5,7 @@
 
 namespace muster {
 
-/// What a picture's root says of its size [px]; 0 where there is no picture.
+/// Size of a picture by its root element [px]; 0 without a picture.
 struct PictureSize {
     double width = 0.0;
     double height = 0.0;
@@ -14,8 +14,8 @@ struct PictureSize {
 /// Reads width and height, or else those of the viewBox.
 PictureSize pictureSize(const std::string& svg);
 
-/// The picture as an <svg> element with `attributes` (` x="3"`...) in place of its own place and size. Ids
-/// and what refers to them get the prefix, so that pictures in one document do not take each other's. Empty
+/// The picture as an <svg> element with `attributes` (` x="3"`...) in place of its own position and size. Ids
+/// and references to them get the prefix, so that pictures in one document have different ids. Empty
 /// for no picture.
 std::string nestedPicture(const std::string& svg, const std::string& attributes, const std::string& prefix);
 
