@@ -148,6 +148,7 @@ export default tseslint.config(
           'innerHeight',
           'localStorage',
           'createImageBitmap',
+          'ArrayBuffer',
           'OffscreenCanvas',
           'requestAnimationFrame',
           'getComputedStyle',

@@ -17,24 +17,30 @@ import { StudioPage } from './support/studio_page.mjs';
 const FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const TABLETS = ['desktop', 'landscape', 'portrait'];
 
-/** Name, test, sizes, and options of the page; a `scenario` gets a server of its own. */
+/** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
+ * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own. */
 const CASES = [
   ['latency', session.latency, ['desktop'], {}],
-  ['point', touch.pointDrag, TABLETS, { room: true }],
-  ['line', touch.lineDrag, TABLETS, { room: true }],
-  ['area', touch.areaDrag, TABLETS, { room: true }],
-  ['line and area together', touch.lineAndArea, TABLETS, { room: true }],
-  ['drawing ahead and lifting', touch.drawAheadAndLift, TABLETS, { room: true }],
-  ['another formation on the way', touch.formationOnTheWay, TABLETS, { room: true }],
-  ['pinch on empty ground', touch.pinchOnGround, TABLETS, { room: true }],
-  ['ten fingers', touch.tenFingers, ['desktop'], {}],
-  ['mouse: point', mouseAndKeys.mousePoint, ['desktop'], { touch: false, room: true }],
-  ['mouse: line', mouseAndKeys.mouseLine, ['desktop'], { touch: false, room: true }],
-  ['mouse: area', mouseAndKeys.mouseArea, ['desktop'], { touch: false, room: true }],
-  ['mouse: pin', mouseAndKeys.mousePin, ['desktop'], { touch: false, room: true }],
-  ['mouse: keys while it drags', mouseAndKeys.keysWhileDragging, ['desktop'], { touch: false, room: true }],
-  ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false }],
-  ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true }],
+  ['point', touch.pointDrag, TABLETS, { room: true, shared: true }],
+  ['line', touch.lineDrag, TABLETS, { room: true, shared: true }],
+  ['area', touch.areaDrag, TABLETS, { room: true, shared: true }],
+  ['line and area together', touch.lineAndArea, TABLETS, { room: true, shared: true }],
+  ['drawing ahead and lifting', touch.drawAheadAndLift, TABLETS, { room: true, shared: true }],
+  ['another formation on the way', touch.formationOnTheWay, TABLETS, { room: true, shared: true }],
+  ['pinch on empty ground', touch.pinchOnGround, TABLETS, { room: true, shared: true }],
+  ['ten fingers', touch.tenFingers, ['desktop'], { shared: true }],
+  ['mouse: point', mouseAndKeys.mousePoint, ['desktop'], { touch: false, room: true, shared: true }],
+  ['mouse: line', mouseAndKeys.mouseLine, ['desktop'], { touch: false, room: true, shared: true }],
+  ['mouse: area', mouseAndKeys.mouseArea, ['desktop'], { touch: false, room: true, shared: true }],
+  ['mouse: pin', mouseAndKeys.mousePin, ['desktop'], { touch: false, room: true, shared: true }],
+  [
+    'mouse: keys while it drags',
+    mouseAndKeys.keysWhileDragging,
+    ['desktop'],
+    { touch: false, room: true, shared: true },
+  ],
+  ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
+  ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
   ['paused', feedback.paused, ['desktop'], { room: true }],
   ['refused', feedback.refused, ['desktop', 'phone'], {}],
   ['overlays', overlays.overlays, ['desktop'], { scenario: 'scenarios/block.json' }],
@@ -55,13 +61,13 @@ const CASES = [
     'a thousand people',
     people.budgets,
     ['desktop'],
-    { search: '?quality=full&stats', scenario: 'web/tests/scenarios/thousand.json' },
+    { search: '?quality=full&stats', counts: true, scenario: 'web/tests/scenarios/thousand.json' },
   ],
   [
     'ten thousand people',
     people.budgetsOfMany,
     ['desktop', 'portrait'],
-    { search: '?quality=full&stats', made: { count: 10000, near: 100 } },
+    { search: '?quality=full&stats', counts: true, made: { count: 10000, near: 100 } },
   ],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
@@ -81,15 +87,44 @@ const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? 
 let passed = 0;
 const failed = [];
 
-async function runCase(name, test, size, options) {
+/** The page that shared cases go on with, and what it is. */
+let shared = { studio: null, key: '' };
+
+async function closeShared() {
+  await shared.studio?.close().catch(() => undefined);
+  shared = { studio: null, key: '' };
+}
+
+/** The page for a case on the common server: the last one, where both share it. */
+async function openPage(size, options) {
+  const key = options.shared ? `${size} ${options.touch !== false}` : '';
+  if (key && shared.key === key) {
+    await shared.studio.renew();
+    return shared.studio;
+  }
+  await closeShared();
+  const studio = await StudioPage.open(browser, `${server.url}${options.search ?? ''}`, { size, ...options });
+  if (key) shared = { studio, key };
+  await studio.restart();
+  return studio;
+}
+
+/** The page for a case with a server of its own. */
+async function openOwnPage(own, size, options) {
+  await closeShared();
+  const studio = await StudioPage.open(browser, `${own.url}${options.search ?? ''}`, { size, ...options });
+  if (!options.made) await studio.restart();
+  return studio;
+}
+
+async function runCase({ name, test, size, options }) {
   const started = Date.now();
   let studio = null;
   let own = null;
   try {
     if (options.scenario) own = await startStudio({ scenario: options.scenario, port: 18280 });
     if (options.made) own = await startMadeCrowd({ ...options.made, bodies: server.url });
-    studio = await StudioPage.open(browser, `${(own ?? server).url}${options.search ?? ''}`, { size, ...options });
-    if (!options.made) await studio.restart();
+    studio = own ? await openOwnPage(own, size, options) : await openPage(size, options);
     await studio.fit();
     if (options.room) await studio.makeRoom();
     const left = await test(studio, own ?? server);
@@ -101,18 +136,24 @@ async function runCase(name, test, size, options) {
     failed.push(`${name} (${size})`);
     console.log(`FAIL  ${name} (${size}): ${error.message}`);
     await studio?.shot(`failed-${name.replace(/\W+/g, '-')}`).catch(() => undefined);
+    // What a failed case leaves behind is no concern of the next.
+    await closeShared();
   } finally {
-    await studio?.close().catch(() => undefined);
+    if (studio !== shared.studio) await studio?.close().catch(() => undefined);
     await own?.stop();
   }
 }
 
+const all = CASES.filter(([name]) => name.includes(only)).flatMap(([name, test, sizes, options]) =>
+  sizes.map((size) => ({ name, test, size, options })),
+);
+// Those that share a page follow each other.
+const key = ({ size, options }) => `${options.touch === false ? 1 : 0} ${size}`;
+const together = all.filter(({ options }) => options.shared).sort((a, b) => key(a).localeCompare(key(b)));
 try {
-  for (const [name, test, sizes, options] of CASES) {
-    if (!name.includes(only)) continue;
-    for (const size of sizes) await runCase(name, test, size, options);
-  }
+  for (const one of [...all.filter(({ options }) => !options.shared), ...together]) await runCase(one);
 } finally {
+  await closeShared();
   await browser.close();
   await server.stop();
 }

@@ -1,10 +1,10 @@
-// From what a frame tells of the crowd back to everybody. Frames come all and in order, so each tells the steps since
-// the one before; a client's first, and the first of another crowd, is whole.
+// Restores the whole crowd from the changes in a frame. Frames arrive completely and in order, so each holds the differences to
+// the one before; a client's first frame, and the first of another crowd, is whole.
 
 import type { CrowdFrame } from '../protocol/messages';
 import { kRowFloats, rowsLength } from '../model/studio_frame';
 
-/** What must be known of a clip. */
+/** What unpacking needs of a clip. */
 export interface ClipLength {
   /** Of one play [s]. */
   readonly seconds: number;
@@ -21,7 +21,7 @@ export interface UnpackedCrowd {
 const kTurn = 2 * Math.PI;
 /** A clip fades out in this time [s]; the server's whole poses do the same. */
 const kFade = 0.2;
-/** After a longer gap nobody fades [s]. */
+/** No clip fades after a longer gap [s]. */
 const kGap = 0.3;
 const kUnknown: ClipLength = { seconds: 1, cyclic: true };
 
@@ -78,7 +78,7 @@ export class CrowdUnpacker {
     }
   }
 
-  /** Moves on in all clips; who changed to another lets the one before fade. */
+  /** Advances the phases of all clips. Where a character changed its clip, the clip before fades. */
   private play(crowd: CrowdFrame, passed: number): void {
     const fine = crowd.phaseFine.length > 0;
     const { clip_: clip, phase_: phase, fade_: fade } = this;
@@ -93,7 +93,7 @@ export class CrowdUnpacker {
     }
     for (let i = 0; i < this.count_; ++i) {
       const now = (crowd.phase[i]! + (fine ? crowd.phaseFine[i]! / 256 : 0.5)) / 256;
-      // Who has just changed begins to fade with the next frame.
+      // A character that has just changed its clip begins to fade with the next frame.
       if (fade[i]! > 0 && phase[i]! >= 0) this.fadeOn(i, now - phase[i]!, passed);
       phase[i] = now;
     }

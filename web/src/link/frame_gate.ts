@@ -1,8 +1,8 @@
-// Lets one frame at a time through to the page; while the page is busy only the newest waits.
+// Passes one frame at a time to the page. While the page is busy only the newest frame waits.
 
 import type { StudioFrame } from '../model/studio_frame';
 
-/** A frame that was overtaken leaves behind what later frames do not repeat: ids and events. */
+/** Merges a frame that was overtaken into the newer one, as later frames do not repeat ids and events. */
 export function mergeStale(stale: StudioFrame, newer: StudioFrame): StudioFrame {
   const idsKept = newer.ids.length === 0 && stale.ids.length > 0;
   return {

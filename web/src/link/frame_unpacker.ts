@@ -1,4 +1,5 @@
-// From the server's frames to whole ones: in the worker, so that the page's thread only hands them on.
+// Unpacks the server's frames, which hold changes only, to whole ones. This runs in the worker, so that the page's thread only
+// hands them on.
 
 import type { Frame, GroupFrame, GroupMesh, Motions } from '../protocol/messages';
 import { clipDuration } from '../model/clip_duration';
@@ -28,10 +29,10 @@ export function unpackPoses(packed: Int16Array): Float32Array {
 function unpackTurn(packed: Int16Array, from: number, out: Float32Array, to: number): void {
   const largest = (packed[from]! & 1) | ((packed[from + 1]! & 1) << 1);
   let rest = 1;
-  let told = from;
+  let next = from;
   for (let k = 0; k < 4; ++k) {
     if (k === largest) continue;
-    const part = ((packed[told++]! >> 1) / kUnits) * kLargest;
+    const part = ((packed[next++]! >> 1) / kUnits) * kLargest;
     out[to + k] = part;
     rest -= part * part;
   }
@@ -105,7 +106,7 @@ export class FrameUnpacker {
   unpack({ crowd, groups, ...frame }: Frame): StudioFrame {
     const people = this.crowd_.unpack(crowd, frame.time);
     const { near, nearPlaces } = crowd;
-    // Of those near the very place is told.
+    // Characters near the view come with exact positions.
     for (let k = 0; k < near.length; ++k) {
       const who = near[k]!;
       if (who >= crowd.count) continue;

@@ -1,4 +1,4 @@
-// From a finger's event to the first drawn frame that shows it.
+// Measures the time from a finger's event to the first picture that shows its effect.
 
 export interface LatencySample {
   /** Page clock [s]. */
@@ -36,7 +36,7 @@ export class LatencyMeter {
     this.waiting_ = this.waiting_.filter((time) => time > echo);
   }
 
-  /** Takes the touches that a picture made of server frames up to `frame` shows. */
+  /** Removes and returns the touches that a picture of the server's frames up to `frame` shows. */
   takeDrawn(frame: number): ArrivedTouch[] {
     const drawn = this.arrived_.filter((one) => one.frame <= frame);
     if (drawn.length > 0) this.arrived_ = this.arrived_.filter((one) => one.frame > frame);

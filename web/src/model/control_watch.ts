@@ -20,7 +20,7 @@ export const kKindNames: Record<ControlKind, string> = {
 export class ControlWatch {
   private known_ = new Map<string, ControlKind>();
 
-  /** What is new since the last frame. */
+  /** Controls that began or changed their kind since the last frame. */
   observe(frame: StudioFrame): ControlNews[] {
     const news: ControlNews[] = [];
     const now = new Map<string, ControlKind>();

@@ -1,4 +1,4 @@
-// What is said when a demonstration begins and ends, whoever asked for it.
+// Announces the begin and the end of a demonstration, whichever client started it.
 
 export class DemonstrationWatch {
   private running_ = false;

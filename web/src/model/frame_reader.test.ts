@@ -68,9 +68,9 @@ describe('FrameReader', () => {
       scenario: 'open',
       ...reader.change(frame([0, 0, 1]), { ...kInitialState, scenario: 'open' }),
     };
-    expect(live.lastLive).toBe('open');
+    expect(live.lastSteered).toBe('open');
     const take = reader.change({ ...frame([0, 0, 1]), replaying: true }, { ...live, scenario: 'Open square' });
-    expect([take.replaying, take.lastLive]).toEqual([true, 'open']);
+    expect([take.replaying, take.lastSteered]).toEqual([true, 'open']);
   });
 });
 

@@ -36,7 +36,7 @@ export class FrameReader {
     this.formations_.set(mesh.group, mesh.formation);
   }
 
-  /** `before` is kept where nothing changed, so that watchers stay quiet. */
+  /** Returns `before` itself where nothing changed, so that no watcher is called. */
   groups(frame: StudioFrame, before: readonly GroupInfo[]): readonly GroupInfo[] {
     if (frame.group.length > 0) this.counts_ = countGroups(frame.group, frame.groups.length);
     const groups = frame.groups.map(({ id }, index): GroupInfo => {
@@ -60,7 +60,7 @@ export class FrameReader {
       playing: frame.playing,
       replaying: frame.replaying,
       demonstrating: frame.demonstrating,
-      lastLive: frame.replaying ? state.lastLive : state.scenario,
+      lastSteered: frame.replaying ? state.lastSteered : state.scenario,
       speed: frame.speed,
       recorded: frame.recordedSeconds,
       characters: frame.x.length,

@@ -1,4 +1,4 @@
-// Between two frames from the server lies what the display shows: about one frame late, never ahead of what is known.
+// Chooses the two frames between which the display interpolates. It runs about one frame late and never extrapolates.
 
 import type { FrameView } from './frame_view';
 

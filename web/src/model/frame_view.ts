@@ -31,7 +31,7 @@ export interface GroupView {
   readonly vertices: Numbers;
   /** x, y. */
   readonly places: Numbers;
-  /** Per place, 0: no room for anyone. */
+  /** Per place: 0 where an obstacle leaves no space for a character. */
   readonly fit: Numbers;
   readonly controls: readonly ControlView[];
 }
@@ -61,7 +61,7 @@ export interface FrameView {
   readonly y: Numbers;
   /** Per character the clip it plays (index into the clips). */
   readonly clip: Numbers;
-  /** What the graphics card is told of everybody: see StudioFrame. */
+  /** What the graphics card reads of the characters: see StudioFrame. */
   readonly rows: Float32Array;
   /** Indices of those who come with whole poses. */
   readonly near: Numbers;

@@ -1,11 +1,11 @@
-// A frame as the page uses it: everybody, not what changed since the last one.
+// A frame as the page uses it: the whole crowd, not only what changed since the last frame.
 
 import type { Frame, GroupFrame } from '../protocol/messages';
 
 /** Numbers per character in `rows`: x, y [m], heading [rad], share of the clip before; clip, how far in it (0 to 1),
  * the clip before, how far in that. */
 export const kRowFloats = 8;
-/** Characters side by side where rows are a picture on the graphics card; `rows` has room for whole lines of them. */
+/** Characters side by side where rows are a picture on the graphics card; `rows` holds whole lines of them. */
 export const kRowsAcross = 64;
 
 /** Floats of `rows` for so many characters. */
@@ -16,7 +16,7 @@ export function rowsLength(count: number): number {
 export interface StudioGroup extends Omit<GroupFrame, 'moved' | 'offsets' | 'unfit'> {
   /** x, y per place [m]. */
   places: Float32Array;
-  /** Per place, 0: no room for anyone. */
+  /** Per place: 0 where an obstacle leaves no space for a character. */
   fit: Uint8Array;
 }
 

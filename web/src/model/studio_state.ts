@@ -48,10 +48,10 @@ export interface StudioState {
   readonly replaying: boolean;
   /** The scenario carries touches to watch. */
   readonly demonstration: boolean;
-  /** They are being given. */
+  /** The scenario's touches are being played. */
   readonly demonstrating: boolean;
   /** The scenario that was last steered, not replayed. */
-  readonly lastLive: string;
+  readonly lastSteered: string;
   readonly speed: number;
   /** Negative: not recording. */
   readonly recorded: number;
@@ -62,7 +62,7 @@ export interface StudioState {
   readonly walks: Walks;
   /** Of the world. */
   readonly parameters: readonly SceneParameter[];
-  /** Rises with each frame, for what draws histories. */
+  /** Number of frames taken, for the sparklines. */
   readonly frames: number;
   /** The file that everybody looks like; empty for our people. */
   readonly ownCharacter: string;
@@ -92,7 +92,7 @@ export const kInitialState: StudioState = {
   replaying: false,
   demonstration: false,
   demonstrating: false,
-  lastLive: '',
+  lastSteered: '',
   speed: 1,
   recorded: -1,
   characters: 0,

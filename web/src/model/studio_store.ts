@@ -1,4 +1,4 @@
-// One plain state, changed in one place.
+// Holds the state of the page. All changes pass through `set`, which calls the watchers of the changed fields.
 
 import { kInitialState, type StudioState } from './studio_state';
 

@@ -1,4 +1,4 @@
-// All that stands in the world apart from people: obstacles, patches, items, checkpoints.
+// The environment: obstacles, patches, items and checkpoints.
 
 import {
   type BufferGeometry,
@@ -83,20 +83,20 @@ export class EnvironmentLayer {
     for (const lines of this.lines_) lines.setSize(width, height, ratio);
   }
 
-  /** Floors of patches give way to a field painted on the ground. */
+  /** Floors of patches are hidden while a field is painted on the ground. */
   set floorsVisible(visible: boolean) {
     this.floor_.visible = visible;
     this.opening_.visible = visible;
   }
 
-  /** Places what moves, between two frames. */
+  /** Moves obstacles and patches to a moment between two frames. */
   move(from: readonly MovingView[], to: readonly MovingView[], alpha: number): void {
     to.forEach((one, i) => {
       const thing = this.moving_.get(`${one.kind}:${one.id}`);
       if (!thing) return;
       const earlier = from[i];
       const before = earlier && earlier.id === one.id && earlier.kind === one.kind ? earlier : one;
-      // A path that starts again jumps back; nothing flies across the scene for it.
+      // An obstacle whose path starts again jumps back; that is not interpolated.
       const jump = Math.hypot(one.x - before.x, one.y - before.y) > 2;
       const t = jump ? 1 : alpha;
       thing.group.position.set(thing.centre[0] + mix(before.x, one.x, t), thing.centre[1] + mix(before.y, one.y, t), 0);
@@ -139,7 +139,7 @@ export class EnvironmentLayer {
     this.trees_.clear();
     this.group.traverse((object) => {
       if (object instanceof Mesh) (object as Mesh<BufferGeometry>).geometry.dispose();
-      // Trees and items keep their places in buffers of their own.
+      // Instances of trees and items have buffers of their own.
       if (object instanceof InstancedMesh) object.dispose();
     });
     for (const lines of this.lines_) lines.dispose();

@@ -1,6 +1,6 @@
-// Pictures are not drawn faster than what stands in for a GPU finishes them: a queue of old pictures would only make
-// everything late. Between two it rests as long as the last one took, since it draws with the very processors that
-// simulate; news of a touch need not wait for that.
+// Paces pictures where software renders them: no picture is begun before the last one is finished, as a queue of old pictures
+// only adds latency. After each picture drawing rests as long as the picture took, since the renderer shares its processors
+// with the simulation. The answer to a touch does not wait for the rest.
 
 /** What the pace needs of WebGL 2. */
 export type FenceContext = Pick<

@@ -20,7 +20,7 @@ import { EnvironmentLayer } from './environment_layer';
 /** Device px per CSS px are never more than this. */
 const kMaxPixelRatio = 2;
 
-/** Characters that are asked for with whole poses. */
+/** Number of characters whose whole poses the page requests. */
 const kWholePoses = 150;
 
 const kNoBox: SceneBox = { min: [-16, -16], max: [16, 16] };

@@ -23,7 +23,7 @@ export interface Attention {
 export interface StudioScene {
   readonly camera: CameraControls;
   readonly stats: ViewStats;
-  /** Replaces the world; where it is another place the next frame opens the view on the crowd. */
+  /** Replaces the environment; where it is another world, the next frame fits the view to the crowd. */
   setScene(scene: SceneFacts): void;
   /** The clips that frames refer to by index. */
   setMotions(clips: readonly ClipPoses[]): void;
@@ -47,9 +47,9 @@ export interface StudioScene {
   setActiveGroup(index: number): void;
   /** What panels cover; fits keep clear of it. */
   setPadding(padding: Padding): void;
-  /** A ring under a finger in the very next frame; null lets it fade. A group of -1 means the camera. */
+  /** A ring under a finger in the very next picture; null lets it fade. A group of -1 means the camera. */
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
-  /** What was drawn and no frame shows yet. */
+  /** What fingers have drawn and no frame shows yet. */
   showDrafts(drafts: readonly DraftControl[]): void;
   /** Our number at the server: whose fingers these are. */
   setClient(client: number): void;

@@ -29,17 +29,17 @@ import type { DraftControl } from './marks/draft_control';
 import type { Layers, Theme } from '../model/view_settings';
 import type { FieldScale } from '../model/field_scale';
 
-/** Rendering goes on this long after the last change, for what settles [ms]. */
+/** Pictures are drawn for this long after the last change, until fades have ended [ms]. */
 const kSettle = 700;
 /** The answer to a finger comes within this time, or does not come [ms]. */
 const kEchoWait = 60;
-/** Between two looks whether the last picture is finished [ms]. */
+/** Interval between two checks whether the last picture is finished [ms]. */
 const kRetry = 3;
-/** The camera's way to another view takes so long [ms]. */
+/** Duration of a camera move to another view [ms]. */
 const kGlide = 260;
 const kNothingMoves: readonly MovingView[] = [];
 
-/** Draws the world once per display frame: controls and meshes of the newest frame, characters between the last two. */
+/** Draws the world once per refresh of the display: controls and meshes of the newest frame, characters between the last two. */
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
   readonly stats = new PictureStats();
@@ -68,7 +68,7 @@ export class StudioView implements StudioScene {
   /** The next picture answers a finger. */
   private urgent_ = false;
   /** Where drawing is slow: until then only the answer to a finger may start a picture [ms]. */
-  private keptFreeUntil_ = 0;
+  private reservedUntil_ = 0;
   private ringsStale_ = false;
   private retry_ = 0;
   private touchEcho_ = 0;
@@ -153,7 +153,7 @@ export class StudioView implements StudioScene {
     const echo = frame.touchEcho ?? 0;
     if (this.stage_.paced && echo > this.touchEcho_) {
       this.urgent_ = true;
-      this.keptFreeUntil_ = 0;
+      this.reservedUntil_ = 0;
       this.drawSoon();
     }
     this.touchEcho_ = echo;
@@ -205,7 +205,7 @@ export class StudioView implements StudioScene {
     // A ring that only moves comes with the picture that answers the finger.
     this.ringsStale_ ||= !world || this.marks_.rings.get(id)?.lifted !== 0;
     this.marks_.touch(id, world, groupIndex, now);
-    if (groupIndex >= 0 && world) this.keptFreeUntil_ = now + kEchoWait;
+    if (groupIndex >= 0 && world) this.reservedUntil_ = now + kEchoWait;
     this.wake();
   }
 
@@ -275,24 +275,24 @@ export class StudioView implements StudioScene {
     this.draw(now);
   }
 
-  /** Where drawing is slow the answer to a finger waits for the last picture only, not for the display's beat. */
+  /** Where drawing is slow, the picture that answers a finger follows the last picture without waiting for a refresh. */
   private drawSoon(): void {
     clearTimeout(this.retry_);
     this.draw(performance.now());
     if (this.urgent_) this.retry_ = window.setTimeout(() => this.drawSoon(), kRetry);
   }
 
-  /** True where this picture would stand in the way of another; see GpuPace. */
+  /** True where this picture would delay a more urgent one; see GpuPace. */
   private mustWait(now: number): boolean {
     if (!this.stage_.paced) return false;
-    return this.stage_.busy(this.urgent_) || (!this.urgent_ && now < this.keptFreeUntil_);
+    return this.stage_.busy(this.urgent_) || (!this.urgent_ && now < this.reservedUntil_);
   }
 
   private draw(now: number): void {
     const start = performance.now();
     if (!this.changed(now)) return;
     if (this.mustWait(now)) {
-      // The ring under a finger comes with the next beat all the same.
+      // The ring under a finger is drawn with the next refresh all the same.
       if (this.ringsStale_) this.showMarks(this.tagScene(now));
       return;
     }
@@ -338,7 +338,7 @@ export class StudioView implements StudioScene {
     this.showMarks(view);
     const tags = scene ? patchTags(scene, view) : [];
     const chips = chipTags(this.marks_, view);
-    // Also where no frame comes, as in a pause, they must go again.
+    // Chips must fade in a pause as well, when no frame comes.
     if (chips.length > 0) this.wake();
     this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)]);
   }
@@ -385,7 +385,7 @@ export class StudioView implements StudioScene {
     return this.crowd_.groupOf(overlay.character) ?? this.activeGroup_;
   }
 
-  /** Opens the view on the crowd, and what awaits it, with the first frame that has one. */
+  /** Fits the view to the crowd and to the obstacles near it, with the first frame that has a crowd. */
   private openView(): void {
     if (this.opened_ || this.camera.width < 2) return;
     const points = this.crowdPoints();
@@ -395,6 +395,6 @@ export class StudioView implements StudioScene {
   }
 
   private crowdPoints(): GroundPoint[] {
-    return crowdOutline(this.crowd_.places, this.timeline_.newest?.groups ?? []);
+    return crowdOutline(this.crowd_.positions, this.timeline_.newest?.groups ?? []);
   }
 }

@@ -12,7 +12,7 @@ export interface DraftBook {
   add(touch: number, group: number, at: GroundPoint, time: number): void;
   /** What it drew counts no more. */
   drop(touch: number): void;
-  /** A new control was asked for, or let go. */
+  /** A new control was requested or released. */
   changed(): void;
 }
 
@@ -39,7 +39,7 @@ export class Drafts implements DraftBook {
   private shown_ = false;
   private step_ = 0;
 
-  /** `show` hears of every change; `asked` tells the controls that wait for an answer. */
+  /** `show` hears of every change; `pending` returns the controls that wait for an answer. */
   constructor(
     private readonly show_: (drafts: readonly DraftControl[]) => void,
     private readonly pending_: () => readonly PendingControl[],
@@ -47,9 +47,9 @@ export class Drafts implements DraftBook {
   ) {}
 
   add(touch: number, group: number, at: GroundPoint, time: number): void {
-    const way = this.paths_.get(touch) ?? { group, points: [] };
-    way.points.push({ at, time });
-    this.paths_.set(touch, way);
+    const path = this.paths_.get(touch) ?? { group, points: [] };
+    path.points.push({ at, time });
+    this.paths_.set(touch, path);
     if (this.paused_) this.changed();
   }
 
@@ -86,10 +86,10 @@ export class Drafts implements DraftBook {
   }
 
   private drawn(): DraftControl[] {
-    return [...this.paths_].map(([touch, way]) => {
-      const points = way.points.map(({ at }) => at);
+    return [...this.paths_].map(([touch, path]) => {
+      const points = path.points.map(({ at }) => at);
       const end = this.ends_.get(touch);
-      const group = this.groups_.indexOf(way.group);
+      const group = this.groups_.indexOf(path.group);
       return end
         ? { group, points: [end, ...points], closed: false, handles: [] }
         : { group, points, closed: false, handles: points.slice(0, 1) };

@@ -102,23 +102,23 @@ export class ControlDrag implements ContactOwner {
 
   begin(contact: Contact): void {
     if (!contact.ground) return;
-    const held = this.controls_.take(this.grab_, contact.time);
-    held.drags += 1;
-    this.control_ = held;
+    const virtual = this.controls_.take(this.grab_, contact.time);
+    virtual.drags += 1;
+    this.control_ = virtual;
     this.start_ = contact.ground;
-    this.fingers_ = this.controls_.fingersOf(held, this.grab_).map((finger) => ({ finger, from: finger.at }));
+    this.fingers_ = this.controls_.fingersOf(virtual, this.grab_).map((finger) => ({ finger, from: finger.at }));
     this.mark(contact, contact.ground);
   }
 
   move(contacts: readonly Contact[]): void {
-    const { control_: held, start_: start } = this;
-    if (!held || !start) return;
+    const { control_: control, start_: start } = this;
+    if (!control || !start) return;
     for (const contact of contacts) {
       const { ground, time } = contact;
       if (!ground) continue;
       for (const { finger, from } of this.fingers_) {
         const at = { x: from.x + ground.x - start.x, y: from.y + ground.y - start.y };
-        this.controls_.move(held, finger, at, time);
+        this.controls_.move(control, finger, at, time);
       }
       this.mark(contact, ground);
     }

@@ -81,7 +81,7 @@ export class PointerRouter {
     if (!owned.raw) this.follow(owned, event);
   }
 
-  /** Browsers keep pointermove back until just before the next drawn frame; raw updates come at once. */
+  /** Browsers hold pointermove back until just before the next picture; raw updates come at once. */
   private rawMoved(event: PointerEvent): void {
     const owned = this.owned_.get(event.pointerId);
     if (!owned) return;

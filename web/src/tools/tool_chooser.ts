@@ -1,4 +1,4 @@
-// Who owns a contact: decided once, where and how it begins.
+// Chooses the owner of a contact once, by where and how it begins.
 
 import type { ControlFrame } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
@@ -67,7 +67,7 @@ export class ToolChooser {
     return this.grabWhere(ground, () => 'whole');
   }
 
-  /** The formation under the point, or a fingertip beside it. */
+  /** The formation under the point, or within a fingertip of it. */
   formation(ground: GroundPoint): FormationHit | null {
     return this.find(ground, fingertipFrom(ground, this.toScreen));
   }

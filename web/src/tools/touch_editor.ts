@@ -6,7 +6,7 @@ import type { FormationHit } from './formation_hit_test';
 import type { TouchSender } from './touch_sender';
 import type { GroundPoint } from '../model/plane';
 
-/** The ring under a finger, drawn in the very next frame; its id is the touch, or negative. */
+/** The ring under a finger, drawn in the very next picture; its id is the touch, or negative. */
 export interface TouchMarks {
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
 }
@@ -81,7 +81,7 @@ export class TouchEditor {
     if (!finger) return;
     this.fingers_.delete(contact.pointer);
     this.marks_.touchMark(finger.touch, null, finger.index);
-    // A click that drew nothing must leave no control behind that would stand in the way of a double click.
+    // A click that drew nothing must leave no control behind, as that would catch the second click of a double click.
     const dropped = cancelled || (contact.kind === 'mouse' && !finger.moved);
     if (dropped) this.drafts_.drop(finger.touch);
     if (dropped) this.sender_.cancel(finger.touch, finger.last, contact.time);

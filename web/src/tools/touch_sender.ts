@@ -1,10 +1,10 @@
-// Sends touches: downs and lifts at once, moves at once too, unless the last left only just now.
+// Sends touches: downs and lifts at once, moves at once unless the last were sent less than 8 ms ago.
 
 import { TouchPhase, type TouchEvent } from '../protocol/messages';
 import type { MessageSender } from '../link/studio_client';
 import type { GroundPoint } from '../model/plane';
 
-/** Moves of fast mice leave together, no oftener than this [ms]; what waits leaves with the next drawn frame. */
+/** Moves of fast mice leave together, no oftener than this [ms]; queued moves are sent with the next picture. */
 const kSpacing = 8;
 
 export class TouchSender {

@@ -22,7 +22,7 @@ export interface VirtualControl {
   readonly fingers: readonly VirtualFinger[];
   /** The server's number; 0 until a frame shows it. */
   control: number;
-  /** The control that this one took the place of; 0 for none. */
+  /** The control that this one replaced; 0 for none. */
   readonly replaced: number;
   pinned: boolean;
   /** Stays when its drag ends. */
@@ -38,7 +38,7 @@ export interface NewControl {
   readonly time: number;
   readonly keep: boolean;
   readonly pinned: boolean;
-  /** The control whose place it takes, and the touches of its points. */
+  /** The control that it replaces, and the touches of that control's points. */
   readonly replaced?: number;
   readonly replacedTouches?: readonly number[];
 }
@@ -69,7 +69,7 @@ export class VirtualControls {
 
   /** Those that no frame has shown yet. */
   get pending(): readonly VirtualControl[] {
-    return this.controls_.filter((held) => held.control === 0);
+    return this.controls_.filter((virtual) => virtual.control === 0);
   }
 
   /** What of a control may be taken hold of: all of ours and of pinned ones, the handles of others that were lifted. */
@@ -95,7 +95,7 @@ export class VirtualControls {
       time: made.time,
     });
     const { group, kind, pinned, keep, replaced = 0 } = made;
-    const held: VirtualControl = {
+    const virtual: VirtualControl = {
       group,
       kind,
       fingers,
@@ -106,12 +106,12 @@ export class VirtualControls {
       drags: 0,
       bornAtStep: this.step_,
     };
-    this.controls_.push(held);
+    this.controls_.push(virtual);
     this.drafts_.changed();
-    return held;
+    return virtual;
   }
 
-  /** Ours already, or made anew in the place of one whose fingers have lifted. */
+  /** Returns the control where it is ours; else replaces it, as its fingers have lifted. */
   take(grab: Grab, time: number): VirtualControl {
     const known = this.holderOf(grab.control, grab.group);
     if (known) return known;
@@ -125,34 +125,34 @@ export class VirtualControls {
   }
 
   /** The fingers that hold what was grabbed: the server may show fewer points than there are fingers. */
-  fingersOf(held: VirtualControl, { control, touches }: Grab): readonly VirtualFinger[] {
-    const old = held.replaced === control.id;
-    return held.fingers.filter((finger) => touches.includes(old ? finger.replacedTouch : finger.touch));
+  fingersOf(virtual: VirtualControl, { control, touches }: Grab): readonly VirtualFinger[] {
+    const old = virtual.replaced === control.id;
+    return virtual.fingers.filter((finger) => touches.includes(old ? finger.replacedTouch : finger.touch));
   }
 
   /** Moves one finger. */
-  move(held: VirtualControl, finger: VirtualFinger, at: GroundPoint, time: number): void {
+  move(virtual: VirtualControl, finger: VirtualFinger, at: GroundPoint, time: number): void {
     finger.at = at;
     this.touches_.move(finger.touch, at, time);
-    this.drafts_.add(finger.touch, held.group, at, time);
+    this.drafts_.add(finger.touch, virtual.group, at, time);
   }
 
   /** A drag of it ended: unless it is meant to stay, its fingers lift. */
-  release(held: VirtualControl, time: number): void {
-    held.drags = Math.max(0, held.drags - 1);
-    if (held.drags === 0 && !held.keep && !held.pinned) this.letGo(held, time);
+  release(virtual: VirtualControl, time: number): void {
+    virtual.drags = Math.max(0, virtual.drags - 1);
+    if (virtual.drags === 0 && !virtual.keep && !virtual.pinned) this.letGo(virtual, time);
   }
 
-  letGo(held: VirtualControl, time: number): void {
-    this.controls_ = this.controls_.filter((other) => other !== held);
-    for (const finger of held.fingers) this.touches_.up(finger.touch, finger.at, time);
+  letGo(virtual: VirtualControl, time: number): void {
+    this.controls_ = this.controls_.filter((other) => other !== virtual);
+    for (const finger of virtual.fingers) this.touches_.up(finger.touch, finger.at, time);
     this.drafts_.changed();
   }
 
   /** Ends all of ours, pinned or not; those that no frame shows yet lift. */
   letGoAll(time: number, frame: StudioFrame | null): void {
-    for (const { touch } of this.controls_.flatMap((held) => held.fingers)) this.drafts_.drop(touch);
-    for (const held of this.pending) this.letGo(held, time);
+    for (const { touch } of this.controls_.flatMap((virtual) => virtual.fingers)) this.drafts_.drop(touch);
+    for (const virtual of this.pending) this.letGo(virtual, time);
     this.controls_ = [];
     this.touches_.flush();
     for (const { group, control } of this.ownIn(frame)) {
@@ -163,20 +163,20 @@ export class VirtualControls {
 
   /** Ends a control at once. */
   remove(group: number, control: ControlFrame): void {
-    const held = this.holderOf(control, group);
-    if (held) this.controls_ = this.controls_.filter((other) => other !== held);
+    const virtual = this.holderOf(control, group);
+    if (virtual) this.controls_ = this.controls_.filter((other) => other !== virtual);
     this.client_.send({ type: 'RemoveControl', group, control: control.id });
   }
 
   togglePin(group: number, control: ControlFrame, time: number): void {
     const pinned = !control.pinned;
     this.client_.send({ type: 'PinControl', group, control: control.id, pinned });
-    const held = this.holderOf(control, group);
-    if (!held) return;
-    held.pinned = pinned;
+    const virtual = this.holderOf(control, group);
+    if (!virtual) return;
+    virtual.pinned = pinned;
     if (pinned) return;
-    held.keep = false;
-    if (held.drags === 0) this.letGo(held, time);
+    virtual.keep = false;
+    if (virtual.drags === 0) this.letGo(virtual, time);
   }
 
   /** Our newest control in this frame, for keys without a pointer: touches count on, ids only within a group. */
@@ -190,9 +190,11 @@ export class VirtualControls {
 
   /** The control in this frame that a drag holds. */
   draggedIn(frame: StudioFrame): OwnControl | null {
-    const dragged = this.controls_.filter((held) => held.drags > 0);
+    const dragged = this.controls_.filter((virtual) => virtual.drags > 0);
     return (
-      this.ownIn(frame).find(({ group, control }) => dragged.some((held) => this.matches(held, control, group))) ?? null
+      this.ownIn(frame).find(({ group, control }) =>
+        dragged.some((virtual) => this.matches(virtual, control, group)),
+      ) ?? null
     );
   }
 
@@ -200,17 +202,18 @@ export class VirtualControls {
   observe(frame: StudioFrame): void {
     this.step_ = frame.step;
     const shown = this.ownIn(frame);
-    for (const held of [...this.controls_]) {
-      const control = shown.find((own) => this.matches(held, own.control, own.group))?.control;
-      if (control && held.control === 0) {
-        held.control = control.id;
-        if (held.pinned)
-          this.client_.send({ type: 'PinControl', group: held.group, control: control.id, pinned: true });
+    for (const virtual of [...this.controls_]) {
+      const control = shown.find((own) => this.matches(virtual, own.control, own.group))?.control;
+      if (control && virtual.control === 0) {
+        virtual.control = control.id;
+        if (virtual.pinned)
+          this.client_.send({ type: 'PinControl', group: virtual.group, control: control.id, pinned: true });
       }
       const refused =
-        held.control === 0 && (frame.step < held.bornAtStep || frame.step - held.bornAtStep > kRefusedAfterSteps);
-      if (!control && (held.control !== 0 || refused))
-        this.controls_ = this.controls_.filter((other) => other !== held);
+        virtual.control === 0 &&
+        (frame.step < virtual.bornAtStep || frame.step - virtual.bornAtStep > kRefusedAfterSteps);
+      if (!control && (virtual.control !== 0 || refused))
+        this.controls_ = this.controls_.filter((other) => other !== virtual);
     }
   }
 
@@ -227,12 +230,13 @@ export class VirtualControls {
 
   private holderOf(control: ControlFrame, group: number): VirtualControl | undefined {
     return this.controls_.find(
-      (held) => (held.group === group && held.replaced === control.id) || this.matches(held, control, group),
+      (virtual) =>
+        (virtual.group === group && virtual.replaced === control.id) || this.matches(virtual, control, group),
     );
   }
 
-  private matches(held: VirtualControl, control: ControlFrame, group: number): boolean {
-    if (held.group !== group || control.client !== this.clientId_()) return false;
-    return control.points.some((point) => held.fingers.some((finger) => finger.touch === point.touch));
+  private matches(virtual: VirtualControl, control: ControlFrame, group: number): boolean {
+    if (virtual.group !== group || control.client !== this.clientId_()) return false;
+    return control.points.some((point) => virtual.fingers.some((finger) => finger.touch === point.touch));
   }
 }

@@ -1,11 +1,12 @@
-// Tells the server where this page looks, so that whole poses of those nearby come: when that changed, and not often.
+// Tells the server where this page looks, so that it sends whole poses of the characters nearby. A message is sent when the
+// view has moved, at most four times a second.
 
 import type { MessageSender } from '../link/studio_client';
 import type { Attention } from '../scene/studio_scene';
 
-/** Between two tellings [ms]. */
+/** Least time between two messages [ms]. */
 const kPause = 250;
-/** A smaller move is no news [m]. */
+/** Smaller moves are not reported [m]. */
 const kMove = 0.5;
 
 export class AttentionSender {
@@ -14,7 +15,7 @@ export class AttentionSender {
 
   constructor(private readonly client_: MessageSender) {}
 
-  /** A server that was found again knows nothing. */
+  /** After a lost connection the server has to be told anew. */
   forget(): void {
     this.sent_ = null;
     this.next_ = 0;
@@ -22,9 +23,9 @@ export class AttentionSender {
 
   /** Once per picture; `now` by performance.now() [ms]. */
   consider(attention: Attention, now: number): void {
-    const told = this.sent_;
+    const sent = this.sent_;
     if (now < this.next_) return;
-    if (told && told.count === attention.count && Math.hypot(told.x - attention.x, told.y - attention.y) < kMove)
+    if (sent && sent.count === attention.count && Math.hypot(sent.x - attention.x, sent.y - attention.y) < kMove)
       return;
     this.sent_ = attention;
     this.next_ = now + kPause;

@@ -1,11 +1,11 @@
-// While a demonstration runs the camera goes along with the crowd, until somebody takes the scene in hand.
+// The camera follows the crowd during a demonstration, until the visitor moves it.
 
 import type { CameraControls, Padding } from '../scene/camera/camera_controls';
 import type { ScreenPoint } from '../model/plane';
 
-/** The crowd's middle may wander in this share of the ground between the panels. */
+/** Share of the window between the panels in which the crowd's middle may move without the camera following. */
 const kFree = 0.3;
-/** Share of what it is beyond that one frame makes good. */
+/** Share of the excess that the camera corrects with each frame. */
 const kEase = 0.08;
 
 export interface CameraHost {
@@ -23,7 +23,7 @@ export interface WatchedFrame {
 
 export class DemonstrationCamera {
   private follows_ = false;
-  /** The camera went along and nobody has moved it since. */
+  /** The camera has followed the crowd, and the visitor has not moved it since. */
   private away_ = false;
   private running_ = false;
   private step_ = 0;
@@ -79,6 +79,6 @@ function mean(list: ArrayLike<number>): number {
 /** By how much a value is beyond the free share in the middle of a range. */
 function beyond(value: number, low: number, high: number): number {
   const middle = (low + high) / 2;
-  const room = (kFree * Math.max(0, high - low)) / 2;
-  return value > middle + room ? value - middle - room : value < middle - room ? value - middle + room : 0;
+  const half = (kFree * Math.max(0, high - low)) / 2;
+  return value > middle + half ? value - middle - half : value < middle - half ? value - middle + half : 0;
 }

@@ -32,7 +32,7 @@ export function welcomeText({ body, clips, triangles }: OwnCharacter): string {
 }
 
 export class OwnPeople {
-  /** Counts what was asked for: of two files the one that came later stays, however long the other takes to read. */
+  /** Number of the newest request. A file whose reading ends after a newer request is dropped. */
   private requests_ = 0;
 
   constructor(

@@ -246,7 +246,7 @@ export class StudioApp {
   }
 
   private noticed(notice: Notice): void {
-    // Fingers that were refused are answered: nothing of them will ever be shown.
+    // The server refused these touches, so no frame will show them.
     if (notice.code === 'Touches' || notice.code === 'AddControl') this.drafts_.clear();
     this.store.set({ notice });
   }
@@ -290,7 +290,7 @@ export class StudioApp {
   }
 
   private showFrame(frame: StudioFrame, receivedAt: number): void {
-    // One that was on its way when the scene changed speaks of what is gone.
+    // A frame that was sent before the scene changed belongs to the old scene.
     if (frame.sceneRevision !== this.sceneRevision_) return;
     const start = performance.now();
     this.takeFrame(frame, receivedAt);
@@ -304,7 +304,7 @@ export class StudioApp {
     this.chooser_.observe(frame);
     this.keys_.observe(frame);
     this.controls_.observe(frame);
-    // Whose touches a take has, they are nobody's now.
+    // The touches of a take belong to no client of this session.
     this.view_.setClient(frame.replaying ? 0 : this.client_.clientId);
     this.view_.pushFrame(frame, receivedAt);
     const { clientWidth, clientHeight } = this.canvas_;
@@ -351,7 +351,7 @@ export class StudioApp {
     return { x: this.canvas_.clientWidth / 2, y: this.canvas_.clientHeight / 2 };
   }
 
-  /** Once per drawn frame: moves leave, and what this frame shows is timed when it is done. */
+  /** Runs once per picture of the display: queued moves are sent, and touches that the picture shows are timed. */
   private readonly drawn = (): void => {
     requestAnimationFrame(this.drawn);
     this.touches_.flush();

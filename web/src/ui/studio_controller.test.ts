@@ -98,9 +98,9 @@ describe('StudioController', () => {
       title: 'Open square',
     });
     controller.leaveReplay();
-    store.set({ lastLive: 'block' });
+    store.set({ lastSteered: 'block' });
     controller.leaveReplay();
-    store.set({ lastLive: 'gone', title: 'Gone' });
+    store.set({ lastSteered: 'gone', title: 'Gone' });
     controller.leaveReplay();
     const loads = sent.flatMap((one) => (one.type === 'LoadScenario' ? [one.name] : []));
     expect(loads).toEqual(['open', 'block', 'block']);

@@ -99,7 +99,7 @@ export class StudioController implements StudioActions {
 
   /** Loads what was there before the take; where that is unknown, the scenario that is called like it, or the first. */
   leaveReplay(): void {
-    const { scenarios, title, lastLive } = this.store_.state;
+    const { scenarios, title, lastSteered: lastLive } = this.store_.state;
     const found =
       scenarios.find(({ name }) => name === lastLive) ?? scenarios.find((one) => one.title === title) ?? scenarios[0];
     if (found) this.loadScenario(found.name);
@@ -186,7 +186,7 @@ export class StudioController implements StudioActions {
     this.camera_.fitCrowd();
   }
 
-  /** A server that was found again knows nothing of what was asked for. */
+  /** A server that was found again has forgotten the overlay. */
   askOverlayAgain(): void {
     const { overlay, chosen } = this.store_.state;
     if (overlay !== OverlayKind.None) this.askOverlay(overlay, chosen);
@@ -199,8 +199,8 @@ export class StudioController implements StudioActions {
 
   private askOverlay(kind: OverlayKind, chosen: number): void {
     // Nobody chosen yet: there is no field to ask for.
-    const asked = kind === OverlayKind.Cost && chosen < 0 ? OverlayKind.None : kind;
-    this.client_.send({ type: 'SetOverlay', kind: asked, character: Math.max(0, chosen) });
+    const wanted = kind === OverlayKind.Cost && chosen < 0 ? OverlayKind.None : kind;
+    this.client_.send({ type: 'SetOverlay', kind: wanted, character: Math.max(0, chosen) });
   }
 
   private tell(text: string | null): void {

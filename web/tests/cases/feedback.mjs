@@ -38,20 +38,21 @@ export async function paused(studio) {
   }
   expect(seen > before + 20, `the path is seen though no frame shows it: ${seen} px, ${before} before`);
   await studio.fingers.up();
+  // Longer than any mark takes to fade.
   await studio.wait(400);
   expect((await painted(studio, stops[1])) > before + 20, 'it stays when the finger lifts');
   await studio.shot('paused');
   expect((await studio.frame()).step === step, 'the world stands still');
-  await studio.wait(1200);
-  expect((await studio.page.locator('.tag-chip').count()) === 0, 'the chip has faded');
+  await studio.until('the chip to fade', () => document.querySelector('.tag-chip') === null);
   await studio.page.keyboard.press('.');
   await studio.until('the step', (n) => globalThis.__muster.frame.step === n + 1, step);
-  await studio.wait(150);
-  const taken = (await studio.frame()).groups[0].controls[0];
-  expect(
-    taken.points[0].path.length >= 8,
-    `the step took the whole path: ${taken.points[0].path.length / 2} checkpoints`,
-  );
+  await studio.eventually(async () => {
+    const taken = (await studio.frame()).groups[0].controls[0];
+    expect(
+      taken.points[0].path.length >= 8,
+      `the step took the whole path: ${taken.points[0].path.length / 2} checkpoints`,
+    );
+  });
   await studio.shot('paused-step');
   await studio.page.keyboard.press('Space');
 }
@@ -62,7 +63,7 @@ export async function refused(studio) {
   await studio.page.evaluate(() =>
     globalThis.__muster.view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, 2),
   );
-  await studio.wait(200);
+  await studio.pictures(1);
   await studio.send({
     type: 'Touches',
     events: [{ phase: 0, touch: 9001, ...place, time: performance.now() / 1000, group: 0 }],
@@ -74,7 +75,7 @@ export async function refused(studio) {
   expect((await notice.getAttribute('data-level')) === 'warning', 'it is a warning');
   await studio.shot('refused');
   await notice.locator('.notice-show').click();
-  await studio.wait(800);
+  await studio.cameraAtRest();
   const [at] = await studio.screen([place]);
   const { width, height } = studio.page.viewportSize();
   expect(

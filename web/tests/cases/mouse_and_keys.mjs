@@ -146,13 +146,13 @@ export async function mouseCamera(studio) {
   const before = await look();
   await mouse.move(width / 2, height / 2);
   await mouse.wheel(0, -400);
-  await studio.wait(400);
+  await studio.cameraAtRest();
   const near = await look();
   expect(near.zoom > 1.3 * before.zoom, `the wheel zooms: ${near.zoom} from ${before.zoom}`);
   await mouse.down({ button: 'middle' });
   await mouse.move(width / 2 + 120, height / 2, { steps: 4 });
   await mouse.up({ button: 'middle' });
-  await studio.wait(150);
+  await studio.cameraAtRest();
   expect((await look()).x > near.x + 60, 'the middle button pans');
   await mouse.down({ button: 'right' });
   await mouse.move(width / 2 + 220, height / 2, { steps: 4 });

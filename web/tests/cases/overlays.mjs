@@ -8,7 +8,7 @@ const legend = (studio) => studio.page.locator('.legend');
 /** Waits for an overlay message and the picture of it. */
 async function untilPainted(studio) {
   await studio.until('the painted field', () => globalThis.__muster.view.fieldScale !== null);
-  await studio.wait(500);
+  await studio.pictures(2);
 }
 
 async function show(studio, label, title) {
@@ -33,7 +33,7 @@ function frontCharacter(studio) {
 }
 
 export async function overlays(studio) {
-  await studio.wait(1500);
+  await studio.pictures(2);
   await show(studio, 'Field', 'Field of obstacles');
   await show(studio, 'Density', 'Density');
   const scale = await studio.page.evaluate(() => globalThis.__muster.view.fieldScale.max);

@@ -52,7 +52,12 @@ export async function everyScenario(studio) {
       },
       [name, characters],
     );
-    await studio.wait(1200);
+    await studio.until(
+      'a picture of it',
+      (frame) => globalThis.__muster.view.stats.shownFrame > frame,
+      (await studio.frame()).frame,
+    );
+    await studio.pictures(2);
     await studio.shot(`scenario-${name.replace('/', '-')}`);
     const calls = await drawCalls(studio);
     console.log(`measured: ${name}: ${calls} draws`);
@@ -66,13 +71,25 @@ export async function everyScenario(studio) {
   }
 }
 
+/** Triangles of a picture, as many as of the four before it. */
+async function settledTriangles(studio) {
+  const list = [];
+  await studio.eventually(async () => {
+    await studio.pictures(1);
+    list.push(await studio.page.evaluate(() => globalThis.__muster.view.stats.triangles));
+    const newest = list.slice(-5);
+    expect(newest.length === 5 && newest.every((one) => one === newest[0]), `the picture settles: ${newest}`);
+  });
+  return list.at(-1);
+}
+
 /** What was first drawn small must not stay so: a page that saw other worlds before draws as much as a fresh one. */
 export async function growingCrowd(studio) {
   const drawn = async () => {
     await studio.until('its crowd', () => globalThis.__muster.frame?.x.length === 100);
     await studio.send({ type: 'Transport', action: 1 });
-    await studio.wait(1500);
-    return studio.page.evaluate(() => globalThis.__muster.view.stats.triangles);
+    await studio.until('its bodies', () => globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'));
+    return settledTriangles(studio);
   };
   await studio.send({ type: 'LoadScenario', name: 'course' });
   const grown = await drawn();
@@ -97,7 +114,6 @@ async function wholeFrame(studio) {
 }
 
 export async function twoGroups(studio) {
-  await studio.wait(600);
   const before = await wholeFrame(studio);
   const corner = extreme(verticesOf(before, 1), 0.3, 1);
   const target = shifted(corner, 1, 5);
@@ -154,7 +170,7 @@ async function chooseByChip(studio, before) {
     (v) => globalThis.__muster.frame.groups[0].meshVersion > v,
     before.groups[0].meshVersion,
   );
-  await studio.wait(150);
+  await studio.pictures(1);
   await studio.shot('two-groups-ring');
   const after = await studio.frame();
   expect(after.groups[1].meshVersion === before.groups[1].meshVersion, 'the other group keeps its formation');

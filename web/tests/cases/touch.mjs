@@ -44,6 +44,7 @@ export async function pointDrag(studio) {
   const moved = Math.min(...vertices(after).map((v) => distance(v, target)));
   expect(moved < 0.6, `a vertex follows the finger: the nearest is ${moved} m away`);
   await studio.fingers.up();
+  await studio.send({ type: 'SetSpeed', factor: 4 });
   await studio.until(
     'the crowd to follow',
     (x) => {
@@ -64,17 +65,18 @@ export async function lineDrag(studio) {
   await untilControl(studio, LINE, 2);
   await studio.fingers.move(await fingersOn(studio, targets), { ms: 600 });
   await untilThere(studio, targets);
-  await studio.wait(700);
+  await studio.eventually(async () => {
+    const after = await studio.frame();
+    const [line] = controls(after);
+    expect(line.kind === LINE, `the control is a line: ${line.kind}`);
+    const between = points(line.supplementary);
+    expect(between.length >= 3, `vertices between the ends are held: ${between.length}`);
+    const off = Math.max(...between.map((p) => toSegment(p, line.points[0], line.points[1])));
+    expect(off < 0.3, `the edge stays straight: ${off} m`);
+    const onMesh = between.map((p) => Math.min(...vertices(after).map((v) => distance(v, p))));
+    expect(Math.max(...onMesh) < 1.2, `the mesh follows the line: ${Math.max(...onMesh)} m`);
+  });
   await studio.shot('line');
-  const after = await studio.frame();
-  const [line] = controls(after);
-  expect(line.kind === LINE, `the control is a line: ${line.kind}`);
-  const between = points(line.supplementary);
-  expect(between.length >= 3, `vertices between the ends are held: ${between.length}`);
-  const off = Math.max(...between.map((p) => toSegment(p, line.points[0], line.points[1])));
-  expect(off < 0.3, `the edge stays straight: ${off} m`);
-  const onMesh = between.map((p) => Math.min(...vertices(after).map((v) => distance(v, p))));
-  expect(Math.max(...onMesh) < 1.2, `the mesh follows the line: ${Math.max(...onMesh)} m`);
   await studio.fingers.up();
 }
 
@@ -114,22 +116,23 @@ export async function lineAndArea(studio) {
   const bent = await fingersOn(studio, [shifted(left[0], 2.5, -1), shifted(left[1], -2.5, -2)]);
   await studio.fingers.move({ 1: bent[1], 2: bent[2] }, { ms: 700 });
   await untilThere(studio, [shifted(left[0], 2.5, -1)], 0.9);
-  await studio.wait(800);
+  await studio.eventually(async () => {
+    const frame = await studio.frame();
+    const kinds = controls(frame)
+      .map((one) => one.kind)
+      .sort();
+    expect(kinds.join() === `${LINE},${AREA}`, `a line and an area at once: ${kinds}`);
+    const after = vertices(frame);
+    const half = (sign) => before.map((v, i) => i).filter((i) => sign * (before[i].x - middle.x) > 1.5);
+    const change = (part) =>
+      distortion(
+        part.map((i) => before[i]),
+        part.map((i) => after[i]),
+      );
+    const [bends, keeps] = [change(half(-1)), change(half(1))];
+    expect(bends > 1.5 * keeps && bends > 0.1, `the left half bends (${bends}), the right keeps its shape (${keeps})`);
+  });
   await studio.shot('line-and-area');
-  const frame = await studio.frame();
-  const kinds = controls(frame)
-    .map((one) => one.kind)
-    .sort();
-  expect(kinds.join() === `${LINE},${AREA}`, `a line and an area at once: ${kinds}`);
-  const after = vertices(frame);
-  const half = (sign) => before.map((v, i) => i).filter((i) => sign * (before[i].x - middle.x) > 1.5);
-  const change = (part) =>
-    distortion(
-      part.map((i) => before[i]),
-      part.map((i) => after[i]),
-    );
-  const [bends, keeps] = [change(half(-1)), change(half(1))];
-  expect(bends > 1.5 * keeps && bends > 0.1, `the left half bends (${bends}), the right keeps its shape (${keeps})`);
   await studio.fingers.up();
 }
 
@@ -224,7 +227,7 @@ export async function pinchOnGround(studio) {
     { 1: { x: middle.x - 75, y: middle.y - 10 }, 2: { x: middle.x + 75, y: middle.y + 10 } },
     { ms: 400 },
   );
-  await studio.wait(200);
+  await studio.cameraAtRest();
   await studio.shot('pinch');
   const after = await zoom();
   expectBetween(after / before, 1.6, 3.5, 'the fingers went 2.5 times as far apart');

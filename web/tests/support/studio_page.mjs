@@ -2,6 +2,7 @@
 import { mkdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { Fingers } from './fingers.mjs';
+import { countWebgl } from './webgl_counts.mjs';
 
 const shots = fileURLToPath(new URL('../../test-results/', import.meta.url));
 mkdirSync(shots, { recursive: true });
@@ -18,7 +19,11 @@ export const SIZES = {
 };
 
 export class StudioPage {
-  static async open(browser, url, { size = 'desktop', touch = true, colorScheme = 'light', hint = false } = {}) {
+  static async open(
+    browser,
+    url,
+    { size = 'desktop', touch = true, colorScheme = 'light', hint = false, counts = false } = {},
+  ) {
     const context = await browser.newContext({ viewport: SIZES[size], colorScheme, hasTouch: touch });
     const page = await context.newPage();
     const studio = new StudioPage(context, page, size);
@@ -28,13 +33,14 @@ export class StudioPage {
       const expected = /WebSocket|status of 400|ERR_CONNECTION/.test(message.text());
       if (message.type() === 'error' && !expected) studio.errors.push(message.text());
     });
+    if (counts) await page.addInitScript(countWebgl);
     if (!hint) await page.addInitScript(() => localStorage.setItem('muster.hint', 'seen'));
     studio.cdp = await context.newCDPSession(page);
     if (touch) await studio.cdp.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 10 });
     studio.fingers = new Fingers(studio.cdp);
     await page.goto(url);
     await studio.until('the first frame', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
-    await studio.wait(300);
+    await studio.until('the first picture', () => globalThis.__muster.view.stats.shownFrame > 0);
     return studio;
   }
 
@@ -56,6 +62,40 @@ export class StudioPage {
     } catch (error) {
       throw new Error(`waited in vain for ${what}: ${String(error).split('\n')[0]}`);
     }
+  }
+
+  /** Tries until the expectations hold: what the world or the page needs a moment for. */
+  async eventually(test, timeout = 15000) {
+    const end = Date.now() + timeout;
+    for (;;) {
+      try {
+        return await test();
+      } catch (error) {
+        if (Date.now() > end) throw error;
+      }
+      await this.wait(50);
+    }
+  }
+
+  /** Waits for so many more pictures, or until the page has none to draw. */
+  async pictures(count) {
+    await this.page.evaluate(
+      (more) =>
+        new Promise((done) => {
+          const { stats } = globalThis.__muster.view;
+          const [wanted, end] = [stats.pictures + more, performance.now() + 1000];
+          const look = () =>
+            stats.pictures >= wanted || performance.now() > end ? done() : requestAnimationFrame(look);
+          look();
+        }),
+      count,
+    );
+  }
+
+  /** Waits until the camera has arrived where it goes, and for a picture of that. */
+  async cameraAtRest() {
+    await this.until('the camera to arrive', () => globalThis.__muster.view.camera.atRest);
+    await this.pictures(1);
   }
 
   /** The newest frame, with plain arrays. */
@@ -85,7 +125,7 @@ export class StudioPage {
   /** Brings the crowd into view wherever an earlier case left it. */
   async fit() {
     await this.page.evaluate(() => globalThis.__muster.view.fitCrowd());
-    await this.wait(350);
+    await this.cameraAtRest();
   }
 
   /** Zooms out so that there is room to drag. */
@@ -94,7 +134,15 @@ export class StudioPage {
       const { view } = globalThis.__muster;
       view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, zoom);
     }, factor);
-    await this.wait(120);
+    await this.pictures(1);
+  }
+
+  /** As a page that was just opened: the camera as it opens, a world begun anew, no finger down. */
+  async renew() {
+    this.errors.length = 0;
+    await this.fingers.up();
+    await this.page.evaluate(() => globalThis.__muster.view.camera.open());
+    await this.restart();
   }
 
   /** Begins the world anew and lets it play. */

@@ -1,13 +1,13 @@
-// Scattered points thinned to those that bound a view, with some room about them.
+// Reduces scattered points to those that bound a view, with a margin around them.
 
 import type { GroupView, Numbers } from '../../model/frame_view';
 import type { GroundPoint } from '../../model/plane';
 
-/** Room about every point [m]. */
-const kRoom = 1;
+/** Margin around every point [m]. */
+const kMargin = 1;
 /** A view of a small crowd still spans this much [m]. */
 const kSpanLeast = 20;
-/** Directions in which the farthest point is kept. */
+/** Number of directions whose farthest point is remembered. */
 const kDirections = 24;
 
 export class BoundsBuilder {
@@ -21,7 +21,7 @@ export class BoundsBuilder {
       const reach = x * Math.cos(angle) + y * Math.sin(angle);
       if (reach <= (this.reach_[i] ?? 0)) continue;
       this.reach_[i] = reach;
-      this.far_[i] = { x: x + kRoom * Math.cos(angle), y: y + kRoom * Math.sin(angle) };
+      this.far_[i] = { x: x + kMargin * Math.cos(angle), y: y + kMargin * Math.sin(angle) };
     }
   }
 

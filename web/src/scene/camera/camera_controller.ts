@@ -1,4 +1,4 @@
-// The camera's place, and the maths between screen and ground. It knows nothing of three.js: the view copies its pose.
+// The camera's pose, and the projection between screen and ground. It is independent of three.js: the stage copies its pose.
 
 import type { CameraControls, Padding } from './camera_controls';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
@@ -95,7 +95,7 @@ export class CameraController implements CameraControls {
     const a = this.screenToGround(before[0]);
     const b = this.screenToGround(before[1]);
     if (!a || !b || Math.hypot(b.x - a.x, b.y - a.y) < 1e-6) return;
-    // Turn, distance and place act on each other through perspective, so the similarity is found step by step.
+    // Turn, distance and target depend on each other through perspective, so the similarity is found by iteration.
     for (let round = 0; round < 24; ++round) {
       const c = this.screenToGround(after[0]);
       const d = this.screenToGround(after[1]);
@@ -164,6 +164,11 @@ export class CameraController implements CameraControls {
     });
     if (middle) this.shift(point.x - middle.x, point.y - middle.y);
     this.glideFrom(from, now, duration);
+  }
+
+  /** False during a glide. */
+  get atRest(): boolean {
+    return this.glide_ === null;
   }
 
   /** Moves along a glide; true while it lasts. */

@@ -2,7 +2,7 @@
 
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 
-/** Room that panels take at the edges of the canvas [CSS px]. */
+/** Width that panels cover at the edges of the canvas [CSS px]. */
 export interface Padding {
   readonly top: number;
   readonly right: number;

@@ -1,4 +1,4 @@
-// What the opening view shows beside the crowd: the obstacles and patches that await it.
+// What the opening view shows apart from the crowd: the obstacles and patches near it.
 
 import type { Point2, SceneFacts } from '../../protocol/scene';
 import type { GroundPoint } from '../../model/plane';

@@ -15,22 +15,22 @@ describe('CrowdState', () => {
   it('stands between two frames', () => {
     const state = crowd(2);
     state.update({ from: madeFrame(1, [0, 4]), to: madeFrame(2, [1, 5], { y: [1, 0] }), alpha: 0.25 });
-    expect(Array.from(state.places)).toEqual([0.25, 0.25, 4.25, 0]);
+    expect(Array.from(state.positions)).toEqual([0.25, 0.25, 4.25, 0]);
     state.update({ from: madeFrame(1, [0, 4]), to: madeFrame(2, [1, 5], { y: [1, 0] }), alpha: 0.5 });
-    expect(Array.from(state.places)).toEqual([0.5, 0.5, 4.5, 0]);
+    expect(Array.from(state.positions)).toEqual([0.5, 0.5, 4.5, 0]);
   });
 
   it('is there at once where somebody was put elsewhere', () => {
     const state = crowd(1);
     state.update({ from: madeFrame(1, [0]), to: madeFrame(2, [50]), alpha: 0.25 });
-    expect(state.places[0]).toBe(50);
+    expect(state.positions[0]).toBe(50);
   });
 
   it('forgets who was there with a world, so that the same numbers are news in the next', () => {
     const state = crowd(2);
     const before = state.version;
     state.clear();
-    expect([state.count, state.ids.length, state.group.length, state.places.length]).toEqual([0, 0, 0, 0]);
+    expect([state.count, state.ids.length, state.group.length, state.positions.length]).toEqual([0, 0, 0, 0]);
     expect(state.version).not.toBe(before);
   });
 
@@ -57,8 +57,8 @@ describe('CrowdState', () => {
   it('bears frames of other lengths', () => {
     const state = crowd(3);
     state.update({ from: madeFrame(1, [0]), to: madeFrame(2, [5, 6, 7]), alpha: 0.5 });
-    expect(state.places[4]).toBe(7);
+    expect(state.positions[4]).toBe(7);
     state.update({ from: madeFrame(2, [5, 6, 7]), to: madeFrame(3, [1]), alpha: 0.5 });
-    expect(state.places[0]).toBe(1);
+    expect(state.positions[0]).toBe(1);
   });
 });

@@ -1,4 +1,4 @@
-// The characters as shown just now: between two frames. Where everybody is, is mixed on the graphics card; here only for
+// The characters as the picture shows them, between two frames. The graphics card interpolates positions; here this is done only for
 // those who ask, once for each picture.
 
 import { kRowFloats } from '../../model/studio_frame';
@@ -8,7 +8,7 @@ import type { FrameBlend } from '../../model/frame_timeline';
 import type { FrameView, Numbers } from '../../model/frame_view';
 import { StandingGrid } from './standing_grid';
 
-/** Two places farther apart than this between frames are a fresh start, not a walk [m]. */
+/** A character that moves farther than this between two frames was put elsewhere; its path is not interpolated [m]. */
 export const kJump = 1.5;
 
 export class CrowdState {
@@ -23,8 +23,8 @@ export class CrowdState {
   version = 0;
   private bodyDraw_ = new Uint8Array(0);
   private blend_: FrameBlend | null = null;
-  private places_ = new Float32Array(0);
-  private placesStale_ = true;
+  private positions_ = new Float32Array(0);
+  private positionsStale_ = true;
   private readonly grid_ = new StandingGrid();
   private gridStale_ = true;
 
@@ -33,7 +33,7 @@ export class CrowdState {
     this.blend_ = null;
   }
 
-  /** Takes the list of who is there; call when a frame brings one. */
+  /** Takes the ids and groups of the characters. */
   setMembers(ids: Numbers, group: Numbers): void {
     const count = ids.length;
     this.count = count;
@@ -41,7 +41,7 @@ export class CrowdState {
     this.ids = Uint32Array.from(ids);
     this.group = Uint8Array.from(group);
     [this.size, this.look, this.bodyDraw_] = [new Float32Array(count), new Uint8Array(count), new Uint8Array(count)];
-    this.places_ = new Float32Array(2 * count);
+    this.positions_ = new Float32Array(2 * count);
     for (let i = 0; i < count; ++i) {
       const id = this.ids[i]!;
       const { skin, hair } = lookOf(id);
@@ -50,10 +50,10 @@ export class CrowdState {
       // Divisible by as many bodies as there may ever be.
       this.bodyDraw_[i] = bodyOf(id, 12);
     }
-    this.placesStale_ = this.gridStale_ = true;
+    this.positionsStale_ = this.gridStale_ = true;
   }
 
-  /** Takes the members that a frame tells of; true where they are others than before. */
+  /** Takes the ids and groups of a frame; true where they differ from those before. */
   takeMembers(frame: FrameView): boolean {
     if (frame.ids.length > 0 && !sameNumbers(frame.ids, this.ids, frame.group, this.group)) {
       this.setMembers(frame.ids, frame.group);
@@ -79,14 +79,14 @@ export class CrowdState {
   update(blend: FrameBlend): void {
     this.gridStale_ ||= blend.to !== this.blend_?.to;
     this.blend_ = blend;
-    this.placesStale_ = true;
+    this.positionsStale_ = true;
   }
 
   /** x, y of everybody in this moment [m]. */
-  get places(): Float32Array {
-    if (this.placesStale_ && this.blend_) this.mixPlaces(this.blend_);
-    this.placesStale_ = false;
-    return this.places_;
+  get positions(): Float32Array {
+    if (this.positionsStale_ && this.blend_) this.mixPositions(this.blend_);
+    this.positionsStale_ = false;
+    return this.positions_;
   }
 
   /** True where somebody is within `reach` of a spot, in the newer of the two frames [m]. */
@@ -97,7 +97,7 @@ export class CrowdState {
     return this.grid_.someoneNear(x, y, reach);
   }
 
-  private mixPlaces({ from, to, alpha }: FrameBlend): void {
+  private mixPositions({ from, to, alpha }: FrameBlend): void {
     const count = Math.min(this.count, to.x.length);
     const same = from.x.length === to.x.length;
     for (let i = 0; i < count; ++i) {
@@ -106,8 +106,8 @@ export class CrowdState {
       const ax = same ? from.x[i]! : bx,
         ay = same ? from.y[i]! : by;
       const t = Math.hypot(bx - ax, by - ay) > kJump ? 1 : alpha;
-      this.places_[2 * i] = mix(ax, bx, t);
-      this.places_[2 * i + 1] = mix(ay, by, t);
+      this.positions_[2 * i] = mix(ax, bx, t);
+      this.positions_[2 * i + 1] = mix(ay, by, t);
     }
   }
 }

@@ -1,5 +1,5 @@
-// The crowd on the graphics card: the two frames shown, who looks how, and where each clip's poses begin. A frame goes up
-// once; between frames only how far from the one to the other changes.
+// The crowd as textures: the two frames shown, the look of each character, and where the poses of each clip begin. Each frame
+// is uploaded once; between frames only the share of the newer one changes.
 
 import { Color, DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 import { kRowFloats, kRowsAcross, rowsLength } from '../../model/studio_frame';
@@ -10,12 +10,12 @@ import type { FrameView } from '../../model/frame_view';
 
 /** Texels of a line of rows: two for each character. */
 const kWidth = (kRowsAcross * kRowFloats) / 4;
-/** Frames held: the two shown and the one that comes. */
+/** Frame textures: the two shown and the next one. */
 const kFrames = 3;
-/** Added to the look of the one who keeps colours while the rest is grey. */
+/** Added to the look of the character that keeps its colours while the others are grey. */
 export const kChosen = 100;
 
-/** Long and dark is the disc of shade by what one does: standing unless listed. */
+/** Length and darkness of the contact disc by motion; as for standing where a motion is not listed. */
 const kShades: Readonly<Record<string, readonly [long: number, shade: number]>> = {
   crawl: [2, 1],
   swim: [1, 0],
@@ -36,7 +36,7 @@ function floatTexture(data: Float32Array, width: number): DataTexture {
 class FrameTexture {
   texture = floatTexture(new Float32Array(rowsLength(0)), kWidth);
   frame: FrameView | null = null;
-  /** When it was shown last, in pictures. */
+  /** Number of the picture that showed it last. */
   used = 0;
 
   take(frame: FrameView): void {
@@ -65,7 +65,7 @@ export class CrowdTextures {
   };
   private shown_ = 0;
 
-  /** Shows this moment; a frame that is not up yet goes up. */
+  /** Shows this moment and uploads the frames that are new. */
   show({ from, to, alpha }: FrameBlend): void {
     this.shown_ += 1;
     const same = from.rows.length === to.rows.length && from.x.length === to.x.length;

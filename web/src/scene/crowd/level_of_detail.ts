@@ -1,4 +1,4 @@
-// Who is in view, and who is large enough on the screen for the fine body.
+// Chooses the level of detail of each character by its size on the screen; characters out of view are hidden.
 
 import type { CameraController } from '../camera/camera_controller';
 
@@ -9,7 +9,7 @@ export const kNear = 3;
 
 /** The limit changes by so much from picture to picture. */
 const kStep = 1.06;
-/** A person's reach round its place, and the longest shadow that may fall into view [m]. */
+/** Reach of a figure around its position, with the longest shadow that may fall into view [m]. */
 const kMargin = 3;
 
 /** Who takes at least so many px is drawn better; the limit follows how many did in the last picture. */

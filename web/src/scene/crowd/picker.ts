@@ -11,7 +11,7 @@ const kHead = 1.7;
 export function pickCharacter(at: ScreenPoint, state: CrowdState, camera: CameraController): number {
   let best = -1;
   let least = Math.max(10, 0.4 * camera.pixelsPerMetre());
-  const { places, count } = state;
+  const { positions: places, count } = state;
   for (let i = 0; i < count; ++i) {
     const x = places[2 * i]!,
       y = places[2 * i + 1]!;

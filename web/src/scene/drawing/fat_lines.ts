@@ -128,7 +128,7 @@ export class FatLines {
     (this.mesh.material.uniforms['uFade'] as { value: number }).value = value;
   }
 
-  /** Makes room for `count` lines; what was written before is lost where it grows. */
+  /** Grows to hold `count` lines. Growing loses what was written. */
   reserve(count: number): void {
     this.count_ = count;
     this.mesh.geometry.instanceCount = count;

@@ -11,8 +11,8 @@ export function qualityOf(renderer: string): Quality {
 
 /** `?quality=full` or `light` in the page's address decides; else the renderer's name. */
 export function chooseQuality(search: string, renderer: () => string): Quality {
-  const asked = new URLSearchParams(search).get('quality');
-  return asked === 'full' || asked === 'light' ? asked : qualityOf(renderer());
+  const wanted = new URLSearchParams(search).get('quality');
+  return wanted === 'full' || wanted === 'light' ? wanted : qualityOf(renderer());
 }
 
 /** The name of the renderer behind WebGL; empty where the browser hides it. */

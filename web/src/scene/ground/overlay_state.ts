@@ -36,7 +36,7 @@ export class OverlayState {
     return this.overlay_?.kind === kCost ? this.overlay_.character : -1;
   }
 
-  /** Shows an overlay, or none; `turn` of the camera [rad]. True where others are greyed than before. */
+  /** Shows an overlay, or none; `turn` of the camera [rad]. True where other characters are greyed than before. */
   set(overlay: OverlayView | null, turn: number): boolean {
     const shown = overlay && overlay.kind !== 0 && overlay.width * overlay.height > 0 ? overlay : null;
     const changed = (shown === null) !== (this.overlay_ === null) || shown?.character !== this.overlay_?.character;

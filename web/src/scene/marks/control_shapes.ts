@@ -51,7 +51,7 @@ function spline([a, b, c, d]: readonly [GroundPoint, GroundPoint, GroundPoint, G
 }
 
 /**
- * Indices of points about `spacing` apart along the way, without the first and the last. Those that were shown
+ * Indices of points about `spacing` apart along the path, without the first and the last. Those that were shown
  * `before` stay: a path loses points at its beginning and gains some at its end, and nothing may hop for that. Where
  * none is left the spacing counts from the far end.
  */
@@ -64,21 +64,21 @@ export function thinned(
   const was = (p: GroundPoint): boolean => before.some(({ x, y }) => x === p.x && y === p.y);
   const anchor = points.findIndex((p, i) => i > 0 && i < far && was(p));
   const start = anchor < 0 ? far : anchor;
-  const kept = [...spaced(points, start, -1, spacing).reverse(), start, ...spaced(points, start, 1, spacing)];
-  return kept.filter((i) => i > 0 && i < far);
+  const chosen = [...spaced(points, start, -1, spacing).reverse(), start, ...spaced(points, start, 1, spacing)];
+  return chosen.filter((i) => i > 0 && i < far);
 }
 
 /** Indices from `start` on in one direction, each `spacing` after the last. */
 function spaced(points: readonly GroundPoint[], start: number, step: 1 | -1, spacing: number): number[] {
-  const kept: number[] = [];
-  let way = 0;
+  const chosen: number[] = [];
+  let length = 0;
   for (let i = start + step; i >= 0 && i < points.length; i += step) {
     const a = points[i - step] as GroundPoint;
     const b = points[i] as GroundPoint;
-    way += Math.hypot(b.x - a.x, b.y - a.y);
-    if (way < spacing) continue;
-    kept.push(i);
-    way = 0;
+    length += Math.hypot(b.x - a.x, b.y - a.y);
+    if (length < spacing) continue;
+    chosen.push(i);
+    length = 0;
   }
-  return kept;
+  return chosen;
 }

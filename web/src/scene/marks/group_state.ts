@@ -1,4 +1,4 @@
-// Meshes and places of all groups as they lie in the newest frame.
+// Meshes and places of all groups in the newest frame, and which of them the layers show already.
 
 import type { GroupMeshView, GroupView } from '../../model/frame_view';
 import { type PlaceLayer, kRing } from './place_layer';
@@ -51,7 +51,7 @@ export class GroupState {
     this.topologies_.delete(`${mesh.group}:${mesh.version - 3}`);
   }
 
-  /** Takes the groups of the newest frame: the mesh is held by fingers and waits for no other frame. */
+  /** Takes the groups of the newest frame. Meshes are not interpolated, as they follow fingers. */
   update(groups: readonly GroupView[]): void {
     this.groups_ = groups;
   }
@@ -70,7 +70,7 @@ export class GroupState {
     layer.update(shown);
   }
 
-  /** Draws places as rings: dashed while a formation is new, crossed where nobody finds room. */
+  /** Draws places as rings: dashed while a formation is new, crossed where a character does not fit. */
   showPlaces(rings: PlaceLayer, visible: boolean, accents: readonly string[], now: number): void {
     const coming = this.groups_.map((group) => this.isComing(group, now));
     const wanted = { groups: this.groups_, key: `${visible}:${coming.join()}:${accents.join()}` };

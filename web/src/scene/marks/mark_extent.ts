@@ -10,14 +10,14 @@ export interface MarkBounds {
   readonly height: number;
 }
 
-/** Room for what is drawn round a point: a ring, a handle, the overshoot of a smooth path [px]. */
-const kRoom = 44;
-/** Frames end on multiples of this, so that they stand still while marks move a little [px]. */
+/** Margin for what is drawn around a point: a ring, a handle, the overshoot of a smooth path [px]. */
+const kMargin = 44;
+/** Bounds end on multiples of this, so that they stay the same while marks move a little [px]. */
 const kGrain = 64;
-/** A frame is kept until it is this much larger than needed. */
+/** Bounds are reused until they are this many times larger than needed. */
 const kSlack = 2.5;
 
-/** Grows with points; says what frame holds them. */
+/** Collects points and returns bounds that hold them. */
 export class MarkExtent {
   private left_ = Infinity;
   private top_ = Infinity;
@@ -32,22 +32,22 @@ export class MarkExtent {
     this.bottom_ = Math.max(this.bottom_, at.y);
   }
 
-  /** The frame for a screen of this size: `kept` where that still serves; null where nothing is on the screen. */
-  bounds(width: number, height: number, kept: MarkBounds | null): MarkBounds | null {
-    const x = Math.max(0, Math.floor((this.left_ - kRoom) / kGrain) * kGrain);
-    const y = Math.max(0, Math.floor((this.top_ - kRoom) / kGrain) * kGrain);
-    const right = Math.min(width, Math.ceil((this.right_ + kRoom) / kGrain) * kGrain);
-    const bottom = Math.min(height, Math.ceil((this.bottom_ + kRoom) / kGrain) * kGrain);
+  /** The bounds on a screen of this size: `last` where it still serves; null where nothing is on the screen. */
+  bounds(width: number, height: number, last: MarkBounds | null): MarkBounds | null {
+    const x = Math.max(0, Math.floor((this.left_ - kMargin) / kGrain) * kGrain);
+    const y = Math.max(0, Math.floor((this.top_ - kMargin) / kGrain) * kGrain);
+    const right = Math.min(width, Math.ceil((this.right_ + kMargin) / kGrain) * kGrain);
+    const bottom = Math.min(height, Math.ceil((this.bottom_ + kMargin) / kGrain) * kGrain);
     if (!(right > x) || !(bottom > y)) return null;
     const needed = { x, y, width: right - x, height: bottom - y };
-    return kept && holds(kept, needed) && fits(kept, width, height) && area(kept) <= kSlack * area(needed)
-      ? kept
+    return last && holds(last, needed) && fits(last, width, height) && area(last) <= kSlack * area(needed)
+      ? last
       : needed;
   }
 }
 
-function area(frame: MarkBounds): number {
-  return frame.width * frame.height;
+function area(bounds: MarkBounds): number {
+  return bounds.width * bounds.height;
 }
 
 function holds(outer: MarkBounds, inner: MarkBounds): boolean {
@@ -59,6 +59,6 @@ function holds(outer: MarkBounds, inner: MarkBounds): boolean {
   );
 }
 
-function fits(frame: MarkBounds, width: number, height: number): boolean {
-  return frame.x + frame.width <= width && frame.y + frame.height <= height;
+function fits(bounds: MarkBounds, width: number, height: number): boolean {
+  return bounds.x + bounds.width <= width && bounds.y + bounds.height <= height;
 }

@@ -1,4 +1,4 @@
-// The canvas above the scene: controls, touch rings, previews, and the way of a chosen character.
+// The canvas above the scene: controls, touch rings, previews, and the path of a chosen character.
 
 import { convexHull, distance, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
@@ -94,17 +94,17 @@ export class MarkLayer {
 
   /** Lays the canvas over what is to be drawn; false, hiding it, where there is nothing. */
   private cover(extent: MarkExtent): boolean {
-    const frame = extent.bounds(this.width_, this.height_, this.bounds_);
-    this.canvas.hidden = frame === null;
-    if (frame !== null && frame !== this.bounds_) {
-      this.canvas.width = Math.round(frame.width * this.ratio_);
-      this.canvas.height = Math.round(frame.height * this.ratio_);
+    const bounds = extent.bounds(this.width_, this.height_, this.bounds_);
+    this.canvas.hidden = bounds === null;
+    if (bounds !== null && bounds !== this.bounds_) {
+      this.canvas.width = Math.round(bounds.width * this.ratio_);
+      this.canvas.height = Math.round(bounds.height * this.ratio_);
       const { style } = this.canvas;
-      [style.width, style.height] = [`${frame.width}px`, `${frame.height}px`];
-      style.transform = `translate(${frame.x}px, ${frame.y}px)`;
+      [style.width, style.height] = [`${bounds.width}px`, `${bounds.height}px`];
+      style.transform = `translate(${bounds.x}px, ${bounds.y}px)`;
     }
-    this.bounds_ = frame;
-    return frame !== null;
+    this.bounds_ = bounds;
+    return bounds !== null;
   }
 
   private coloursOf(group: number, scene: MarkScene): MarkColours {
@@ -137,7 +137,7 @@ export class MarkLayer {
     }
   }
 
-  /** The way of one handle, up to the finger itself while it is down. */
+  /** The path of one handle, up to the finger itself while it is down. */
   private pathOf(shown: ShownControl, index: number, marks: MarkState): GroundPoint[] {
     const point = shown.control.points[index];
     const from = shown.handles[index];
@@ -182,12 +182,12 @@ export class MarkLayer {
       if (points.length < 2) return;
       const at = this.screen(points, scene);
       const key = `${shown.group}:${shown.control.id}:${point.touch}`;
-      const kept = thinned(points, gap, this.dots_.get(key));
+      const shownPoints = thinned(points, gap, this.dots_.get(key));
       dots.set(
         key,
-        kept.map((i) => points[i] as GroundPoint),
+        shownPoints.map((i) => points[i] as GroundPoint),
       );
-      const clear = kept.filter((i) => distance(at[i] as ScreenPoint, at[0] as ScreenPoint) > kHandleRoom);
+      const clear = shownPoints.filter((i) => distance(at[i] as ScreenPoint, at[0] as ScreenPoint) > kHandleRoom);
       clear.forEach((i, order) => this.painter_.checkpoint(at[i] as ScreenPoint, colours, order === 0));
       const last = at[at.length - 1] as ScreenPoint;
       const before = at[at.length - 2] as ScreenPoint;

@@ -20,10 +20,10 @@ export class MarkPainter {
 
   constructor(private readonly pen_: Pen) {}
 
-  /** Before a picture: clears, and sets CSS px of the screen for a canvas that covers this frame of it. */
-  begin(frame: MarkBounds, ratio: number): void {
-    this.pen_.setTransform(ratio, 0, 0, ratio, -frame.x * ratio, -frame.y * ratio);
-    this.pen_.clearRect(frame.x, frame.y, frame.width, frame.height);
+  /** Begins a picture: clears the canvas, and sets its transform to CSS px of the screen, of which it covers these bounds. */
+  begin(bounds: MarkBounds, ratio: number): void {
+    this.pen_.setTransform(ratio, 0, 0, ratio, -bounds.x * ratio, -bounds.y * ratio);
+    this.pen_.clearRect(bounds.x, bounds.y, bounds.width, bounds.height);
     this.pen_.lineCap = 'round';
     this.pen_.lineJoin = 'round';
     this.pen_.globalAlpha = 1;
@@ -127,7 +127,7 @@ export class MarkPainter {
     pen.restore();
   }
 
-  /** A point held softly. */
+  /** A supplementary point. */
   softPoint(at: ScreenPoint, colours: MarkColours): void {
     this.disc(at, 3.1, colours.accent);
     this.disc(at, 1.9, colours.casing);

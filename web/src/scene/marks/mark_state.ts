@@ -1,4 +1,4 @@
-// Which marks are on screen and how old they are: handles grow in, bars and hulls fade in, what ended fades out.
+// The marks on the screen and their age: handles grow in, bars and hulls fade in, ended marks fade out.
 
 import type { ControlView, GroupView } from '../../model/frame_view';
 import type { GroundPoint } from '../../model/plane';
@@ -68,7 +68,7 @@ export class MarkState {
     return ring && ring.lifted === 0 ? ring.at : null;
   }
 
-  /** Takes the controls of the newest frame: what is under a finger waits for no other. */
+  /** Takes the controls of the newest frame. They are not interpolated, as they follow fingers. */
   update(groups: readonly GroupView[], now: number): void {
     this.forgetLifted(this.rings, now);
     this.followOthers(groups, now);

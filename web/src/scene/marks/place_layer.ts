@@ -1,4 +1,5 @@
-// Rings on the ground, all in one draw: places (whole, dashed for those to come, crossed where nobody fits).
+// Places as rings on the ground, in one draw call: whole, dashed while a formation is new, crossed where a character does not
+// fit.
 
 import {
   BufferAttribute,
@@ -92,7 +93,7 @@ export class PlaceLayer {
     (this.mesh.material.uniforms['uPixel'] as { value: number }).value = ratio;
   }
 
-  /** Starts anew with room for `count` rings. */
+  /** Removes all rings and grows to hold `count`. */
   begin(count: number): void {
     this.count_ = 0;
     if (count <= this.capacity_) return;

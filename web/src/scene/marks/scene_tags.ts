@@ -16,7 +16,7 @@ import type { ScreenPoint } from '../../model/plane';
 /** How long a chip names a control's kind [ms]. */
 const kChipTime = 1200;
 const kChipFade = 180;
-/** Room a tag takes, and how far apart tags of the same words stand [CSS px]. */
+/** Size of a tag, and least distance of tags with the same words [CSS px]. */
 const kTagWidth = 150;
 const kTagHeight = 30;
 const kIconWidth = 40;

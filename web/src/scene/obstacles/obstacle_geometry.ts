@@ -1,4 +1,4 @@
-// What obstacles look like: buildings cut at 3.2 m, pillars, fountains, trees and cars, told apart by their names.
+// Shapes of obstacles: buildings cut at 3.2 m, pillars, fountains, trees and cars. The name of an obstacle decides.
 
 import type { BufferGeometry } from 'three';
 import type { Point2, SceneObstacle } from '../../protocol/scene';

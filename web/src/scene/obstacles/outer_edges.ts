@@ -55,7 +55,7 @@ function uncovered(line: Line): EdgeLine[] {
     { at: span.to, add: -span.sign },
   ]);
   ends.sort((a, b) => a.at - b.at || a.add - b.add);
-  const kept: EdgeLine[] = [];
+  const uncancelled: EdgeLine[] = [];
   const point = (along: number): Vec3 => [
     line.ux * along - line.uy * line.offset,
     line.uy * along + line.ux * line.offset,
@@ -66,7 +66,7 @@ function uncovered(line: Line): EdgeLine[] {
   for (const { at, add } of ends) {
     if (cover === 0) begin = at;
     cover += add;
-    if (cover === 0) kept.push([point(begin), point(at)]);
+    if (cover === 0) uncancelled.push([point(begin), point(at)]);
   }
-  return kept.filter(([a, b]) => Math.hypot(b[0] - a[0], b[1] - a[1]) > kSame);
+  return uncancelled.filter(([a, b]) => Math.hypot(b[0] - a[0], b[1] - a[1]) > kSame);
 }

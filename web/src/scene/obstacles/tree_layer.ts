@@ -1,4 +1,5 @@
-// Trees: trunks, and crowns that let one see the people below them. One draw call each.
+// Trees: trunks, and crowns that turn transparent where they hide characters. One draw call for all trunks, one for all
+// crowns.
 
 import {
   DynamicDrawUsage,
@@ -23,9 +24,9 @@ const kCrownHeight = 2.9;
 const kCrownReach = 1.75;
 /** A person's middle [m]. */
 const kPerson = 0.9;
-/** Of a crown with somebody behind it. */
+/** Opacity of a crown that hides a character. */
 const kThin = 0.1;
-/** Share of the way to what is wanted, per picture. */
+/** Share of the difference to the wanted opacity that each picture makes up. */
 const kFollow = 0.2;
 
 interface Crown {

@@ -33,7 +33,7 @@ export function addNet(parts: PatchParts, outline: readonly Point2[], palette: P
   }
 }
 
-/** A thread between two points, lower by `sag` on its way: of a place, or in the middle. */
+/** A thread between two points that hangs lower by `sag`, which may depend on the position. */
 function hang(
   parts: PatchParts,
   a: Point2,

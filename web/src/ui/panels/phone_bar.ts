@@ -1,4 +1,4 @@
-// On small windows: two buttons, for the layers and for all that the sheet has no room for.
+// Small windows have two buttons here: one for the layers, one for all that the sheet has no space for.
 
 import { element } from '../widgets/dom';
 import { icon, type IconName } from '../widgets/icons';

@@ -1,5 +1,5 @@
-// Time: restart, play or pause, single step, speed, what there is to watch, record and takes; during a replay the way
-// out of it.
+// Playback: restart, play or pause, single step, speed, demonstration, record and takes. A replay adds the button that
+// leaves it.
 
 import { element, setAttribute, setPressed, setText } from '../widgets/dom';
 import { formatClock, formatSpeed } from '../../model/formatters';

@@ -11,7 +11,7 @@ export class ScaleBar {
   readonly root = element('div', { class: 'scale passive', 'aria-hidden': 'true' }, this.text_, this.bar_);
   private shown_ = 0;
 
-  /** Call with every drawn frame. */
+  /** Call with every picture. */
   update(pixelsPerMetre: number): void {
     if (Math.abs(pixelsPerMetre - this.shown_) < 0.01 || !(pixelsPerMetre > 0)) return;
     this.shown_ = pixelsPerMetre;

@@ -17,7 +17,7 @@ export class StatsReadout {
   private readonly times_: number[] = [];
   private pictures_ = -1;
 
-  /** Once per display frame. */
+  /** Call with every refresh of the display. */
   show(stats: Readonly<ViewStats>): void {
     if (stats.pictures === this.pictures_) return;
     this.pictures_ = stats.pictures;

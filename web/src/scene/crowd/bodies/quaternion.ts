@@ -40,7 +40,7 @@ export function addTurned(out: Floats, o: number, a: Floats, i: number, x: numbe
   out[o + 2] = out[o + 2]! + z + qw * tz + qx * ty - qy * tx;
 }
 
-/** out = between two rotations, the short way, as long as 1. */
+/** Normalised linear interpolation between two rotations along the shorter arc. */
 export function nlerp(out: Floats, o: number, a: Floats, i: number, b: Floats, j: number, t: number): void {
   const ax = a[i]!,
     ay = a[i + 1]!,

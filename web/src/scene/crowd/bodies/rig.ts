@@ -3,7 +3,7 @@
 import { addTurned, multiply } from './quaternion';
 import { kJoints, kSkeleton, restPositions } from '../../../model/skeleton';
 
-/** A body's joints as it was modelled. All in the character's frame: x forward, y left, z up, feet on the ground [m]. */
+/** A body's joints as it was modelled. All in body axes: x forward, y left, z up, feet on the ground [m]. */
 export interface Rig {
   /** x, y, z per joint. */
   readonly bind: Float32Array;

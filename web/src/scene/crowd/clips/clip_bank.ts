@@ -23,7 +23,7 @@ interface Entry {
   readonly cyclic: boolean;
   readonly name: string;
   readonly motion: string;
-  /** In place of the server's: poses that it sends whole are not of this one. */
+  /** A visitor's clip replaces the server's: the server's whole poses do not belong to it. */
   readonly replaced: boolean;
 }
 
@@ -46,7 +46,7 @@ export class ClipBank {
   readonly poses: Float32Array;
   private readonly entries_: Entry[] = [];
 
-  /** `own`: clips that take the place of those of the same name. */
+  /** `own`: clips that replace those of the same name. */
   constructor(clips: readonly ClipPoses[], own: readonly ClipPoses[] = []) {
     const wanted = clips.length > 0 ? clips : [standingClip()];
     const played = wanted.map((clip) => own.find((one) => one.name === clip.name) ?? clip);

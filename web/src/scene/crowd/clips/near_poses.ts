@@ -1,12 +1,12 @@
-// Whole poses of those whom this page looks at, between the two frames shown. They are mixed exactly as places and
-// headings are, so that a foot that stands still in both frames stands still on the screen.
+// Whole poses of those whom this page looks at, between the two frames shown. They are interpolated exactly as positions
+// and headings are, so that a foot that stands still in both frames stands still on the screen.
 
 import type { Numbers } from '../../../model/frame_view';
 import { nlerp } from '../bodies/quaternion';
 import { kPoseNumbers, type Rig, kPoseFloats, solveRig } from '../bodies/rig';
 import { kJoints } from '../../../model/skeleton';
 
-/** What a frame says of them. */
+/** The fields of a frame that they need. */
 export interface NearFrame {
   /** One per character: how many there are. */
   readonly x: Numbers;

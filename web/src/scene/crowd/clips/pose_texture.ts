@@ -16,7 +16,7 @@ export class PoseTexture {
     [this.data, this.texture] = made(poses);
   }
 
-  /** Makes room for so many poses; what was written is gone where there was too little. */
+  /** Grows to hold so many poses. Growing loses what was written. */
   reserve(poses: number): void {
     if (poses * kPoseFloats <= this.data.length) return;
     this.texture.dispose();

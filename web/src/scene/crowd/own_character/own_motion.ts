@@ -117,12 +117,12 @@ class Sampler {
     this.rotations_.push(...out);
   }
 
-  /** Takes the way out of it: the simulation moves people. */
+  /** Removes the displacement over the clip, since the simulation moves the characters. */
   private stay(poses: number): void {
     for (const k of [0, 1]) {
       const first = this.hips_[k]!;
-      const way = this.hips_[3 * (poses - 1) + k]! - first;
-      for (let i = 0; i < poses; ++i) this.hips_[3 * i + k]! -= first + (way * i) / (poses - 1);
+      const displacement = this.hips_[3 * (poses - 1) + k]! - first;
+      for (let i = 0; i < poses; ++i) this.hips_[3 * i + k]! -= first + (displacement * i) / (poses - 1);
     }
   }
 }
