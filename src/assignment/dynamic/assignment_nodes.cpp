@@ -1,74 +1,77 @@
 #include "assignment/dynamic/assignment_nodes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace muster {
 
 void AssignmentNodes::reset(std::int32_t characters, std::int32_t places) {
-    const auto seats = static_cast<std::size_t>(std::max(characters, places));
+    const std::int32_t nodes = std::max(characters, places);
     places_ = places;
-    holder_.assign(seats, -1);
-    seatOf_.assign(static_cast<std::size_t>(characters), -1);
-    live_.assign(seats, 0);
-    waiting_.reserve(seats);
-    free_.reserve(seats);
+    assignee_.assign(nodes, -1);
+    nodeOf_.assign(characters, -1);
+    isPlace_.assign(nodes, 0);
+    unmatched_.reserve(nodes);
+    freePlaces_.reserve(nodes);
 }
 
-void AssignmentNodes::warmStart(std::span<const std::int32_t> placeOf) {
+void AssignmentNodes::assignPlaces(std::span<const std::int32_t> placeOf) {
     for (std::int32_t i = 0; i < characters(); ++i) {
         const std::int32_t place = placeOf[i];
-        if (place >= 0 && place < places_ && holder(place) < 0) put(place, i);
+        if (place >= 0 && place < places_ && assignee(place) < 0) assign(place, i);
     }
 }
 
-void AssignmentNodes::follow(const AssignmentInput& input, std::vector<std::int32_t>& flipped) {
-    waiting_.clear();
-    free_.clear();
-    for (std::int32_t s = 0; s < count(); ++s) {
-        const std::uint8_t live = s < places_ && input.mayTake(static_cast<std::size_t>(s)) ? 1 : 0;
-        if (live != live_[s]) flipped.push_back(s);
-        live_[s] = live;
+void AssignmentNodes::update(const AssignmentInput& input, std::vector<std::int32_t>& changed) {
+    unmatched_.clear();
+    freePlaces_.clear();
+    for (std::int32_t node = 0; node < count(); ++node) {
+        const std::uint8_t place = node < places_ && input.isUsable(node) ? 1 : 0;
+        if (place != isPlace_[node]) changed.push_back(node);
+        isPlace_[node] = place;
     }
     for (std::int32_t i = 0; i < characters(); ++i) {
-        const std::int32_t seat = seatOf(i);
-        if (!input.takesPart(static_cast<std::size_t>(i))) {
-            if (seat >= 0) {
-                put(seat, -1);
-                flipped.push_back(seat);
+        const std::int32_t node = nodeOf(i);
+        if (!input.isPresent(i)) {
+            if (node >= 0) {
+                assign(node, -1);
+                changed.push_back(node);
             }
-            seatOf_[i] = -1;
-        } else if (seat < 0 || !live(seat)) {
-            waiting_.push_back(i);
+            nodeOf_[i] = -1;
+        } else if (node < 0 || !isPlace(node)) {
+            unmatched_.push_back(i);
         }
     }
-    for (std::int32_t s = 0; s < count(); ++s)
-        if (live(s) && holder(s) < 0) free_.push_back(s);
+    for (std::int32_t node = 0; node < count(); ++node)
+        if (isPlace(node) && assignee(node) < 0) freePlaces_.push_back(node);
 }
 
-void AssignmentNodes::take(std::int32_t character, std::int32_t seat) {
-    const std::int32_t before = seatOf(character);
-    if (before >= 0) put(before, -1);
-    put(seat, character);
+void AssignmentNodes::match(std::int32_t character, std::int32_t node) {
+    const std::int32_t before = nodeOf(character);
+    if (before >= 0) assign(before, -1);
+    assign(node, character);
 }
 
-void AssignmentNodes::seatRest() {
-    std::int32_t seat = 0;
-    for (const std::int32_t i : waiting_) {
-        if (seatOf(i) >= 0) continue;
-        while (live(seat) || holder(seat) >= 0) ++seat;
-        put(seat, i);
+void AssignmentNodes::assignDummyNodes() {
+    std::int32_t node = 0;
+    for (const std::int32_t i : unmatched_) {
+        if (nodeOf(i) >= 0) continue;
+        while (isPlace(node) || assignee(node) >= 0) ++node;
+        assign(node, i);
     }
 }
 
 bool AssignmentNodes::consistent() const {
-    const auto seats = std::max(seatOf_.size(), static_cast<std::size_t>(std::max(places_, 0)));
-    if (places_ < 0 || holder_.size() != seats || live_.size() != seats) return false;
-    for (std::int32_t s = 0; s < count(); ++s)
-        if (holder(s) < -1 || holder(s) >= characters() || (holder(s) >= 0 && seatOf(holder(s)) != s))
-            return false;
-    for (std::int32_t i = 0; i < characters(); ++i)
-        if (seatOf(i) < -1 || seatOf(i) >= count() || (seatOf(i) >= 0 && holder(seatOf(i)) != i))
-            return false;
+    const std::int32_t nodes = std::max(characters(), places_);
+    if (places_ < 0 || count() != nodes || std::cmp_not_equal(isPlace_.size(), nodes)) return false;
+    for (std::int32_t node = 0; node < nodes; ++node) {
+        const std::int32_t i = assignee(node);
+        if (i < -1 || i >= characters() || (i >= 0 && nodeOf(i) != node)) return false;
+    }
+    for (std::int32_t i = 0; i < characters(); ++i) {
+        const std::int32_t node = nodeOf(i);
+        if (node < -1 || node >= nodes || (node >= 0 && assignee(node) != i)) return false;
+    }
     return true;
 }
 

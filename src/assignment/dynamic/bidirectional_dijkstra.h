@@ -1,5 +1,4 @@
-// One violated arc: either a cycle of exchanges that gains, or prices under which the arc is no longer
-// violated.
+// Bidirectional Dijkstra search on reduced costs (Pohl 1971) for the cycle that closes a violated arc.
 #pragma once
 
 #include <cstdint>
@@ -10,68 +9,73 @@
 
 namespace muster {
 
-/// What a search came to.
-enum class SearchEnd : std::uint8_t {
-    Cycle,    ///< There is a cycle through the arc of negative weight; see cycle().
-    Settled,  ///< None on the arcs known: the prices can be moved until the arc is no longer violated.
-    Capped,   ///< The work allowed did not suffice: the prices can be moved some of the way.
+/// How a search ended.
+enum class SearchResult : std::uint8_t {
+    Cycle,         ///< A cycle of negative cost through the arc was found; see BidirectionalDijkstra::cycle.
+    NoCycle,       ///< The graph has none: the duals can be changed so that the arc is no longer violated.
+    LimitReached,  ///< The limit of settled nodes came first: the duals can be changed part of the way.
 };
 
-/// Searches forward from the head of an arc and backward from its tail, over arcs whose reduced costs
-/// (negative ones count as zero) are lengths. Owns its working memory.
+/// Searches for the shortest path from the head of a violated arc back to its tail, forward from the head and
+/// backward from the tail. The length of an arc is its reduced cost, or 0 where that is negative. Owns its
+/// working memory.
 class BidirectionalDijkstra {
 public:
-    /// Makes room for searches that settle at most `limit` nodes.
-    void reset(std::int32_t seats, std::int32_t limit);
-    /// Looks for a way from seat `to` back to seat `from` that is shorter than the violation (> 0) of the arc
-    /// between them. `direct` is the length of going straight back. Settles at most `limit` nodes.
-    SearchEnd run(const ExchangeArcs& arcs, std::span<const double> price, std::int32_t from, std::int32_t to,
-                  double violation, double direct, std::int32_t limit);
-    /// Moves prices as far as the last search allows: lower behind the arc, higher before it. No reduced cost
-    /// that is not negative becomes so, none that is negative sinks further.
-    void movePrices(std::span<double> price) const;
+    /// Sizes the working memory for searches that settle at most `limit` nodes.
+    void reset(std::int32_t nodes, std::int32_t limit);
+    /// Looks for a path from node `head` to node `tail` that is shorter than the violation of the arc between
+    /// them: minus its reduced cost, > 0. `returnCost` is the length of the return arc, which needs no
+    /// search. Settles at most `limit` nodes. The incoming arcs must be indexed.
+    SearchResult run(const ExchangeArcs& arcs, std::span<const double> dual, std::int32_t tail,
+                     std::int32_t head, double violation, double returnCost, std::int32_t limit);
+    /// Changes the duals as far as the last search allows: lower around the head, higher around the tail. No
+    /// reduced cost that is not negative becomes negative, and none that is negative falls.
+    void updateDuals(std::span<double> dual) const;
 
-    /// After SearchEnd::Cycle: each seat's holder moves to the next seat, the last one's to the first.
+    /// After SearchResult::Cycle: the nodes from head to tail.
     std::span<const std::int32_t> cycle() const { return cycle_; }
     /// Nodes settled by the last search.
-    std::int32_t settled() const { return settledCount_; }
+    std::int32_t settled() const { return settled_; }
 
 private:
+    // An entry of a heap; out of date once its node is settled.
     struct Entry {
         double distance;
-        std::int32_t seat;
+        std::int32_t node;
     };
-    struct Node {
-        double distance = 0.0;      // Valid where this search has seen it.
-        std::int32_t through = -1;  // The seat it was reached from.
-        std::uint32_t stamp = 0;    // The search that saw it; one more where it is settled.
+    // What one side knows of a node.
+    struct Label {
+        double distance = 0.0;          // Valid where the stamp is that of this search.
+        std::int32_t predecessor = -1;  // The node it was reached from.
+        std::uint32_t stamp = 0;        // The search that reached it; one more once it is settled.
     };
+    // One direction of the search.
     struct Side {
-        std::vector<Node> node;  // Per seat.
-        std::vector<Entry> heap;
-        std::vector<std::int32_t> order;  // Settled seats.
-        std::size_t most = 0;             // Entries that fit in the heap.
-        double lost = 0.0;                // Least distance of those that did not fit.
-        double radius = 0.0;              // How far prices move.
+        std::vector<Label> label;         // Per node.
+        std::vector<Entry> heap;          // Binary heap, least distance first.
+        std::vector<std::int32_t> order;  // Settled nodes.
+        std::size_t capacity = 0;         // Entries that fit in the heap.
+        double overflowDistance = 0.0;    // Least distance of the entries that did not fit.
+        double radius = 0.0;              // Duals of settled nodes nearer than this change.
     };
 
     void newStamp();
-    void begin(Side& side, std::int32_t seat);
-    double top(Side& side);
-    void label(Side& side, const Side& other, std::int32_t seat, std::int32_t through, double distance,
+    void begin(Side& side, std::int32_t node);
+    double leastDistance(Side& side);
+    void reach(Side& side, const Side& other, std::int32_t node, std::int32_t predecessor, double distance,
                double bound);
     template <bool kForward>
-    void settle(const ExchangeArcs& arcs, std::span<const double> price, Side& side, const Side& other,
+    void settle(const ExchangeArcs& arcs, std::span<const double> dual, Side& side, const Side& other,
                 double bound);
-    void finish(double forwardTop, double backwardTop, double length);
-    void trace(std::int32_t from, std::int32_t to);
+    void setRadii(double forwardDistance, double backwardDistance, double length);
+    void traceCycle(std::int32_t tail, std::int32_t head);
 
     Side forward_;
     Side backward_;
-    std::uint32_t stamp_ = 0;  // Even.
-    std::int32_t settledCount_ = 0;
-    double best_ = 0.0;         // Shortest way back that is known.
-    std::int32_t meeting_ = 0;  // A seat on it; -1 for the direct one.
+    std::uint32_t stamp_ = 0;  // Of this search; even.
+    std::int32_t settled_ = 0;
+    double pathLength_ = 0.0;    // Of the shortest path found so far.
+    std::int32_t meeting_ = -1;  // The node where its two halves meet; -1 for the return arc.
     std::vector<std::int32_t> cycle_;
 };
 

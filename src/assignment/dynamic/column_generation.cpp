@@ -7,129 +7,129 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kSeatsPerTurn = 250;   // One in so many is priced in a step...
-constexpr std::int32_t kLeastTurns = 2;       // ... but no fewer...
-constexpr std::int32_t kMostTurns = 8;        // ... and no more than these,
-constexpr std::int32_t kMostBounds = 200000;  // and no more pairs than these are looked at.
-constexpr std::size_t kMostAsked = 64;        // Costs asked for one seat, from it and to it.
-constexpr double kRounded = 1.0 - 1e-12;      // Below what rounding takes off a square.
-// No cost counts for more than no way at all.
+// A step prices one in so many nodes, within these limits, and as many expensive nodes.
+constexpr std::int32_t kNodesPerPriced = 250;
+constexpr std::int32_t kLeastPriced = 2;
+constexpr std::int32_t kMostPriced = 8;
+constexpr std::int32_t kMostBounds = 200000;  // Pairs that are bounded in a step.
+constexpr std::size_t kMostEvaluated = 64;    // Costs evaluated for one node, from it and to it.
+constexpr double kRounding = 1.0 - 1e-12;     // Factor that keeps a square below its exact value.
+// The square of the cost at which CostPower stops growing, or just less [m^2].
 constexpr double kMostSquare = 0.99 * CostOracle::kUnreachable * CostOracle::kUnreachable;
 
 }  // namespace
 
-void ColumnGeneration::reset(std::int32_t seats) {
-    all_ = hot_ = {};
-    makeRoom(seats);
+void ColumnGeneration::reset(std::int32_t nodes) {
+    all_ = expensive_ = {};
+    reserve(nodes);
 }
 
-void ColumnGeneration::makeRoom(std::int32_t seats) {
-    candidates_.reserve(seats);
-    leaving_.reserve(seats);
-    arriving_.reserve(seats);
-    pairs_.reserve(kMostAsked);
-    answers_.reserve(kMostAsked);
+void ColumnGeneration::reserve(std::int32_t nodes) {
+    candidates_.reserve(nodes);
+    tailTerm_.reserve(nodes);
+    headTerm_.reserve(nodes);
+    pairs_.reserve(kMostEvaluated);
+    pairCosts_.reserve(kMostEvaluated);
 }
 
-void ColumnGeneration::run(const AssignmentStep& context, ExchangeGraph& state, double tolerance) {
-    found_ = 0;
-    const std::int32_t count = state.seats.count();
+void ColumnGeneration::run(const AssignmentStep& step, ExchangeGraph& graph, double tolerance) {
+    generated_ = 0;
+    const std::int32_t count = graph.count();
     if (count == 0) return;
-    perMetre_ = context.costs.leastUnitCost();
-    squareOver_ = context.power.exponent() == 2.0 ? kRounded * context.power(perMetre_) : 0.0;
-    noteEnds(context, state);
-    const std::int32_t most = std::min(kMostTurns, std::max(1, kMostBounds / count));
-    const std::int32_t turns = std::clamp(count / kSeatsPerTurn, std::min(kLeastTurns, most), most);
-    for (std::int32_t k = 0; k < turns; ++k, ++all_.next) {
-        if (all_.next >= count) all_ = {0, all_.round + 1};
-        price(context, state, all_.next, all_.round, tolerance);
+    leastUnitCost_ = step.costs.leastUnitCost();
+    leastSquare_ = step.power.exponent() == 2.0 ? kRounding * step.power(leastUnitCost_) : 0.0;
+    collectTerms(step, graph);
+    const std::int32_t most = std::min(kMostPriced, std::max(1, kMostBounds / count));
+    const std::int32_t priced = std::clamp(count / kNodesPerPriced, std::min(kLeastPriced, most), most);
+    for (std::int32_t k = 0; k < priced; ++k, ++all_.next) {
+        if (all_.next >= count) all_ = {0, all_.pass + 1};
+        priceNode(step, graph, all_.next, all_.pass, tolerance);
     }
-    const auto& hot = state.arcs.hot();
-    for (std::int32_t k = 0; k < std::min(turns, static_cast<std::int32_t>(hot.size())); ++k) {
-        auto next = std::lower_bound(hot.begin(), hot.end(), hot_.next);
-        if (next == hot.end()) {
-            next = hot.begin();
-            ++hot_.round;
+    const auto& expensive = graph.expensiveNodes();
+    for (std::int32_t k = 0; k < std::min(priced, static_cast<std::int32_t>(expensive.size())); ++k) {
+        auto next = std::lower_bound(expensive.begin(), expensive.end(), expensive_.next);
+        if (next == expensive.end()) {
+            next = expensive.begin();
+            ++expensive_.pass;
         }
-        hot_.next = *next + 1;
-        price(context, state, *next, hot_.round, tolerance);
+        expensive_.next = *next + 1;
+        priceNode(step, graph, *next, expensive_.pass, tolerance);
     }
 }
 
-// What reduced costs have in common from each seat and to each; infinite where no way begins or ends.
-void ColumnGeneration::noteEnds(const AssignmentStep& context, const ExchangeGraph& state) {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    leaving_.clear();
-    arriving_.clear();
-    for (std::int32_t s = 0; s < state.seats.count(); ++s) {
-        leaving_.push_back(state.seats.holder(s) >= 0 ? state.leaving(context, s) : kNever);
-        arriving_.push_back(state.seats.live(s) ? state.arriving(context, s) : kNever);
+void ColumnGeneration::collectTerms(const AssignmentStep& step, const ExchangeGraph& graph) {
+    constexpr double kNoArc = std::numeric_limits<double>::infinity();
+    const AssignmentNodes& nodes = graph.nodes();
+    tailTerm_.clear();
+    headTerm_.clear();
+    for (std::int32_t node = 0; node < graph.count(); ++node) {
+        tailTerm_.push_back(nodes.assignee(node) >= 0 ? graph.tailTerm(step, node) : kNoArc);
+        headTerm_.push_back(nodes.isPlace(node) ? graph.headTerm(step, node) : kNoArc);
     }
 }
 
-void ColumnGeneration::price(const AssignmentStep& context, ExchangeGraph& state, std::int32_t seat,
-                             std::uint32_t round, double tolerance) {
-    if (!state.seats.matched(seat)) return;
-    collectFrom(context, state, seat, tolerance);
-    ask(context, state, round, tolerance);
-    collectInto(context, state, seat, tolerance);
-    ask(context, state, round, tolerance);
+void ColumnGeneration::priceNode(const AssignmentStep& step, ExchangeGraph& graph, std::int32_t node,
+                                 std::uint32_t pass, double tolerance) {
+    if (!graph.nodes().isMatched(node)) return;
+    collectFrom(step, graph, node, tolerance);
+    generate(step, graph, pass, tolerance);
+    collectTo(step, graph, node, tolerance);
+    generate(step, graph, pass, tolerance);
 }
 
-// `rest`, below zero, is the reduced cost less what the way costs.
-inline void ColumnGeneration::consider(const AssignmentStep& context, const ExchangeGraph& state,
-                                       std::int32_t from, std::int32_t to, double rest) {
-    if (from == to) return;
-    const std::int32_t holder = state.seats.holder(from);
-    const double square = lengthSquared(context.input.places[to] - context.input.characters[holder]);
-    // Most are too far, which mostly can be told without a root.
-    if (std::min(square * squareOver_, kMostSquare) + rest >= 0.0) return;
-    if (!(context.power(perMetre_ * std::sqrt(square)) + rest < 0.0) || state.arcs.find(from, to) >= 0)
-        return;
-    if (context.power(context.costs.lowerBound(holder, to)) + rest < 0.0) candidates_.push_back({holder, to});
+// Makes a pair a candidate where its reduced cost may be negative. `terms` is the reduced cost less the cost
+// to the power, plus the tolerance; it is negative.
+inline void ColumnGeneration::consider(const AssignmentStep& step, const ExchangeGraph& graph,
+                                       std::int32_t tail, std::int32_t head, double terms) {
+    if (tail == head) return;
+    const std::int32_t assignee = graph.nodes().assignee(tail);
+    const double square = lengthSquared(step.input.places[head] - step.input.characters[assignee]);
+    // Most pairs are too far, which mostly can be told without a square root.
+    if (std::min(square * leastSquare_, kMostSquare) + terms >= 0.0) return;
+    if (!(step.power(leastUnitCost_ * std::sqrt(square)) + terms < 0.0)) return;
+    if (graph.arcs().find(tail, head) >= 0) return;
+    if (step.power(step.costs.lowerBound(assignee, head)) + terms < 0.0)
+        candidates_.push_back({assignee, head});
 }
 
-// Places to which the way of a seat's holder might pay, were it straight.
-void ColumnGeneration::collectFrom(const AssignmentStep& context, const ExchangeGraph& state,
-                                   std::int32_t seat, double tolerance) {
+void ColumnGeneration::collectFrom(const AssignmentStep& step, const ExchangeGraph& graph, std::int32_t tail,
+                                   double tolerance) {
     candidates_.clear();
-    const double base = leaving_[seat] + tolerance;
-    for (std::int32_t to = 0; to < state.seats.places(); ++to) {
-        const double rest = base + arriving_[to];
-        if (rest < 0.0) consider(context, state, seat, to, rest);
+    const double base = tailTerm_[tail] + tolerance;
+    for (std::int32_t head = 0; head < graph.nodes().places(); ++head) {
+        const double terms = base + headTerm_[head];
+        if (terms < 0.0) consider(step, graph, tail, head, terms);
     }
 }
 
-// Characters whose way to a place might pay, were it straight.
-void ColumnGeneration::collectInto(const AssignmentStep& context, const ExchangeGraph& state,
-                                   std::int32_t seat, double tolerance) {
+void ColumnGeneration::collectTo(const AssignmentStep& step, const ExchangeGraph& graph, std::int32_t head,
+                                 double tolerance) {
     candidates_.clear();
-    const double base = arriving_[seat] + tolerance;
-    for (std::int32_t from = 0; from < state.seats.count(); ++from) {
-        const double rest = base + leaving_[from];
-        if (rest < 0.0) consider(context, state, from, seat, rest);
+    const double base = headTerm_[head] + tolerance;
+    for (std::int32_t tail = 0; tail < graph.count(); ++tail) {
+        const double terms = base + tailTerm_[tail];
+        if (terms < 0.0) consider(step, graph, tail, head, terms);
     }
 }
 
-// Takes in the most violated of each row.
-void ColumnGeneration::ask(const AssignmentStep& context, ExchangeGraph& state, std::uint32_t round,
-                           double tolerance) {
-    // Of very many some are asked for, others when it is the seat's turn again.
-    const std::size_t stride = candidates_.size() / kMostAsked + 1;
+// Evaluates candidates, and makes the most violated pair of each node its generated arc. Of very many
+// candidates a sample is evaluated, another one in the next pass.
+void ColumnGeneration::generate(const AssignmentStep& step, ExchangeGraph& graph, std::uint32_t pass,
+                                double tolerance) {
+    const std::size_t stride = candidates_.size() / kMostEvaluated + 1;
     pairs_.clear();
-    for (std::size_t k = round % stride; k < candidates_.size(); k += stride)
-        pairs_.push_back(candidates_[k]);
-    answers_.resize(pairs_.size());
-    context.costs.evaluate(pairs_, answers_, context.pool);
+    for (std::size_t k = pass % stride; k < candidates_.size(); k += stride) pairs_.push_back(candidates_[k]);
+    pairCosts_.resize(pairs_.size());
+    step.costs.evaluate(pairs_, pairCosts_, step.pool);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
-        const std::int32_t from = state.seats.seatOf(pairs_[k].character);
-        const std::int32_t to = pairs_[k].place;
-        const float weight = state.arcs.weightFor(context, state.seats, state.ownPower, from, to,
-                                                  context.power(answers_[k]));
-        const double reduced = state.reduced(from, to, weight);
-        if (!(reduced < std::min(-tolerance, state.reduced(state.arcs.priced(from))))) continue;
-        state.arcs.putPriced(from, to, weight);
-        ++found_;
+        const std::int32_t tail = graph.nodes().nodeOf(pairs_[k].character);
+        const std::int32_t head = pairs_[k].place;
+        const auto cost = static_cast<float>(graph.arcCost(step, tail, head, step.power(pairCosts_[k])));
+        const double reduced = graph.reducedCost(tail, head, cost);
+        const double known = graph.reducedCost(ExchangeArcs::generatedArc(tail));
+        if (!(reduced < std::min(-tolerance, known))) continue;
+        graph.setGeneratedArc(tail, head, cost);
+        ++generated_;
     }
 }
 

@@ -6,183 +6,136 @@
 namespace muster {
 namespace {
 
-// Steps, after a search that was cut short, so that others get a turn.
-constexpr std::uint8_t kRestCapped = 3;
-constexpr std::int32_t kTries = 3;  // Arcs of one seat in one step.
-// Smaller violations, in thresholds, are let be: of two that gain enough one is larger...
-constexpr double kTolerance = 0.5;
-constexpr double kToleranceOfShare = 0.25;  // ... or than this in shares of the mean.
-// Times what was asked: seemed to gain so much by stale weights only.
-constexpr double kStale = 2.0;
-constexpr std::int32_t kLanes = ExchangeArcs::kLanes;
+constexpr std::uint8_t kLimitReachedDelay = 3;  // After a search that reached its limit [steps].
+constexpr std::int32_t kTriesPerNode = 3;       // Arcs of one node in one step.
+// Smallest violation that is repaired, in commit thresholds. An exchange of two nodes that gains a threshold
+// has an arc that is violated by at least half of it, whatever the duals.
+constexpr double kToleranceInThresholds = 0.5;
+// The same for the relative threshold: in shares of the mean matched cost.
+constexpr double kToleranceInShares = 0.25;
+// An arc that is still violated by this many required gains was out of date, and is tried again at once.
+constexpr double kOutdatedGains = 2.0;
 
 }  // namespace
 
-double CycleCancelling::tolerance(const AssignmentStep& context, const ExchangeGraph& state) {
+double CycleCancelling::tolerance(const AssignmentStep& step, const ExchangeGraph& graph) {
     double sum = 0.0;
-    for (const double c : state.ownPower) sum += c;
-    const double mean = sum / std::max(1.0, static_cast<double>(state.ownPower.size()));
-    return std::max({kTolerance * context.threshold, kToleranceOfShare * context.def.thresholdShare * mean,
-                     1e-9 * mean, 1e-30});
+    for (const double c : graph.matchedPowers()) sum += c;
+    const double mean = sum / std::max(1.0, static_cast<double>(graph.count()));
+    return std::max({kToleranceInThresholds * step.threshold,
+                     kToleranceInShares * step.def.thresholdShare * mean, 1e-9 * mean, 1e-30});
 }
 
-void CycleCancelling::reset(std::int32_t seats, std::int32_t searchLimit) {
-    search_.reset(seats, searchLimit);
-    violations_.reserve(seats);
-    costs_.reserve(static_cast<std::size_t>(seats) + 1);
-    holders_.reserve(static_cast<std::size_t>(seats) + 1);
+void CycleCancelling::reset(std::int32_t nodes, std::int32_t searchLimit) {
+    search_.reset(nodes, searchLimit);
+    violations_.reserve(nodes);
+    cycleCosts_.reserve(nodes + 1);
 }
 
-std::int32_t CycleCancelling::worstArc(const ExchangeGraph& state, std::int32_t seat) const {
-    const std::int32_t first = seat * kLanes;
-    const std::int32_t* target = state.arcs.targets().data() + first;
-    const float* weight = state.arcs.weights().data() + first;
-    double least = std::numeric_limits<double>::infinity();
-    std::int32_t worst = -1;
-    for (std::int32_t k = 0; k < kLanes; ++k) {
-        const double reduced = state.reduced(seat, target[k], weight[k]);
-        if (!(reduced < least)) continue;
-        least = reduced;
-        worst = first + k;
-    }
-    return worst;
-}
-
-void CycleCancelling::collect(const ExchangeGraph& state, double tolerance, std::int32_t most) {
+void CycleCancelling::collectViolations(const ExchangeGraph& graph, double tolerance, std::int32_t most) {
     violations_.clear();
-    for (std::int32_t s = 0; s < state.seats.count(); ++s) {
-        if (state.resting[s] > 0) continue;
-        const double size = -state.leastFrom(s);
-        if (size > tolerance) violations_.push_back({size, worstArc(state, s)});
+    for (std::int32_t node = 0; node < graph.count(); ++node) {
+        if (graph.isDelayed(node)) continue;
+        const double size = -graph.leastReducedCost(node);
+        if (size > tolerance) violations_.push_back({size, graph.mostViolatedArc(node)});
     }
-    violated_ = static_cast<std::int32_t>(violations_.size());
-    const auto worse = [](const Violation& a, const Violation& b) {
+    violatedNodes_ = static_cast<std::int32_t>(violations_.size());
+    const auto larger = [](const Violation& a, const Violation& b) {
         return a.size != b.size ? a.size > b.size : a.arc < b.arc;
     };
-    if (violations_.size() > static_cast<std::size_t>(most)) {
-        std::nth_element(violations_.begin(), violations_.begin() + most, violations_.end(), worse);
+    if (violatedNodes_ > most) {
+        std::nth_element(violations_.begin(), violations_.begin() + most, violations_.end(), larger);
         violations_.resize(most);
     }
-    std::sort(violations_.begin(), violations_.end(), worse);
+    std::sort(violations_.begin(), violations_.end(), larger);
 }
 
-void CycleCancelling::run(const AssignmentStep& context, ExchangeGraph& state, std::int64_t budget,
-                          std::int32_t rest) {
-    rest_ = static_cast<std::uint8_t>(rest);
+void CycleCancelling::run(const AssignmentStep& step, ExchangeGraph& graph, std::int64_t budget,
+                          std::int32_t retryDelay) {
+    retryDelay_ = static_cast<std::uint8_t>(retryDelay);
     exchanges_ = 0;
     settled_ = 0;
-    for (std::uint8_t& steps : state.resting)
-        if (steps > 0) --steps;
-    const double least = tolerance(context, state);
-    // One that takes a single node is the least there can be.
-    collect(state, least, static_cast<std::int32_t>(std::min<std::int64_t>(budget, state.seats.count())));
+    graph.indexIncomingArcs();
+    graph.countDownDelays();
+    const double smallest = tolerance(step, graph);
+    // Each violation takes one node of the budget at least.
+    collectViolations(graph, smallest,
+                      static_cast<std::int32_t>(std::min<std::int64_t>(budget, graph.count())));
     for (const Violation& violation : violations_) {
         if (settled_ >= budget) break;
-        repairSeat(context, state, violation.arc / kLanes, least, budget);
+        repairNode(step, graph, ExchangeArcs::tail(violation.arc), smallest, budget);
     }
 }
 
-// How much more it costs in reduced costs to let the holder of `to` go straight to `from`.
-double CycleCancelling::backAgain(const AssignmentStep& context, ExchangeGraph& state, std::int32_t from,
-                                  std::int32_t to) {
-    const auto a = static_cast<std::size_t>(to);
-    const auto b = static_cast<std::size_t>(from);
-    const std::int32_t known = state.arcs.find(to, from);
-    if (known >= 0) return std::max(state.reduced(known), 0.0);
-    const std::int32_t holder = state.seats.holder(to);
-    // Nobody waits there any more: whoever went there would leave a place empty.
-    if (holder < 0 && !state.seats.live(to)) return std::numeric_limits<double>::infinity();
-    const double there = holder >= 0 && state.seats.live(from)
-                             ? context.power(context.costs.cost(holder, from))
-                             : 0.0;
-    const double frame = dot(context.slope, state.seats.at(from, context) - state.seats.at(to, context));
-    return std::max(there - state.ownPower[a] - frame - state.price[b] + state.price[a], 0.0);
+// The length of the arc from `head` straight back to `tail`, which need not be in the graph.
+double CycleCancelling::returnArcCost(const AssignmentStep& step, const ExchangeGraph& graph,
+                                      std::int32_t tail, std::int32_t head) {
+    const AssignmentNodes& nodes = graph.nodes();
+    const std::int32_t arc = graph.arcs().find(head, tail);
+    if (arc >= 0) return std::max(graph.reducedCost(arc), 0.0);
+    const std::int32_t assignee = nodes.assignee(head);
+    // Exchanging with a free dummy node would leave a place without its assignee.
+    if (assignee < 0 && !nodes.isPlace(head)) return std::numeric_limits<double>::infinity();
+    const double costAtTail = graph.pays(head, tail) ? step.power(step.costs.cost(assignee, tail)) : 0.0;
+    return std::max(graph.reducedCost(head, tail, graph.arcCost(step, head, tail, costAtTail)), 0.0);
 }
 
-void CycleCancelling::repairSeat(const AssignmentStep& context, ExchangeGraph& state, std::int32_t seat,
+void CycleCancelling::repairNode(const AssignmentStep& step, ExchangeGraph& graph, std::int32_t node,
                                  double tolerance, std::int64_t budget) {
-    for (std::int32_t k = 0; k < kTries && settled_ < budget; ++k) {
-        const std::int32_t arc = worstArc(state, seat);
-        const double violation = -state.reduced(arc);
+    for (std::int32_t k = 0; k < kTriesPerNode && settled_ < budget; ++k) {
+        const std::int32_t arc = graph.mostViolatedArc(node);
+        const double violation = -graph.reducedCost(arc);
         if (!(violation > tolerance)) return;
-        const std::int32_t to = state.arcs.target(arc);
+        const std::int32_t head = graph.arcs().head(arc);
         const auto limit = static_cast<std::int32_t>(
-            std::min<std::int64_t>(context.def.searchLimit, budget - settled_));
-        const SearchEnd end = search_.run(state.arcs, state.price, seat, to, violation,
-                                          backAgain(context, state, seat, to), limit);
+            std::min<std::int64_t>(step.def.searchLimit, budget - settled_));
+        const SearchResult result = search_.run(graph.arcs(), graph.duals(), node, head, violation,
+                                                returnArcCost(step, graph, node, head), limit);
         settled_ += search_.settled() + 1;
-        search_.movePrices(state.price);
-        if (end == SearchEnd::Capped) {
-            state.resting[seat] = kRestCapped;
+        search_.updateDuals(graph.duals());
+        if (result == SearchResult::LimitReached) {
+            graph.delayRetry(node, kLimitReachedDelay);
             return;
         }
-        if (end != SearchEnd::Cycle || commit(context, state)) continue;
-        // Where much is left the weights were out of date, and another search may help; else it is the
-        // threshold.
-        const double left = -state.reduced(arc);
-        if (left > tolerance && left < kStale * asked_) {
-            state.resting[seat] = rest_;
+        if (result != SearchResult::Cycle || commit(step, graph)) continue;
+        // A small rest means that the cycle gains less than the threshold. A large one means that arc costs
+        // were out of date, and another search may find a better cycle.
+        const double rest = -graph.reducedCost(arc);
+        if (rest > tolerance && rest < kOutdatedGains * requiredGain_) {
+            graph.delayRetry(node, retryDelay_);
             return;
         }
     }
 }
 
-void CycleCancelling::askCycle(const AssignmentStep& context, const ExchangeGraph& state) {
+void CycleCancelling::evaluateCycle(const AssignmentStep& step, const ExchangeGraph& graph) {
     const auto cycle = search_.cycle();
-    costs_.clear();
+    cycleCosts_.clear();
     for (std::size_t k = 0; k < cycle.size(); ++k) {
-        const std::int32_t holder = state.seats.holder(cycle[k]);
-        const std::int32_t to = cycle[(k + 1) % cycle.size()];
-        costs_.push_back(holder >= 0 && state.seats.live(to) ? context.costs.cost(holder, to) : 0.0f);
+        const std::int32_t head = cycle[(k + 1) % cycle.size()];
+        const bool pays = graph.pays(cycle[k], head);
+        cycleCosts_.push_back(pays ? step.costs.cost(graph.nodes().assignee(cycle[k]), head) : 0.0f);
     }
 }
 
-// Exchanges along the cycle found where today's costs say that it gains enough.
-bool CycleCancelling::commit(const AssignmentStep& context, ExchangeGraph& state) {
-    askCycle(context, state);
+// Commits the cycle found where it gains enough by today's costs; else takes these over as arc costs.
+bool CycleCancelling::commit(const AssignmentStep& step, ExchangeGraph& graph) {
+    evaluateCycle(step, graph);
     const auto cycle = search_.cycle();
     double before = 0.0;
     double after = 0.0;
     for (std::size_t k = 0; k < cycle.size(); ++k) {
-        const std::int32_t to = cycle[(k + 1) % cycle.size()];
-        before += state.ownPower[cycle[k]];
-        if (state.seats.live(to) && state.seats.holder(cycle[k]) >= 0) after += context.power(costs_[k]);
+        before += graph.matchedPowers()[cycle[k]];
+        if (graph.pays(cycle[k], cycle[(k + 1) % cycle.size()])) after += step.power(cycleCosts_[k]);
     }
-    asked_ = std::max(context.threshold, context.def.thresholdShare * before);
-    if (!(before - after > asked_)) {
-        noteWeights(context, state);
+    requiredGain_ = std::max(step.threshold, step.def.thresholdShare * before);
+    if (!(before - after > requiredGain_)) {
+        graph.setCostsAlong(step, cycle, cycleCosts_);
         return false;
     }
-    rotate(context, state);
+    graph.exchange(step, cycle, cycleCosts_);
     ++exchanges_;
     return true;
-}
-
-// Weights along a cycle that was not worth it become today's.
-void CycleCancelling::noteWeights(const AssignmentStep& context, ExchangeGraph& state) {
-    const auto cycle = search_.cycle();
-    for (std::size_t k = 0; k < cycle.size(); ++k) {
-        const std::int32_t to = cycle[(k + 1) % cycle.size()];
-        const std::int32_t arc = state.arcs.find(cycle[k], to);
-        if (arc < 0) continue;
-        const bool paid = state.seats.live(to) && state.seats.holder(cycle[k]) >= 0;
-        const double there = paid ? context.power(costs_[k]) : 0.0;
-        state.arcs.setWeight(arc, state.arcs.weightBy(context, state.seats, state.ownPower, arc, there));
-    }
-}
-
-void CycleCancelling::rotate(const AssignmentStep& context, ExchangeGraph& state) {
-    const auto cycle = search_.cycle();
-    holders_.clear();
-    for (const std::int32_t s : cycle) holders_.push_back(state.seats.holder(s));
-    for (std::size_t k = 0; k < cycle.size(); ++k) {
-        const std::int32_t to = cycle[(k + 1) % cycle.size()];
-        state.seats.put(to, holders_[k]);
-        state.setOwn(to, costs_[k], context.power);
-        state.changed[to] = 1;
-        state.resting[to] = 0;
-    }
-    state.arcs.refresh(context, state.seats, state.ownPower, cycle, {});
 }
 
 }  // namespace muster

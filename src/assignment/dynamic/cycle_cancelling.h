@@ -1,4 +1,4 @@
-// Makes a matching better where prices say that it can be.
+// Cycle cancelling (Klein 1967): commits exchanges that lower the objective.
 #pragma once
 
 #include <cstdint>
@@ -10,47 +10,48 @@
 
 namespace muster {
 
-/// Takes violated arcs, the worst first, and either exchanges places along a cycle or moves prices until no
-/// arc is violated by more than some tolerance, or the step's work is used up. Owns its working memory.
+/// Takes violated arcs, the most violated first. Each is closed to a cycle of negative cost, which is
+/// committed if it gains enough by today's costs, or the duals are changed until it is no longer violated.
+/// Ends when no arc is violated by more than a tolerance or the budget of settled nodes is used up. Owns its
+/// working memory.
 class CycleCancelling {
 public:
-    /// Makes room.
-    void reset(std::int32_t seats, std::int32_t searchLimit);
-    /// Settles at most `budget` nodes. A change that gained too little is not tried again for `rest` steps.
-    void run(const AssignmentStep& context, ExchangeGraph& state, std::int64_t budget, std::int32_t rest);
+    /// Sizes the working memory.
+    void reset(std::int32_t nodes, std::int32_t searchLimit);
+    /// Settles at most `budget` nodes. A node whose cycle gained too little is not tried again for
+    /// `retryDelay` steps.
+    void run(const AssignmentStep& step, ExchangeGraph& graph, std::int64_t budget, std::int32_t retryDelay);
 
-    /// Violations up to this are let be [in the units of the power].
-    static double tolerance(const AssignmentStep& context, const ExchangeGraph& state);
+    /// Violations up to this are left [units of CostPower].
+    static double tolerance(const AssignmentStep& step, const ExchangeGraph& graph);
 
     std::int32_t exchanges() const { return exchanges_; }  ///< Cycles committed by the last run.
-    std::int32_t violated() const { return violated_; }    ///< Seats with a violated arc at its beginning.
-    std::int64_t settled() const { return settled_; }      ///< Nodes settled by it.
+    std::int32_t violatedNodes() const {
+        return violatedNodes_;
+    }                                                  ///< Nodes with a violated arc when it began.
+    std::int64_t settled() const { return settled_; }  ///< Nodes settled by it.
 
 private:
     struct Violation {
-        double size;
+        double size;  // Minus the reduced cost.
         std::int32_t arc;
     };
 
-    void collect(const ExchangeGraph& state, double tolerance, std::int32_t most);
-    std::int32_t worstArc(const ExchangeGraph& state, std::int32_t seat) const;
-    void repairSeat(const AssignmentStep& context, ExchangeGraph& state, std::int32_t seat, double tolerance,
+    void collectViolations(const ExchangeGraph& graph, double tolerance, std::int32_t most);
+    void repairNode(const AssignmentStep& step, ExchangeGraph& graph, std::int32_t node, double tolerance,
                     std::int64_t budget);
-    double backAgain(const AssignmentStep& context, ExchangeGraph& state, std::int32_t from, std::int32_t to);
-    bool commit(const AssignmentStep& context, ExchangeGraph& state);
-    void askCycle(const AssignmentStep& context, const ExchangeGraph& state);
-    void rotate(const AssignmentStep& context, ExchangeGraph& state);
-    void noteWeights(const AssignmentStep& context, ExchangeGraph& state);
+    static double returnArcCost(const AssignmentStep& step, const ExchangeGraph& graph, std::int32_t tail,
+                                std::int32_t head);
+    bool commit(const AssignmentStep& step, ExchangeGraph& graph);
+    void evaluateCycle(const AssignmentStep& step, const ExchangeGraph& graph);
 
     BidirectionalDijkstra search_;
     std::vector<Violation> violations_;
-    // Of the cycle: each holder to the next seat, 0 where one is missing.
-    std::vector<float> costs_;
-    std::vector<std::int32_t> holders_;  // Of the cycle: holders before it.
-    double asked_ = 0.0;                 // What the last cycle looked at had to gain.
-    std::uint8_t rest_ = 0;
+    std::vector<float> cycleCosts_;  // Per node of the cycle: cost of its assignee at the next node [m].
+    double requiredGain_ = 0.0;      // Of the last cycle [units of CostPower].
+    std::uint8_t retryDelay_ = 0;    // [steps]
     std::int32_t exchanges_ = 0;
-    std::int32_t violated_ = 0;
+    std::int32_t violatedNodes_ = 0;
     std::int64_t settled_ = 0;
 };
 

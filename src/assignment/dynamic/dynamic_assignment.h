@@ -1,4 +1,4 @@
-// Keeps an assignment of characters to places near-optimal, step after step, at little cost.
+// Dynamic assignment: keeps an assignment near-optimal while costs change from step to step.
 #pragma once
 
 #include <cstdint>
@@ -13,49 +13,47 @@
 
 namespace muster {
 
-/// As many characters as possible get a place of their own, at near the least sum of cost^p. Within one call
-/// every character that takes part can come to every place that may be taken. Positions are finite.
+/// Matches as many characters with places of their own as possible, at a near-least sum of cost^p
+/// (docs/method/dynamic-assignment.md). Every present character must be able to reach every usable place
+/// within one call, if only at CostOracle::kUnreachable. Positions are finite.
 class DynamicAssignment {
 public:
     /// Forgets everything.
     void clear();
-    /// Makes room for so many, and forgets everything.
+    /// Allocates memory for so many, and forgets everything.
     void reserve(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places);
-    /// From nothing: matches parts of the crowd with parts of the formation, then improves.
+    /// Starts without incumbents: makes an initial assignment and repairs it.
     void coldStart(const DynamicAssignmentDef& def, const AssignmentInput& input, CostOracle& costs,
                    ThreadPool& pool);
-    /// From given places (per character, -1 for none; of two that name one place the first has it): these are
-    /// kept until the next update() finds better ones.
+    /// Starts from given places, per character, -1 for none; of several that name one place the first has it.
+    /// These stay until the next update() finds better ones.
     void warmStart(const DynamicAssignmentDef& def, const AssignmentInput& input,
                    std::span<const std::int32_t> placeOf, CostOracle& costs, ThreadPool& pool);
-    /// One step: asks for costs, seats those who have no place while one is free, repairs. A cold start where
-    /// sizes are not those of the last one.
+    /// One step: refreshes costs, matches the unmatched while places are free, and repairs. A cold start
+    /// where the numbers of characters and places are not those of the last call.
     void update(const DynamicAssignmentDef& def, const AssignmentInput& input, CostOracle& costs,
                 ThreadPool& pool);
 
     std::span<const std::int32_t> placeOf() const { return placeOf_; }  ///< Per character, -1 unmatched.
-    /// Per character, to its place by the last call [m]; 0 unmatched.
+    /// Per character: cost to its place at the last call [m]; 0 unmatched.
     std::span<const float> cost() const { return cost_; }
     double objective() const { return objective_; }  ///< Sum of cost^p over the matched [m^p].
-    /// What the optimum on the arcs known may be below the objective at most [m^p], by the prices.
+    /// The objective less a lower bound of the optimum on the arcs of the graph, which the duals prove [m^p].
     double dualityGap() const { return dualityGap_; }
-    std::int32_t exchanges() const { return repair_.exchanges(); }  ///< Cycles committed by the last call.
-    /// Seats with a violated arc when repairs began last.
-    std::int32_t violated() const { return violated_; }
-    std::int64_t settled() const { return repair_.settled(); }  ///< Nodes settled by the last call.
-    /// Writes a price for each place [m^p]: with prices v the sum over characters of min_j (c_ij^p - v_j),
-    /// and of all v, is a lower bound of the optimum where there are as many characters as places.
-    void duals(const AssignmentInput& input, std::span<double> price) const;
+    std::int32_t exchanges() const { return cycleCancelling_.exchanges(); }  ///< Committed by the last call.
+    std::int64_t settled() const { return cycleCancelling_.settled(); }  ///< Nodes settled by the last call.
+    /// Writes a dual for each place [m^p]. With duals v, the sum of min_j (c_ij^p - v_j) over the characters
+    /// and of all v_j is a lower bound of the optimum where there are as many characters as places.
+    void duals(const AssignmentInput& input, std::span<double> dual) const;
 
     /// Lets an archive read or write all that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(step_, turn_, restOfFit_, violated_, far_, state_, stale_, placeOf_, cost_, objective_,
-                dualityGap_, slope_, units_, pricing_);
+        archive(round_, stepOfRound_, fitDelay_, violatedNodes_, far_, graph_, placeOf_, cost_, objective_,
+                dualityGap_, dualSlope_, units_, columnGeneration_);
         if constexpr (Archive::kReading) {
-            if (placeOf_.size() != static_cast<std::size_t>(state_.seats.characters()) ||
-                cost_.size() != placeOf_.size() ||
-                stale_.size() != static_cast<std::size_t>(state_.seats.count()))
+            if (placeOf_.size() != static_cast<std::size_t>(graph_.nodes().characters()) ||
+                cost_.size() != placeOf_.size())
                 archive.fail();
             if (!archive.ok()) clear();
             afterReading();
@@ -63,55 +61,35 @@ public:
     }
 
 private:
-    AssignmentStep contextFor(const DynamicAssignmentDef& def, const AssignmentInput& input,
-                              CostOracle& costs, ThreadPool& pool) const;
-    void prepare(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places);
-    void seatWaiting(const AssignmentStep& context);
-    void frame(AssignmentStep& context) const;
-    void askOwn(const AssignmentStep& context);
-    void jumped(std::int32_t seat);
-    void refreshAll(const AssignmentStep& context);
-    void askRows(const AssignmentStep& context);
-    void noteHowFar(const AssignmentStep& context);
-    bool unsteady(const AssignmentStep& context, std::int32_t seat) const;
-    std::int32_t refreshPeriod(const DynamicAssignmentDef& def) const;
-    void refreshSome(const AssignmentStep& context);
-    void collectStale();
-    void repair(const AssignmentStep& context);
-    double marginOf(const AssignmentStep& context, std::size_t seat) const;
-    void repriceFlipped();
-    void publish(const AssignmentStep& context);
-    void measureDualityGap(const AssignmentStep& context);
+    void reset(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places);
+    void start(const AssignmentProblem& problem, std::span<const std::int32_t> placeOf);
+    void refresh(const AssignmentStep& step);
+    RefreshSchedule schedule(const DynamicAssignmentDef& def) const;
+    void measureDistance(const DynamicAssignmentDef& def);
+    void repair(const AssignmentStep& step);
+    void publish(const AssignmentStep& step);
+    void measureDualityGap(const AssignmentStep& step);
     void afterReading();
 
-    std::int32_t step_ = 0;       // Rounds, each of DynamicAssignmentDef::turns calls.
-    std::int32_t turn_ = 0;       // Calls of this round so far.
-    std::int32_t violated_ = 0;   // Seats, when repairs began last.
-    std::int32_t restOfFit_ = 0;  // Repairs until prices may be fitted again.
-    bool far_ = false;            // All was far away when costs were asked for last.
-    bool near_ = false;           // All had nearly arrived in this call.
-    ExchangeGraph state_;
-    std::vector<std::int32_t> placeOf_;
-    std::vector<float> cost_;
-    double objective_ = 0.0;
-    double dualityGap_ = 0.0;
-    Vec2 slope_;          // Of the prices' frame in the last call.
-    double units_ = 1.0;  // CostPower::units() there.
-    // Working memory.
-    std::int32_t searchLimit_ = 0;
-    CycleCancelling repair_;
-    InitialAssignment start_;
-    InitialDuals fit_;
-    ColumnGeneration pricing_;
-    std::vector<AssignmentPair> pairs_;
-    std::vector<float> answers_;
-    std::vector<std::int32_t> rows_;
-    std::vector<std::int32_t> tightRows_;  // Of these only the arcs are asked for that may soon be violated.
-    std::vector<double> margin_;           // Per seat: what makes them so.
-    std::vector<std::int32_t> flipped_;    // Seats that became or ceased to be places, or lost their holder.
-    // Per seat: the weights of arcs to it are to be asked for in the next round.
-    std::vector<std::uint8_t> stale_;
-    std::vector<std::int32_t> staleArcs_;
+    std::int32_t round_ = 0;          // Rounds, each of DynamicAssignmentDef::stepsPerRound calls.
+    std::int32_t stepOfRound_ = 0;    // Calls of this round so far.
+    std::int32_t violatedNodes_ = 0;  // When the last repair began.
+    std::int32_t fitDelay_ = 0;       // Repairs until the duals may be fitted again.
+    bool far_ = false;                // The mean matched cost was above farCost at the last refresh.
+    bool near_ = false;               // It was below nearCost.
+    ExchangeGraph graph_;
+    std::vector<std::int32_t> placeOf_;  // Per character, -1 unmatched.
+    std::vector<float> cost_;            // Per character [m].
+    double objective_ = 0.0;             // [m^p]
+    double dualityGap_ = 0.0;            // [m^p]
+    Vec2 dualSlope_;                     // AssignmentStep::dualSlope of the last call.
+    double units_ = 1.0;                 // CostPower::units() of the last call.
+    std::int32_t searchLimit_ = 0;       // For which cycleCancelling_ is sized.
+    // The phases and their working memory.
+    InitialAssignment initialAssignment_;
+    InitialDuals initialDuals_;
+    ColumnGeneration columnGeneration_;
+    CycleCancelling cycleCancelling_;
 };
 
 }  // namespace muster

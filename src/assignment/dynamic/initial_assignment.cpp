@@ -8,183 +8,194 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kFewPairs = 4096;  // So many are all compared.
-constexpr std::size_t kTruePairs = 256;  // So many by their costs, more by straight distance.
-constexpr std::size_t kFewOnOneSide = 16;
-constexpr std::int32_t kPerPart = 48;
-constexpr std::int32_t kMostParts = 256;
-constexpr std::size_t kExact = 16;  // Parts this small are matched exactly.
+constexpr std::size_t kGreedyPairs = 4096;    // Up to so many pairs are matched greedily.
+constexpr std::size_t kEvaluatedPairs = 256;  // Up to so many of these by cost, more by straight distance.
+constexpr std::size_t kFewOnOneSide = 16;     // Up to so many take their nearest counterpart one by one.
+constexpr std::int32_t kPointsPerLeaf = 48;
+constexpr std::int32_t kMostLeaves = 256;
+constexpr std::size_t kExactSize = 16;  // Sets up to this size are assigned exactly.
 
-Vec2 meanOf(std::span<const Vec2> points, std::span<const std::int32_t> some) {
+Vec2 meanOf(std::span<const Vec2> points, std::span<const std::int32_t> indices) {
     Vec2 sum;
-    for (const std::int32_t k : some) sum += points[k];
-    return some.empty() ? sum : sum / static_cast<double>(some.size());
+    for (const std::int32_t k : indices) sum += points[k];
+    return indices.empty() ? sum : sum / static_cast<double>(indices.size());
 }
 
-// The one nearest to the mean, of equals the first.
-std::int32_t middleOf(std::span<const Vec2> points, std::span<const std::int32_t> some) {
-    const Vec2 mean = meanOf(points, some);
+// The point nearest to the mean, the first of several.
+std::int32_t centralPoint(std::span<const Vec2> points, std::span<const std::int32_t> indices) {
+    const Vec2 mean = meanOf(points, indices);
     double least = std::numeric_limits<double>::infinity();
-    std::int32_t middle = -1;
-    for (const std::int32_t k : some) {
+    std::int32_t central = -1;
+    for (const std::int32_t k : indices) {
         const double d = lengthSquared(points[k] - mean);
         if (!(d < least)) continue;
         least = d;
-        middle = k;
+        central = k;
     }
-    return middle;
+    return central;
 }
 
-std::span<std::int32_t> part(std::vector<std::int32_t>& all, const std::vector<std::int32_t>& ends,
-                             std::size_t k) {
-    const auto begin = static_cast<std::size_t>(k > 0 ? ends[k - 1] : 0);
-    return {all.data() + begin, static_cast<std::size_t>(ends[k]) - begin};
+std::span<std::int32_t> leaf(std::vector<std::int32_t>& indices, const std::vector<std::int32_t>& ends,
+                             std::int32_t k) {
+    return {indices.data() + (k > 0 ? ends[k - 1] : 0), indices.data() + ends[k]};
 }
 
 }  // namespace
 
 InitialAssignment::InitialAssignment() {
-    choices_.reserve(kFewPairs);
-    pairs_.reserve(kTruePairs);
-    answers_.reserve(kTruePairs);
+    choices_.reserve(kGreedyPairs);
+    pairs_.reserve(kEvaluatedPairs);
+    pairCosts_.reserve(kEvaluatedPairs);
 }
 
-void InitialAssignment::seat(const AssignmentStep& context, ExchangeGraph& state) {
-    AssignmentNodes& seats = state.seats;
-    if (seats.waiting().empty() || seats.free().empty()) return;
-    people_.assign(seats.waiting().begin(), seats.waiting().end());
-    places_.assign(seats.free().begin(), seats.free().end());
-    while (!people_.empty() && !places_.empty()) {
-        if (people_.size() * places_.size() <= kFewPairs)
-            few(context, seats);
-        else if (std::min(people_.size(), places_.size()) <= kFewOnOneSide)
-            nearestOfMany(context, seats);
+void InitialAssignment::run(const AssignmentProblem& problem, AssignmentNodes& nodes) {
+    if (nodes.unmatched().empty() || nodes.freePlaces().empty()) return;
+    characters_.assign(nodes.unmatched().begin(), nodes.unmatched().end());
+    places_.assign(nodes.freePlaces().begin(), nodes.freePlaces().end());
+    while (!characters_.empty() && !places_.empty()) {
+        if (characters_.size() * places_.size() <= kGreedyPairs)
+            matchGreedily(problem, nodes);
+        else if (std::min(characters_.size(), places_.size()) <= kFewOnOneSide)
+            matchEachToNearest(problem, nodes);
         else
-            parts(context, seats);
-        keepOpen(seats);
+            matchLeaves(problem, nodes);
+        removeMatched(nodes);
     }
 }
 
-void InitialAssignment::keepOpen(const AssignmentNodes& seats) {
-    std::erase_if(people_,
-                  [&](std::int32_t i) { return seats.seatOf(i) >= 0 && seats.live(seats.seatOf(i)); });
-    std::erase_if(places_, [&](std::int32_t s) { return seats.holder(s) >= 0; });
-    std::sort(people_.begin(), people_.end());
+void InitialAssignment::removeMatched(const AssignmentNodes& nodes) {
+    std::erase_if(characters_,
+                  [&](std::int32_t i) { return nodes.nodeOf(i) >= 0 && nodes.isPlace(nodes.nodeOf(i)); });
+    std::erase_if(places_, [&](std::int32_t node) { return nodes.assignee(node) >= 0; });
+    std::sort(characters_.begin(), characters_.end());
     std::sort(places_.begin(), places_.end());
 }
 
-void InitialAssignment::few(const AssignmentStep& context, AssignmentNodes& seats) {
+void InitialAssignment::matchGreedily(const AssignmentProblem& problem, AssignmentNodes& nodes) {
     choices_.clear();
     pairs_.clear();
-    const bool byCost = people_.size() * places_.size() <= kTruePairs;
-    for (const std::int32_t i : people_)
-        for (const std::int32_t s : places_) {
-            const Vec2 way = context.input.places[s] - context.input.characters[i];
-            choices_.push_back({lengthSquared(way), i, s});
-            if (byCost) pairs_.push_back({i, s});
+    const bool byCost = characters_.size() * places_.size() <= kEvaluatedPairs;
+    for (const std::int32_t i : characters_)
+        for (const std::int32_t node : places_) {
+            const Vec2 line = problem.input.places[node] - problem.input.characters[i];
+            choices_.push_back({lengthSquared(line), i, node});
+            if (byCost) pairs_.push_back({i, node});
         }
-    answers_.resize(pairs_.size());
-    if (byCost) context.costs.evaluate(pairs_, answers_, context.pool);
-    for (std::size_t k = 0; k < answers_.size(); ++k) choices_[k].cost = answers_[k];
+    pairCosts_.resize(pairs_.size());
+    if (byCost) problem.costs.evaluate(pairs_, pairCosts_, problem.pool);
+    for (std::size_t k = 0; k < pairCosts_.size(); ++k) choices_[k].cost = pairCosts_[k];
     std::sort(choices_.begin(), choices_.end(), [](const Choice& a, const Choice& b) {
         if (a.cost != b.cost) return a.cost < b.cost;
-        return a.character != b.character ? a.character < b.character : a.seat < b.seat;
+        return a.character != b.character ? a.character < b.character : a.node < b.node;
     });
     for (const Choice& choice : choices_) {
-        const std::int32_t at = seats.seatOf(choice.character);
-        if ((at < 0 || !seats.live(at)) && seats.holder(choice.seat) < 0)
-            seats.take(choice.character, choice.seat);
+        const std::int32_t before = nodes.nodeOf(choice.character);
+        if ((before < 0 || !nodes.isPlace(before)) && nodes.assignee(choice.node) < 0)
+            nodes.match(choice.character, choice.node);
     }
 }
 
-// Few on one side, many on the other: each of the few takes the nearest.
-void InitialAssignment::nearestOfMany(const AssignmentStep& context, AssignmentNodes& seats) {
-    const bool fewPeople = people_.size() <= places_.size();
-    auto& many = fewPeople ? places_ : people_;
-    const auto& manyAt = fewPeople ? context.input.places : context.input.characters;
-    const auto& fewAt = fewPeople ? context.input.characters : context.input.places;
-    for (const std::int32_t one : fewPeople ? people_ : places_) {
+// Few on one side, many on the other: each of the few takes the nearest of the many.
+void InitialAssignment::matchEachToNearest(const AssignmentProblem& problem, AssignmentNodes& nodes) {
+    const AssignmentInput& input = problem.input;
+    const bool fewCharacters = characters_.size() <= places_.size();
+    auto& many = fewCharacters ? places_ : characters_;
+    const auto& manyPositions = fewCharacters ? input.places : input.characters;
+    const auto& fewPositions = fewCharacters ? input.characters : input.places;
+    for (const std::int32_t one : fewCharacters ? characters_ : places_) {
         double least = std::numeric_limits<double>::infinity();
-        std::size_t best = 0;
+        std::size_t nearest = 0;
         for (std::size_t k = 0; k < many.size(); ++k) {
             if (many[k] < 0) continue;
-            const double d = lengthSquared(manyAt[many[k]] - fewAt[one]);
+            const double d = lengthSquared(manyPositions[many[k]] - fewPositions[one]);
             if (!(d < least)) continue;
             least = d;
-            best = k;
+            nearest = k;
         }
-        seats.take(fewPeople ? one : many[best], fewPeople ? many[best] : one);
-        many[best] = -1;
+        nodes.match(fewCharacters ? one : many[nearest], fewCharacters ? many[nearest] : one);
+        many[nearest] = -1;
     }
     std::erase(many, -1);
 }
 
-void InitialAssignment::parts(const AssignmentStep& context, AssignmentNodes& seats) {
-    const auto& characters = context.input.characters;
-    const auto& placesAt = context.input.places;
-    const auto fewer = static_cast<std::int32_t>(std::min(people_.size(), places_.size()));
-    const std::int32_t count = std::clamp(fewer / kPerPart, 1, kMostParts);
-    peopleEnds_.clear();
-    placeEnds_.clear();
-    divideIntoLeaves(characters, people_, count, 0, peopleEnds_);
-    divideIntoLeaves(placesAt, places_, count, 0, placeEnds_);
-    const auto n = static_cast<std::size_t>(count);
-    matrix_.resize(n * n);
-    placeMiddles_.clear();
-    for (std::size_t b = 0; b < n; ++b)
-        placeMiddles_.push_back(middleOf(placesAt, part(places_, placeEnds_, b)));
-    for (std::size_t a = 0; a < n; ++a) {
-        pairs_.clear();
-        const std::int32_t person = middleOf(characters, part(people_, peopleEnds_, a));
-        for (const std::int32_t place : placeMiddles_) pairs_.push_back({person, place});
-        answers_.resize(n);
-        context.costs.evaluate(pairs_, answers_, context.pool);
-        for (std::size_t b = 0; b < n; ++b) matrix_[a * n + b] = context.power(answers_[b]);
-    }
-    dense_.solve(count, count, matrix_.data());
-    for (std::size_t a = 0; a < n; ++a) {
-        const auto people = part(people_, peopleEnds_, a);
-        const auto places = part(places_, placeEnds_, static_cast<std::size_t>(dense_.columnOf()[a]));
-        within(context, seats, people, places, meanOf(placesAt, places) - meanOf(characters, people));
+void InitialAssignment::matchLeaves(const AssignmentProblem& problem, AssignmentNodes& nodes) {
+    const auto& characterPositions = problem.input.characters;
+    const auto& placePositions = problem.input.places;
+    const auto fewer = static_cast<std::int32_t>(std::min(characters_.size(), places_.size()));
+    const std::int32_t leaves = std::clamp(fewer / kPointsPerLeaf, 1, kMostLeaves);
+    characterLeafEnds_.clear();
+    placeLeafEnds_.clear();
+    partitionIntoLeaves(characterPositions, characters_, leaves, 0, characterLeafEnds_);
+    partitionIntoLeaves(placePositions, places_, leaves, 0, placeLeafEnds_);
+    evaluateLeafCosts(problem, leaves);
+    leafSolver_.solve(leaves, leaves, matrix_.data());
+    for (std::int32_t a = 0; a < leaves; ++a) {
+        const auto characters = leaf(characters_, characterLeafEnds_, a);
+        const auto places = leaf(places_, placeLeafEnds_, leafSolver_.columnOf()[a]);
+        const Vec2 shift = meanOf(placePositions, places) - meanOf(characterPositions, characters);
+        matchWithinLeaf(problem, nodes, characters, places, shift);
     }
 }
 
-// Halves both along the places' longer side until they are small.
-void InitialAssignment::within(const AssignmentStep& context, AssignmentNodes& seats,
-                               std::span<std::int32_t> people, std::span<std::int32_t> places, Vec2 shift) {
-    if (people.empty() || places.empty()) return;
-    if (std::max(people.size(), places.size()) <= kExact || std::min(people.size(), places.size()) < 2) {
-        std::sort(people.begin(), people.end());
+// Fills the matrix with the costs between the central points of leaves.
+void InitialAssignment::evaluateLeafCosts(const AssignmentProblem& problem, std::int32_t leaves) {
+    const CostPower power(problem.def.exponent);
+    matrix_.resize(leaves * leaves);
+    centralPlaces_.clear();
+    for (std::int32_t b = 0; b < leaves; ++b)
+        centralPlaces_.push_back(centralPoint(problem.input.places, leaf(places_, placeLeafEnds_, b)));
+    pairCosts_.resize(leaves);
+    for (std::int32_t a = 0; a < leaves; ++a) {
+        const auto characters = leaf(characters_, characterLeafEnds_, a);
+        const std::int32_t central = centralPoint(problem.input.characters, characters);
+        pairs_.clear();
+        for (const std::int32_t place : centralPlaces_) pairs_.push_back({central, place});
+        problem.costs.evaluate(pairs_, pairCosts_, problem.pool);
+        for (std::int32_t b = 0; b < leaves; ++b) matrix_[a * leaves + b] = power(pairCosts_[b]);
+    }
+}
+
+// Halves both sets along the longer side of the places until one of them is small.
+void InitialAssignment::matchWithinLeaf(const AssignmentProblem& problem, AssignmentNodes& nodes,
+                                        std::span<std::int32_t> characters, std::span<std::int32_t> places,
+                                        Vec2 shift) {
+    if (characters.empty() || places.empty()) return;
+    if (std::max(characters.size(), places.size()) <= kExactSize ||
+        std::min(characters.size(), places.size()) < 2) {
+        std::sort(characters.begin(), characters.end());
         std::sort(places.begin(), places.end());
-        exactly(context, seats, people, places, shift);
+        matchExactly(problem, nodes, characters, places, shift);
         return;
     }
-    const bool alongX = isWide(context.input.places, places);
-    divide(context.input.characters, people, people.size() / 2, alongX);
-    divide(context.input.places, places, places.size() / 2, alongX);
-    within(context, seats, people.first(people.size() / 2), places.first(places.size() / 2), shift);
-    within(context, seats, people.subspan(people.size() / 2), places.subspan(places.size() / 2), shift);
+    const bool alongX = isWide(problem.input.places, places);
+    const std::size_t halfCharacters = characters.size() / 2;
+    const std::size_t halfPlaces = places.size() / 2;
+    partitionAlong(problem.input.characters, characters, halfCharacters, alongX);
+    partitionAlong(problem.input.places, places, halfPlaces, alongX);
+    matchWithinLeaf(problem, nodes, characters.first(halfCharacters), places.first(halfPlaces), shift);
+    matchWithinLeaf(problem, nodes, characters.subspan(halfCharacters), places.subspan(halfPlaces), shift);
 }
 
-void InitialAssignment::exactly(const AssignmentStep& context, AssignmentNodes& seats,
-                                std::span<const std::int32_t> people, std::span<const std::int32_t> places,
-                                Vec2 shift) {
-    const bool turned = people.size() > places.size();
-    const auto rows = turned ? places : people;
-    const auto columns = turned ? people : places;
+// Assigns by squared straight distance after moving the characters by `shift`.
+void InitialAssignment::matchExactly(const AssignmentProblem& problem, AssignmentNodes& nodes,
+                                     std::span<const std::int32_t> characters,
+                                     std::span<const std::int32_t> places, Vec2 shift) {
+    const bool transposed = characters.size() > places.size();
+    const auto rows = transposed ? places : characters;
+    const auto columns = transposed ? characters : places;
     matrix_.resize(std::max(matrix_.size(), rows.size() * columns.size()));
     for (std::size_t a = 0; a < rows.size(); ++a)
         for (std::size_t b = 0; b < columns.size(); ++b) {
-            const std::int32_t person = turned ? columns[b] : rows[a];
-            const std::int32_t place = turned ? rows[a] : columns[b];
-            matrix_[a * columns.size() + b] = lengthSquared(context.input.places[place] -
-                                                            context.input.characters[person] - shift);
+            const std::int32_t character = transposed ? columns[b] : rows[a];
+            const std::int32_t place = transposed ? rows[a] : columns[b];
+            matrix_[a * columns.size() + b] = lengthSquared(problem.input.places[place] -
+                                                            problem.input.characters[character] - shift);
         }
-    small_.solve(static_cast<std::int32_t>(rows.size()), static_cast<std::int32_t>(columns.size()),
-                 matrix_.data());
+    pairSolver_.solve(static_cast<std::int32_t>(rows.size()), static_cast<std::int32_t>(columns.size()),
+                      matrix_.data());
     for (std::size_t a = 0; a < rows.size(); ++a) {
-        const std::int32_t b = small_.columnOf()[a];
-        if (b >= 0) seats.take(turned ? columns[b] : rows[a], turned ? rows[a] : columns[b]);
+        const std::int32_t b = pairSolver_.columnOf()[a];
+        if (b >= 0) nodes.match(transposed ? columns[b] : rows[a], transposed ? rows[a] : columns[b]);
     }
 }
 

@@ -1,4 +1,4 @@
-// Prices for a matching that has none yet.
+// Initial duals: a least-squares fit to the arc costs.
 #pragma once
 
 #include <cstdint>
@@ -9,63 +9,61 @@
 
 namespace muster {
 
-/// Between two seats with arcs both ways the difference of prices may lie in an interval; prices are fitted
-/// to the middles of these, the narrow ones weighing most. First a plane for each of a few hundred parts of
-/// the formation, then a few rounds over all seats. Averages cannot run away, and the repair does the rest.
+/// Where arcs join two nodes in both directions, complementary slackness confines the difference of their
+/// duals to an interval. The fit makes the differences those of the interval midpoints, and narrow intervals
+/// weigh most: first one linear function per leaf of a k-d tree of the nodes, by normal equations for the
+/// slopes and Gauss-Seidel iteration for the heights, then some sweeps over all nodes. CycleCancelling mends
+/// what is left. Owns its working memory.
 class InitialDuals {
 public:
-    /// Writes state.price from the weights of all arcs.
-    void run(const AssignmentStep& context, ExchangeGraph& state);
+    /// Sets the duals of all nodes from the costs of all arcs.
+    void run(const AssignmentStep& step, ExchangeGraph& graph);
 
 private:
+    // The linear function of one leaf.
     struct Plane {
-        Vec2 middle;
-        Vec2 slope;
-        double height = 0.0;
+        Vec2 centre;          // Mean position of the leaf's nodes [m].
+        Vec2 slope;           // [dual per metre]
+        double height = 0.0;  // Dual at the centre.
     };
-    // What arcs within a part ask of its slope: a symmetric 2 x 2 matrix and a right side.
-    struct Normal {
+    // Normal equations of a leaf's slope: a symmetric 2 x 2 matrix and a right-hand side.
+    struct NormalEquations {
         double xx = 0.0, xy = 0.0, yy = 0.0;
         Vec2 right;
     };
-
-    // An arc to a seat from which one leads back.
-    struct Paired {
-        std::int32_t from;
-        std::int32_t to;
-        float middle;  // Wanted price of `to` less that of `from`.
-        float weight;  // > 0
+    // The wanted difference of duals of two nodes that are joined in both directions.
+    struct Difference {
+        std::int32_t tail;
+        std::int32_t head;
+        float wanted;  // Dual of `head` less that of `tail`: the midpoint of the interval.
+        float weight;  // > 0; 1 for an empty interval, falling with its width.
+    };
+    // A leaf that differences join with another.
+    struct Neighbour {
+        std::int32_t leaf;
+        double weight;  // Sum of the weights of the differences.
     };
 
-    // A part that shares arcs with another.
-    struct Coupled {
-        std::size_t part;
-        double weight;
-    };
-
-    void pairArcs(const ExchangeGraph& state);
-    void divide(const AssignmentStep& context, const ExchangeGraph& state);
+    void collectDifferences(const ExchangeGraph& graph);
+    void partition(const AssignmentStep& step, const ExchangeGraph& graph);
     void fitSlopes();
-    void fitHeights();
-    void listCoupled();
+    void collectHeightEquations();
+    void listNeighbours();
     void solveHeights();
-    void smooth(ExchangeGraph& state) const;
+    void sweep(std::span<double> dual) const;
 
-    Vec2 at(std::int32_t seat) const { return at_[seat]; }
-    std::size_t partOf(std::int32_t seat) const { return static_cast<std::size_t>(partOf_[seat]); }
-
-    std::vector<Paired> paired_;          // Of all seats in turn...
-    std::vector<std::size_t> pairedEnd_;  // ... up to here.
-    std::vector<std::int32_t> partOf_;
-    std::vector<Plane> planes_;
-    std::vector<double> coupling_;         // Parts x parts.
-    std::vector<Coupled> coupled_;         // Of all parts in turn...
-    std::vector<std::size_t> coupledEnd_;  // ... up to here.
-    std::vector<double> wanted_;           // Per part.
-    std::vector<Normal> normals_;          // Per part.
-    std::vector<Vec2> at_;                 // Per seat.
-    std::vector<std::int32_t> order_;
-    std::vector<std::int32_t> ends_;
+    std::vector<Difference> differences_;           // Tail by tail.
+    std::vector<std::int32_t> differencesEnd_;      // Per tail: its end in differences_.
+    std::vector<std::int32_t> leafOf_;              // Per node.
+    std::vector<Plane> planes_;                     // Per leaf.
+    std::vector<double> coupling_;                  // Leaves x leaves: sums of weights.
+    std::vector<Neighbour> neighbours_;             // Leaf by leaf.
+    std::vector<std::int32_t> neighboursEnd_;       // Per leaf: its end in neighbours_.
+    std::vector<double> right_;                     // Per leaf: right-hand side of its height equation.
+    std::vector<NormalEquations> normalEquations_;  // Per leaf.
+    std::vector<Vec2> position_;                    // Per node [m].
+    std::vector<std::int32_t> order_;               // Nodes, leaf by leaf.
+    std::vector<std::int32_t> leafEnds_;            // Per leaf: its end in order_.
 };
 
 }  // namespace muster
