@@ -4,43 +4,42 @@
 #include <cmath>
 #include <limits>
 
+#include "assignment/infinite_cost.h"
+
 namespace muster {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 double costOf(const TransportationProblem& problem, std::int32_t row, std::int32_t column) {
-    return problem.cost[static_cast<std::size_t>(row) * static_cast<std::size_t>(problem.columns) +
-                        static_cast<std::size_t>(column)];
+    return problem.cost[static_cast<std::size_t>(row) * problem.columns + column];
 }
 
-// Infinite pairs never match, whatever the bound.
-bool within(double cost, double most) {
-    return cost <= most && cost < kInfinite;
+// Impossible pairs are excluded whatever the threshold.
+bool within(double cost, double threshold) {
+    return cost <= threshold && cost < kInfiniteCost;
 }
 
 }  // namespace
 
 double BottleneckSolver::solve(const TransportationProblem& problem) {
     reset(problem);
-    grow(problem, kInfinite);
-    const double all = state_.amount;
+    maximizeFlow(problem, kInfiniteCost);
+    const double all = flow_.amount;
     if (!(all > 0.0)) return 0.0;
     collectCosts(problem);
     reset(problem);
-    double least = kInfinite;
+    double least = kInfiniteCost;
     auto begin = costs_.begin();
     auto end = costs_.end();
     while (begin < end) {
         const auto middle = begin + (end - begin) / 2;
         std::nth_element(begin, middle, end);
-        kept_ = state_;
-        grow(problem, *middle);
-        if (state_.amount >= all - dust_) {
-            // This flow may use pairs that the next bound forbids.
+        startFlow_ = flow_;
+        maximizeFlow(problem, *middle);
+        if (flow_.amount >= all - negligible_) {
+            // This flow may use pairs that the next threshold excludes.
             least = *middle;
             end = middle;
-            std::swap(state_, kept_);
+            std::swap(flow_, startFlow_);
         } else {
             begin = middle + 1;
         }
@@ -50,46 +49,46 @@ double BottleneckSolver::solve(const TransportationProblem& problem) {
 
 void BottleneckSolver::reset(const TransportationProblem& problem) {
     if (problem.supply.empty())
-        state_.supply.assign(static_cast<std::size_t>(problem.rows), 1.0);
+        flow_.remainingSupply.assign(problem.rows, 1.0);
     else
-        state_.supply.assign(problem.supply.begin(), problem.supply.end());
+        flow_.remainingSupply.assign(problem.supply.begin(), problem.supply.end());
     if (problem.demand.empty())
-        state_.demand.assign(static_cast<std::size_t>(problem.columns), 1.0);
+        flow_.remainingDemand.assign(problem.columns, 1.0);
     else
-        state_.demand.assign(problem.demand.begin(), problem.demand.end());
-    state_.first.assign(static_cast<std::size_t>(problem.columns), -1);
-    state_.shares.clear();
-    state_.amount = 0.0;
-    dust_ = 0.0;
-    for (const double amount : state_.supply) dust_ = std::max(dust_, 1e-9 * amount);
+        flow_.remainingDemand.assign(problem.demand.begin(), problem.demand.end());
+    flow_.first.assign(problem.columns, -1);
+    flow_.entries.clear();
+    flow_.amount = 0.0;
+    negligible_ = 0.0;
+    for (const double amount : flow_.remainingSupply) negligible_ = std::max(negligible_, 1e-9 * amount);
 }
 
 void BottleneckSolver::collectCosts(const TransportationProblem& problem) {
     costs_.clear();
     for (const double cost : problem.cost)
-        if (cost < kInfinite) costs_.push_back(cost);
+        if (cost < kInfiniteCost) costs_.push_back(cost);
 }
 
-// Adds to the flow until pairs within the bound carry no more.
-void BottleneckSolver::grow(const TransportationProblem& problem, double most) {
-    while (layer(problem, most)) {
-        next_.assign(static_cast<std::size_t>(problem.rows), 0);
+// Augments until the pairs within the threshold can send no more.
+void BottleneckSolver::maximizeFlow(const TransportationProblem& problem, double threshold) {
+    while (buildLevels(problem, threshold)) {
+        nextColumn_.assign(problem.rows, 0);
         for (std::int32_t i = 0; i < problem.rows; ++i)
-            while (state_.supply[i] > dust_ && descend(problem, most, i)) {
+            while (flow_.remainingSupply[i] > negligible_ && augmentFrom(problem, threshold, i)) {
             }
     }
 }
 
-// Layers of rows and columns by the length of the shortest way from a row with something left. True where a
-// column with room is among them; layers end there.
-bool BottleneckSolver::layer(const TransportationProblem& problem, double most) {
-    rowLevel_.assign(static_cast<std::size_t>(problem.rows), -1);
-    columnLevel_.assign(static_cast<std::size_t>(problem.columns), -1);
+// Builds the level graph: the level of a row or column is the length of the shortest path to it from a row
+// with supply left. True where it reaches a column with demand left; levels end there.
+bool BottleneckSolver::buildLevels(const TransportationProblem& problem, double threshold) {
+    rowLevel_.assign(problem.rows, -1);
+    columnLevel_.assign(problem.columns, -1);
     queue_.clear();
-    unseen_.clear();
-    for (std::int32_t j = 0; j < problem.columns; ++j) unseen_.push_back(j);
+    unreachedColumns_.clear();
+    for (std::int32_t j = 0; j < problem.columns; ++j) unreachedColumns_.push_back(j);
     for (std::int32_t i = 0; i < problem.rows; ++i) {
-        if (!(state_.supply[i] > dust_)) continue;
+        if (!(flow_.remainingSupply[i] > negligible_)) continue;
         rowLevel_[i] = 0;
         queue_.push_back(i);
     }
@@ -98,47 +97,48 @@ bool BottleneckSolver::layer(const TransportationProblem& problem, double most) 
         const std::int32_t i = queue_[k];
         const std::int32_t level = rowLevel_[i];
         if (level > last) break;
-        std::size_t left = 0;
-        for (const std::int32_t j : unseen_) {
-            if (!within(costOf(problem, i, j), most)) {
-                unseen_[left++] = j;
+        std::size_t open = 0;
+        for (const std::int32_t j : unreachedColumns_) {
+            if (!within(costOf(problem, i, j), threshold)) {
+                unreachedColumns_[open++] = j;
                 continue;
             }
-            enter(j, level);
-            if (state_.demand[j] > dust_) last = level;
+            reachRowsOf(j, level);
+            if (flow_.remainingDemand[j] > negligible_) last = level;
         }
-        unseen_.resize(left);
+        unreachedColumns_.resize(open);
     }
     return last != std::numeric_limits<std::int32_t>::max();
 }
 
-void BottleneckSolver::enter(std::int32_t column, std::int32_t level) {
+void BottleneckSolver::reachRowsOf(std::int32_t column, std::int32_t level) {
     columnLevel_[column] = level;
-    if (state_.demand[column] > dust_) return;
-    for (std::int32_t s = state_.first[column]; s >= 0; s = state_.shares[s].next) {
-        const Share& share = state_.shares[s];
-        if (!(share.amount > dust_) || rowLevel_[share.row] >= 0) continue;
-        rowLevel_[share.row] = level + 1;
-        queue_.push_back(share.row);
+    if (flow_.remainingDemand[column] > negligible_) return;
+    for (std::int32_t e = flow_.first[column]; e >= 0; e = flow_.entries[e].next) {
+        const ColumnEntry& entry = flow_.entries[e];
+        if (!(entry.amount > negligible_) || rowLevel_[entry.row] >= 0) continue;
+        rowLevel_[entry.row] = level + 1;
+        queue_.push_back(entry.row);
     }
 }
 
-// A share of the column through which the path can go on to a row of that level, or -1.
-std::int32_t BottleneckSolver::shareTo(std::int32_t column, std::int32_t level) const {
-    for (std::int32_t s = state_.first[column]; s >= 0; s = state_.shares[s].next)
-        if (state_.shares[s].amount > dust_ && rowLevel_[state_.shares[s].row] == level) return s;
+// The entry of a row of that level that sends to the column, or -1.
+std::int32_t BottleneckSolver::entryAtLevel(std::int32_t column, std::int32_t level) const {
+    for (std::int32_t e = flow_.first[column]; e >= 0; e = flow_.entries[e].next)
+        if (flow_.entries[e].amount > negligible_ && rowLevel_[flow_.entries[e].row] == level) return e;
     return -1;
 }
 
-// Follows the layers from a row to a column with room and sends what the path can carry. What leads nowhere
-// is not tried again in this phase.
-bool BottleneckSolver::descend(const TransportationProblem& problem, double most, std::int32_t root) {
+// Follows the levels from a row to a column with demand left, depth first, and sends what the path can carry.
+// A row or column without a path is not tried again in this phase.
+bool BottleneckSolver::augmentFrom(const TransportationProblem& problem, double threshold,
+                                   std::int32_t source) {
     path_.clear();
-    std::int32_t row = root;
+    std::int32_t row = source;
     for (;;) {
-        std::int32_t& j = next_[row];
+        std::int32_t& j = nextColumn_[row];
         while (j < problem.columns &&
-               (columnLevel_[j] != rowLevel_[row] || !within(costOf(problem, row, j), most)))
+               (columnLevel_[j] != rowLevel_[row] || !within(costOf(problem, row, j), threshold)))
             ++j;
         if (j == problem.columns) {
             if (path_.empty()) return false;
@@ -147,50 +147,50 @@ bool BottleneckSolver::descend(const TransportationProblem& problem, double most
             path_.pop_back();
             continue;
         }
-        if (state_.demand[j] > dust_) {
+        if (flow_.remainingDemand[j] > negligible_) {
             path_.push_back({row, j, -1});
-            push(root, j);
+            sendAlongPath(source, j);
             return true;
         }
-        const std::int32_t share = shareTo(j, rowLevel_[row] + 1);
-        if (share < 0) {
+        const std::int32_t entry = entryAtLevel(j, rowLevel_[row] + 1);
+        if (entry < 0) {
             ++j;
             continue;
         }
-        path_.push_back({row, j, share});
-        row = state_.shares[share].row;
+        path_.push_back({row, j, entry});
+        row = flow_.entries[entry].row;
     }
 }
 
-void BottleneckSolver::push(std::int32_t root, std::int32_t column) {
-    double amount = std::min(state_.supply[root], state_.demand[column]);
-    for (const Turn& turn : path_)
-        if (turn.share >= 0) amount = std::min(amount, state_.shares[turn.share].amount);
-    for (const Turn& turn : path_) {
-        if (turn.share >= 0) state_.shares[turn.share].amount -= amount;
-        add(turn.row, turn.column, amount);
+void BottleneckSolver::sendAlongPath(std::int32_t source, std::int32_t column) {
+    double amount = std::min(flow_.remainingSupply[source], flow_.remainingDemand[column]);
+    for (const PathArc& arc : path_)
+        if (arc.entry >= 0) amount = std::min(amount, flow_.entries[arc.entry].amount);
+    for (const PathArc& arc : path_) {
+        if (arc.entry >= 0) flow_.entries[arc.entry].amount -= amount;
+        add(arc.row, arc.column, amount);
     }
-    state_.supply[root] -= amount;
-    state_.demand[column] -= amount;
-    state_.amount += amount;
+    flow_.remainingSupply[source] -= amount;
+    flow_.remainingDemand[column] -= amount;
+    flow_.amount += amount;
 }
 
 void BottleneckSolver::add(std::int32_t row, std::int32_t column, double amount) {
-    std::int32_t spare = -1;
-    for (std::int32_t s = state_.first[column]; s >= 0; s = state_.shares[s].next) {
-        if (state_.shares[s].row == row) {
-            state_.shares[s].amount += amount;
+    std::int32_t unused = -1;
+    for (std::int32_t e = flow_.first[column]; e >= 0; e = flow_.entries[e].next) {
+        if (flow_.entries[e].row == row) {
+            flow_.entries[e].amount += amount;
             return;
         }
-        if (state_.shares[s].amount == 0.0) spare = s;
+        if (flow_.entries[e].amount == 0.0) unused = e;
     }
-    if (spare >= 0) {
-        state_.shares[spare].row = row;
-        state_.shares[spare].amount = amount;
+    if (unused >= 0) {
+        flow_.entries[unused].row = row;
+        flow_.entries[unused].amount = amount;
         return;
     }
-    state_.shares.push_back({row, amount, state_.first[column]});
-    state_.first[column] = static_cast<std::int32_t>(state_.shares.size()) - 1;
+    flow_.entries.push_back({row, amount, flow_.first[column]});
+    flow_.first[column] = static_cast<std::int32_t>(flow_.entries.size()) - 1;
 }
 
 }  // namespace muster

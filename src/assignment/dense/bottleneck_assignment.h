@@ -1,4 +1,4 @@
-// The least longest walk: how dear the dearest pair must be.
+// Bottleneck assignment by thresholds (Burkard, Dell'Amico, Martello 2009, 6.2), for any amounts.
 #pragma once
 
 #include <cstdint>
@@ -8,57 +8,56 @@
 
 namespace muster {
 
-/// Finds the least cost T such that pairs no dearer than T match as much as all pairs together can (the
-/// bottleneck of the transportation problem). Owns its working memory.
-///
-/// A search by halves over the costs that occur; for each, a greatest flow by phases of shortest augmenting
-/// paths (as Hopcroft and Karp 1973, Dinic 1970), begun from the flow of the greatest T that was found too
-/// small.
+/// Finds the least cost T such that the pairs of cost up to T can send as much as all pairs together (the
+/// bottleneck transportation problem). A binary search over the costs that occur; for each, a maximum flow by
+/// phases of shortest augmenting paths (Hopcroft and Karp 1973, Dinic 1970), which starts from the flow of
+/// the largest T that was too small. Owns its working memory.
 class BottleneckSolver {
 public:
-    /// The problem is one that TransportationSolver takes. 0 where nothing can be matched.
+    /// The problem must be one that TransportationSolver accepts. Returns T, 0 where nothing can be sent.
     double solve(const TransportationProblem& problem);
 
 private:
-    struct Share {
+    // The flow from one row to a column, in the column's list.
+    struct ColumnEntry {
         std::int32_t row;
         double amount;
-        std::int32_t next;  // In the column's list, -1 at its end.
+        std::int32_t next;  // Index of the next entry, -1 at the end of the list.
     };
-    // What flows, and what is left to flow.
-    struct State {
-        std::vector<double> supply;
-        std::vector<double> demand;
-        std::vector<std::int32_t> first;  // Per column: its list.
-        std::vector<Share> shares;
-        double amount = 0.0;
+    struct FlowState {
+        std::vector<double> remainingSupply;  // Per row.
+        std::vector<double> remainingDemand;  // Per column.
+        std::vector<std::int32_t> first;      // Per column: its first entry, -1 for none.
+        std::vector<ColumnEntry> entries;
+        double amount = 0.0;  // Sum of the flow.
     };
-    struct Turn {
+    // An arc of a path from a row to a column, and the flow that the path then takes back.
+    struct PathArc {
         std::int32_t row;
         std::int32_t column;
-        std::int32_t share;  // By which the path goes on to another row.
+        std::int32_t entry;  // The entry of the path's next row, -1 at its end.
     };
 
     void reset(const TransportationProblem& problem);
     void collectCosts(const TransportationProblem& problem);
-    void grow(const TransportationProblem& problem, double most);
-    bool layer(const TransportationProblem& problem, double most);
-    void enter(std::int32_t column, std::int32_t level);
-    bool descend(const TransportationProblem& problem, double most, std::int32_t root);
-    std::int32_t shareTo(std::int32_t column, std::int32_t level) const;
-    void push(std::int32_t root, std::int32_t column);
+    void maximizeFlow(const TransportationProblem& problem, double threshold);
+    bool buildLevels(const TransportationProblem& problem, double threshold);
+    void reachRowsOf(std::int32_t column, std::int32_t level);
+    bool augmentFrom(const TransportationProblem& problem, double threshold, std::int32_t source);
+    std::int32_t entryAtLevel(std::int32_t column, std::int32_t level) const;
+    void sendAlongPath(std::int32_t source, std::int32_t column);
     void add(std::int32_t row, std::int32_t column, double amount);
 
-    double dust_ = 0.0;
-    State state_;
-    State kept_;
+    double negligible_ = 0.0;  // Amounts up to this count as nothing.
+    FlowState flow_;
+    FlowState startFlow_;  // The flow of the largest threshold that was too small.
     std::vector<double> costs_;
-    std::vector<std::int32_t> rowLevel_;
-    std::vector<std::int32_t> columnLevel_;
-    std::vector<std::int32_t> unseen_;  // Columns that no layer holds yet.
-    std::vector<std::int32_t> queue_;
-    std::vector<std::int32_t> next_;  // Per row: the column to look at.
-    std::vector<Turn> path_;
+    std::vector<std::int32_t> rowLevel_;          // Level of the level graph, -1 outside.
+    std::vector<std::int32_t> columnLevel_;       // The same.
+    std::vector<std::int32_t> unreachedColumns_;  // Columns that have no level yet.
+    std::vector<std::int32_t> queue_;             // Rows.
+    std::vector<std::int32_t> nextColumn_;        // Per row: the column to try next in this phase.
+    std::vector<PathArc> path_;
 };
 
 }  // namespace muster

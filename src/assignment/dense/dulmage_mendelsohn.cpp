@@ -1,131 +1,135 @@
 #include "assignment/dense/dulmage_mendelsohn.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "assignment/infinite_cost.h"
 
 namespace muster {
 
-bool DulmageMendelsohn::possible(std::int32_t row, std::int32_t column) const {
-    const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                          static_cast<std::size_t>(column);
-    return cost_[k] < std::numeric_limits<double>::infinity();
+bool DulmageMendelsohn::isPossible(std::int32_t row, std::int32_t column) const {
+    const std::size_t k = static_cast<std::size_t>(row) * columns_ + column;
+    return cost_[k] < kInfiniteCost;
 }
 
-void DulmageMendelsohn::find(std::int32_t rows, std::int32_t columns, const double* cost,
-                             std::span<const double> supply, std::span<const double> demand, double dust) {
+void DulmageMendelsohn::decompose(std::int32_t rows, std::int32_t columns, const double* cost,
+                                  std::span<const double> supply, std::span<const double> demand,
+                                  double negligible) {
     cost_ = cost;
     rows_ = rows;
     columns_ = columns;
-    dust_ = dust;
-    flow_.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns), 0.0);
-    excess_.assign(supply.begin(), supply.end());
-    spare_.assign(demand.begin(), demand.end());
-    rowThrough_.assign(rows, -1);
-    columnThrough_.assign(columns, -1);
+    negligible_ = negligible;
+    flow_.assign(static_cast<std::size_t>(rows) * columns, 0.0);
+    remainingSupply_.assign(supply.begin(), supply.end());
+    remainingDemand_.assign(demand.begin(), demand.end());
+    rowPredecessor_.assign(rows, -1);
+    columnPredecessor_.assign(columns, -1);
     fillGreedily();
-    // Within one round no column is looked at twice, so a round costs rows x columns at most; columns that
-    // led nowhere for one row lead nowhere for the next, unless a path was found meanwhile: hence the rounds.
+    // No column is reached twice in a round, so a round visits every pair at most once. A column from which
+    // one row found no path gives none to the next row either, unless a path was found meanwhile: hence the
+    // rounds.
     for (bool found = true; found;) {
         found = false;
-        openAll();
+        openAllColumns();
         for (std::int32_t i = 0; i < rows_; ++i) {
-            if (excess_[i] <= dust_) continue;
-            const std::int32_t end = search(i);
-            if (end < 0) continue;
-            send(i, end);
+            if (remainingSupply_[i] <= negligible_) continue;
+            const std::int32_t j = findAugmentingPath(i);
+            if (j < 0) continue;
+            augment(i, j);
             found = true;
         }
     }
-    rowPart_.assign(rows, DulmageMendelsohnPart::Even);
-    columnPart_.assign(columns, DulmageMendelsohnPart::Even);
-    markRowsLeft();
-    markColumnsLeft();
+    rowPart_.assign(rows, DulmageMendelsohnPart::Square);
+    columnPart_.assign(columns, DulmageMendelsohnPart::Square);
+    markVertical();
+    markHorizontal();
 }
 
 void DulmageMendelsohn::fillGreedily() {
     for (std::int32_t i = 0; i < rows_; ++i) {
-        for (std::int32_t j = 0; j < columns_ && excess_[i] > dust_; ++j) {
-            if (spare_[j] <= dust_ || !possible(i, j)) continue;
-            const double amount = std::min(excess_[i], spare_[j]);
+        for (std::int32_t j = 0; j < columns_ && remainingSupply_[i] > negligible_; ++j) {
+            if (remainingDemand_[j] <= negligible_ || !isPossible(i, j)) continue;
+            const double amount = std::min(remainingSupply_[i], remainingDemand_[j]);
             flow_[at(i, j)] = amount;
-            excess_[i] -= amount;
-            spare_[j] -= amount;
+            remainingSupply_[i] -= amount;
+            remainingDemand_[j] -= amount;
         }
     }
 }
 
-void DulmageMendelsohn::openAll() {
-    entered_.assign(rows_, 0);
-    open_.resize(columns_);
-    for (std::int32_t j = 0; j < columns_; ++j) open_[j] = j;
+void DulmageMendelsohn::openAllColumns() {
+    isReached_.assign(rows_, 0);
+    openColumns_.resize(columns_);
+    for (std::int32_t j = 0; j < columns_; ++j) openColumns_[j] = j;
 }
 
-// Breadth first from a row over open columns; returns a column with demand left, or -1.
-std::int32_t DulmageMendelsohn::search(std::int32_t from) {
-    queue_.assign(1, from);
-    entered_[from] = 1;
+// Breadth-first search from a row over open columns; returns a column with demand left, or -1.
+std::int32_t DulmageMendelsohn::findAugmentingPath(std::int32_t row) {
+    queue_.assign(1, row);
+    isReached_[row] = 1;
     for (std::size_t head = 0; head < queue_.size(); ++head) {
         const std::int32_t i = queue_[head];
-        std::size_t kept = 0;
+        std::size_t open = 0;
         std::int32_t end = -1;
-        for (const std::int32_t j : open_) {
-            if (end >= 0 || !possible(i, j)) {
-                open_[kept++] = j;
+        for (const std::int32_t j : openColumns_) {
+            if (end >= 0 || !isPossible(i, j)) {
+                openColumns_[open++] = j;
                 continue;
             }
-            columnThrough_[j] = i;
-            if (spare_[j] > dust_) end = j;
+            columnPredecessor_[j] = i;
+            if (remainingDemand_[j] > negligible_) end = j;
             for (std::int32_t k = 0; k < rows_ && end < 0; ++k) {
-                if (flow_[at(k, j)] <= dust_ || entered_[k]) continue;
-                entered_[k] = 1;
-                rowThrough_[k] = j;
+                if (flow_[at(k, j)] <= negligible_ || isReached_[k]) continue;
+                isReached_[k] = 1;
+                rowPredecessor_[k] = j;
                 queue_.push_back(k);
             }
         }
-        open_.resize(kept);
+        openColumns_.resize(open);
         if (end >= 0) return end;
     }
     return -1;
 }
 
-void DulmageMendelsohn::send(std::int32_t from, std::int32_t end) {
-    double amount = std::min(excess_[from], spare_[end]);
-    for (std::int32_t i = columnThrough_[end]; i != from; i = columnThrough_[rowThrough_[i]])
-        amount = std::min(amount, flow_[at(i, rowThrough_[i])]);
-    for (std::int32_t j = end;;) {
-        const std::int32_t i = columnThrough_[j];
+// Sends what the path just found can carry.
+void DulmageMendelsohn::augment(std::int32_t row, std::int32_t column) {
+    double amount = std::min(remainingSupply_[row], remainingDemand_[column]);
+    for (std::int32_t i = columnPredecessor_[column]; i != row; i = columnPredecessor_[rowPredecessor_[i]])
+        amount = std::min(amount, flow_[at(i, rowPredecessor_[i])]);
+    for (std::int32_t j = column;;) {
+        const std::int32_t i = columnPredecessor_[j];
         flow_[at(i, j)] += amount;
-        if (i == from) break;
-        j = rowThrough_[i];
+        if (i == row) break;
+        j = rowPredecessor_[i];
         flow_[at(i, j)] -= amount;
     }
-    excess_[from] -= amount;
-    spare_[end] -= amount;
+    remainingSupply_[row] -= amount;
+    remainingDemand_[column] -= amount;
 }
 
-// What a row with something left can reach: just what the last, fruitless round entered.
-void DulmageMendelsohn::markRowsLeft() {
+// Marks what the rows with supply left can reach: that is what the last round, which found no path, reached.
+void DulmageMendelsohn::markVertical() {
     for (std::int32_t i = 0; i < rows_; ++i)
-        if (entered_[i]) rowPart_[i] = DulmageMendelsohnPart::RowsLeft;
-    std::fill(columnPart_.begin(), columnPart_.end(), DulmageMendelsohnPart::RowsLeft);
-    for (const std::int32_t j : open_) columnPart_[j] = DulmageMendelsohnPart::Even;
+        if (isReached_[i]) rowPart_[i] = DulmageMendelsohnPart::Vertical;
+    std::fill(columnPart_.begin(), columnPart_.end(), DulmageMendelsohnPart::Vertical);
+    for (const std::int32_t j : openColumns_) columnPart_[j] = DulmageMendelsohnPart::Square;
 }
 
-// What can reach a column with demand left.
-void DulmageMendelsohn::markColumnsLeft() {
+// Marks what can reach a column with demand left.
+void DulmageMendelsohn::markHorizontal() {
     queue_.clear();
     const auto mark = [&](std::int32_t j) {
-        columnPart_[j] = DulmageMendelsohnPart::ColumnsLeft;
+        columnPart_[j] = DulmageMendelsohnPart::Horizontal;
         queue_.push_back(j);
     };
     for (std::int32_t j = 0; j < columns_; ++j)
-        if (spare_[j] > dust_) mark(j);
+        if (remainingDemand_[j] > negligible_) mark(j);
     for (std::size_t head = 0; head < queue_.size(); ++head) {
         for (std::int32_t i = 0; i < rows_; ++i) {
-            if (rowPart_[i] == DulmageMendelsohnPart::ColumnsLeft || !possible(i, queue_[head])) continue;
-            rowPart_[i] = DulmageMendelsohnPart::ColumnsLeft;
+            if (rowPart_[i] == DulmageMendelsohnPart::Horizontal || !isPossible(i, queue_[head])) continue;
+            rowPart_[i] = DulmageMendelsohnPart::Horizontal;
             for (std::int32_t j = 0; j < columns_; ++j)
-                if (columnPart_[j] != DulmageMendelsohnPart::ColumnsLeft && flow_[at(i, j)] > dust_) mark(j);
+                if (columnPart_[j] != DulmageMendelsohnPart::Horizontal && flow_[at(i, j)] > negligible_)
+                    mark(j);
         }
     }
 }

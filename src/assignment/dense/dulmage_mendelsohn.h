@@ -1,4 +1,4 @@
-// Which pairs a largest matching can use (Dulmage and Mendelsohn 1958), for any amounts.
+// Dulmage-Mendelsohn decomposition (Dulmage and Mendelsohn 1958) of a transportation problem.
 #pragma once
 
 #include <cstdint>
@@ -7,51 +7,51 @@
 
 namespace muster {
 
-/// Where a row or column stands in every largest transport.
+/// The part of a row or column, which is the same for all largest transports.
 enum class DulmageMendelsohnPart : std::uint8_t {
-    RowsLeft = 0,     ///< Columns are filled, some rows keep something.
-    Even = 1,         ///< Rows are emptied and columns filled.
-    ColumnsLeft = 2,  ///< Rows are emptied, some columns are not filled.
+    Vertical = 0,    ///< More supply than demand: the columns are filled, some rows keep something.
+    Square = 1,      ///< As much supply as demand: the rows are emptied and the columns filled.
+    Horizontal = 2,  ///< More demand than supply: the rows are emptied, some columns are not filled.
 };
 
-/// Splits a transport with impossible pairs into three that do not touch each other: no largest transport
-/// sends anything from one part to another. Owns its working memory.
+/// Splits a transportation problem with impossible pairs into three parts: no largest transport sends
+/// anything from one part to another. Finds a largest flow by rounds of breadth-first augmenting paths, and
+/// marks what alternating paths reach from the rows and columns that it leaves over. Owns its working memory.
 class DulmageMendelsohn {
 public:
-    /// `cost` is row-major, infinite where impossible. Amounts up to `dust` count as nothing.
-    void find(std::int32_t rows, std::int32_t columns, const double* cost, std::span<const double> supply,
-              std::span<const double> demand, double dust);
+    /// `cost` is row-major, infinite where a pair is impossible. Amounts up to `negligible` count as nothing.
+    void decompose(std::int32_t rows, std::int32_t columns, const double* cost,
+                   std::span<const double> supply, std::span<const double> demand, double negligible);
 
     const std::vector<DulmageMendelsohnPart>& rowPart() const { return rowPart_; }        ///< Per row.
     const std::vector<DulmageMendelsohnPart>& columnPart() const { return columnPart_; }  ///< Per column.
 
 private:
     std::size_t at(std::int32_t row, std::int32_t column) const {
-        return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_) +
-               static_cast<std::size_t>(row);
+        return static_cast<std::size_t>(column) * rows_ + row;
     }
-    bool possible(std::int32_t row, std::int32_t column) const;
+    bool isPossible(std::int32_t row, std::int32_t column) const;
     void fillGreedily();
-    void openAll();
-    std::int32_t search(std::int32_t from);
-    void send(std::int32_t from, std::int32_t end);
-    void markRowsLeft();
-    void markColumnsLeft();
+    void openAllColumns();
+    std::int32_t findAugmentingPath(std::int32_t row);
+    void augment(std::int32_t row, std::int32_t column);
+    void markVertical();
+    void markHorizontal();
 
     const double* cost_ = nullptr;
     std::int32_t rows_ = 0;
     std::int32_t columns_ = 0;
-    double dust_ = 0.0;
-    std::vector<double> flow_;  // Column by column.
-    std::vector<double> excess_;
-    std::vector<double> spare_;
+    double negligible_ = 0.0;
+    std::vector<double> flow_;             // Rows x columns, column-major.
+    std::vector<double> remainingSupply_;  // Per row.
+    std::vector<double> remainingDemand_;  // Per column.
     std::vector<DulmageMendelsohnPart> rowPart_;
     std::vector<DulmageMendelsohnPart> columnPart_;
-    std::vector<std::int32_t> open_;           // Columns not reached yet, ascending.
-    std::vector<std::int32_t> queue_;          // Rows.
-    std::vector<std::uint8_t> entered_;        // Rows reached.
-    std::vector<std::int32_t> rowThrough_;     // Column by which a row was reached.
-    std::vector<std::int32_t> columnThrough_;  // Row by which a column was reached.
+    std::vector<std::int32_t> openColumns_;        // Not reached in this round, ascending.
+    std::vector<std::int32_t> queue_;              // Rows; columns in markHorizontal().
+    std::vector<std::uint8_t> isReached_;          // Per row, in this round.
+    std::vector<std::int32_t> rowPredecessor_;     // Per row: the column it was reached from.
+    std::vector<std::int32_t> columnPredecessor_;  // Per column: the row it was reached from.
 };
 
 }  // namespace muster

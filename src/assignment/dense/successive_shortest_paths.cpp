@@ -1,44 +1,40 @@
 #include "assignment/dense/successive_shortest_paths.h"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
+
+#include "assignment/infinite_cost.h"
 
 namespace muster {
-namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 void SuccessiveShortestPaths::reset(std::span<const double> supply, std::span<const double> demand) {
     augmentations_ = 0;
-    flow_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), 0.0);
-    excess_.assign(supply.begin(), supply.end());
-    spare_.assign(demand.begin(), demand.end());
+    flow_.assign(static_cast<std::size_t>(rows_) * columns_, 0.0);
+    remainingSupply_.assign(supply.begin(), supply.end());
+    remainingDemand_.assign(demand.begin(), demand.end());
     columnDual_.assign(columns_, 0.0);
     rowDual_.assign(rows_, 0.0);
     for (std::int32_t i = 0; i < rows_; ++i) {
-        const double* c = cost_ + static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_);
-        const double lowest = *std::min_element(c, c + columns_);
-        if (lowest < kInfinite) rowDual_[i] = lowest;
+        const double lowest = *std::min_element(row(i), row(i) + columns_);
+        if (lowest < kInfiniteCost) rowDual_[i] = lowest;
     }
-    rowDistance_.assign(rows_, kInfinite);
-    rowThrough_.assign(rows_, -1);
-    columnThrough_.assign(columns_, -1);
+    rowDistance_.assign(rows_, kInfiniteCost);
+    rowPredecessor_.assign(rows_, -1);
+    columnPredecessor_.assign(columns_, -1);
 }
 
 bool SuccessiveShortestPaths::solve(std::int32_t rows, std::int32_t columns, const double* cost,
                                     std::span<const double> supply, std::span<const double> demand,
-                                    double dust) {
+                                    double negligible) {
     cost_ = cost;
     rows_ = rows;
     columns_ = columns;
-    dust_ = dust;
+    negligible_ = negligible;
     reset(supply, demand);
     bool complete = true;
     for (std::int32_t i = 0; i < rows_; ++i) {
-        while (excess_[i] > dust_) {
-            if (augment(i)) continue;
+        while (remainingSupply_[i] > negligible_) {
+            if (sendFrom(i)) continue;
             complete = false;
             break;
         }
@@ -46,93 +42,95 @@ bool SuccessiveShortestPaths::solve(std::int32_t rows, std::int32_t columns, con
     return complete;
 }
 
-// Shortens the distances of open columns over row `row`.
-void SuccessiveShortestPaths::relax(std::int32_t row) {
-    const double* c = cost_ + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-    const double base = rowDistance_[row] - rowDual_[row];
-    for (const std::int32_t j : open_) {
-        const double reached = base + c[j] - columnDual_[j];
-        if (reached < columnDistance_[j]) {
-            columnDistance_[j] = reached;
-            columnThrough_[j] = row;
+// Shortens the distances of open columns over a row.
+void SuccessiveShortestPaths::relax(std::int32_t i) {
+    const double* c = row(i);
+    const double base = rowDistance_[i] - rowDual_[i];
+    for (const std::int32_t j : openColumns_) {
+        const double distance = base + c[j] - columnDual_[j];
+        if (distance < columnDistance_[j]) {
+            columnDistance_[j] = distance;
+            columnPredecessor_[j] = i;
         }
     }
 }
 
-// Position in open_ of the nearest column, -1 where none can be reached. Ties fall to a column with demand
-// left, then to the lower index.
-std::int32_t SuccessiveShortestPaths::nearest() const {
+// Index in openColumns_ of the nearest column, -1 where none can be reached. Ties fall to a column with
+// demand left, then to the lower index.
+std::int32_t SuccessiveShortestPaths::nearestOpenColumn() const {
     std::int32_t best = -1;
-    for (std::int32_t k = 0; k < static_cast<std::int32_t>(open_.size()); ++k) {
-        const std::int32_t j = open_[k];
-        if (columnDistance_[j] == kInfinite) continue;
-        if (best < 0 || columnDistance_[j] < columnDistance_[open_[best]]) {
+    for (std::int32_t k = 0; k < std::ssize(openColumns_); ++k) {
+        const std::int32_t j = openColumns_[k];
+        if (columnDistance_[j] == kInfiniteCost) continue;
+        if (best < 0 || columnDistance_[j] < columnDistance_[openColumns_[best]]) {
             best = k;
-        } else if (columnDistance_[j] == columnDistance_[open_[best]]) {
-            const bool here = spare_[j] > dust_;
-            const bool there = spare_[open_[best]] > dust_;
-            if (here != there ? here : j < open_[best]) best = k;
+        } else if (columnDistance_[j] == columnDistance_[openColumns_[best]]) {
+            const bool here = remainingDemand_[j] > negligible_;
+            const bool there = remainingDemand_[openColumns_[best]] > negligible_;
+            if (here != there ? here : j < openColumns_[best]) best = k;
         }
     }
     return best;
 }
 
-// Goes from a full column back to the rows that fill it.
-void SuccessiveShortestPaths::enter(std::int32_t column) {
+// Goes back from a full column to the rows that fill it.
+void SuccessiveShortestPaths::reachRowsOf(std::int32_t column) {
     for (std::int32_t i = 0; i < rows_; ++i) {
-        if (flow_[at(i, column)] <= dust_ || rowDistance_[i] < kInfinite) continue;
+        if (flow_[at(i, column)] <= negligible_ || rowDistance_[i] < kInfiniteCost) continue;
         rowDistance_[i] = columnDistance_[column];
-        rowThrough_[i] = column;
-        entered_.push_back(i);
+        rowPredecessor_[i] = column;
+        reachedRows_.push_back(i);
         relax(i);
     }
 }
 
-bool SuccessiveShortestPaths::augment(std::int32_t from) {
+// Finds the shortest path from a row to a column with demand left and sends what it can carry; false where
+// there is none.
+bool SuccessiveShortestPaths::sendFrom(std::int32_t row) {
     ++augmentations_;
-    columnDistance_.assign(columns_, kInfinite);
-    open_.resize(columns_);
-    for (std::int32_t j = 0; j < columns_; ++j) open_[j] = j;
-    scanned_.clear();
-    for (const std::int32_t i : entered_) rowDistance_[i] = kInfinite;
-    entered_.assign(1, from);
-    rowDistance_[from] = 0.0;
-    rowThrough_[from] = -1;
-    relax(from);
-    for (std::int32_t best = nearest(); best >= 0; best = nearest()) {
-        const std::int32_t j = open_[best];
-        if (spare_[j] > dust_) {
-            reprice(columnDistance_[j]);
-            send(from, j);
+    columnDistance_.assign(columns_, kInfiniteCost);
+    openColumns_.resize(columns_);
+    for (std::int32_t j = 0; j < columns_; ++j) openColumns_[j] = j;
+    settledColumns_.clear();
+    for (const std::int32_t i : reachedRows_) rowDistance_[i] = kInfiniteCost;
+    reachedRows_.assign(1, row);
+    rowDistance_[row] = 0.0;
+    rowPredecessor_[row] = -1;
+    relax(row);
+    for (std::int32_t best = nearestOpenColumn(); best >= 0; best = nearestOpenColumn()) {
+        const std::int32_t j = openColumns_[best];
+        if (remainingDemand_[j] > negligible_) {
+            updateDuals(columnDistance_[j]);
+            augment(row, j);
             return true;
         }
-        open_[best] = open_.back();
-        open_.pop_back();
-        scanned_.push_back(j);
-        enter(j);
+        openColumns_[best] = openColumns_.back();
+        openColumns_.pop_back();
+        settledColumns_.push_back(j);
+        reachRowsOf(j);
     }
     return false;
 }
 
-// Changes prices so that the path just found becomes tight and no arc is underpriced.
-void SuccessiveShortestPaths::reprice(double reached) {
-    for (const std::int32_t i : entered_) rowDual_[i] += reached - rowDistance_[i];
-    for (const std::int32_t j : scanned_) columnDual_[j] -= reached - columnDistance_[j];
+// Makes the reduced costs along the path just found zero, and none negative.
+void SuccessiveShortestPaths::updateDuals(double distance) {
+    for (const std::int32_t i : reachedRows_) rowDual_[i] += distance - rowDistance_[i];
+    for (const std::int32_t j : settledColumns_) columnDual_[j] -= distance - columnDistance_[j];
 }
 
-void SuccessiveShortestPaths::send(std::int32_t from, std::int32_t end) {
-    double amount = std::min(excess_[from], spare_[end]);
-    for (std::int32_t i = columnThrough_[end]; i != from; i = columnThrough_[rowThrough_[i]])
-        amount = std::min(amount, flow_[at(i, rowThrough_[i])]);
-    for (std::int32_t j = end;;) {
-        const std::int32_t i = columnThrough_[j];
+void SuccessiveShortestPaths::augment(std::int32_t row, std::int32_t column) {
+    double amount = std::min(remainingSupply_[row], remainingDemand_[column]);
+    for (std::int32_t i = columnPredecessor_[column]; i != row; i = columnPredecessor_[rowPredecessor_[i]])
+        amount = std::min(amount, flow_[at(i, rowPredecessor_[i])]);
+    for (std::int32_t j = column;;) {
+        const std::int32_t i = columnPredecessor_[j];
         flow_[at(i, j)] += amount;
-        if (i == from) break;
-        j = rowThrough_[i];
+        if (i == row) break;
+        j = rowPredecessor_[i];
         flow_[at(i, j)] -= amount;
     }
-    excess_[from] -= amount;
-    spare_[end] -= amount;
+    remainingSupply_[row] -= amount;
+    remainingDemand_[column] -= amount;
 }
 
 }  // namespace muster

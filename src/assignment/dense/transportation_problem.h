@@ -1,4 +1,4 @@
-// The transportation problem (SPEC A1, paper eq. 2).
+// The transportation problem (Hitchcock 1941; SPEC A1, paper eq. 2), solved exactly.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace muster {
 
-/// An amount sent from a character to a place.
+/// An amount sent from a character to a place: a positive entry of the flow matrix.
 struct Flow {
     std::int32_t character = 0;  ///< Row.
     std::int32_t place = 0;      ///< Column.
-    double amount = 1.0;         ///< > 0
+    double amount = 1.0;         ///< In units of supply, > 0.
 
     /// Lets an archive read or write the flow.
     template <class Archive>
@@ -23,28 +23,29 @@ struct Flow {
     }
 };
 
-/// Supplies, demands and costs.
+/// Supplies, demands and costs. Spans stay valid during the call only.
 struct TransportationProblem {
-    std::int32_t rows = 0;           ///< Characters.
-    std::int32_t columns = 0;        ///< Places.
-    std::span<const double> cost;    ///< rows x columns, row-major, >= 0; infinite where impossible.
+    std::int32_t rows = 0;         ///< Characters.
+    std::int32_t columns = 0;      ///< Places.
+    std::span<const double> cost;  ///< Rows x columns, row-major, >= 0; infinite where a pair is impossible.
     std::span<const double> supply;  ///< Per row >= 0; empty for 1 each.
     std::span<const double> demand;  ///< Per column >= 0; empty for 1 each.
 };
 
-/// The optimum with its proof.
+/// The optimum, and the duals that prove it.
 struct TransportationSolution {
     std::vector<Flow> flows;         ///< Ordered by character, then place.
-    double amount = 0.0;             ///< Sum of flows: as much as can be matched.
-    double cost = 0.0;               ///< Sum of cost times flow: the least for that amount.
-    std::vector<double> rowDual;     ///< Dual u; u_i + v_j <= c_ij, equal where flow runs.
-    std::vector<double> columnDual;  ///< Dual v.
-    std::int32_t augmentations = 0;  ///< Shortest paths searched.
+    double amount = 0.0;             ///< Sum of the flows: as much as can be sent.
+    double cost = 0.0;               ///< Sum of cost times amount: the least for that sum of flows.
+    std::vector<double> rowDual;     ///< u per row: u_i + v_j <= c_ij, equal where something flows.
+    std::vector<double> columnDual;  ///< v per column.
+    std::int32_t augmentations = 0;  ///< Searches for a shortest path.
 };
 
-/// Matches as much as possible first, then at least cost (successive shortest augmenting paths with
-/// prices; for unit weights that is the algorithm of Jonker and Volgenant 1987). Ties fall to the lower
-/// index. Owns its working memory.
+/// Sends as much as possible, and that at least cost. A Dulmage-Mendelsohn decomposition splits the problem
+/// into parts in which the scarcer side is used up; equal amounts are an assignment problem, solved by the
+/// algorithm of Jonker and Volgenant, other amounts by successive shortest paths
+/// (docs/method/transportation.md). Ties fall to the lower index. Owns its working memory.
 class TransportationSolver {
 public:
     TransportationSolver();  ///< Empty.

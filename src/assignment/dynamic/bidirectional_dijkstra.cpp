@@ -1,12 +1,11 @@
 #include "assignment/dynamic/bidirectional_dijkstra.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "assignment/infinite_cost.h"
 
 namespace muster {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // Heap order: a total order, so that results are equal on every platform.
 constexpr auto kSettledLater = [](const auto& a, const auto& b) {
@@ -42,7 +41,7 @@ void BidirectionalDijkstra::begin(Side& side, std::int32_t node) {
     side.heap.clear();
     side.order.clear();
     side.radius = 0.0;
-    side.overflowDistance = kInfinite;
+    side.overflowDistance = kInfiniteCost;
     side.label[node] = {0.0, -1, stamp_};
     side.heap.push_back({0.0, node});
 }
@@ -133,7 +132,7 @@ SearchResult BidirectionalDijkstra::run(const ExchangeArcs& arcs, std::span<cons
             return SearchResult::Cycle;
         }
         if (settled_ >= limit ||
-            std::min(forward_.overflowDistance, backward_.overflowDistance) < kInfinite) {
+            std::min(forward_.overflowDistance, backward_.overflowDistance) < kInfiniteCost) {
             forward_.radius = ahead;
             backward_.radius = behind;
             return SearchResult::LimitReached;

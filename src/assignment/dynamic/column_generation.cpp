@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "assignment/infinite_cost.h"
 
 namespace muster {
 namespace {
@@ -58,13 +59,12 @@ void ColumnGeneration::run(const AssignmentStep& step, ExchangeGraph& graph, dou
 }
 
 void ColumnGeneration::collectTerms(const AssignmentStep& step, const ExchangeGraph& graph) {
-    constexpr double kNoArc = std::numeric_limits<double>::infinity();
     const AssignmentNodes& nodes = graph.nodes();
     tailTerm_.clear();
     headTerm_.clear();
     for (std::int32_t node = 0; node < graph.count(); ++node) {
-        tailTerm_.push_back(nodes.assignee(node) >= 0 ? graph.tailTerm(step, node) : kNoArc);
-        headTerm_.push_back(nodes.isPlace(node) ? graph.headTerm(step, node) : kNoArc);
+        tailTerm_.push_back(nodes.assignee(node) >= 0 ? graph.tailTerm(step, node) : kInfiniteCost);
+        headTerm_.push_back(nodes.isPlace(node) ? graph.headTerm(step, node) : kInfiniteCost);
     }
 }
 
@@ -84,7 +84,7 @@ inline void ColumnGeneration::consider(const AssignmentStep& step, const Exchang
     if (tail == head) return;
     const std::int32_t assignee = graph.nodes().assignee(tail);
     const double square = lengthSquared(step.input.places[head] - step.input.characters[assignee]);
-    // Most pairs are too far, which mostly can be told without a square root.
+    // Most pairs are too far, and most of these are excluded without a square root.
     if (std::min(square * leastSquare_, kMostSquare) + terms >= 0.0) return;
     if (!(step.power(leastUnitCost_ * std::sqrt(square)) + terms < 0.0)) return;
     if (graph.arcs().find(tail, head) >= 0) return;

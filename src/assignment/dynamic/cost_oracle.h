@@ -1,4 +1,4 @@
-// The costs that an assignment problem asks for pair by pair.
+// The interface that gives the costs of single pairs.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 #include "assignment/dynamic/cycle_cancelling.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "assignment/infinite_cost.h"
 
 namespace muster {
 namespace {
@@ -75,7 +76,7 @@ double CycleCancelling::returnArcCost(const AssignmentStep& step, const Exchange
     if (arc >= 0) return std::max(graph.reducedCost(arc), 0.0);
     const std::int32_t assignee = nodes.assignee(head);
     // Exchanging with a free dummy node would leave a place without its assignee.
-    if (assignee < 0 && !nodes.isPlace(head)) return std::numeric_limits<double>::infinity();
+    if (assignee < 0 && !nodes.isPlace(head)) return kInfiniteCost;
     const double costAtTail = graph.pays(head, tail) ? step.power(step.costs.cost(assignee, tail)) : 0.0;
     return std::max(graph.reducedCost(head, tail, graph.arcCost(step, head, tail, costAtTail)), 0.0);
 }
@@ -98,10 +99,10 @@ void CycleCancelling::repairNode(const AssignmentStep& step, ExchangeGraph& grap
             return;
         }
         if (result != SearchResult::Cycle || commit(step, graph)) continue;
-        // A small rest means that the cycle gains less than the threshold. A large one means that arc costs
-        // were out of date, and another search may find a better cycle.
-        const double rest = -graph.reducedCost(arc);
-        if (rest > tolerance && rest < kOutdatedGains * requiredGain_) {
+        // A small remaining violation means that the cycle gains less than the threshold. A large one means
+        // that arc costs were out of date, and another search may find a better cycle.
+        const double remaining = -graph.reducedCost(arc);
+        if (remaining > tolerance && remaining < kOutdatedGains * requiredGain_) {
             graph.delayRetry(node, retryDelay_);
             return;
         }

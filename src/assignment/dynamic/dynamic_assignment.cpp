@@ -33,7 +33,8 @@ void DynamicAssignment::reset(const DynamicAssignmentDef& def, std::size_t chara
     cost_.assign(characters, 0.0f);
 }
 
-void DynamicAssignment::start(const AssignmentProblem& problem, std::span<const std::int32_t> placeOf) {
+AssignmentStep DynamicAssignment::start(const AssignmentProblem& problem,
+                                        std::span<const std::int32_t> placeOf) {
     reset(problem.def, problem.input.characters.size(), problem.input.places.size());
     if (!placeOf.empty()) graph_.assignPlaces(placeOf);
     const AssignmentStep step = graph_.beginStep(problem, initialAssignment_);
@@ -43,6 +44,7 @@ void DynamicAssignment::start(const AssignmentProblem& problem, std::span<const 
     initialDuals_.run(step, graph_);
     publish(step);
     measureDualityGap(step);
+    return step;
 }
 
 void DynamicAssignment::warmStart(const DynamicAssignmentDef& def, const AssignmentInput& input,
@@ -53,10 +55,9 @@ void DynamicAssignment::warmStart(const DynamicAssignmentDef& def, const Assignm
 
 void DynamicAssignment::coldStart(const DynamicAssignmentDef& def, const AssignmentInput& input,
                                   CostOracle& costs, ThreadPool& pool) {
-    const AssignmentProblem problem{def, input, costs, pool};
-    start(problem, {});
+    const AssignmentStep first = start({def, input, costs, pool}, {});
     for (std::int32_t k = 0; k < def.initialRounds && graph_.count() > 0; ++k) {
-        const AssignmentStep step = graph_.shiftedStep(problem);
+        const AssignmentStep step = graph_.reshifted(first);
         repair(step);
         publish(step);
     }

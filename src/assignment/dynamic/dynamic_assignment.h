@@ -62,7 +62,7 @@ public:
 
 private:
     void reset(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places);
-    void start(const AssignmentProblem& problem, std::span<const std::int32_t> placeOf);
+    AssignmentStep start(const AssignmentProblem& problem, std::span<const std::int32_t> placeOf);
     void refresh(const AssignmentStep& step);
     RefreshSchedule schedule(const DynamicAssignmentDef& def) const;
     void measureDistance(const DynamicAssignmentDef& def);

@@ -18,7 +18,7 @@ void ExchangeArcs::afterReading() {
     indexed_ = false;
 }
 
-// Counting sort. The unsigned casts spare a sign extension per address in this hot loop.
+// Counting sort. The unsigned casts spare a sign extension per address in this loop, which is often run.
 void ExchangeArcs::indexIncoming() {
     if (indexed_) return;
     indexed_ = true;

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "assignment/dynamic/initial_assignment.h"
+#include "assignment/infinite_cost.h"
 
 namespace muster {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::int32_t kNodesPerBatch = 256;
 constexpr std::int32_t kArcsPerBatch = kNodesPerBatch * ExchangeGraph::kArcsPerNode;
 constexpr std::size_t kPairsPerBatch = 4096;
@@ -64,7 +64,7 @@ void ExchangeGraph::afterReading() {
 
 AssignmentStep ExchangeGraph::beginStep(const AssignmentProblem& problem, InitialAssignment& initial) {
     updateNodes(problem, initial);
-    const AssignmentStep step = shiftedStep(problem);
+    const AssignmentStep step = makeStep(problem);
     evaluateMatchedCosts(step);
     return step;
 }
@@ -80,11 +80,10 @@ void ExchangeGraph::updateNodes(const AssignmentProblem& problem, InitialAssignm
     nodes_.assignDummyNodes();
 }
 
-// With the exponent 2 and straight distances, |x - y|^2 = (a function of x) + (a function of y) + 2 y . d,
-// where d is the mean vector from characters to places, however the formation is translated. Shifting the
-// duals by 2 d . position keeps translation from changing arc costs and duals. For other exponents and costs
-// it takes away most of the change.
-AssignmentStep ExchangeGraph::shiftedStep(const AssignmentProblem& problem) const {
+// With the exponent 2 and straight distances, moving the formation by t changes |x - y|^2 by a function of x
+// plus 2 y . t, and the mean vector d from characters to places by t. So duals less 2 d . position stay as
+// they are. For other exponents and costs the shift takes away most of the change.
+AssignmentStep ExchangeGraph::makeStep(const AssignmentProblem& problem) const {
     const CostPower costPower(problem.def.exponent);
     const AssignmentInput& input = problem.input;
     Vec2 placeSum;
@@ -280,8 +279,8 @@ void ExchangeGraph::evaluateArcs(const AssignmentStep& step, std::span<const std
 void ExchangeGraph::updateChangedDuals() {
     if (!changedNodes_.empty()) arcs_.indexIncoming();
     for (const std::int32_t node : changedNodes_) {
-        double low = -kInfinite;
-        double high = kInfinite;
+        double low = -kInfiniteCost;
+        double high = kInfiniteCost;
         for (std::int32_t arc = node * kArcsPerNode; arc < (node + 1) * kArcsPerNode; ++arc) {
             const std::int32_t head = arcs_.head(arc);
             if (head != node) low = std::max(low, dual_[head] - arcs_.cost(arc));
@@ -304,7 +303,7 @@ std::int32_t ExchangeGraph::mostViolatedArc(std::int32_t node) const {
     const std::int32_t first = node * kArcsPerNode;
     const std::int32_t* head = arcs_.heads().data() + first;
     const float* cost = arcs_.costs().data() + first;
-    double least = kInfinite;
+    double least = kInfiniteCost;
     std::int32_t worst = -1;
     for (std::int32_t k = 0; k < kArcsPerNode; ++k) {
         const double reduced = reducedCost(node, head[k], cost[k]);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,15 +11,16 @@
 #include "assignment/dynamic/assignment_step.h"
 #include "assignment/dynamic/exchange_arcs.h"
 #include "assignment/dynamic/refresh_schedule.h"
+#include "assignment/infinite_cost.h"
 
 namespace muster {
 
 class InitialAssignment;
 
-/// The residual network of an assignment (Ahuja, Magnanti, Orlin 1993, 9.6), with its sources and sinks
+/// The residual network of an assignment (Ahuja, Magnanti, Orlin 1993, 2.4), with its sources and sinks
 /// contracted: a cycle of nodes is an exchange, in which each assignee, or none, moves to the next node. Owns
-/// nodes, arcs, duals and costs, and is the only one to change them. A step begins with beginStep(); what
-/// that returns is asked for by all that follows.
+/// nodes, arcs, duals and costs, and is the only one to change them. A step begins with beginStep(); all
+/// later phases require the AssignmentStep that it returns.
 class ExchangeGraph {
 public:
     static constexpr std::int32_t kArcsPerNode = ExchangeArcs::kArcsPerNode;  ///< Arc slots of each node.
@@ -33,13 +33,13 @@ public:
     /// Brings nodes and matched costs up to date: takes over who is present and which places are usable,
     /// gives every present character a node, and evaluates the costs of all assignees to their places.
     AssignmentStep beginStep(const AssignmentProblem& problem, InitialAssignment& initial);
-    /// A step whose dual shift follows from the assignees of now, for another repair within the same call.
-    AssignmentStep shiftedStep(const AssignmentProblem& problem) const;
+    /// The same step with the dual shift of the present assignees, for another repair.
+    AssignmentStep reshifted(const AssignmentStep& step) const { return makeStep(step); }
 
     /// Chooses the heads of all arcs and evaluates their costs.
     void rebuildArcs(const AssignmentStep& step);
-    /// Refreshes the arcs of the nodes that are due and of those whose heads are stale, and once a round the
-    /// arcs to invalidated nodes.
+    /// Refreshes the arcs of the nodes that are due and of those whose heads are out of date, and once a
+    /// round the arcs to invalidated nodes.
     void refreshArcs(const AssignmentStep& step, const RefreshSchedule& schedule);
     /// Replaces the arc that column generation added to `tail`.
     void setGeneratedArc(std::int32_t tail, std::int32_t head, float cost) {
@@ -82,7 +82,7 @@ public:
         const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(node) * kArcsPerNode;
         const std::int32_t* head = arcs_.heads().data() + first;
         const float* cost = arcs_.costs().data() + first;
-        double least[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+        double least[2] = {kInfiniteCost, kInfiniteCost};
         for (std::int32_t k = 0; k < kArcsPerNode; k += 2)
             for (std::int32_t m = 0; m < 2; ++m)
                 least[m] = std::min(least[m], cost[k + m] - dual_[head[k + m]]);
@@ -136,6 +136,7 @@ private:
     bool consistent() const;
     void afterReading();
     void reserve();
+    AssignmentStep makeStep(const AssignmentProblem& problem) const;
     void updateNodes(const AssignmentProblem& problem, InitialAssignment& initial);
     void invalidateArcs(std::int32_t node);
     void evaluateMatchedCosts(const AssignmentStep& step);

@@ -1,9 +1,9 @@
 #include "assignment/dynamic/initial_assignment.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "assignment/dynamic/kd_partition.h"
+#include "assignment/infinite_cost.h"
 
 namespace muster {
 namespace {
@@ -24,7 +24,7 @@ Vec2 meanOf(std::span<const Vec2> points, std::span<const std::int32_t> indices)
 // The point nearest to the mean, the first of several.
 std::int32_t centralPoint(std::span<const Vec2> points, std::span<const std::int32_t> indices) {
     const Vec2 mean = meanOf(points, indices);
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfiniteCost;
     std::int32_t central = -1;
     for (const std::int32_t k : indices) {
         const double d = lengthSquared(points[k] - mean);
@@ -103,7 +103,7 @@ void InitialAssignment::matchEachToNearest(const AssignmentProblem& problem, Ass
     const auto& manyPositions = fewCharacters ? input.places : input.characters;
     const auto& fewPositions = fewCharacters ? input.characters : input.places;
     for (const std::int32_t one : fewCharacters ? characters_ : places_) {
-        double least = std::numeric_limits<double>::infinity();
+        double least = kInfiniteCost;
         std::size_t nearest = 0;
         for (std::size_t k = 0; k < many.size(); ++k) {
             if (many[k] < 0) continue;

@@ -9,7 +9,7 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kNodesPerLeaf = 40;
-constexpr std::int32_t kMostLeaves = 256;
+constexpr std::int32_t kMostDualLeaves = 256;
 constexpr std::int32_t kSweeps = 6;
 constexpr std::int32_t kHeightIterations = 60;
 constexpr double kOverRelaxation = 1.7;
@@ -68,7 +68,8 @@ void InitialDuals::partition(const AssignmentStep& step, const ExchangeGraph& gr
         order_[node] = node;
     }
     leafEnds_.clear();
-    partitionIntoLeaves(position_, order_, std::clamp(nodes / kNodesPerLeaf, 1, kMostLeaves), 0, leafEnds_);
+    partitionIntoLeaves(position_, order_, std::clamp(nodes / kNodesPerLeaf, 1, kMostDualLeaves), 0,
+                        leafEnds_);
     const auto leaves = static_cast<std::int32_t>(leafEnds_.size());
     leafOf_.assign(nodes, 0);
     planes_.assign(leaves, {});

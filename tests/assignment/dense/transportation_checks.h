@@ -60,7 +60,8 @@ inline OwnedProblem geometricProblem(muster::Random& random, std::int32_t rows, 
     return problem;
 }
 
-/// Flows within the amounts, prices below every cost and equal where something flows, sums as stated.
+/// Flows are within the amounts, the duals prove the optimum (u + v <= cost, equal where something flows),
+/// and the sums are as stated.
 inline void checkSolution(const OwnedProblem& problem, const muster::TransportationSolution& solution) {
     double scale = 1.0;
     for (const double c : problem.cost)
@@ -70,7 +71,7 @@ inline void checkSolution(const OwnedProblem& problem, const muster::Transportat
     std::vector<double> filled(problem.columns, 0.0);
     double amount = 0.0;
     double cost = 0.0;
-    double worstSlack = 0.0;
+    double worstComplementarity = 0.0;
     bool ordered = true;
     for (std::size_t k = 0; k < solution.flows.size(); ++k) {
         const muster::Flow& flow = solution.flows[k];
@@ -82,7 +83,7 @@ inline void checkSolution(const OwnedProblem& problem, const muster::Transportat
         cost += flow.amount * problem.at(flow.character, flow.place);
         const double reduced = problem.at(flow.character, flow.place) - solution.rowDual[flow.character] -
                                solution.columnDual[flow.place];
-        worstSlack = std::max(worstSlack, std::abs(reduced));
+        worstComplementarity = std::max(worstComplementarity, std::abs(reduced));
         if (k == 0) continue;
         const muster::Flow& before = solution.flows[k - 1];
         ordered = ordered && (before.character < flow.character ||
@@ -91,18 +92,18 @@ inline void checkSolution(const OwnedProblem& problem, const muster::Transportat
     CHECK(ordered);
     CHECK(amount == doctest::Approx(solution.amount).epsilon(1e-12));
     CHECK(cost == doctest::Approx(solution.cost).epsilon(1e-12));
-    CHECK(worstSlack <= tolerance);
+    CHECK(worstComplementarity <= tolerance);
     bool within = true;
     for (std::int32_t i = 0; i < problem.rows; ++i) within = within && sent[i] <= problem.supplyOf(i) + 1e-9;
     for (std::int32_t j = 0; j < problem.columns; ++j)
         within = within && filled[j] <= problem.demandOf(j) + 1e-9;
     CHECK(within);
-    double worstPrice = 0.0;
+    double worstReducedCost = 0.0;
     for (std::int32_t i = 0; i < problem.rows; ++i)
         for (std::int32_t j = 0; j < problem.columns; ++j)
-            worstPrice = std::max(worstPrice,
-                                  solution.rowDual[i] + solution.columnDual[j] - problem.at(i, j));
-    CHECK(worstPrice <= tolerance);
+            worstReducedCost = std::max(worstReducedCost,
+                                        solution.rowDual[i] + solution.columnDual[j] - problem.at(i, j));
+    CHECK(worstReducedCost <= tolerance);
 }
 
 }  // namespace muster_test

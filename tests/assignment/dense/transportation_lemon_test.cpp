@@ -22,23 +22,23 @@ struct Total {
     long long cost = 0;
 };
 
-// What is not sent goes to the sink at a price beyond all that an exchange can save, so most is sent, then
-// cheapest.
+// What is not sent goes to the sink at a penalty beyond all that an exchange can save, so that as much as
+// possible is sent, and that at least cost.
 Total solveWithLemon(const OwnedProblem& problem) {
     using Graph = lemon::SmartDigraph;
     Graph graph;
     Graph::NodeMap<long long> supply(graph);
     Graph::ArcMap<long long> cost(graph);
     Graph::ArcMap<long long> capacity(graph);
-    constexpr long long kPlenty = 1LL << 40;
+    constexpr long long kUnlimited = 1LL << 40;
     const Graph::Node sink = graph.addNode();
     std::vector<Graph::Node> rows(problem.rows);
     std::vector<Graph::Node> columns(problem.columns);
-    long long dearest = 0;
+    long long largestCost = 0;
     long long supplied = 0;
-    const auto addArc = [&](Graph::Node a, Graph::Node b, long long price, long long most) {
+    const auto addArc = [&](Graph::Node a, Graph::Node b, long long unitCost, long long most) {
         const Graph::Arc arc = graph.addArc(a, b);
-        cost[arc] = price;
+        cost[arc] = unitCost;
         capacity[arc] = most;
     };
     for (auto& node : columns) node = graph.addNode();
@@ -50,18 +50,18 @@ Total solveWithLemon(const OwnedProblem& problem) {
         supplied += supply[rows[i]];
         for (std::int32_t j = 0; j < problem.columns; ++j) {
             if (!(problem.at(i, j) < muster_test::kInfinite)) continue;
-            addArc(rows[i], columns[j], static_cast<long long>(problem.at(i, j)), kPlenty);
-            dearest = std::max(dearest, static_cast<long long>(problem.at(i, j)));
+            addArc(rows[i], columns[j], static_cast<long long>(problem.at(i, j)), kUnlimited);
+            largestCost = std::max(largestCost, static_cast<long long>(problem.at(i, j)));
         }
     }
-    const long long penalty = (dearest + 1) * (problem.rows + problem.columns + 2);
-    for (const auto& node : rows) addArc(node, sink, penalty, kPlenty);
+    const long long penalty = (largestCost + 1) * (problem.rows + problem.columns + 2);
+    for (const auto& node : rows) addArc(node, sink, penalty, kUnlimited);
     supply[sink] = -supplied;
     lemon::NetworkSimplex<Graph, long long, long long> simplex(graph);
     simplex.supplyMap(supply).costMap(cost).upperMap(capacity);
     REQUIRE(simplex.run() == simplex.OPTIMAL);
     Total total{supplied, simplex.totalCost<long long>()};
-    for (Graph::OutArcIt arc(graph, sink); arc != lemon::INVALID; ++arc) FAIL("the sink has no way out");
+    for (Graph::OutArcIt arc(graph, sink); arc != lemon::INVALID; ++arc) FAIL("the sink has an outgoing arc");
     for (Graph::InArcIt arc(graph, sink); arc != lemon::INVALID; ++arc) {
         if (cost[arc] != penalty) continue;
         total.amount -= simplex.flow(arc);
@@ -81,7 +81,7 @@ void compare(muster::TransportationSolver& solver, const OwnedProblem& problem) 
 
 }  // namespace
 
-TEST_CASE("assignment of units equals LEMON: ties, rectangles, impossible pairs") {
+TEST_CASE("assignment problems equal LEMON: ties, rectangles, impossible pairs") {
     muster::Random random(1987);
     muster::TransportationSolver solver;
     const std::uint32_t ranges[] = {1, 3, 10, 1000, 1000000};
@@ -93,10 +93,10 @@ TEST_CASE("assignment of units equals LEMON: ties, rectangles, impossible pairs"
         compare(solver,
                 muster_test::randomProblem(random, rows, columns, ranges[k % 5], forbidden[(k / 5) % 4], 0));
     }
-    MESSAGE("900 problems of units: totals as LEMON's");
+    MESSAGE("900 assignment problems: totals as LEMON's");
 }
 
-TEST_CASE("transport of amounts equals LEMON: ties, rectangles, impossible pairs, zero amounts") {
+TEST_CASE("transportation problems equal LEMON: ties, rectangles, impossible pairs, zero amounts") {
     muster::Random random(1963);
     muster::TransportationSolver solver;
     const std::uint32_t ranges[] = {1, 4, 50, 100000};
@@ -109,7 +109,7 @@ TEST_CASE("transport of amounts equals LEMON: ties, rectangles, impossible pairs
         compare(solver, muster_test::randomProblem(random, rows, columns, ranges[k % 4],
                                                    forbidden[(k / 4) % 4], most[(k / 16) % 4]));
     }
-    MESSAGE("600 problems of amounts: totals as LEMON's");
+    MESSAGE("600 transportation problems: totals as LEMON's");
 }
 
 TEST_CASE("larger problems equal LEMON") {
@@ -127,7 +127,7 @@ TEST_CASE("larger problems equal LEMON") {
 
 #else
 
-TEST_CASE("assignment against LEMON") {
+TEST_CASE("transportation problems equal LEMON") {
     MESSAGE("skipped: liblemon-dev is not installed");
 }
 

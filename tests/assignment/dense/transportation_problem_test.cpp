@@ -30,14 +30,14 @@ std::vector<std::int32_t> placesOf(const OwnedProblem& problem, const Transporta
     return places;
 }
 
-// The best of all ways to match, most pairs first, by trying every one.
-std::pair<int, double> tryAll(const OwnedProblem& problem, std::int32_t row, std::vector<bool>& taken) {
+// The best of all matchings, most pairs first, by enumeration.
+std::pair<int, double> enumerate(const OwnedProblem& problem, std::int32_t row, std::vector<bool>& taken) {
     if (row == problem.rows) return {0, 0.0};
-    auto best = tryAll(problem, row + 1, taken);
+    auto best = enumerate(problem, row + 1, taken);
     for (std::int32_t j = 0; j < problem.columns; ++j) {
         if (taken[j] || !(problem.at(row, j) < kInfinite)) continue;
         taken[j] = true;
-        auto with = tryAll(problem, row + 1, taken);
+        auto with = enumerate(problem, row + 1, taken);
         taken[j] = false;
         ++with.first;
         with.second += problem.at(row, j);
@@ -48,7 +48,7 @@ std::pair<int, double> tryAll(const OwnedProblem& problem, std::int32_t row, std
 
 }  // namespace
 
-TEST_CASE("assignment of nobody, to nowhere") {
+TEST_CASE("problems without rows or columns") {
     for (const auto& [rows, columns] : {std::pair{0, 0}, {0, 3}, {3, 0}}) {
         const TransportationSolution solution = solved({rows, columns, {}, {}, {}});
         CHECK(solution.flows.empty());
@@ -59,25 +59,25 @@ TEST_CASE("assignment of nobody, to nowhere") {
     }
 }
 
-TEST_CASE("assignment by hand") {
+TEST_CASE("small problems with known optima") {
     // The greedy choice (row 0 to column 0) costs 1 + 100; the best is 2 + 2.
     const OwnedProblem greedyFails{2, 2, {1, 2, 2, 100}, {}, {}};
     CHECK(solved(greedyFails).cost == 4.0);
-    // Row 1 can only go to column 0, so row 0 gives way although that is dear.
-    const OwnedProblem givesWay{2, 2, {1, 50, 9, kInfinite}, {}, {}};
-    const TransportationSolution solution = solved(givesWay);
+    // Row 1 can only have column 0, so row 0 takes the other one, although that is expensive.
+    const OwnedProblem forced{2, 2, {1, 50, 9, kInfinite}, {}, {}};
+    const TransportationSolution solution = solved(forced);
     CHECK(solution.amount == 2.0);
     CHECK(solution.cost == 59.0);
     // Two rows for one column: the cheaper takes it.
     CHECK(placesOf({2, 1, {5, 3}, {}, {}}, solved({2, 1, {5, 3}, {}, {}})) ==
           std::vector<std::int32_t>{-1, 0});
-    // A row that can go nowhere.
-    const OwnedProblem stranded{2, 2, {kInfinite, kInfinite, 7, 4}, {}, {}};
-    CHECK(placesOf(stranded, solved(stranded)) == std::vector<std::int32_t>{-1, 1});
+    // A row without a possible column.
+    const OwnedProblem isolated{2, 2, {kInfinite, kInfinite, 7, 4}, {}, {}};
+    CHECK(placesOf(isolated, solved(isolated)) == std::vector<std::int32_t>{-1, 1});
 }
 
-TEST_CASE("points on a line: squared distance keeps the order") {
-    // Monge: with a convex cost of distance on a line the sorted matching is the best.
+TEST_CASE("squared distances on a line keep the order") {
+    // Monge property: with a convex cost of the distance on a line the sorted matching is the optimum.
     muster::Random random(3);
     for (int round = 0; round < 20; ++round) {
         const std::int32_t n = 40;
@@ -98,7 +98,7 @@ TEST_CASE("points on a line: squared distance keeps the order") {
     }
 }
 
-TEST_CASE("every small assignment equals the best of all permutations") {
+TEST_CASE("small assignment problems equal the best of all permutations") {
     muster::Random random(11);
     for (int k = 0; k < 400; ++k) {
         const auto rows = static_cast<std::int32_t>(1 + random.below(k % 40 == 0 ? 7 : 5));
@@ -107,13 +107,13 @@ TEST_CASE("every small assignment equals the best of all permutations") {
                                                                 (k % 4) * 0.25, 0);
         const TransportationSolution solution = solved(problem);
         std::vector<bool> taken(columns, false);
-        const auto best = tryAll(problem, 0, taken);
+        const auto best = enumerate(problem, 0, taken);
         CHECK(solution.amount == best.first);
         CHECK(solution.cost == best.second);
     }
 }
 
-TEST_CASE("prices prove the optimum where all pairs are possible") {
+TEST_CASE("the duals prove the optimum where all pairs are possible") {
     muster::Random random(5);
     for (int k = 0; k < 60; ++k) {
         const auto rows = static_cast<std::int32_t>(1 + random.below(30));
@@ -138,7 +138,7 @@ TEST_CASE("prices prove the optimum where all pairs are possible") {
     }
 }
 
-TEST_CASE("ties fall to the lower index, and twice the same is the same") {
+TEST_CASE("ties fall to the lower index, and equal problems have equal solutions") {
     for (const auto& [rows, columns] : {std::pair{6, 6}, {4, 7}, {7, 4}}) {
         const OwnedProblem same{
             rows, columns, std::vector<double>(static_cast<std::size_t>(rows * columns), 2.0), {}, {}};
@@ -146,11 +146,11 @@ TEST_CASE("ties fall to the lower index, and twice the same is the same") {
         for (std::int32_t i = 0; i < rows; ++i) CHECK(places[i] == (i < columns ? i : -1));
     }
     muster::Random random(17);
-    TransportationSolver used;
+    TransportationSolver reused;
     for (int k = 0; k < 50; ++k) {
         const OwnedProblem problem = muster_test::randomProblem(random, 20, 22, 3, 0.2, k % 2 ? 4 : 0);
         TransportationSolution first, second;
-        REQUIRE(used.solve(problem.view(), first).ok());
+        REQUIRE(reused.solve(problem.view(), first).ok());
         REQUIRE(TransportationSolver().solve(problem.view(), second).ok());
         REQUIRE(first.flows.size() == second.flows.size());
         for (std::size_t f = 0; f < first.flows.size(); ++f) {
@@ -172,7 +172,7 @@ TEST_CASE("equal amounts other than one") {
 }
 
 TEST_CASE("amounts that do not add up exactly in binary") {
-    // 0.1 + 0.2 is not 0.3: the remainder must not keep the search going.
+    // 0.1 + 0.2 is not 0.3: the remainder must not start another search.
     const OwnedProblem problem{2, 1, {1.0, 2.0}, {0.1, 0.2}, {0.3}};
     const TransportationSolution solution = solved(problem);
     CHECK(solution.amount == doctest::Approx(0.3).epsilon(1e-12));
@@ -205,7 +205,7 @@ TEST_CASE("bad input is refused by name") {
 }
 
 TEST_CASE("property: adding a constant to a row of a square problem changes the total by just that") {
-    const bool held = rc::check("shift", [] {
+    const bool passed = rc::check("shift", [] {
         const auto n = *rc::gen::inRange(1, 12);
         const auto seed = *rc::gen::arbitrary<std::uint32_t>();
         muster::Random random(seed);
@@ -220,5 +220,5 @@ TEST_CASE("property: adding a constant to a row of a square problem changes the 
         for (std::int32_t j = 0; j < n; ++j) problem.cost[row * n + j] += 13.0;
         RC_ASSERT(total(problem) == before + 13.0);
     });
-    CHECK(held);
+    CHECK(passed);
 }

@@ -1,4 +1,4 @@
-// A crowd that follows a formation, with costs in closed form, and the exact optimum beside it.
+// A crowd that follows a formation, with costs in closed form and the exact optimum for comparison.
 #pragma once
 
 #include <algorithm>
@@ -14,63 +14,54 @@ namespace muster_test {
 
 using muster::Vec2;
 
-/// Straight distances, or the shorter way round a wall.
-class ClosedCosts : public muster::CostOracle {
+/// Lengths of shortest paths: straight lines, or around the ends of one wall.
+class WallCosts : public muster::CostOracle {
 public:
-    std::vector<Vec2> characters;
-    std::vector<Vec2> places;
-    std::vector<double> weightOf;  ///< Per character; empty for 1 each.
-    bool wall = false;
-    Vec2 low{0, -4};  ///< Ends of the wall.
-    Vec2 high{0, 4};
+    std::vector<Vec2> characters;    ///< Positions [m].
+    std::vector<Vec2> places;        ///< Positions [m].
+    std::vector<double> unitCostOf;  ///< Per character: cost of a metre; empty for 1 each.
+    bool wall = false;               ///< The wall exists.
+    Vec2 low{0, -4};                 ///< One end of the wall [m].
+    Vec2 high{0, 4};                 ///< The other end [m].
 
-    /// The length of the shortest way.
-    double way(Vec2 a, Vec2 b) const {
+    /// The length of the shortest path.
+    double pathLength(Vec2 a, Vec2 b) const {
         if (!wall || !crosses(a, b)) return distance(a, b);
         return std::min(distance(a, low) + distance(low, b), distance(a, high) + distance(high, b));
     }
-    /// Where to go first on it.
-    Vec2 next(Vec2 a, Vec2 b) const {
+    /// The first corner of the shortest path.
+    Vec2 nextCorner(Vec2 a, Vec2 b) const {
         if (!wall || !crosses(a, b)) return b;
         const bool byLow = distance(a, low) + distance(low, b) < distance(a, high) + distance(high, b);
         const Vec2 end = byLow ? low : high;
         return end + normalized(end - (low + high) * 0.5) * 0.2;
     }
+    /// The cost in double precision.
     virtual double exact(std::size_t i, std::size_t j) const {
-        return (weightOf.empty() ? 1.0 : weightOf[i]) * way(characters[i], places[j]);
+        return (unitCostOf.empty() ? 1.0 : unitCostOf[i]) * pathLength(characters[i], places[j]);
     }
-    float cost(std::int32_t i, std::int32_t j) override {
-        return static_cast<float>(exact(static_cast<std::size_t>(i), static_cast<std::size_t>(j)));
-    }
+    float cost(std::int32_t i, std::int32_t j) override { return static_cast<float>(exact(i, j)); }
     double leastUnitCost() const override {
-        return weightOf.empty() ? 1.0 : *std::min_element(weightOf.begin(), weightOf.end());
+        return unitCostOf.empty() ? 1.0 : *std::min_element(unitCostOf.begin(), unitCostOf.end());
     }
     void evaluate(std::span<const muster::AssignmentPair> pairs, std::span<float> cost,
                   muster::ThreadPool& pool) override {
-        fillPairs_ = pairs;
-        fillCost_ = cost;
         constexpr std::size_t kChunk = 128;
-        pool.run(static_cast<std::int32_t>((pairs.size() + kChunk - 1) / kChunk), [this](std::int32_t item,
-                                                                                         std::int32_t) {
-            const auto begin = static_cast<std::size_t>(item) * kChunk;
-            for (std::size_t k = begin; k < std::min(begin + kChunk, fillPairs_.size()); ++k)
-                fillCost_[k] = static_cast<float>(exact(static_cast<std::size_t>(fillPairs_[k].character),
-                                                        static_cast<std::size_t>(fillPairs_[k].place)));
+        forChunks(&pool, pairs.size(), kChunk, [&](std::size_t k) {
+            cost[k] = static_cast<float>(exact(pairs[k].character, pairs[k].place));
         });
     }
 
 private:
     bool crosses(Vec2 a, Vec2 b) const {
-        const auto sides = [](Vec2 u, Vec2 v, Vec2 p, Vec2 q) {
+        const auto separates = [](Vec2 u, Vec2 v, Vec2 p, Vec2 q) {
             return cross(v - u, p - u) * cross(v - u, q - u) < 0;
         };
-        return sides(a, b, low, high) && sides(low, high, a, b);
+        return separates(a, b, low, high) && separates(low, high, a, b);
     }
-    std::span<const muster::AssignmentPair> fillPairs_;
-    std::span<float> fillCost_;
 };
 
-/// A definition whose thresholds keep back little: what these tests judge is the search.
+/// A definition whose thresholds keep back little, since these tests judge the search.
 inline muster::DynamicAssignmentDef lowThresholds() {
     muster::DynamicAssignmentDef def;
     def.threshold = 0.1;
@@ -78,29 +69,34 @@ inline muster::DynamicAssignmentDef lowThresholds() {
     return def;
 }
 
-/// The least sum of a matrix of costs, row by row, over assignments of all rows, by a dense solver; no more
-/// rows than columns.
-inline double leastSum(std::int32_t rows, std::int32_t columns, const std::vector<double>& matrix) {
+/// The optimum of a cost matrix, row-major, with no more rows than columns: the column of each row.
+inline std::vector<std::int32_t> optimalColumns(std::int32_t rows, std::int32_t columns,
+                                                const std::vector<double>& matrix) {
     muster::JonkerVolgenantSolver dense;
     dense.solve(rows, columns, matrix.data());
+    return dense.columnOf();
+}
+
+/// The least sum of such a matrix.
+inline double leastSum(std::int32_t rows, std::int32_t columns, const std::vector<double>& matrix) {
+    const std::vector<std::int32_t> columnOf = optimalColumns(rows, columns, matrix);
     double sum = 0.0;
-    for (std::size_t a = 0; a < static_cast<std::size_t>(rows); ++a)
-        sum += matrix[a * static_cast<std::size_t>(columns) + static_cast<std::size_t>(dense.columnOf()[a])];
+    for (std::int32_t a = 0; a < rows; ++a) sum += matrix[a * columns + columnOf[a]];
     return sum;
 }
 
 /// A block of places that moves and turns, and the crowd that walks after it.
 struct AssignmentScene {
-    ClosedCosts costs;
-    std::vector<Vec2> shape;
-    std::vector<std::uint8_t> usable;
-    std::vector<std::uint8_t> present;
-    Vec2 centre;
-    double angle = 0.0;
-    double time = 0.0;
+    WallCosts costs;
+    std::vector<Vec2> shape;            ///< Places around the centre [m].
+    std::vector<std::uint8_t> usable;   ///< As AssignmentInput::usable.
+    std::vector<std::uint8_t> present;  ///< As AssignmentInput::present.
+    Vec2 centre;                        ///< [m]
+    double angle = 0.0;                 ///< [rad]
+    double time = 0.0;                  ///< [s]
     muster::Random random;
 
-    AssignmentScene(std::int32_t people, std::int32_t places, std::uint64_t seed, double away = 2.0)
+    AssignmentScene(std::int32_t characters, std::int32_t places, std::uint64_t seed, double away = 2.0)
         : random(seed) {
         std::int32_t columns = 1;
         while (columns * columns < places) ++columns;
@@ -108,14 +104,14 @@ struct AssignmentScene {
             shape.push_back(Vec2{(k % columns - 0.5 * columns) * 0.8, (k / columns - 0.5 * columns) * 0.8} +
                             Vec2{random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05)});
         const double half = 0.4 * columns;
-        for (std::int32_t k = 0; k < people; ++k)
+        for (std::int32_t k = 0; k < characters; ++k)
             costs.characters.push_back({random.uniform(-half, half) - away, random.uniform(-half, half)});
-        place();
+        movePlaces();
     }
-    void place() {
+    void movePlaces() {
         costs.places.clear();
-        const muster::Rotation turn{muster::cosine(angle), muster::sine(angle)};
-        for (const Vec2 p : shape) costs.places.push_back(centre + turn.apply(p));
+        const muster::Rotation rotation{muster::cosine(angle), muster::sine(angle)};
+        for (const Vec2 p : shape) costs.places.push_back(centre + rotation.apply(p));
     }
     muster::AssignmentInput input() const { return {costs.characters, costs.places, usable, present}; }
     /// One sixtieth of a second: the formation moves by `velocity` and turns, everybody walks.
@@ -124,29 +120,29 @@ struct AssignmentScene {
         time += kStep;
         centre += velocity * kStep;
         angle += turning * kStep;
-        place();
+        movePlaces();
         for (std::size_t i = 0; i < costs.characters.size(); ++i) {
             if (placeOf[i] < 0) continue;
             Vec2& p = costs.characters[i];
             const Vec2 goal = costs.places[placeOf[i]];
-            const double speed = std::min(2.0, costs.way(p, goal) / 0.8);
-            p += normalized(costs.next(p, goal) - p) * (speed * kStep) +
+            const double speed = std::min(2.0, costs.pathLength(p, goal) / 0.8);
+            p += normalized(costs.nextCorner(p, goal) - p) * (speed * kStep) +
                  Vec2{random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004)};
         }
     }
-    /// The least objective with as many pairs as possible, found by a dense solver.
+    /// The least objective with as many pairs as possible, by a dense solver.
     double optimum(double p) const {
-        std::vector<std::size_t> rows;
-        std::vector<std::size_t> columns;
-        for (std::size_t i = 0; i < costs.characters.size(); ++i)
-            if (input().takesPart(i)) rows.push_back(i);
-        for (std::size_t j = 0; j < costs.places.size(); ++j)
-            if (input().mayTake(j)) columns.push_back(j);
-        const bool turned = rows.size() > columns.size();
+        std::vector<std::int32_t> rows;
+        std::vector<std::int32_t> columns;
+        for (std::int32_t i = 0; i < std::ssize(costs.characters); ++i)
+            if (input().isPresent(i)) rows.push_back(i);
+        for (std::int32_t j = 0; j < std::ssize(costs.places); ++j)
+            if (input().isUsable(j)) columns.push_back(j);
+        const bool transposed = rows.size() > columns.size();
         std::vector<double> matrix;
-        for (const std::size_t a : turned ? columns : rows)
-            for (const std::size_t b : turned ? rows : columns)
-                matrix.push_back(muster::power(turned ? costs.exact(b, a) : costs.exact(a, b), p));
+        for (const std::int32_t a : transposed ? columns : rows)
+            for (const std::int32_t b : transposed ? rows : columns)
+                matrix.push_back(muster::power(transposed ? costs.exact(b, a) : costs.exact(a, b), p));
         return leastSum(static_cast<std::int32_t>(std::min(rows.size(), columns.size())),
                         static_cast<std::int32_t>(std::max(rows.size(), columns.size())), matrix);
     }
@@ -154,8 +150,7 @@ struct AssignmentScene {
     double objective(std::span<const std::int32_t> placeOf, double p) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < placeOf.size(); ++i)
-            if (placeOf[i] >= 0)
-                sum += muster::power(costs.exact(i, static_cast<std::size_t>(placeOf[i])), p);
+            if (placeOf[i] >= 0) sum += muster::power(costs.exact(i, placeOf[i]), p);
         return sum;
     }
     /// How far an assignment is from the optimum, as a share (SPEC: of at least (0.25 m)^p each).
@@ -164,22 +159,22 @@ struct AssignmentScene {
         const double least = static_cast<double>(costs.characters.size()) * muster::power(0.25, p);
         return (objective(placeOf, p) - best) / std::max(best, least);
     }
-    /// As many pairs as can be, nobody and nothing twice, nothing forbidden.
+    /// As many pairs as possible, nobody and nothing twice, nothing forbidden.
     bool valid(std::span<const std::int32_t> placeOf) const {
         std::vector<int> taken(costs.places.size(), 0);
-        std::size_t people = 0;
-        std::size_t free = 0;
-        std::size_t pairs = 0;
-        for (std::size_t j = 0; j < taken.size(); ++j) free += input().mayTake(j) ? 1 : 0;
-        for (std::size_t i = 0; i < placeOf.size(); ++i) {
-            people += input().takesPart(i) ? 1 : 0;
-            if (placeOf[i] < 0) continue;
-            const auto j = static_cast<std::size_t>(placeOf[i]);
-            if (j >= taken.size() || !input().mayTake(j) || !input().takesPart(i) || taken[j]++ > 0)
+        int presentCount = 0;
+        int usableCount = 0;
+        int pairs = 0;
+        for (std::int32_t j = 0; j < std::ssize(taken); ++j) usableCount += input().isUsable(j) ? 1 : 0;
+        for (std::int32_t i = 0; i < std::ssize(placeOf); ++i) {
+            presentCount += input().isPresent(i) ? 1 : 0;
+            const std::int32_t j = placeOf[i];
+            if (j < 0) continue;
+            if (j >= std::ssize(taken) || !input().isUsable(j) || !input().isPresent(i) || taken[j]++ > 0)
                 return false;
             ++pairs;
         }
-        return pairs == std::min(people, free);
+        return pairs == std::min(presentCount, usableCount);
     }
 };
 

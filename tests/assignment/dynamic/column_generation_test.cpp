@@ -1,7 +1,8 @@
-// Exchanges that the sparse graph has no arc for: far away in metres, near by the cost.
+// Column generation: arcs that the sparse graph lacks, between nodes that are far in metres and near by cost.
 #include <doctest.h>
 
 #include "assignment/dynamic/assignment_scene.h"
+#include "assignment/dynamic/graph_fixture.h"
 
 namespace {
 
@@ -9,7 +10,7 @@ using muster::DynamicAssignment;
 using muster::Vec2;
 
 // Straight distances, but for pairs joined by a tunnel.
-class TunnelCosts final : public muster_test::ClosedCosts {
+class TunnelCosts final : public muster_test::WallCosts {
 public:
     std::vector<muster::AssignmentPair> tunnels;
     double length = 0.2;
@@ -18,23 +19,23 @@ public:
         for (const muster::AssignmentPair& t : tunnels)
             if (t.character == static_cast<std::int32_t>(i) && t.place == static_cast<std::int32_t>(j))
                 return length;
-        return ClosedCosts::exact(i, j);
+        return WallCosts::exact(i, j);
     }
     double leastUnitCost() const override { return 0.0; }
 };
 
-// A block of 400 who stand a metre beside their places; a dozen know tunnels to places at the other end.
+// A block of 400 who stand a metre off their places; a dozen have tunnels to places at the other end.
 struct TunnelScene {
     TunnelCosts costs;
-    std::vector<std::int32_t> own;
+    std::vector<std::int32_t> placeOf;
 
     TunnelScene() {
         for (std::int32_t k = 0; k < 400; ++k) {
             costs.places.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
             costs.characters.push_back(costs.places.back() + Vec2{1.0, 0.01 * (k % 7)});
-            own.push_back(k);
+            placeOf.push_back(k);
         }
-        // Both ways, so that an exchange of two gains: 2 - 0.08 square metres each.
+        // In both directions, so that an exchange of two gains: 2 - 0.08 square metres each.
         for (std::int32_t k = 0; k < 12; ++k) {
             costs.tunnels.push_back({k, 399 - k});
             costs.tunnels.push_back({399 - k, k});
@@ -49,96 +50,89 @@ struct TunnelScene {
     }
 };
 
-muster::DynamicAssignmentDef sharpDef() {
+muster::DynamicAssignmentDef smallThreshold() {
     muster::DynamicAssignmentDef def;
     def.threshold = 0.001;
     def.thresholdShare = 0.0;
     return def;
 }
 
-// 300 people on a lattice, each on the place it holds; no arcs.
-struct Standing {
-    muster_test::ClosedCosts& costs;
+// 300 characters on a lattice, each at the place that it holds.
+struct StandingCrowd {
+    muster_test::WallCosts& costs;
     muster::ThreadPool pool{1};
-    muster::DynamicAssignmentDef def = sharpDef();
+    muster::DynamicAssignmentDef def = smallThreshold();
     muster::AssignmentInput input;
-    muster::ExchangeGraph state;
-    muster::ColumnGeneration pricing;
+    muster::ExchangeGraph graph;
+    muster::InitialAssignment initial;
+    muster::ColumnGeneration generation;
 
-    explicit Standing(muster_test::ClosedCosts& made) : costs(made) {
-        std::vector<std::int32_t> own;
-        for (std::int32_t k = 0; k < 300; ++k) {
+    explicit StandingCrowd(muster_test::WallCosts& made) : costs(made) {
+        for (std::int32_t k = 0; k < 300; ++k)
             costs.characters.push_back({static_cast<double>(k % 20), static_cast<double>(k / 20)});
-            own.push_back(k);
-        }
         costs.places = costs.characters;
         input = {costs.characters, costs.places, {}, {}};
-        state.reset(300, 300);
-        state.seats.warmStart(own);
-        std::vector<std::int32_t> flipped;
-        state.seats.follow(input, flipped);
-        pricing.reset(300);
+        graph.reset(300, 300);
+        graph.assignPlaces(muster_test::ascending(300));
+        generation.reset(300);
     }
-    muster::AssignmentStep context() {
-        return {def, input, costs, pool, muster::CostPower(2.0), {}, {}, def.threshold};
-    }
+    muster::AssignmentStep begin() { return graph.beginStep({def, input, costs, pool}, initial); }
 };
 
 }  // namespace
 
-TEST_CASE("exchanges between places that are no neighbours are found by pricing") {
+TEST_CASE("column generation finds exchanges between places that are no neighbours") {
     muster::ThreadPool pool(1);
     TunnelScene scene;
-    DynamicAssignment matching;
-    matching.warmStart(sharpDef(), scene.input(), scene.own, scene.costs, pool);
-    const double before = matching.objective();
+    DynamicAssignment assignment;
+    assignment.warmStart(smallThreshold(), scene.input(), scene.placeOf, scene.costs, pool);
+    const double before = assignment.objective();
     const double optimum = scene.optimum();
     REQUIRE(optimum < before - 20.0);
-    // 400 seats, of each a seventh of all pairs at a time: 2,800 steps until all had their turn.
-    for (int k = 0; k < 4000; ++k) matching.update(sharpDef(), scene.input(), scene.costs, pool);
-    CHECK(matching.objective() < optimum + 0.05);
-    CHECK(matching.objective() > optimum - 1e-3);
+    // 400 nodes, of each a seventh of all pairs at a time: all pairs are evaluated after 2,800 steps.
+    for (int k = 0; k < 4000; ++k) assignment.update(smallThreshold(), scene.input(), scene.costs, pool);
+    CHECK(assignment.objective() < optimum + 0.05);
+    CHECK(assignment.objective() > optimum - 1e-3);
     std::int32_t used = 0;
     for (const muster::AssignmentPair& t : scene.costs.tunnels)
-        used += matching.placeOf()[t.character] == t.place ? 1 : 0;
+        used += assignment.placeOf()[t.character] == t.place ? 1 : 0;
     // No arc to a neighbour leads there.
     CHECK(used > 0);
 }
 
-TEST_CASE(
-    "who had best take a dear place is found from the place, whose turn comes before that of all others") {
+TEST_CASE("an expensive place finds the character it is cheap for before that character itself is priced") {
     TunnelCosts costs;
-    Standing standing(costs);
+    StandingCrowd crowd(costs);
     costs.places[0] = {-25.0, 0.0};
     costs.tunnels = {{150, 0}};
-    const muster::AssignmentStep context = standing.context();
-    muster::ExchangeGraph& state = standing.state;
-    state.setOwn(0, 25.0f, context.power);
-    state.price[0] = 600.0;  // Nobody else had best go there.
-    state.arcs.look(context, state.seats, state.price, state.own);
-    REQUIRE(state.arcs.hot() == std::vector<std::int32_t>{0});
-    // A fifth of all characters at a time; the row of the one that knows a tunnel would wait for seventy
-    // steps.
-    for (int k = 0; k < 6; ++k) standing.pricing.run(context, state, 1e-6);
-    CHECK(state.arcs.target(state.arcs.priced(150)) == 0);
-    CHECK(state.arcs.weight(state.arcs.priced(150)) == doctest::Approx(0.04));
+    const muster::AssignmentStep step = crowd.begin();
+    muster::ExchangeGraph& graph = crowd.graph;
+    graph.duals()[0] = 600.0;  // So that the place pays for nobody else.
+    graph.rebuildArcs(step);
+    REQUIRE(graph.expensiveNodes() == std::vector<std::int32_t>{0});
+    // A step evaluates a fifth of all characters; node 150 itself is priced after seventy steps.
+    for (int k = 0; k < 6; ++k) crowd.generation.run(step, graph, 1e-6);
+    const std::int32_t arc = muster::ExchangeArcs::generatedArc(150);
+    CHECK(graph.arcs().head(arc) == 0);
+    CHECK(graph.arcs().cost(arc) == doctest::Approx(graph.arcCost(step, 150, 0, 0.04)));
 }
 
-TEST_CASE("pricing asks for no cost where the straight line says that it cannot pay") {
-    // Everybody stands on its place: no pair is worth a question, whatever the number of turns.
-    class Counting final : public muster_test::ClosedCosts {
+TEST_CASE("no cost is evaluated where the straight line shows that the arc cannot be violated") {
+    // Everybody stands on its place.
+    class CountingCosts final : public muster_test::WallCosts {
     public:
-        mutable long asked = 0;
+        mutable long evaluations = 0;
         double exact(std::size_t i, std::size_t j) const override {
-            ++asked;
-            return ClosedCosts::exact(i, j);
+            ++evaluations;
+            return WallCosts::exact(i, j);
         }
     };
-    Counting costs;
-    Standing standing(costs);
-    const muster::AssignmentStep context = standing.context();
-    standing.state.arcs.look(context, standing.state.seats, standing.state.price, standing.state.own);
-    for (int k = 0; k < 400; ++k) standing.pricing.run(context, standing.state, 1e-6);
-    CHECK(costs.asked == 0);
-    CHECK(standing.pricing.found() == 0);
+    CountingCosts costs;
+    StandingCrowd crowd(costs);
+    const muster::AssignmentStep step = crowd.begin();
+    crowd.graph.rebuildArcs(step);
+    costs.evaluations = 0;
+    for (int k = 0; k < 400; ++k) crowd.generation.run(step, crowd.graph, 1e-6);
+    CHECK(costs.evaluations == 0);
+    CHECK(crowd.generation.generated() == 0);
 }

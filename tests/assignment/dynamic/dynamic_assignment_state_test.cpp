@@ -1,4 +1,4 @@
-// What a sparse matching keeps: saved and restored at any step, the same bits for any number of threads.
+// State of a dynamic assignment: saved and restored at any step, the same bits for any number of threads.
 #include <doctest.h>
 
 #include "assignment/dynamic/assignment_scene.h"
@@ -8,10 +8,11 @@ namespace {
 
 using muster::DynamicAssignment;
 using muster_test::AssignmentScene;
+using muster_test::lowThresholds;
 
-std::uint64_t hashOf(DynamicAssignment& matching) {
+std::uint64_t hashOf(DynamicAssignment& assignment) {
     muster::Hasher hasher;
-    matching.visit(hasher);
+    assignment.visit(hasher);
     return hasher.value();
 }
 
@@ -22,58 +23,91 @@ AssignmentScene makeScene() {
     return scene;
 }
 
-void advance(AssignmentScene& scene, DynamicAssignment& matching, muster::ThreadPool& pool) {
+void advance(AssignmentScene& scene, DynamicAssignment& assignment, muster::ThreadPool& pool) {
     scene.usable[scene.random.below(180)] ^= 1;
-    scene.step({1.2, 0.1}, 0.05, matching.placeOf());
-    matching.update(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
+    scene.step({1.2, 0.1}, 0.05, assignment.placeOf());
+    assignment.update(lowThresholds(), scene.input(), scene.costs, pool);
 }
 
 }  // namespace
 
-TEST_CASE("a sparse matching that was saved and restored goes on bit for bit") {
+TEST_CASE("a dynamic assignment that was saved and restored goes on bit for bit") {
     for (const int saved : {0, 1, 7, 50}) {
         AssignmentScene scene = makeScene();
         muster::ThreadPool pool(1);
-        DynamicAssignment matching;
-        matching.coldStart(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
-        for (int k = 0; k < saved; ++k) advance(scene, matching, pool);
+        DynamicAssignment assignment;
+        assignment.coldStart(lowThresholds(), scene.input(), scene.costs, pool);
+        for (int k = 0; k < saved; ++k) advance(scene, assignment, pool);
         muster::Writer writer;
-        matching.visit(writer);
+        assignment.visit(writer);
         DynamicAssignment restored;
         muster::Reader reader(writer.bytes());
         restored.visit(reader);
         REQUIRE(reader.ok());
         REQUIRE(reader.remaining() == 0);
-        CHECK(hashOf(restored) == hashOf(matching));
+        CHECK(hashOf(restored) == hashOf(assignment));
         AssignmentScene twin = scene;
         for (int k = 0; k < 80; ++k) {
-            advance(scene, matching, pool);
+            advance(scene, assignment, pool);
             advance(twin, restored, pool);
-            REQUIRE(hashOf(restored) == hashOf(matching));
+            REQUIRE(hashOf(restored) == hashOf(assignment));
         }
     }
 }
 
-TEST_CASE("a sparse matching is the same for 1, 2, 3 and 8 threads") {
+TEST_CASE("a dynamic assignment is the same for 1, 2, 3 and 8 threads") {
     std::uint64_t expected = 0;
     for (const int threads : {1, 2, 3, 8}) {
         AssignmentScene scene = makeScene();
         muster::ThreadPool pool(threads);
-        DynamicAssignment matching;
-        matching.coldStart(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
-        for (int k = 0; k < 120; ++k) advance(scene, matching, pool);
-        if (threads == 1) expected = hashOf(matching);
-        CHECK(hashOf(matching) == expected);
+        DynamicAssignment assignment;
+        assignment.coldStart(lowThresholds(), scene.input(), scene.costs, pool);
+        for (int k = 0; k < 120; ++k) advance(scene, assignment, pool);
+        if (threads == 1) expected = hashOf(assignment);
+        CHECK(hashOf(assignment) == expected);
+    }
+}
+
+TEST_CASE("a dynamic assignment that was saved in the middle of a round goes on bit for bit") {
+    muster::DynamicAssignmentDef def = lowThresholds();
+    def.stepsPerRound = 6;
+    AssignmentScene scene(150, 150, 20);
+    muster::ThreadPool pool(1);
+    DynamicAssignment assignment;
+    assignment.coldStart(def, scene.input(), scene.costs, pool);
+    for (int k = 0; k < 9; ++k) {
+        scene.step({1.0, 0.2}, 0.03, assignment.placeOf());
+        scene.usable.assign(150, 1);
+        if (k % 2 == 1) scene.usable[15 * k] = 0;
+        assignment.update(def, scene.input(), scene.costs, pool);
+        muster::Writer writer;
+        assignment.visit(writer);
+        DynamicAssignment copy;
+        muster::Reader reader(writer.bytes());
+        copy.visit(reader);
+        REQUIRE(reader.ok());
+        AssignmentScene twin = scene;
+        DynamicAssignment original = assignment;
+        for (int n = 0; n < 14; ++n) {
+            // Places that close and open change which arcs are evaluated next.
+            twin.usable.assign(150, 1);
+            if (n % 3 == 1) twin.usable[10 * n] = 0;
+            twin.step({1.0, 0.2}, 0.03, original.placeOf());
+            original.update(def, twin.input(), twin.costs, pool);
+            copy.update(def, twin.input(), twin.costs, pool);
+            REQUIRE(std::equal(copy.placeOf().begin(), copy.placeOf().end(), original.placeOf().begin()));
+            REQUIRE(copy.dualityGap() == original.dualityGap());
+        }
     }
 }
 
 TEST_CASE("a broken archive is refused") {
     AssignmentScene scene = makeScene();
     muster::ThreadPool pool(1);
-    DynamicAssignment matching;
-    matching.coldStart(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
+    DynamicAssignment assignment;
+    assignment.coldStart(lowThresholds(), scene.input(), scene.costs, pool);
     muster::Writer writer;
-    matching.visit(writer);
+    assignment.visit(writer);
     muster::Random random(3);
     int refused = 0;
     for (int k = 0; k < 300; ++k) {
@@ -89,7 +123,7 @@ TEST_CASE("a broken archive is refused") {
         refused += reader.ok() ? 0 : 1;
         if (k % 3 == 0) CHECK(!reader.ok());
         // Whatever was read, going on neither crashes nor breaks the rules.
-        other.update(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
+        other.update(lowThresholds(), scene.input(), scene.costs, pool);
         CHECK(scene.valid(other.placeOf()));
     }
     CHECK(refused > 150);
