@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/random.h"
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 
 namespace {

@@ -12,6 +12,7 @@
 #include "base/stopwatch.h"
 #include "cost/dynamic_cost.h"
 #include "cost/static_ground.h"
+#include "cost/unit_cost_builder.h"
 #include "crowd/neighbours.h"
 #include "eikonal/eikonal_solver.h"
 #include "formation/mesh/arap.h"

@@ -10,30 +10,30 @@
 
 namespace muster {
 
-/// How characters are spread over cells.
+/// Parameters of the splat.
 struct DensityDef {
-    double cell = 1.0;    ///< Edge of a density cell [m] > 0.
-    double lambda = 1.0;  ///< Exponent of the shares > 0.
+    double cell = 1.0;    ///< Edge of a density cell [m], > 0.
+    double lambda = 1.0;  ///< Exponent of the shares, > 0.
 };
 
-/// Density [characters per m^2] and momentum on a grid of its own.
+/// Density [characters per m^2] and average velocity of the crowd on a grid of its own.
 class DensityField {
 public:
     DensityField() = default;  ///< Empty.
     /// An empty field over `box`.
     DensityField(const Box& box, const DensityDef& def);
 
-    /// Replaces the contents by these characters: each gives the four cells around it shares in the
-    /// proportion min(1-dx,1-dy)^l : min(dx,1-dy)^l : min(dx,dy)^l : min(1-dx,dy)^l that add up to one
-    /// character. At the rim the share of a missing cell goes to its neighbour; characters outside the box,
-    /// or not finite, give none.
+    /// Replaces the contents by these characters. Each gives the four cells around it shares in the
+    /// proportion min(1-dx,1-dy)^l : min(dx,1-dy)^l : min(dx,dy)^l : min(1-dx,dy)^l, with l = lambda, that
+    /// add up to one character. At the edge of the box the share of a missing cell goes to its neighbour.
+    /// Characters outside the box, and positions or velocities that are not finite, are left out.
     void splat(std::span<const Vec2> positions, std::span<const Vec2> velocities);
 
     const Grid& grid() const { return grid_; }                      ///< The density cells.
     const std::vector<float>& density() const { return density_; }  ///< Per cell [1/m^2].
-    /// Average, per cell [m/s]; 0 where empty.
+    /// Average velocity along x, per cell [m/s]; 0 where the density is 0.
     const std::vector<float>& velocityX() const { return velocityX_; }
-    /// Average, per cell [m/s]; 0 where empty.
+    /// Average velocity along y, per cell [m/s]; 0 where the density is 0.
     const std::vector<float>& velocityY() const { return velocityY_; }
     /// Cells with density above zero, ascending.
     const std::vector<std::int32_t>& occupied() const { return occupied_; }
@@ -43,15 +43,16 @@ public:
     Vec2 velocityAt(Vec2 p) const;
 
 private:
-    // Where a position lies among the four cells around it.
-    struct Stencil {
-        Cell cell;  // The lower left; off the grid at its rim.
-        double dx;  // From its centre, in cells: 0 to 1.
-        double dy;
+    // The four cells that a character is splatted to. Unlike a bilinear stencil it reaches beyond the edge of
+    // the grid, where cells stand for their missing neighbours, so that the whole character counts.
+    struct SplatStencil {
+        Cell low;   // The lower left cell; may have column or row -1.
+        double dx;  // From the centre of that cell [cells], 0 to 1.
+        double dy;  // From the centre of that cell [cells], 0 to 1.
     };
-    Stencil stencilOf(Vec2 position) const;
+    SplatStencil splatStencil(Vec2 position) const;
     std::array<std::int32_t, 4> cellsOf(Cell lowerLeft) const;
-    void add(const Stencil& stencil, Vec2 velocity);
+    void add(const SplatStencil& stencil, Vec2 velocity);
     void listOccupied(Cell first, Cell last, std::span<const Vec2> positions);
 
     DensityDef def_;

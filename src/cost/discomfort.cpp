@@ -6,18 +6,18 @@
 namespace muster {
 namespace {
 
-// Pieces slower than this are not predicted [m/s].
-constexpr double kStill = 1e-3;
-constexpr int kMostRounds = 48;
+// Obstacles slower than this cause no discomfort [m/s].
+constexpr double kLeastSpeed = 1e-3;
+constexpr int kMaxIterations = 48;
 
-// What of a piece is nearest to a point outside it: the side with this outward normal, or else the corner.
+// The feature of a piece that is nearest to a point: a side or a corner, or the centre of a disc.
 struct Nearest {
-    bool inside = false;
-    bool isSide = false;
-    std::int32_t number = -1;  // Of the side or the corner.
-    double distance = 0.0;
-    Vec2 normal;
-    Vec2 corner;
+    bool inside = false;      // Whether the point lies inside the piece.
+    bool isSide = false;      // Whether the feature is a side.
+    std::int32_t index = -1;  // Index of the side or corner.
+    double distance = 0.0;    // Distance from the piece [m].
+    Vec2 normal;              // Outward unit normal of a side.
+    Vec2 corner;              // The corner, or the centre of a disc.
 };
 
 Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
@@ -25,7 +25,7 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
         const double away = distance(p, piece.centre) - piece.radius;
         Nearest disc;
         disc.inside = away <= 0.0;
-        disc.number = 0;
+        disc.index = 0;
         disc.distance = away;
         disc.corner = piece.centre;
         return disc;
@@ -42,14 +42,14 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
         if (beyond > 0.0) best.inside = false;
         const double along = dot(off, way);
         const double squared = lengthSquared(way);
-        // The end of a side is the next one's beginning.
+        // The end of a side is the start of the next.
         if (along >= squared) continue;
         const bool isSide = along > 0.0 && beyond > 0.0;
         const double here = isSide ? beyond * beyond / squared : lengthSquared(off);
         if (here >= least || (along > 0.0 && !isSide)) continue;
         least = here;
         best.isSide = isSide;
-        best.number = k;
+        best.index = k;
         best.normal = Vec2{way.y, -way.x};
         best.corner = a;
     }
@@ -58,8 +58,8 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
     return best;
 }
 
-// The search for the peak of (1 - d / range) (1 - t / time) over t, d the distance from a point to the piece
-// moved by t. Both factors are concave where positive, so that there is one.
+// Finds the maximum of (1 - d(t) / range) (1 - t / time) over the time t, where d is the distance from a
+// point to the piece moved by t. Both factors are concave where positive, so that there is only one maximum.
 class PeakSearch {
 public:
     PeakSearch(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision)
@@ -70,13 +70,13 @@ public:
         high_ = high;
         double best = 0.0;
         double time = low;
-        bool foreseen = false;
+        bool predicted = false;
         Nearest from;
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
             const Nearest here = nearestTo(piece_, p_ - piece_.velocity * time);
             const double away = std::max(0.0, here.distance);
             best = std::max(best, (1.0 - away / def_.discomfortRange) * (1.0 - time / def_.discomfortTime));
-            const bool found = foreseen && here.isSide == from.isSide && here.number == from.number;
+            const bool found = predicted && here.isSide == from.isSide && here.index == from.index;
             if (found || high_ - low_ <= precision_ * def_.discomfortTime) break;
             from = here;
             const double peak = here.inside   ? time
@@ -85,15 +85,16 @@ public:
             if (here.inside || peak <= time) high_ = std::min(high_, time);
             if (!here.inside && peak >= time) low_ = std::max(low_, time);
             if (time == low && high_ <= low) break;
-            // As if this side or corner stayed the nearest, where that is not beyond what is known.
-            foreseen = peak > low_ && peak < high_;
-            time = foreseen ? peak : 0.5 * (low_ + high_);
+            // The next time is the maximum for this side or corner alone, if that lies between the bounds;
+            // otherwise their middle.
+            predicted = peak > low_ && peak < high_;
+            time = predicted ? peak : 0.5 * (low_ + high_);
         }
         return best;
     }
 
 private:
-    // Before a side the product is a quadratic in t.
+    // The maximum before a side: d is linear in t, the product quadratic.
     double sidePeak(const Nearest& side, double time) const {
         const double closing = dot(piece_.velocity, side.normal);
         if (closing <= 0.0) return low_;
@@ -102,38 +103,39 @@ private:
         return std::min(0.5 * (entersRange + def_.discomfortTime), meets);
     }
 
-    // Before a corner, or a disc, d is the root of a quadratic in t: Newton's steps, kept between bounds.
+    // The maximum before a corner or a disc, where d is the root of a quadratic in t: Newton's method within
+    // bounds.
     double cornerPeak(Vec2 corner) const {
         const double squared = lengthSquared(piece_.velocity);
         const double size = piece_.corners.empty() ? piece_.radius : 0.0;
         const Vec2 off = p_ - corner;
-        const double nearest = dot(off, piece_.velocity) / squared;  // The time of least distance.
-        const double aside = lengthSquared(off) - squared * nearest * nearest;
+        const double nearest = dot(off, piece_.velocity) / squared;  // Time of the least distance.
+        const double lateralSquared = lengthSquared(off) - squared * nearest * nearest;
         double before = std::min(low_, nearest);
         double after = std::min(nearest, def_.discomfortTime);
-        if (size > 0.0 && aside < size * size)
-            after = std::min(after, nearest - std::sqrt((size * size - aside) / squared));
+        if (size > 0.0 && lateralSquared < size * size)
+            after = std::min(after, nearest - std::sqrt((size * size - lateralSquared) / squared));
         const double range = def_.discomfortRange + size;
-        // Has the sign of the product's slope where both factors are positive, and rises before that.
+        // Has the sign of the product's derivative where both factors are positive.
         double slope = 0.0;
-        double bend = 0.0;
+        double derivative = 0.0;
         const auto at = [&](double t) {
             const double until = nearest - t;
-            const double away = std::sqrt(std::max(0.0, aside + squared * until * until));
+            const double away = std::sqrt(std::max(0.0, lateralSquared + squared * until * until));
             slope = squared * until * (def_.discomfortTime - t) - (range - away) * away;
-            bend = -squared * (def_.discomfortTime - t + until) -
-                   squared * until * (2.0 * away - range) / std::max(away, 1e-12);
+            derivative = -squared * (def_.discomfortTime - t + until) -
+                         squared * until * (2.0 * away - range) / std::max(away, 1e-12);
         };
         if (after <= before) return after;
         at(after);
         if (slope >= 0.0) return after;
         double t = after;
-        for (int k = 0; k < kMostRounds && after - before > precision_ * def_.discomfortTime; ++k) {
-            const double step = bend < 0.0 ? t - slope / bend : before;
+        for (int k = 0; k < kMaxIterations && after - before > precision_ * def_.discomfortTime; ++k) {
+            const double step = derivative < 0.0 ? t - slope / derivative : before;
             const double next = step > before && step < after ? step : 0.5 * (before + after);
-            const bool still = std::fabs(next - t) <= precision_ * def_.discomfortTime;
+            const bool converged = std::fabs(next - t) <= precision_ * def_.discomfortTime;
             t = next;
-            if (still) break;
+            if (converged) break;
             at(t);
             (slope >= 0.0 ? before : after) = t;
         }
@@ -152,14 +154,14 @@ private:
 
 double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision) {
     const double speed = length(piece.velocity);
-    if (speed < kStill || !(def.discomfortTime > 0.0)) return 0.0;
-    // Only while the circle round the piece is near enough to the point can there be any.
+    if (speed < kLeastSpeed || !(def.discomfortTime > 0.0)) return 0.0;
+    // The times at which the circumcircle of the piece is within the range.
     const Vec2 ahead = piece.velocity / speed;
     const double along = dot(p - piece.centre, ahead);
-    const double aside = cross(ahead, p - piece.centre);
+    const double lateral = cross(ahead, p - piece.centre);
     const double reach = piece.radius + def.discomfortRange;
-    if (std::fabs(aside) >= reach) return 0.0;
-    const double half = std::sqrt(reach * reach - aside * aside);
+    if (std::fabs(lateral) >= reach) return 0.0;
+    const double half = std::sqrt(reach * reach - lateral * lateral);
     const double low = std::max(0.0, (along - half) / speed);
     const double high = std::min(def.discomfortTime, (along + half) / speed);
     if (low >= high) return 0.0;
@@ -167,8 +169,8 @@ double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, 
 }
 
 void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Grid& grid,
-                   std::vector<float>& discomfort, std::vector<std::int32_t>& touched) {
-    if (!piece.moving || length(piece.velocity) < kStill || !(def.discomfortTime > 0.0)) return;
+                   std::vector<float>& discomfort, std::vector<std::int32_t>& cells) {
+    if (!piece.moving || length(piece.velocity) < kLeastSpeed || !(def.discomfortTime > 0.0)) return;
     const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
     const double reach = piece.radius + def.discomfortRange;
     const Vec2 least{std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach};
@@ -180,7 +182,7 @@ void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Gri
             const auto g = static_cast<float>(discomfortAt(def, piece, grid.centre({x, y})));
             if (!(g > 0.0f)) continue;
             float& here = discomfort[grid.index({x, y})];
-            if (here == 0.0f) touched.push_back(grid.index({x, y}));
+            if (here == 0.0f) cells.push_back(grid.index({x, y}));
             here = std::max(here, g);
         }
     }

@@ -1,10 +1,13 @@
-// What crowd and moving things add to the cost of the ground (SPEC A4, A5), for integrals along ways.
+// Dynamic cost: what the crowd and moving obstacles add to the unit cost of the static ground (SPEC A4, A5;
+// Treuille, Cooper and Popovic 2006, section 4.1), for line integrals along paths.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "base/bilinear.h"
+#include "base/cell_set.h"
+#include "base/summed_area_table.h"
 #include "cost/density.h"
 #include "cost/static_ground.h"
 #include "cost/unit_cost.h"
@@ -12,111 +15,110 @@
 
 namespace muster {
 
-/// The share by which a metre is dearer than on the empty ground: for the crowd by direction, on the cells of
-/// the density; for what moves in all directions alike, its discomfort and its patches on finer cells, its
-/// bodies on those of the ground. To first order a small excess changes the cost of the cheapest way by its
-/// integral along the way that is cheapest without it.
+/// The increase of the unit cost relative to that of the static ground. It has two layers: the crowd cost, by
+/// direction, on the cells of the density; and the moving cost of obstacles and patches that move, equal in
+/// all directions, on cells of kMovingCell (on ground cells under the obstacles themselves). To first order a
+/// small increase raises the cost of a cheapest path by its integral along the path that is cheapest without
+/// it.
 class DynamicCost {
 public:
-    /// Makes room for the cells of this ground and this density; no excess anywhere then.
+    /// Allocates for these ground cells and density cells and sets the cost to zero everywhere.
     void reset(const Grid& ground, const Grid& density);
-    /// Works it out for this crowd and these moving things, for characters of `radius` [m].
+    /// Computes the cost of this crowd and these moving things for characters of `radius` [m].
     void update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
                 double radius);
-    /// The integral along the straight line from `a` to `b` [m]: to be multiplied by the cost of a metre of
-    /// empty ground.
+    /// Integral of the relative cost along the straight line from `a` to `b` [m]. Multiplied by a uniform
+    /// unit cost of the static ground it is a cost.
     double relativeAlong(Vec2 a, Vec2 b) const { return relativeAlong(a, b, distance(a, b)); }
-    /// The same where the length of the line is known.
+    /// The same where the length of the line [m] is known.
     double relativeAlong(Vec2 a, Vec2 b, double length) const;
-    /// The integral times the cost of a metre of the still ground under it, which may change on the way.
+    /// Integral of the dynamic cost along the straight line from `a` to `b`, over static ground whose unit
+    /// cost may vary.
     double costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const {
         return costAlong(ground, a, b, distance(a, b));
     }
-    /// The same where the length of the line is known.
+    /// The same where the length of the line [m] is known.
     double costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const;
-    /// The share of the line from `a` to `b`, of this length, at which moving things make it dearest, in the
-    /// mean; negative where none does.
+    /// Centroid of the moving cost along the line from `a` to `b` of this length [m], as a fraction of the
+    /// line; negative where there is none.
     double movingCostCentroid(Vec2 a, Vec2 b, double length) const;
-    /// The excess of moving things at a point.
-    double movingCostAt(Vec2 p) const { return hazardMeets(p, p) ? hazardRead(p) : 0.0; }
-    /// True where moving things make the ground dearer or cheaper.
+    /// Relative moving cost at a point.
+    double movingCostAt(Vec2 p) const { return movingCostMeets(p, p) ? interpolateMovingCost(p) : 0.0; }
+    /// True where moving things raise or lower the unit cost.
     bool hasMovingCost(Vec2 p) const { return movingCostAt(p) != 0.0; }
-    /// The cells.
+    /// The cells of the crowd cost, which are those of the density.
     const Grid& grid() const { return grid_; }
-    /// True where there is none anywhere.
-    bool empty() const { return listed_.empty() && moved_.empty() && takenList_.empty(); }
+    /// True where the cost is zero everywhere.
+    bool empty() const { return crowdCells_.empty() && movingCells_.empty() && blocked_.empty(); }
 
-    /// Excess inside moving obstacles, and the most of them elsewhere.
+    /// Relative cost inside moving obstacles, and its upper bound elsewhere.
     static constexpr float kBlocked = 20.0f;
-    static constexpr double kMovingCell = 0.25;  ///< Edge of the finer cells [m].
+    static constexpr double kMovingCell = 0.25;  ///< Edge of the cells of the moving cost [m].
 
 private:
-    /// The sides towards which a unit vector leads.
-    struct Sides;
-    /// A box round cells from which something can be read; empty at first.
+    /// The two sides of a cell that a direction leads through.
+    struct Direction;
+    /// A box round points; empty at first.
     struct Bounds {
         Vec2 min{1e300, 1e300};
         Vec2 max{-1e300, -1e300};
-        /// Grows it round a cell.
-        void take(Vec2 centre, double cell) {
+        /// Extends the box by a square of twice this edge round a centre.
+        void extend(Vec2 centre, double cell) {
             min = {centre.x - cell < min.x ? centre.x - cell : min.x,
                    centre.y - cell < min.y ? centre.y - cell : min.y};
             max = {centre.x + cell > max.x ? centre.x + cell : max.x,
                    centre.y + cell > max.y ? centre.y + cell : max.y};
         }
-        /// True where the box round the line meets it.
+        /// True where the bounding box of the line from a to b meets the box.
         bool meets(Vec2 a, Vec2 b) const {
             return (a.x > min.x || b.x > min.x) && (a.x < max.x || b.x < max.x) &&
                    (a.y > min.y || b.y > min.y) && (a.y < max.y || b.y < max.y);
         }
     };
+
     void clear();
     void addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment);
+    void evaluateCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment,
+                       std::int32_t cell);
+    void setCrowdCost(std::int32_t cell, const CellCost& value);
     void addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece);
-    void addMovedGround(const Environment& environment, double radius);
-    void addMovedPatches(const Environment& environment, const CellRect& area);
-    void setHazard(std::int32_t cell, float value);
-    void set(std::int32_t cell, const CellCost& value);
-    void markBusy();
-    void sumBusy();
-    bool busyAlong(Vec2 a, Vec2 b) const;
-    // The speed, relative to the free one of the ground, at which a metre has this excess.
-    float speedAt(float excess) const { return perSecond_ / (1.0f + excess - perMetre_); }
-    double crowdAlong(Vec2 p, const Sides& sides) const;
-    double crowdAlong(Vec2 p, const Sides& sides, float unit) const;
-    double hazardRead(Vec2 p) const;
-    bool hazardMeets(Vec2 a, Vec2 b) const {
-        return !(moved_.empty() && takenList_.empty()) && hazardBounds_.meets(a, b);
+    void addMovingPatches(const Environment& environment, const CellRect& area);
+    void addMovingObstacles(const Environment& environment, double radius);
+    void setMovingCost(std::int32_t cell, float value);
+    void updateBounds();
+    bool crowdMeets(Vec2 a, Vec2 b) const;
+    bool movingCostMeets(Vec2 a, Vec2 b) const {
+        return !(movingCells_.empty() && blocked_.empty()) && movingBounds_.meets(a, b);
     }
+    double interpolateMovingCost(Vec2 p) const;
+    double crowdCost(Vec2 p, const Direction& direction) const;
+    double crowdCostOnGround(Vec2 p, const Direction& direction, float unitCost) const;
+    // The relative speed at which a metre has this relative cost: the inverse of C(f) = alpha + beta / f.
+    float speedAt(float relativeCost) const { return timeShare_ / (1.0f + relativeCost - lengthShare_); }
 
+    // Crowd layer.
     Grid grid_;
-    BilinearLocator locator_;       // Of its cells.
-    float perMetre_ = 0.0f;         // Parts of the cost of a metre of empty ground: of the way...
-    float perSecond_ = 1.0f;        // ... and of the time.
-    std::vector<CellCost> excess_;  // Relative, of leaving a cell to the four sides.
-    // Cost of a metre of ground in the middle of cells that were priced for the crowd.
-    std::vector<float> unit_;
-    std::vector<std::uint8_t> busy_;    // Cells from which some excess can be read.
-    std::vector<std::int32_t> listed_;  // Cells with excess, in the order they got it.
-    std::vector<std::int32_t> busyList_;
-    Cell busyLow_;  // The box round all of them...
-    Cell busyHigh_;
-    std::int32_t busyStride_ = 0;
-    std::vector<std::int32_t> busySum_;  // ... and how many lie below and left of each cell of it.
-    std::vector<std::uint8_t> looked_;   // Cells that were priced for the crowd.
-    std::vector<std::int32_t> lookedList_;
-    Bounds crowdBounds_;
-    Bounds hazardBounds_;  // Of all that moves...
-    Bounds takenBounds_;   // ... and of what is taken.
-    Grid hazardGrid_;
+    BilinearLocator locator_;
+    float lengthShare_ = 0.0f;         // alpha / (alpha + beta)
+    float timeShare_ = 1.0f;           // beta / (alpha + beta)
+    std::vector<CellCost> crowdCost_;  // Relative, of leaving a cell through its four sides.
+    std::vector<float> staticUnit_;    // Unit cost of the static ground at the centres of evaluated_ cells.
+    std::vector<std::int32_t> crowdCells_;  // Cells whose crowd cost is not zero.
+    CellSet evaluated_;                     // Cells for which the crowd cost was computed.
+    CellSet nearCrowd_;                     // Cells of crowdCells_ and their eight neighbours.
+    SummedAreaTable nearCrowdSums_;
+    Bounds crowdBounds_;  // Round crowdCells_.
+
+    // Moving layer.
+    Grid movingGrid_;
     BilinearLocator movingLocator_;
-    std::vector<float> hazard_;
-    std::vector<std::int32_t> moved_;  // Cells of it that moving things make dearer or cheaper.
-    std::vector<std::uint8_t> seen_;   // Of those under moving things.
-    std::vector<std::int32_t> seenList_;
+    std::vector<float> movingCost_;
+    std::vector<std::int32_t> movingCells_;  // Cells whose moving cost is not zero.
+    CellSet patchCells_;                     // Cells under moving patches that are done.
+    Bounds movingBounds_;                    // Round movingCells_ and blocked_.
     Grid ground_;
-    std::vector<std::uint8_t> taken_;  // Ground cells where a moving obstacle leaves nobody room.
-    std::vector<std::int32_t> takenList_;
+    CellSet blocked_;  // Ground cells where a character would overlap a moving obstacle.
+    Bounds blockedBounds_;
 };
 
 }  // namespace muster

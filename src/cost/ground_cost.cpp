@@ -2,31 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cost/thin_wall.h"
 
 namespace muster {
 namespace {
 
-constexpr float kInfinite = std::numeric_limits<float>::infinity();
-// Beside a wall the clearance must rise away from it at least this steeply, or the cell lies between two
-// walls.
+// Least slope of the clearance away from a wall; where it is flatter the cell lies between two walls.
 constexpr double kLeastSlope = 0.7;
-// Slopes fit where they are off by less than this.
-constexpr double kFits = 0.05;
-// Two nodes drawn to the wall keep at least this distance, in cells.
-constexpr double kLeastStep = 0.1;
+// Largest misfit of a model of the clearance that is accepted [cells].
+constexpr double kMaxMisfit = 0.05;
+// Least length of the edge between two wall nodes [cells].
+constexpr double kLeastEdge = 0.1;
 
-// Where the node of a cell stands, relative to its centre [cells].
+// The point of a cell that a cost field holds the value of: the centre, or the wall node.
 struct Node {
-    bool free = false;
-    float x = 0.0f;
-    float y = 0.0f;
-    float normalX = 0.0f;  // Away from the wall it was drawn to.
+    bool free = false;     // Whether a character can be there.
+    float x = 0.0f;        // From the cell's centre [cells].
+    float y = 0.0f;        // From the cell's centre [cells].
+    float normalX = 0.0f;  // Unit vector away from the wall; null where the node is the centre.
     float normalY = 0.0f;
 };
 
+// Finds the nodes of cells from the clearance around them.
 class NodeFinder {
 public:
     NodeFinder(const GroundRasters& ground, double radius) : ground_(ground), radius_(radius) {}
@@ -35,26 +33,27 @@ public:
         if (!ground_.grid.contains(cell)) return {};
         const double edge = ground_.grid.cell;
         const double here = at(cell.x, cell.y);
-        const double depth = (radius_ - here) / edge;  // Of the centre in the forbidden zone, in cells.
+        const double depth = (radius_ - here) / edge;  // Depth of the centre in the forbidden zone [cells].
         constexpr double kWidestBand = 0.70710678118654752;
         if (depth <= -kWidestBand) return {.free = true};
         if (depth > kWidestBand || !(here > 0.0)) return {};
-        Vec2 rise;
-        const bool wallBeside = riseFromWall(cell, depth <= 0.0, rise);
-        const double steepness = length(rise);
-        // In the very middle of a thin wall there is no side to be drawn to.
-        if (wallBeside && !(steepness > 1e-6 * edge)) return {.free = depth <= 0.0};
-        const double band = wallBeside ? 0.5 * (std::fabs(rise.x) + std::fabs(rise.y)) / steepness : 0.0;
-        // A hair to one side, so that of two cells that lie evenly about the wall only one is drawn to it.
-        constexpr double kHair = 1e-4;
-        if (depth > band + kHair) return {};
-        if (depth < -band + kHair || !wallBeside) return {.free = depth <= 0.0};
-        const Vec2 away = refined(cell, rise / steepness);
+        Vec2 gradient;
+        const bool oneWall = clearanceGradient(cell, depth <= 0.0, gradient);
+        const double steepness = length(gradient);
+        // In the very middle of a thin wall no side is nearer than the other.
+        if (oneWall && !(steepness > 1e-6 * edge)) return {.free = depth <= 0.0};
+        // Cells whose centres lie within the band form a 4-connected chain along the wall.
+        const double band = oneWall ? 0.5 * (std::fabs(gradient.x) + std::fabs(gradient.y)) / steepness : 0.0;
+        // Of two cells whose centres lie symmetrically about the wall only one gets a wall node.
+        constexpr double kTieBreak = 1e-4;
+        if (depth > band + kTieBreak) return {};
+        if (depth < -band + kTieBreak || !oneWall) return {.free = depth <= 0.0};
+        const Vec2 away = refineNormal(cell, gradient / steepness);
         return {true, static_cast<float>(depth * away.x), static_cast<float>(depth * away.y),
                 static_cast<float>(away.x), static_cast<float>(away.y)};
     }
 
-    // True where the cell and the four beside it are free, and none is drawn to a wall.
+    // True where the cell and its four neighbours are free and have no wall nodes.
     bool farFromWalls(Cell cell) const {
         constexpr double kCells = 1.75;
         const Grid& grid = ground_.grid;
@@ -63,89 +62,88 @@ public:
     }
 
 private:
-    // Outside the grid as at its rim.
+    // The clearance of a cell; beyond the grid's edge that of the nearest cell.
     double at(std::int32_t x, std::int32_t y) const {
         return ground_.clearance[ground_.grid.index(
             {std::clamp(x, 0, ground_.grid.width - 1), std::clamp(y, 0, ground_.grid.height - 1)})];
     }
 
-    // The rise of the clearance per cell away from the wall beside a cell; false where it lies between two.
-    // Of a cell that is free even so the slope towards its own wall counts there.
-    bool riseFromWall(Cell cell, bool free, Vec2& rise) const {
+    // The gradient of the clearance per cell at a cell near one wall; false where the cell lies between two
+    // walls. For a centre that is free the gradient towards its own wall is accepted there.
+    bool clearanceGradient(Cell cell, bool free, Vec2& gradient) const {
         const double here = at(cell.x, cell.y);
         const double east = at(cell.x + 1, cell.y);
         const double west = at(cell.x - 1, cell.y);
         const double north = at(cell.x, cell.y + 1);
         const double south = at(cell.x, cell.y - 1);
         const double least = kLeastSlope * kLeastSlope * ground_.grid.cell * ground_.grid.cell;
-        rise = {slope(here, east, west), slope(here, north, south)};
-        if (lengthSquared(rise) >= least) {
-            // Even differences tell the direction better, where both neighbours lie outside.
-            rise = {even(rise.x, east, west), even(rise.y, north, south)};
+        gradient = {risingSlope(here, east, west), risingSlope(here, north, south)};
+        if (lengthSquared(gradient) >= least) {
+            // Central differences give the direction better where both neighbours lie outside obstacles.
+            gradient = {centralSlope(gradient.x, east, west), centralSlope(gradient.y, north, south)};
             return true;
         }
-        if (free) rise = {innerSlope(here, east, west), innerSlope(here, north, south)};
-        return free && lengthSquared(rise) >= least;
+        if (free) gradient = {fallingSlope(here, east, west), fallingSlope(here, north, south)};
+        return free && lengthSquared(gradient) >= least;
     }
 
-    // Rise of the clearance per cell, looked for on the side where it rises more.
-    static double slope(double here, double after, double before) {
+    // One-sided difference along an axis, on the side where the clearance rises more; 0 at a maximum.
+    static double risingSlope(double here, double after, double before) {
         if (after <= here && before <= here) return 0.0;
         return after >= before ? after - here : here - before;
     }
 
-    // The same on the side where it falls more.
-    static double innerSlope(double here, double after, double before) {
+    // The same on the side where the clearance falls more; 0 at a minimum.
+    static double fallingSlope(double here, double after, double before) {
         if (after >= here && before >= here) return 0.0;
         return after <= before ? after - here : here - before;
     }
 
-    static double even(double uneven, double after, double before) {
-        return after > 0.0 && before > 0.0 ? 0.5 * (after - before) : uneven;
+    static double centralSlope(double oneSided, double after, double before) {
+        return after > 0.0 && before > 0.0 ? 0.5 * (after - before) : oneSided;
     }
 
-    // A slope of the clearance [cells per cell] by the value here and at one side, or both: `wall` as before
-    // a straight wall (clearance linear), `corner` as round a corner (its square quadratic); `outer` is the
-    // side where it is higher.
+    // Estimates of the clearance's slope along one axis [cells per cell].
     struct Slope {
-        double wall = 0.0;
-        double corner = 0.0;
-        double even = 0.0;  // Right at both, where both neighbours are outside.
-        bool bothOut = false;
-        std::int32_t outer = 0;
+        double wall = 0.0;         // One-sided, before a straight wall: the clearance is linear.
+        double corner = 0.0;       // One-sided, round a corner: the clearance squared is quadratic.
+        double central = 0.0;      // Exact for both where both neighbours lie outside obstacles.
+        bool bothOutside = false;  // Whether both neighbours do.
+        std::int32_t outer = 0;    // The side, 1 or -1, on which the clearance is higher.
     };
     Slope slopeOf(double here, Cell after, Cell before) const {
         const double edge = ground_.grid.cell;
         const double a = ground_.grid.contains(after) ? at(after.x, after.y) / edge : 0.0;
         const double b = ground_.grid.contains(before) ? at(before.x, before.y) / edge : 0.0;
-        const double beside = std::max(a, b);
+        const double higher = std::max(a, b);
         const double side = a >= b ? 1.0 : -1.0;
-        return {side * (beside - here), side * (beside * beside - here * here - 1.0) / (2.0 * here),
+        return {side * (higher - here), side * (higher * higher - here * here - 1.0) / (2.0 * here),
                 (a * a - b * b) / (4.0 * here), a > 0.0 && b > 0.0, a >= b ? 1 : -1};
     }
 
-    // A better direction in which the clearance rises: as before a wall or round a corner, whichever fits, as
-    // it rises by a metre per metre and the cell across is a fourth witness; the coarse one where none fits.
-    Vec2 refined(Cell cell, Vec2 coarse) const {
+    // A better normal than the gradient of the clearance: that of a straight wall or of a corner, whichever
+    // fits the neighbours and the diagonal neighbour outside; `coarse` where none fits. The clearance rises
+    // by a metre per metre, so that the slopes of a good model have length 1.
+    Vec2 refineNormal(Cell cell, Vec2 coarse) const {
         const double here = at(cell.x, cell.y) / ground_.grid.cell;
         const Slope x = slopeOf(here, {cell.x + 1, cell.y}, {cell.x - 1, cell.y});
         const Slope y = slopeOf(here, {cell.x, cell.y + 1}, {cell.x, cell.y - 1});
-        const double across = at(cell.x + x.outer, cell.y + y.outer) / ground_.grid.cell;
-        double best = kFits;
+        const double diagonal = at(cell.x + x.outer, cell.y + y.outer) / ground_.grid.cell;
+        double best = kMaxMisfit;
         Vec2 found = coarse;
-        const auto offer = [&](Vec2 slope, bool corner) {
+        const auto tryModel = [&](Vec2 slope, bool corner) {
             const double rise = slope.x * x.outer + slope.y * y.outer;
             const double expected = corner ? std::sqrt(std::max(0.0, here * here + 2.0 * here * rise + 2.0))
                                            : here + rise;
-            const double misfit = std::fabs(lengthSquared(slope) - 1.0) + std::fabs(across - expected);
+            const double misfit = std::fabs(lengthSquared(slope) - 1.0) + std::fabs(diagonal - expected);
             if (!(misfit < best)) return;
             best = misfit;
             found = slope;
         };
-        offer({x.bothOut ? x.even : x.wall, y.bothOut ? y.even : y.wall}, false);
-        offer({x.bothOut ? x.even : x.corner, y.bothOut ? y.even : y.corner}, true);
-        offer({x.wall, y.wall}, false);
-        offer({x.corner, y.corner}, true);
+        tryModel({x.bothOutside ? x.central : x.wall, y.bothOutside ? y.central : y.wall}, false);
+        tryModel({x.bothOutside ? x.central : x.corner, y.bothOutside ? y.central : y.corner}, true);
+        tryModel({x.wall, y.wall}, false);
+        tryModel({x.corner, y.corner}, true);
         return normalized(found);
     }
 
@@ -154,28 +152,28 @@ private:
 };
 
 float edgeCost(const Node& from, const Node& to, float x, float y, float unit) {
-    if (!from.free || !to.free) return kInfinite;
+    if (!from.free || !to.free) return kInfiniteCost;
     const float dx = x + to.x - from.x;
     const float dy = y + to.y - from.y;
-    if (throughThinWall(from, to, dx, dy)) return kInfinite;
-    return unit * std::max(static_cast<float>(kLeastStep), std::sqrt(dx * dx + dy * dy));
+    if (crossesThinWall(from, to, dx, dy)) return kInfiniteCost;
+    return unit * std::max(static_cast<float>(kLeastEdge), std::sqrt(dx * dx + dy * dy));
 }
 
-void priceCell(const GroundRasters& ground, const NodeFinder& finder, double price, std::int32_t index,
-               const GroundCosts& costs) {
+void computeCell(const GroundRasters& ground, const NodeFinder& finder, double openCost, std::int32_t index,
+                 const GroundCosts& costs) {
     const Cell cell = ground.grid.at(index);
     CellCost& out = costs.cells[index];
     if (finder.farFromWalls(cell)) {
-        const auto unit = static_cast<float>(price / ground.travelSpeed[index]);
+        const auto unit = static_cast<float>(openCost / ground.travelSpeed[index]);
         costs.unit[index] = unit;
         out = {unit, unit, unit, unit};
         return;
     }
-    out = {kInfinite, kInfinite, kInfinite, kInfinite};
-    costs.unit[index] = kInfinite;
+    out = {kInfiniteCost, kInfiniteCost, kInfiniteCost, kInfiniteCost};
+    costs.unit[index] = kInfiniteCost;
     const Node here = finder.find(cell);
     if (!here.free) return;
-    const auto unit = static_cast<float>(price / ground.travelSpeed[index]);
+    const auto unit = static_cast<float>(openCost / ground.travelSpeed[index]);
     costs.unit[index] = unit;
     out.east = edgeCost(here, finder.find({cell.x + 1, cell.y}), 1.0f, 0.0f, unit);
     out.north = edgeCost(here, finder.find({cell.x, cell.y + 1}), 0.0f, 1.0f, unit);
@@ -187,16 +185,17 @@ void priceCell(const GroundRasters& ground, const NodeFinder& finder, double pri
 
 }  // namespace
 
-void priceGround(const GroundRasters& ground, double radius, double price, std::int32_t first,
-                 std::int32_t last, const GroundCosts& costs) {
+void computeGroundCost(const GroundRasters& ground, double radius, double openCost, std::int32_t first,
+                       std::int32_t last, const GroundCosts& costs) {
     const NodeFinder finder(ground, radius);
-    for (std::int32_t index = first; index < last; ++index) priceCell(ground, finder, price, index, costs);
+    for (std::int32_t index = first; index < last; ++index)
+        computeCell(ground, finder, openCost, index, costs);
 }
 
-void priceGround(const GroundRasters& ground, double radius, double price,
-                 std::span<const std::int32_t> cells, const GroundCosts& costs) {
+void computeGroundCost(const GroundRasters& ground, double radius, double openCost,
+                       std::span<const std::int32_t> cells, const GroundCosts& costs) {
     const NodeFinder finder(ground, radius);
-    for (const std::int32_t index : cells) priceCell(ground, finder, price, index, costs);
+    for (const std::int32_t index : cells) computeCell(ground, finder, openCost, index, costs);
 }
 
 }  // namespace muster

@@ -1,4 +1,5 @@
-// What the empty ground costs.
+// Unit cost of the ground alone, without crowd and discomfort, with walls placed to a fraction of a cell
+// (docs/method/unit-cost.md).
 #pragma once
 
 #include <span>
@@ -9,32 +10,32 @@
 
 namespace muster {
 
-/// What the empty ground is made of, one value per cell.
+/// What the ground cost depends on, one value per cell.
 struct GroundRasters {
     const Grid& grid;
-    std::span<const float> clearance;    ///< [m] From the cell's centre to the nearest obstacle.
-    std::span<const float> travelSpeed;  ///< > 0
+    std::span<const float> clearance;    ///< Distance from the cell's centre to the nearest obstacle [m].
+    std::span<const float> travelSpeed;  ///< Speed relative to running, > 0.
 };
 
-/// How far away a change of the clearance can change what a cell costs [cells].
+/// Distance at which a change of the clearance can still change the cost of a cell [cells].
 inline constexpr std::int32_t kGroundReach = 2;
-/// Clearances this much above or below the radius all price the ground alike [cells].
+/// Clearances beyond the radius plus or minus this all give the same cost [cells].
 inline constexpr double kGroundBand = 3.0;
 
-/// The cost of ground without crowd and discomfort.
+/// Where the ground cost is written.
 struct GroundCosts {
-    std::vector<CellCost>& cells;  ///< Cost of a metre over each edge.
+    std::vector<CellCost>& cells;  ///< Unit cost times the length of the edge to the neighbour in cells.
     std::vector<float>& unit;      ///< Cost of a true metre in each cell; infinite in walls.
-    std::vector<WallNode>& nodes;  ///< Cells beside walls are appended here.
+    std::vector<WallNode>& nodes;  ///< Wall nodes are appended here.
 };
 
-/// Prices the cells `first` to `last` - 1: `price` over the travel speed, infinite where a character of
-/// `radius` [m] cannot be and into such cells. Beside walls the cost of an edge holds its true length (see
-/// docs/method/unit-cost.md).
-void priceGround(const GroundRasters& ground, double radius, double price, std::int32_t first,
-                 std::int32_t last, const GroundCosts& costs);
-/// The same for the cells listed.
-void priceGround(const GroundRasters& ground, double radius, double price,
-                 std::span<const std::int32_t> cells, const GroundCosts& costs);
+/// Computes the cells from `first` to `last` - 1: `openCost`, the unit cost of open ground, over the travel
+/// speed; infinite where a character of `radius` [m] cannot be, and towards such cells. Near walls edges lead
+/// from wall node to wall node and hold their true length.
+void computeGroundCost(const GroundRasters& ground, double radius, double openCost, std::int32_t first,
+                       std::int32_t last, const GroundCosts& costs);
+/// The same for the listed cells.
+void computeGroundCost(const GroundRasters& ground, double radius, double openCost,
+                       std::span<const std::int32_t> cells, const GroundCosts& costs);
 
 }  // namespace muster

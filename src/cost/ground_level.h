@@ -1,4 +1,4 @@
-// The still ground on cells of one size.
+// The static ground on cells of one size.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,19 @@
 
 namespace muster {
 
-/// What a metre costs on each cell, and how far it is from there to the walls.
+/// Unit cost and clearance of the static ground on one level of a grid hierarchy.
 struct GroundLevel {
-    UnitCost cost;  ///< Of the still ground.
-    /// Per cell: what a character at its centre has to the walls [m]; negative in them.
+    UnitCost cost;  ///< Unit cost of the static ground.
+    /// Per cell: distance from the centre to the nearest obstacle less the characters' radius [m]; negative
+    /// in walls.
     std::vector<float> clearance;
-    /// The same to walls and to ground that costs something else, a lower bound [m].
+    /// Per cell: lower bound of the distance to the nearest wall or ground of another unit cost, less the
+    /// radius for walls [m].
     std::vector<float> uniformClearance;
 
-    /// True where nobody of the radius can stand at the centre of the cell.
+    /// True where no character of this radius can stand at the centre of the cell.
     bool blocked(std::int32_t cell) const { return clearance[cell] < 0.0f; }
-    /// The free cell nearest to `p` within two cells, -1 where there is none.
+    /// The free cell whose centre is nearest to `p` within two cells; -1 where there is none.
     std::int32_t freeCellNear(Vec2 p) const;
 };
 

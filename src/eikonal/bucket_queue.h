@@ -1,4 +1,5 @@
-// A monotone priority queue of cells: a ring of buckets, each in order of arrival.
+// Untidy priority queue (Yatziv, Bartesaghi and Sapiro 2006): cells in a ring of buckets (Dial 1969), each in
+// order of arrival.
 #pragma once
 
 #include <bit>
@@ -9,40 +10,40 @@
 
 namespace muster {
 
-/// A cell with its place in the row-major costs and in the solver's padded arrays.
+/// Both indices of a cell of the front.
 struct FrontCell {
-    std::int32_t cell;  ///< Index in the unit cost.
-    std::int32_t node;  ///< Index in the padded arrays.
+    std::int32_t cell;  ///< Row-major index in the unit cost.
+    std::int32_t node;  ///< Index in the padded arrays of the front.
 };
 
-/// Cells by key; keys are never below the bucket that is being emptied (lower ones are put into it). Cells
-/// too far ahead for the ring wait in a list.
+/// A monotone priority queue: keys are not below the bucket that is being emptied; lower ones go into that
+/// bucket. Cells beyond the ring wait in a list.
 class BucketQueue {
 public:
     BucketQueue() : buckets_(kRing) {
         for (auto& bucket : buckets_) bucket.reserve(32);
     }
 
-    /// Empties the queue; buckets will be `1 / inverseWidth` wide.
+    /// Empties the queue and sets the width of its buckets to `1 / inverseWidth`.
     void restart(float inverseWidth) {
         for (auto& bucket : buckets_) bucket.clear();
         for (auto& word : used_) word = 0;
-        far_.clear();
+        overflow_.clear();
         inverseWidth_ = inverseWidth;
         current_ = 0;
-        farLowest_ = kFarthest;
+        lowestOverflow_ = kLargest;
     }
 
     /// The number of the bucket of `key` >= 0; at least 1, as bucket 0 stays empty.
     std::int32_t number(float key) const {
         const float k = key * inverseWidth_;
-        return k < static_cast<float>(kFarthest) ? static_cast<std::int32_t>(k) + 1 : kFarthest;
+        return k < static_cast<float>(kLargest) ? static_cast<std::int32_t>(k) + 1 : kLargest;
     }
 
-    /// Adds a cell to the bucket of that number.
+    /// Adds a cell to the bucket of this number.
     void push(std::int32_t bucket, FrontCell cell) {
         if (bucket < current_) bucket = current_;
-        if (bucket - current_ >= kRing) return putFar(bucket, cell);
+        if (bucket - current_ >= kRing) return putOverflow(bucket, cell);
         put(bucket, cell);
     }
 
@@ -51,26 +52,26 @@ public:
         buckets_[slot(current_)].clear();
         used_[slot(current_) / 64] &= ~(1ull << (slot(current_) % 64));
         std::int32_t next = nextUsed();
-        if (next >= farLowest_) {
-            if (far_.empty()) return false;
-            if (next > farLowest_) next = farLowest_;
+        if (next >= lowestOverflow_) {
+            if (overflow_.empty()) return false;
+            if (next > lowestOverflow_) next = lowestOverflow_;
             current_ = next;
-            recall();
+            refill();
         }
         current_ = next;
         return true;
     }
 
-    /// The bucket being emptied; it may grow meanwhile, so look at its size anew for every cell.
+    /// The bucket that is being emptied. It may grow meanwhile: its size has to be read anew for every cell.
     const std::vector<FrontCell>& bucket() const { return buckets_[slot(current_)]; }
-    /// Its number.
+    /// The number of that bucket.
     std::int32_t current() const { return current_; }
 
 private:
-    static constexpr std::int32_t kRing = 512;  // Buckets; a multiple of 64.
-    static constexpr std::int32_t kFarthest = 1 << 30;
+    static constexpr std::int32_t kRing = 512;  // Number of buckets; a multiple of 64.
+    static constexpr std::int32_t kLargest = 1 << 30;
 
-    struct Far {
+    struct Overflow {
         std::int32_t bucket;
         FrontCell cell;
     };
@@ -83,9 +84,9 @@ private:
         buckets_[at].push_back(cell);
     }
 
-    void putFar(std::int32_t bucket, FrontCell cell) {
-        far_.push_back({bucket, cell});
-        if (bucket < farLowest_) farLowest_ = bucket;
+    void putOverflow(std::int32_t bucket, FrontCell cell) {
+        overflow_.push_back({bucket, cell});
+        if (bucket < lowestOverflow_) lowestOverflow_ = bucket;
     }
 
     std::int32_t nextUsed() const {
@@ -97,30 +98,30 @@ private:
             if (word != 0)
                 return current_ + static_cast<std::int32_t>(64 * k - first % 64) + std::countr_zero(word);
         }
-        return kFarthest;
+        return kLargest;
     }
 
-    // Brings the waiting cells that the ring can hold now into it.
-    void recall() {
-        std::size_t kept = 0;
-        farLowest_ = kFarthest;
-        for (const Far& far : far_) {
-            if (far.bucket - current_ < kRing) {
-                put(far.bucket, far.cell);
+    // Moves waiting cells that the ring can hold now into it.
+    void refill() {
+        std::size_t waiting = 0;
+        lowestOverflow_ = kLargest;
+        for (const Overflow& entry : overflow_) {
+            if (entry.bucket - current_ < kRing) {
+                put(entry.bucket, entry.cell);
                 continue;
             }
-            if (far.bucket < farLowest_) farLowest_ = far.bucket;
-            far_[kept++] = far;
+            if (entry.bucket < lowestOverflow_) lowestOverflow_ = entry.bucket;
+            overflow_[waiting++] = entry;
         }
-        far_.resize(kept);
+        overflow_.resize(waiting);
     }
 
     std::vector<std::vector<FrontCell>> buckets_;
-    std::uint64_t used_[kRing / 64] = {};
-    std::vector<Far> far_;
-    float inverseWidth_ = 1.0f;
+    std::uint64_t used_[kRing / 64] = {};  // One bit per bucket of the ring: whether it holds cells.
+    std::vector<Overflow> overflow_;       // Cells beyond the ring.
+    float inverseWidth_ = 1.0f;            // [buckets per key]
     std::int32_t current_ = 0;
-    std::int32_t farLowest_ = kFarthest;
+    std::int32_t lowestOverflow_ = kLargest;  // Lowest bucket number in overflow_.
 };
 
 }  // namespace muster

@@ -5,16 +5,15 @@
 namespace muster {
 namespace {
 
-// A bucket's width in units of the lowest cost of one cell. Within a bucket cells come in order of arrival;
-// what that spoils is mended by visiting a cell again, so a finer width saves visits and a coarser one empty
-// buckets.
-constexpr float kBucketShare = 0.125f;
-// Second-order differences need evenly spaced values: they are used where the costs of two steps differ by
-// less.
-constexpr float kEven = 0.2f;
+// Width of a bucket in units of the lowest unit cost. Cells of one bucket are visited in order of arrival,
+// and again where that order was wrong: a smaller width saves visits, a larger one saves empty buckets.
+constexpr float kBucketWidth = 0.125f;
+// Second-order differences need evenly spaced values: they are used where the costs of two steps differ
+// relatively by less.
+constexpr float kMaxStepDifference = 0.2f;
 
-// The value that follows from those of two neighbours across each other, a step from which costs ca and cb;
-// from a alone where it would lie below one of them.
+// The upwind solution t of ((t - a) / ca)^2 + ((t - b) / cb)^2 = 1 for the values a and b of two neighbours
+// at right angles, from which a step costs ca and cb; from a alone where t would lie below one of them.
 inline float upwind(float a, float ca, float b, float cb) {
     const float alone = a + ca;
     if (!(b < alone && a < b + cb)) return alone;
@@ -27,7 +26,7 @@ inline float upwind(float a, float ca, float b, float cb) {
 
 }  // namespace
 
-void Front::fit(const Grid& grid) {
+void Front::resize(const Grid& grid) {
     if (grid.width == grid_.width && grid.height == grid_.height && !nodes_.empty()) {
         grid_ = grid;
         return;
@@ -36,52 +35,52 @@ void Front::fit(const Grid& grid) {
     stride_ = grid.width + 1;
     const std::size_t size = static_cast<std::size_t>(grid.height + 4) * stride_ + 2;
     nodes_.assign(size, {});
-    hidingCell_.assign(size, -1);
-    // Nothing is ever below minus infinity: the padding is never marched.
-    const FrontNode never{kInfiniteCost, -kInfiniteCost, 0, 0};
-    std::fill_n(nodes_.begin(), 2 * stride_ + 1, never);
-    std::fill(nodes_.begin() + node(0, grid.height) - 1, nodes_.end(), never);
-    for (std::int32_t y = 0; y < grid.height; ++y) nodes_[node(grid.width, y)] = never;
+    occluderOf_.assign(size, -1);
+    // No value is below minus infinity: the padding is never reached.
+    const FrontNode padding{kInfiniteCost, -kInfiniteCost, 0, 0};
+    std::fill_n(nodes_.begin(), 2 * stride_ + 1, padding);
+    std::fill(nodes_.begin() + node(0, grid.height) - 1, nodes_.end(), padding);
+    for (std::int32_t y = 0; y < grid.height; ++y) nodes_[node(grid.width, y)] = padding;
 }
 
 void Front::begin(const UnitCost& cost, bool secondOrder) {
     cells_ = cost.cells.data();
     // No difference is below minus infinity.
-    even_ = secondOrder ? kEven : -kInfiniteCost;
-    width_ = kBucketShare * std::max(cost.lowest, 1e-6f);
-    tolerance_ = 1e-3f * width_;
-    queue_.restart(1.0f / width_);
+    maxStepDifference_ = secondOrder ? kMaxStepDifference : -kInfiniteCost;
+    bucketWidth_ = kBucketWidth * std::max(cost.lowest, 1e-6f);
+    tolerance_ = 1e-3f * bucketWidth_;
+    queue_.restart(1.0f / bucketWidth_);
     firstNode_ = std::numeric_limits<std::int32_t>::max();
     lastNode_ = -1;
-    sight_.begin(cost);
-    roots_.assign(1, {});
-    wallRoot_.assign(cost.nodes.size() + 1, 0);
+    lineOfSight_.begin(cost);
+    sources_.assign(1, {});
+    wallSource_.assign(cost.nodes.size() + 1, 0);
     writtenLow_ = {grid_.width, grid_.height};
     writtenHigh_ = {-1, -1};
 }
 
 std::int32_t Front::addSource(float x, float y, float unit) {
-    roots_.push_back({x, y, 0.0f, unit, 0.0f, 0.0f, 0});
-    return static_cast<std::int32_t>(roots_.size()) - 1;
+    sources_.push_back({x, y, 0.0f, unit, 0.0f, 0.0f, 0});
+    return static_cast<std::int32_t>(sources_.size()) - 1;
 }
 
-void Front::seed(Cell cell, float value, std::int32_t root) {
+void Front::seed(Cell cell, float value, std::int32_t source) {
     const FrontCell at = this->at(cell);
     if (!(value < nodes_[at.node].tentative)) return;
     noteWritten(cell, cell);
-    put(at, kInfiniteCost, value, root);
+    put(at, kInfiniteCost, value, source);
 }
 
-Ray Front::seen(Cell cell, std::int32_t root, float& value) const {
-    const PseudoSource& from = roots_[root];
+Visibility Front::visibility(Cell cell, std::int32_t source, float& value) const {
+    const PseudoSource& from = sources_[source];
     const FrontCell at = this->at(cell);
-    if (!sight_.plain(at.cell, from.unit)) return Ray::OtherGround;
+    if (!lineOfSight_.uniform(at.cell, from.unit)) return Visibility::OtherGround;
     float x = 0.0f;
     float y = 0.0f;
-    place(at, x, y);
+    position(at, x, y);
     value = from.costAt(x, y);
     std::int32_t ignored = 0;
-    return sight_.look(x, y, from, ignored);
+    return lineOfSight_.trace(x, y, from, ignored);
 }
 
 template <Front::Side kSide>
@@ -92,9 +91,8 @@ inline float Front::towards(const CellCost& c) {
     return c.south;
 }
 
-// Offers the new value of `from` to the neighbour from which `from` lies on side kSide. Only solutions that
-// come through `from` are looked at: those through the opposite neighbour were offered when that one got its
-// value.
+// Updates the neighbour from which `from` lies on side kSide with the new value of `from`. Only solutions
+// through `from` are considered: those through the opposite neighbour were when that one was accepted.
 template <Front::Side kSide>
 inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* fromCost) {
     constexpr bool kAlong = kSide == Side::East || kSide == Side::West;
@@ -105,12 +103,12 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
     const FrontNode* const there = here + step;
     const float value = here->accepted;
     const float old = there->tentative;
-    if (!(old > value) || there->root == kGiven) return;
+    if (!(old > value) || there->source == kFixedValue) return;
     const auto to = [&] {
         return FrontCell{from.cell + static_cast<std::int32_t>(cellStep),
                          from.node + static_cast<std::int32_t>(step)};
     };
-    if (here->root > 0 && relaxStraight(from, to(), old)) return;
+    if (here->source > 0 && relaxFromSource(from, to(), old)) return;
     const CellCost* const cost = fromCost + cellStep;
 
     float a = value;
@@ -119,12 +117,12 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
     if (!(ca < kInfiniteCost)) return;
     const float behind = here[-step].accepted;
     const float before = towards<kSide>(*fromCost);
-    if (behind <= value && std::fabs(before - ca) <= even_ * ca) {
+    if (behind <= value && std::fabs(before - ca) <= maxStepDifference_ * ca) {
         a = (4.0f * value - behind) * (1.0f / 3.0f);
         ca *= 2.0f / 3.0f;
     }
 
-    // The cheaper of the two neighbours across.
+    // The cheaper of the two neighbours at right angles.
     const std::ptrdiff_t across = kAlong ? stride_ : 1;
     const std::ptrdiff_t acrossCell = kAlong ? grid_.width : 1;
     const float up = kAlong ? cost->north : cost->east;
@@ -141,24 +139,24 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
             const CellCost& next = cost[above ? acrossCell : -acrossCell];
             const float beforeAcross = kAlong ? (above ? next.north : next.south)
                                               : (above ? next.east : next.west);
-            if (std::fabs(beforeAcross - cb) <= even_ * cb) {
+            if (std::fabs(beforeAcross - cb) <= maxStepDifference_ * cb) {
                 b = (4.0f * b - acrossBehind) * (1.0f / 3.0f);
                 cb *= 2.0f / 3.0f;
             }
         }
         best = upwind(a, ca, b, cb);
     }
-    const float least = there->root > 0 && !(before < last) ? kDoubt * cost->east : tolerance_;
-    if (best < old - least) put(to(), old, best, before < last ? kCheaper : 0);
+    const float least = there->source > 0 && !(before < last) ? kDifferenceError * cost->east : tolerance_;
+    if (best < old - least) put(to(), old, best, before < last ? kFromCheaperGround : 0);
 }
 
-inline void Front::spread(FrontCell from, const FrontNode* here) {
+inline void Front::relaxNeighbours(FrontCell from, const FrontNode* here) {
     const CellCost* const cost = cells_ + from.cell;
     relax<Side::West>(from, here, cost);
     relax<Side::East>(from, here, cost);
     relax<Side::South>(from, here, cost);
     relax<Side::North>(from, here, cost);
-    if (here->root > 0 && sight_.wall(from.cell) != 0) bendRound(from);
+    if (here->source > 0 && lineOfSight_.wall(from.cell) != 0) relaxDiagonals(from);
 }
 
 bool Front::step() {
@@ -170,13 +168,13 @@ bool Front::step() {
         if (!(here.tentative < here.accepted)) continue;
         here.accepted = here.tentative;
         noteReached(from.node);
-        spread(from, &here);
+        relaxNeighbours(from, &here);
     }
     return true;
 }
 
-// The march writes to reached cells and those beside them. The flood, and seeds that were never reached,
-// stand apart.
+// A solve writes to reached cells and their neighbours. Cells of fillVisible() and seeds that were never
+// reached may lie apart from these.
 void Front::end(Cell low, Cell high) {
     noteWritten(low, high);
     low = writtenLow_;
@@ -186,7 +184,7 @@ void Front::end(Cell low, Cell high) {
     for (std::int32_t y = std::max(0, low.y - 1); y <= std::min(grid_.height - 1, high.y + 1); ++y) {
         std::fill(nodes_.begin() + node(left, y), nodes_.begin() + node(right, y) + 1, FrontNode{});
     }
-    sight_.end();
+    lineOfSight_.end();
 }
 
 }  // namespace muster

@@ -5,9 +5,9 @@
 namespace muster {
 namespace {
 
-// A way may dip this far into the forbidden zone beside a wall, so that polylines can follow round discs
+// A line may enter the forbidden zone at a wall by this much, so that polylines can follow round obstacles
 // [cells].
-constexpr float kDip = 0.05f;
+constexpr float kPenetration = 0.05f;
 
 }  // namespace
 
@@ -23,49 +23,51 @@ void LineOfSight::end() {
     cost_ = nullptr;
 }
 
-// What a way meets at one point of it, which lies in `cell`; `besideWall` tells whether walls are near.
-inline Ray LineOfSight::meets(float px, float py, float unit, bool& besideWall, std::int32_t& cell) const {
+// What lies at one point, which is in `cell`; `nearWall` is false where the cell is open.
+inline Visibility LineOfSight::sample(float px, float py, float unit, bool& nearWall,
+                                      std::int32_t& cell) const {
     const auto column = static_cast<std::int32_t>(px + 0.5f);
     const auto row = static_cast<std::int32_t>(py + 0.5f);
     cell = row * cost_->grid.width + column;
     if (open(cell, unit)) {
-        besideWall = false;
-        return Ray::Clear;
+        nearWall = false;
+        return Visibility::Clear;
     }
-    besideWall = true;
+    nearWall = true;
     const std::int32_t number = wall_[cell];
-    if (number == 0) return cost_->wall(cell) ? Ray::Wall : Ray::OtherGround;
-    const WallNode& beside = node(number);
-    if (beside.unit != unit) return Ray::OtherGround;
-    const float outX = px - static_cast<float>(column) - beside.x;
-    const float outY = py - static_cast<float>(row) - beside.y;
-    return outX * beside.normalX + outY * beside.normalY < -kDip ? Ray::Wall : Ray::Clear;
+    if (number == 0) return cost_->wall(cell) ? Visibility::Wall : Visibility::OtherGround;
+    const WallNode& wallNode = node(number);
+    if (wallNode.unit != unit) return Visibility::OtherGround;
+    const float outX = px - static_cast<float>(column) - wallNode.x;
+    const float outY = py - static_cast<float>(row) - wallNode.y;
+    const float depth = outX * wallNode.normalX + outY * wallNode.normalY;
+    return depth < -kPenetration ? Visibility::Wall : Visibility::Clear;
 }
 
-Ray LineOfSight::look(float x, float y, const PseudoSource& root, std::int32_t& stop) const {
-    const float dx = root.x - x;
-    const float dy = root.y - y;
+Visibility LineOfSight::trace(float x, float y, const PseudoSource& source, std::int32_t& stop) const {
+    const float dx = source.x - x;
+    const float dy = source.y - y;
     const auto steps = static_cast<std::int32_t>(std::ceil(std::max(std::fabs(dx), std::fabs(dy))));
     const float stepX = dx / static_cast<float>(steps);
     const float stepY = dy / static_cast<float>(steps);
-    bool before = true;
+    bool wasNearWall = true;
     for (std::int32_t k = 1; k <= steps; ++k) {
-        const auto away = static_cast<float>(k);
-        bool here = true;
+        const auto at = static_cast<float>(k);
+        bool nearWall = true;
         if (k < steps) {
-            const Ray ray = meets(x + stepX * away, y + stepY * away, root.unit, here, stop);
-            if (ray != Ray::Clear) return ray;
+            const Visibility here = sample(x + stepX * at, y + stepY * at, source.unit, nearWall, stop);
+            if (here != Visibility::Clear) return here;
         }
-        // Beside walls also halfway, as one look per cell would cut the rounded corners of obstacles.
-        if (before || here) {
+        // Near walls also halfway: one sample per cell would cut the rounded corners of obstacles.
+        if (wasNearWall || nearWall) {
             bool ignored = false;
-            const Ray ray = meets(x + stepX * (away - 0.5f), y + stepY * (away - 0.5f), root.unit, ignored,
-                                  stop);
-            if (ray != Ray::Clear) return ray;
+            const Visibility halfway = sample(x + stepX * (at - 0.5f), y + stepY * (at - 0.5f), source.unit,
+                                              ignored, stop);
+            if (halfway != Visibility::Clear) return halfway;
         }
-        before = here;
+        wasNearWall = nearWall;
     }
-    return Ray::Clear;
+    return Visibility::Clear;
 }
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// Straight ways on uniform ground: what is seen from where.
+// Lines of sight on uniform ground, on the cells of a unit cost.
 #pragma once
 
 #include <algorithm>
@@ -12,29 +12,34 @@
 
 namespace muster {
 
-/// A root that rises over a wall by more than this is not hidden by it, and one below by more than kHidden is
+/// A wall never occludes a pseudo-source whose elevation above the tangent of the wall is at least this
 /// [sine].
-inline constexpr float kRisen = -1e-3f;
-inline constexpr float kHidden = -0.35f;
+inline constexpr float kVisibleElevation = -1e-3f;
+/// A wall always occludes a pseudo-source whose elevation is below this [sine].
+inline constexpr float kOccludedElevation = -0.35f;
 
-/// What a straight way meets.
-enum class Ray { Clear, Wall, OtherGround };
+/// What a straight line meets.
+enum class Visibility {
+    Clear,        ///< Free and uniform ground only.
+    Wall,         ///< A wall.
+    OtherGround,  ///< Ground of another unit cost.
+};
 
-/// Answers whether straight ways on uniform ground are clear.
+/// Answers queries about lines of sight over one unit cost.
 class LineOfSight {
 public:
-    /// Starts on these costs.
+    /// Starts queries on this unit cost, which has to stay until end().
     void begin(const UnitCost& cost);
-    /// Drops what begin() noted.
+    /// Ends the queries.
     void end();
-    /// Number of the wall node of a cell plus one; 0 where it has none.
+    /// One plus the index of the wall node of a cell; 0 where it has none.
     std::int32_t wall(std::int32_t cell) const { return wall_[cell]; }
-    /// The node with that number.
+    /// The wall node of such a number.
     const WallNode& node(std::int32_t number) const { return cost_->nodes[number - 1]; }
-    /// True where all directions of a cell are open and cost `unit`.
+    /// True where a cell can be left in all directions at the cost `unit`.
     bool open(std::int32_t cell, float unit) const {
-        // Costs are above 0, so that equal ones have equal bits: two comparisons of integers do for four of
-        // numbers.
+        // Costs are positive, so that equal ones have equal bits: two comparisons of integers replace four of
+        // floats.
         struct Pairs {
             std::uint64_t first, second;
         };
@@ -43,32 +48,33 @@ public:
         const auto c = bitCast<Pairs>(cost_->cells[cell]);
         return c.first == two && c.second == two;
     }
-    /// True where all directions of a cell cost `unit`, as far as they are open.
-    bool plain(std::int32_t cell, float unit) const {
+    /// True where all directions in which a cell can be left have the unit cost `unit`.
+    bool uniform(std::int32_t cell, float unit) const {
         if (open(cell, unit)) return true;
         const std::int32_t number = wall_[cell];
         return number != 0 && node(number).unit == unit;
     }
-    /// How far the root lies out of the wall beside the cell, whose point is (x, y): the sine of the angle
-    /// over the wall; 1 where there is none.
-    float rise(std::int32_t cell, float x, float y, const PseudoSource& root) const {
+    /// Elevation of a pseudo-source above the tangent of the wall at a cell, seen from the cell's point (x,
+    /// y): the sine of the angle; 1 where there is no wall.
+    float elevation(std::int32_t cell, float x, float y, const PseudoSource& source) const {
         const std::int32_t number = wall_[cell];
         if (number == 0) return 1.0f;
-        const WallNode& beside = node(number);
-        if (beside.normalX == 0.0f && beside.normalY == 0.0f) return 1.0f;
-        const float dx = root.x - x;
-        const float dy = root.y - y;
-        return (dx * beside.normalX + dy * beside.normalY) / std::max(1e-6f, std::sqrt(dx * dx + dy * dy));
+        const WallNode& wallNode = node(number);
+        if (wallNode.normalX == 0.0f && wallNode.normalY == 0.0f) return 1.0f;
+        const float dx = source.x - x;
+        const float dy = source.y - y;
+        return (dx * wallNode.normalX + dy * wallNode.normalY) /
+               std::max(1e-6f, std::sqrt(dx * dx + dy * dy));
     }
-    /// Looks from a point [cells] towards a root, cell by cell; `stop` is the cell where the way is not
-    /// clear.
-    Ray look(float x, float y, const PseudoSource& root, std::int32_t& stop) const;
+    /// Traces the line from the point (x, y) [cells] to a pseudo-source. `stop` is the cell of the last
+    /// sample: the one at which the line is not clear.
+    Visibility trace(float x, float y, const PseudoSource& source, std::int32_t& stop) const;
 
 private:
-    Ray meets(float px, float py, float unit, bool& besideWall, std::int32_t& cell) const;
+    Visibility sample(float px, float py, float unit, bool& nearWall, std::int32_t& cell) const;
 
     const UnitCost* cost_ = nullptr;
-    std::vector<std::int32_t> wall_;
+    std::vector<std::int32_t> wall_;  // wall() per cell.
 };
 
 }  // namespace muster

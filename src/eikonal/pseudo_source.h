@@ -1,4 +1,4 @@
-// Where straight ways come from.
+// Pseudo-sources: the points from which shortest paths run straight (Mitchell, Mount and Papadimitriou 1987).
 #pragma once
 
 #include <algorithm>
@@ -7,24 +7,26 @@
 
 namespace muster {
 
-/// A point from which ways go straight on: the source, or a place at a wall where they bend.
+/// The source of a cost field, or a point at a wall where shortest paths to the source bend. Behind the
+/// corner it acts as a source of its own.
 struct PseudoSource {
     float x = 0.0f;           ///< From the centre of cell (0, 0) [cells].
     float y = 0.0f;           ///< From the centre of cell (0, 0) [cells].
-    float cost = 0.0f;        ///< Cost to the source [cells].
-    float unit = 0.0f;        ///< Cost of a metre round it.
-    float normalX = 0.0f;     ///< Unit vector out of the wall that it stands at; null for the source.
-    float normalY = 0.0f;     ///< Unit vector out of the wall that it stands at; null for the source.
-    std::int32_t parent = 0;  ///< Number of the root that it is seen from; 0 for the source.
+    float cost = 0.0f;        ///< Cost from here to the source, in units of the cost of one cell edge.
+    float unit = 0.0f;        ///< Unit cost of the ground around it.
+    float normalX = 0.0f;     ///< Unit vector away from the wall that it lies at; null for the source.
+    float normalY = 0.0f;     ///< Unit vector away from the wall that it lies at; null for the source.
+    std::int32_t parent = 0;  ///< Index of the pseudo-source that the path goes on to; 0 for the source.
 
-    /// How far a point rises over the wall that the root stands at, as a sine; 1 where it stands at none.
-    float rise(float px, float py) const {
+    /// Elevation of a point above the tangent of the wall at this pseudo-source: the sine of the angle,
+    /// negative below the tangent; 1 where there is no wall.
+    float elevation(float px, float py) const {
         if (normalX == 0.0f && normalY == 0.0f) return 1.0f;
         const float dx = px - x;
         const float dy = py - y;
         return (dx * normalX + dy * normalY) / std::max(1e-6f, std::sqrt(dx * dx + dy * dy));
     }
-    /// Cost at a point that the root sees.
+    /// Cost of the straight path from a point over this pseudo-source, given a line of sight.
     float costAt(float px, float py) const {
         const float dx = px - x;
         const float dy = py - y;

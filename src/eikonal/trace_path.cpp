@@ -13,20 +13,21 @@ bool tracePath(const CostField& field, Vec2 from, double step, std::vector<Vec2>
     if (!std::isfinite(best)) return false;
     path.push_back(from);
     Vec2 p = from;
-    // The cost has to reach a new low at least every few steps, or the walk is going round in a circle.
-    constexpr int kPatience = 16;
+    // The cost has to reach a new minimum within so many steps; otherwise the path circles.
+    constexpr int kMaxIdle = 16;
     int idle = 0;
     const double most = 1000.0 + 4.0 * field.acceptedCount() * (1.0 + field.grid().cell / step);
-    while (idle < kPatience && static_cast<double>(path.size()) < most) {
+    while (idle < kMaxIdle && static_cast<double>(path.size()) < most) {
         if (distance(p, field.source()) <= step) {
             path.push_back(field.source());
             return true;
         }
         const Vec2 here = field.direction(p);
         const Vec2 middle = field.direction(p + here * (0.5 * step));
-        const Vec2 way = std::isfinite(field.cost(p + middle * step)) && !(middle == Vec2{}) ? middle : here;
-        if (way == Vec2{}) return false;
-        p += way * step;
+        const Vec2 direction = std::isfinite(field.cost(p + middle * step)) && !(middle == Vec2{}) ? middle
+                                                                                                   : here;
+        if (direction == Vec2{}) return false;
+        p += direction * step;
         path.push_back(p);
         const double cost = field.cost(p);
         idle = cost < best * (1.0 - 1e-9) ? 0 : idle + 1;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 #include "picture/theme.h"
 

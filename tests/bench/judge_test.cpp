@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/random.h"
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 #include "scale/judge.h"
 

@@ -5,6 +5,7 @@
 
 #include "cost/dynamic_cost.h"
 #include "cost/ground_scene.h"
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 
 using namespace muster;

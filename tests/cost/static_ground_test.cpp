@@ -84,7 +84,7 @@ TEST_CASE("the coarse copy keeps walls closed and doors open") {
     REQUIRE(environment.addObstacle(rectangle(0.37, -60, 0.47, 9.2)).ok());
     REQUIRE(environment.addObstacle(rectangle(0.37, 11.2, 0.47, 60)).ok());
     const StaticGround ground = groundOf(environment);
-    CHECK(ground.coarse().grid.count() <= StaticGround::kCoarseCells);
+    CHECK(ground.coarse().grid.count() <= StaticGround::kMaxCoarseCells);
     CHECK(ground.coarse().grid.cell >= 2.0 * environment.grid().cell);
     EikonalSolver solver;
     CostField field;

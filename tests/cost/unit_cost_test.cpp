@@ -8,7 +8,7 @@
 #include "base/maths.h"
 #include "base/random.h"
 #include "cost/discomfort.h"
-#include "cost/unit_cost.h"
+#include "cost/unit_cost_builder.h"
 
 using namespace muster;
 
@@ -45,15 +45,15 @@ bool same(const CellCost& a, const CellCost& b) {
 // `before`.
 void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
                  const std::vector<CellCost>& before, std::uint64_t versionBefore) {
-    REQUIRE(used.ground().size() == bare.ground().size());
-    std::vector<std::uint8_t> priced(used.ground().size(), 0), changed(used.ground().size(), 0);
-    for (const std::int32_t cell : used.priced()) ++priced[cell];
+    REQUIRE(used.groundCost().size() == bare.groundCost().size());
+    std::vector<std::uint8_t> priced(used.groundCost().size(), 0), changed(used.groundCost().size(), 0);
+    for (const std::int32_t cell : used.dynamicCells()) ++priced[cell];
     for (const std::int32_t cell : used.groundChanges()) ++changed[cell];
     bool all = true, any = false;
     for (std::size_t k = 0; k < priced.size(); ++k) {
-        all = all && same(used.ground()[k], bare.ground()[k]) && priced[k] <= 1 && changed[k] <= 1;
-        all = all && (priced[k] == 1) == !same(used.cost().cells[k], used.ground()[k]);
-        const bool differs = before.size() != priced.size() || !same(before[k], used.ground()[k]);
+        all = all && same(used.groundCost()[k], bare.groundCost()[k]) && priced[k] <= 1 && changed[k] <= 1;
+        all = all && (priced[k] == 1) == !same(used.cost().cells[k], used.groundCost()[k]);
+        const bool differs = before.size() != priced.size() || !same(before[k], used.groundCost()[k]);
         all = all && (changed[k] == 1 || !differs);
         any = any || differs;
     }
@@ -260,7 +260,7 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
         def.discomfort = random.below(6) != 0;
         def.alpha = random.below(8) == 0 ? 0.2 : 0.5;
         const double radius = random.below(5) == 0 ? 0.4 : 0.25;
-        const std::vector<CellCost> groundBefore = used.ground();
+        const std::vector<CellCost> groundBefore = used.groundCost();
         const std::uint64_t versionBefore = used.groundVersion();
         used.build(def, environment, density, radius, one);
         UnitCostDef empty = def;
@@ -299,7 +299,7 @@ TEST_CASE("ground that moving things change, step by step, costs the same as whe
         environment.setTime(step / 30.0);
         if (step == 70) REQUIRE(environment.addObstacle(block(-4, -4, -3, -3)).ok());
         if (step == 90) REQUIRE(environment.removeObstacle(environment.obstacleIds()[0]).ok());
-        const std::vector<CellCost> groundBefore = used.ground();
+        const std::vector<CellCost> groundBefore = used.groundCost();
         const std::uint64_t versionBefore = used.groundVersion();
         used.update({}, environment, DensityField(), 0.25);
         if (step % 7 == 3) used.update({}, environment, DensityField(), 0.25);
@@ -313,7 +313,7 @@ TEST_CASE("ground that moving things change, step by step, costs the same as whe
         if (step > 0) most = std::max(most, used.groundChanges().size());
     }
     CHECK(most > 0);
-    CHECK(most < used.ground().size() / 4);  // Only what lies round the moving things.
+    CHECK(most < used.groundCost().size() / 4);  // Only what lies round the moving things.
 }
 
 TEST_CASE("a gap narrower than a character is closed, one wider by a cell is open") {

@@ -61,8 +61,8 @@ UnitCost costOf(const GeodesicOracle& oracle, double cell) {
     const std::vector<float> speed(clearance.size(), 1.0f);
     std::vector<float> unit(clearance.size());
     cost.cells.resize(clearance.size());
-    priceGround({cost.grid, clearance, speed}, kRadius, 1.0, 0, cost.grid.count(),
-                {cost.cells, unit, cost.nodes});
+    computeGroundCost({cost.grid, clearance, speed}, kRadius, 1.0, 0, cost.grid.count(),
+                      {cost.cells, unit, cost.nodes});
     cost.lowest = 1.0f;
     return cost;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 
 using namespace muster;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cost/ground_scene.h"
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 
 using namespace muster;

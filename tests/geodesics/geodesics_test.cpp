@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cost/ground_scene.h"
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 #include "eikonal/geodesic_oracle.h"
 #include "geodesics/geodesics.h"

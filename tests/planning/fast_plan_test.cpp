@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cost/ground_scene.h"
+#include "cost/unit_cost_builder.h"
 #include "planning/plan.h"
 
 using namespace muster;
@@ -75,7 +76,8 @@ struct Walk {
         plan.guide({characters, incumbent, places, &environment, 1.5, &ground, &excess}, pool, direction,
                    left);
         for (std::size_t i = 0; i < characters.size(); ++i)
-            characters[i] = environment.projectToFreeSpace(characters[i] + direction[i] * std::min(step, left[i]), 0.25);
+            characters[i] = environment.projectToFreeSpace(
+                characters[i] + direction[i] * std::min(step, left[i]), 0.25);
     }
     // Objective of what is held, and the optimum, both by the exact plan.
     double gap(ThreadPool& pool) const {

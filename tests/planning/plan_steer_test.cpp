@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cost/unit_cost.h"
+#include "cost/unit_cost_builder.h"
 #include "environment/environment.h"
 #include "planning/plan_scene.h"
 

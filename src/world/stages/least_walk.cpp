@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assignment/dense/transportation_problem.h"
+#include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
 
 namespace muster {

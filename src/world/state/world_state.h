@@ -8,6 +8,7 @@
 
 #include "base/archive.h"
 #include "base/random.h"
+#include "cost/unit_cost_builder.h"
 #include "crowd/contacts.h"
 #include "crowd/motion.h"
 #include "crowd/steering.h"

@@ -1,4 +1,4 @@
-#include "eikonal/start_disc.h"
+#include "eikonal/source_initialisation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,34 +6,34 @@
 namespace muster {
 namespace {
 
-// A source in ground that is not uniform has straight-line costs at least this near [cells].
-constexpr double kAlwaysNear = 0.5;
-// Straight-line costs stand within this many cells, and where no way round could be cheaper by a larger
-// factor.
+// Least radius() of a source on ground that is not uniform [cells].
+constexpr double kLeastUniformRadius = 0.5;
+// The cost of the straight line stands nearer to the source than this, where differences are poor [cells].
 constexpr double kSingular = 1.6;
+// It also stands where no other path can be cheaper by a larger factor.
 constexpr double kGoodEnough = 1.25;
 
-// True where all directions that are open cost the same as `wanted`, and one is open.
-bool uniform(const CellCost& c, float wanted) {
-    const auto fits = [wanted](float side) { return side == wanted || side == kInfiniteCost; };
+// True where all open directions of a cell cost `unit`, and one is open.
+bool costsUniformly(const CellCost& c, float unit) {
+    const auto fits = [unit](float side) { return side == unit || side == kInfiniteCost; };
     return fits(c.east) && fits(c.north) && fits(c.west) && fits(c.south) &&
-           std::min({c.east, c.north, c.west, c.south}) == wanted;
+           std::min({c.east, c.north, c.west, c.south}) == unit;
 }
 
-// Cost of the straight way from a cell's centre to the source, sampled every half cell; infinite where it
+// Cost of the straight line from a cell's centre to the source, sampled every half cell; infinite where it
 // meets a wall.
-double rayCost(const UnitCost& cost, Vec2 from, Vec2 source) {
-    const Vec2 way = source - from;
-    const int samples = 1 + static_cast<int>(length(way) / (0.5 * cost.grid.cell));
+double straightLineCost(const UnitCost& cost, Vec2 from, Vec2 source) {
+    const Vec2 line = source - from;
+    const int samples = 1 + static_cast<int>(length(line) / (0.5 * cost.grid.cell));
     double sum = 0.0;
     for (int k = 0; k < samples; ++k) {
         const Vec2 p = lerp(from, source, (k + 0.5) / samples);
-        sum += stepCost(cost.cells[cost.grid.index(cost.grid.nearestCell(p))], way / samples);
+        sum += stepCost(cost.cells[cost.grid.index(cost.grid.nearestCell(p))], line / samples);
     }
     return sum;
 }
 
-// Of the cells from low to high, in any direction.
+// Lowest cost of any direction in the cells from `low` to `high`.
 double lowestCost(const UnitCost& cost, Cell low, Cell high) {
     float least = kInfiniteCost;
     for (std::int32_t y = low.y; y <= high.y; ++y) {
@@ -48,7 +48,7 @@ double lowestCost(const UnitCost& cost, Cell low, Cell high) {
 }  // namespace
 
 double stepCost(const CellCost& cost, Vec2 by) {
-    // A closed side costs as the other: only the far side of the cell is closed.
+    // A closed side costs as much as the opposite one: only the far side of the cell is closed.
     const auto side = [](float ahead, float behind) { return ahead < kInfiniteCost ? ahead : behind; };
     const double x = by.x > 0.0 ? side(cost.east, cost.west) : side(cost.west, cost.east);
     const double y = by.y > 0.0 ? side(cost.north, cost.south) : side(cost.south, cost.north);
@@ -57,42 +57,48 @@ double stepCost(const CellCost& cost, Vec2 by) {
     return std::sqrt(alongX * alongX + alongY * alongY);
 }
 
-// The distance of the nearest cell whose costs are others than those at the source, at most `radius`.
-double StartDisc::clearRadius(const UnitCost& cost, Vec2 source, double radius) const {
+// Distance of the nearest cell whose unit cost is not that of the source's cell, at most `radius`.
+double SourceInitialiser::uniformRadius(const UnitCost& cost, Vec2 source, double radius) const {
     const Grid& grid = cost.grid;
     const CellCost& own = cost.cells[grid.index(grid.nearestCell(source))];
-    const float wanted = std::min({own.east, own.north, own.west, own.south});
+    const float unit = std::min({own.east, own.north, own.west, own.south});
     const Cell low = grid.nearestCell(source - Vec2{radius, radius});
     const Cell high = grid.nearestCell(source + Vec2{radius, radius});
     double squared = radius * radius;
     for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
             const double here = lengthSquared(grid.centre({x, y}) - source);
-            if (here < squared && !uniform(cost.cells[grid.index({x, y})], wanted)) squared = here;
+            if (here < squared && !costsUniformly(cost.cells[grid.index({x, y})], unit)) squared = here;
         }
     }
     return std::sqrt(squared);
 }
 
-void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, double reach, Front& front) {
+void SourceInitialiser::start(const UnitCost& cost, Vec2 source, double radius, double reach, Front& front) {
     const Grid& grid = cost.grid;
     radius_ = 0.0;
     const std::int32_t home = grid.index(grid.nearestCell(source));
     if (cost.wall(home)) return startFromWall(cost, source, front);
-    // The four cells around the source always get their start here.
+    // The four cells around the source always get their values here.
     radius = std::max(radius, 1.5 * grid.cell);
-    const double clear = clearRadius(cost, source, radius);
-    radius_ = std::max(clear, kAlwaysNear * grid.cell);
+    const double uniform = uniformRadius(cost, source, radius);
+    radius_ = std::max(uniform, kLeastUniformRadius * grid.cell);
     const CellCost& own = cost.cells[home];
     const auto node = std::lower_bound(cost.nodes.begin(), cost.nodes.end(), home,
                                        [](const WallNode& n, std::int32_t cell) { return n.cell < cell; });
-    const bool beside = node != cost.nodes.end() && node->cell == home && node->unit > 0.0f;
-    const float unit = beside ? node->unit : std::min({own.east, own.north, own.west, own.south});
+    const bool atWall = node != cost.nodes.end() && node->cell == home && node->unit > 0.0f;
+    const float unit = atWall ? node->unit : std::min({own.east, own.north, own.west, own.south});
     const Vec2 at = (source - grid.centre({0, 0})) / grid.cell;
-    const std::int32_t root = front.addSource(static_cast<float>(at.x), static_cast<float>(at.y), unit);
-    const bool flooded = front.flood(grid.nearestCell(source), root,
-                                     static_cast<float>(unit * reach / grid.cell));
-    if (flooded && clear >= radius) return;
+    const std::int32_t index = front.addSource(static_cast<float>(at.x), static_cast<float>(at.y), unit);
+    const bool filled = front.fillVisible(grid.nearestCell(source), index,
+                                          static_cast<float>(unit * reach / grid.cell));
+    if (filled && uniform >= radius) return;
+    startOnVaryingGround(cost, source, radius, index, front);
+}
+
+void SourceInitialiser::startOnVaryingGround(const UnitCost& cost, Vec2 source, double radius,
+                                             std::int32_t index, Front& front) const {
+    const Grid& grid = cost.grid;
     const Cell low = grid.nearestCell(source - Vec2{radius, radius});
     const Cell high = grid.nearestCell(source + Vec2{radius, radius});
     const double least = lowestCost(cost, low, high);
@@ -101,26 +107,23 @@ void StartDisc::start(const UnitCost& cost, Vec2 source, double radius, double r
             const Vec2 centre = grid.centre({x, y});
             if (distance(centre, source) > radius || cost.wall(grid.index({x, y}))) continue;
             float value = 0.0f;
-            const Ray ray = front.seen({x, y}, root, value);
-            if (ray == Ray::Clear) front.seed({x, y}, value, root);
-            if (ray == Ray::OtherGround) {
-                // Differences are poor next to a point source, so that straight costs stand where little can
-                // be gained.
-                const double price = rayCost(cost, centre, source);
+            const Visibility visibility = front.visibility({x, y}, index, value);
+            if (visibility == Visibility::Clear) front.seed({x, y}, value, index);
+            if (visibility == Visibility::OtherGround) {
+                const double straight = straightLineCost(cost, centre, source);
                 const double away = distance(centre, source);
-                const bool good = away < kSingular * grid.cell || price <= kGoodEnough * away * least;
-                front.seed({x, y}, static_cast<float>(price / grid.cell), good ? kGiven : 0);
+                const bool fixed = away < kSingular * grid.cell || straight <= kGoodEnough * away * least;
+                front.seed({x, y}, static_cast<float>(straight / grid.cell), fixed ? kFixedValue : 0);
             }
         }
     }
 }
 
-void StartDisc::startFromWall(const UnitCost& cost, Vec2 source, Front& front) {
+void SourceInitialiser::startFromWall(const UnitCost& cost, Vec2 source, Front& front) const {
     const Grid& grid = cost.grid;
     const Cell middle = grid.nearestCell(source);
     double nearest = 1e300;
-    // Rings of cells outwards; one more ring after the first find, as corners of a ring are farther than
-    // sides of the next.
+    // Visits a square ring of cells: finds the nearest free cell, or seeds those about as near.
     const auto visit = [&](bool find, std::int32_t ring) {
         for (std::int32_t y = std::max(0, middle.y - ring); y <= std::min(grid.height - 1, middle.y + ring);
              ++y) {
@@ -140,9 +143,10 @@ void StartDisc::startFromWall(const UnitCost& cost, Vec2 source, Front& front) {
     const std::int32_t last = std::max(grid.width, grid.height);
     std::int32_t ring = 0;
     while (ring <= last && nearest == 1e300) visit(true, ring++);
-    const auto reach = static_cast<std::int32_t>(0.42 * ring) + 2;
-    for (std::int32_t k = ring; k < ring + reach; ++k) visit(true, k);
-    for (std::int32_t k = std::max(0, ring - 1); k < ring + reach; ++k) visit(false, k);
+    // The corners of a ring are farther than the sides of the next ones, up to a factor of sqrt(2).
+    const auto more = static_cast<std::int32_t>(0.42 * ring) + 2;
+    for (std::int32_t k = ring; k < ring + more; ++k) visit(true, k);
+    for (std::int32_t k = std::max(0, ring - 1); k < ring + more; ++k) visit(false, k);
 }
 
 }  // namespace muster
