@@ -1,8 +1,8 @@
-// One description of a state serves saving, loading and hashing.
+// Archives: one description of a type serves saving, loading and hashing.
 //
 // A type takes part by a member
 //     template <class Archive> void visit(Archive& archive) { archive(first_, second_); }
-// Order of members is the format. Little-endian, lengths as 32 bits.
+// The order of the members is the format. Numbers are little-endian, lengths have 32 bits.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace muster {
 
-/// Numbers, flags and enumerations: written as they stand.
+/// Numbers, flags and enumerations, which are written as their bytes.
 template <class T>
 concept ArchiveScalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
@@ -37,9 +37,9 @@ public:
     }
     /// The bytes so far.
     const std::vector<std::uint8_t>& bytes() const { return bytes_; }
-    /// Hands the bytes over.
+    /// Moves the bytes out.
     std::vector<std::uint8_t> take() { return std::move(bytes_); }
-    /// Empties the buffer, keeping its memory.
+    /// Empties the buffer and keeps its memory.
     void clear() { bytes_.clear(); }
 
 private:
@@ -57,7 +57,8 @@ private:
     std::vector<std::uint8_t> bytes_;
 };
 
-/// Reads values back. After any overrun or impossible length ok() is false and values are zero.
+/// Reads values from bytes. After an overrun or an impossible length ok() is false, and all values read are
+/// zero or empty.
 class Reader {
 public:
     static constexpr bool kReading = true;  ///< Types may branch on this.
@@ -70,9 +71,9 @@ public:
     void operator()(T&... values) {
         (read(values), ...);
     }
-    /// False once anything did not fit.
+    /// False after any error.
     bool ok() const { return ok_; }
-    /// Marks the input as bad (for a type that finds a value out of range).
+    /// Reports an error: for types that find a value out of range.
     void fail() { ok_ = false; }
     /// Bytes not read yet.
     std::size_t remaining() const { return bytes_.size() - position_; }
@@ -124,21 +125,21 @@ private:
 
 namespace detail {
 template <class T>
-struct IsVector : std::false_type {};  // Is it a std::vector?
+struct IsVector : std::false_type {};  // True for std::vector.
 template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};  // It is.
+struct IsVector<std::vector<T>> : std::true_type {};
 template <class T>
-struct IsOptional : std::false_type {};  // Is it a std::optional?
+struct IsOptional : std::false_type {};  // True for std::optional.
 template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};  // It is.
+struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T>
-struct IsArray : std::false_type {};  // Is it a std::array?
+struct IsArray : std::false_type {};  // True for std::array.
 template <class T, std::size_t N>
-struct IsArray<std::array<T, N>> : std::true_type {};  // It is.
+struct IsArray<std::array<T, N>> : std::true_type {};
 }  // namespace detail
 
 template <class T>
-void Writer::write(T& value) {  // By what the type is.
+void Writer::write(T& value) {
     using Plain = std::remove_const_t<T>;
     if constexpr (std::is_same_v<Plain, bool>) {
         const std::uint8_t byte = value ? 1 : 0;
@@ -173,7 +174,7 @@ void Writer::write(T& value) {  // By what the type is.
 }
 
 template <class T>
-void Reader::read(T& value) {  // As Writer::write wrote it.
+void Reader::read(T& value) {  // The inverse of Writer::write().
     if constexpr (std::is_same_v<T, bool>) {
         std::uint8_t byte = 0;
         raw(&byte, 1);
@@ -210,7 +211,7 @@ void Reader::read(T& value) {  // As Writer::write wrote it.
 }
 
 template <class T>
-void Hasher::add(T& value) {  // In the order of Writer::write.
+void Hasher::add(T& value) {  // In the order of Writer::write().
     using Plain = std::remove_const_t<T>;
     if constexpr (std::is_same_v<Plain, bool> || std::is_same_v<Plain, double> ||
                   std::is_same_v<Plain, float> || std::is_same_v<Plain, std::string>) {

@@ -6,7 +6,7 @@
 
 namespace muster {
 
-/// As std::bit_cast, which emscripten's library does not have yet.
+/// std::bit_cast, which the standard library of Emscripten does not have yet.
 template <class To, class From>
 To bitCast(const From& from) {
     static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> &&

@@ -1,4 +1,4 @@
-// Points sorted into square cells.
+// Cell list (Hockney and Eastwood 1981): points sorted by grid cell.
 #pragma once
 
 #include <cstdint>
@@ -9,40 +9,39 @@
 
 namespace muster {
 
-/// Points by the cell they lie in, each cell's in ascending order. Reuses its memory: for the same number of
-/// points it allocates nothing once warm, wherever they are.
+/// Points sorted by the square cell that contains them, within a cell in ascending order of index. The memory
+/// is reused: for the same number of points, wherever they are, sort() does not allocate once warm.
 class CellList {
 public:
-    /// Sorts points into cells of edge `least` [m] > 0, or larger where there would be many more cells than
-    /// points.
-    void sort(std::span<const Vec2> points, double least);
+    /// Sorts points into cells of edge `minEdge` [m], > 0, or larger ones where there would be many more
+    /// cells than points.
+    void sort(std::span<const Vec2> points, double minEdge);
 
-    const Grid& grid() const { return grid_; }  ///< Covers the points; no cells where there are none.
-    /// The cell of a point.
+    const Grid& grid() const { return grid_; }  ///< Covers the points; without cells where there are none.
+    /// Index of the cell of a point.
     std::int32_t cellOf(std::size_t point) const { return cellOf_[point]; }
-    /// Calls `visit(i, j)`, i < j, once for every pair of points nearer than `reach`, at most the edge that
-    /// sort() was given [m], in a fixed order.
+    /// Calls `visit(i, j)`, i < j, once for every pair of points nearer to each other than `reach` [m], in a
+    /// fixed order. `reach` is at most the `minEdge` of sort().
     template <class Visit>
     void forPairs(double reach, const Visit& visit) const {
         for (std::int32_t y = 0; y < grid_.height; ++y) forPairsOfRow(y, reach * reach, visit);
     }
-    /// Points in the cells from `first` to `last`, both included, of one row or of the whole grid.
+    /// Indices of the points in the cells from `first` to `last`, both included, in row-major order.
     std::span<const std::int32_t> within(std::int32_t first, std::int32_t last) const {
-        const auto begin = static_cast<std::size_t>(start_[first]);
-        const auto end = static_cast<std::size_t>(start_[static_cast<std::size_t>(last) + 1]);
-        return {item_.data() + begin, end - begin};
+        return std::span(item_).subspan(start_[first], start_[last + 1] - start_[first]);
     }
 
 private:
     std::int32_t begin(std::int32_t cell) const { return start_[cell]; }
 
-    // Of each point's neighbours those that lie behind it in the order of cells: the rest of its cell and the
-    // one to the right, which follow each other in memory, and three cells of the row above, which do so too.
+    // Visits the pairs of each point of a row with the points after it in the order of cells: the rest of its
+    // cell and the cell to the right, which are contiguous in memory, and three cells of the row above, which
+    // are so too.
     template <class Visit>
     void forPairsOfRow(std::int32_t y, double reach2, const Visit& visit) const {
         const auto test = [&](std::int32_t u, std::int32_t from, std::int32_t to) {
             const Vec2 p = sorted_[u];
-            for (auto v = static_cast<std::size_t>(from); v < static_cast<std::size_t>(to); ++v) {
+            for (std::int32_t v = from; v < to; ++v) {
                 if (!(lengthSquared(sorted_[v] - p) < reach2)) continue;
                 const std::int32_t i = item_[u], j = item_[v];
                 visit(i < j ? i : j, i < j ? j : i);
@@ -50,7 +49,7 @@ private:
         };
         const std::int32_t first = grid_.index({0, y}), last = first + grid_.width - 1;
         const bool top = y + 1 == grid_.height;
-        // By points, not by cells: most cells may be empty.
+        // Iterates over points instead of cells, most of which may be empty.
         for (std::int32_t u = begin(first), end = begin(last + 1); u < end; ++u) {
             const std::int32_t cell = cellOf_[item_[u]];
             const std::int32_t left = cell > first ? cell - 1 : cell;
@@ -61,10 +60,10 @@ private:
     }
 
     Grid grid_;
-    std::vector<Vec2> sorted_;          // Points, cell by cell.
-    std::vector<std::int32_t> start_;   // Of each cell in item_, and the end.
-    std::vector<std::int32_t> item_;    // Points, cell by cell.
-    std::vector<std::int32_t> cellOf_;  // Of each point.
+    std::vector<Vec2> sorted_;          // Positions, cell by cell [m].
+    std::vector<std::int32_t> start_;   // Per cell: its first position in item_; then the end.
+    std::vector<std::int32_t> item_;    // Indices of points, cell by cell.
+    std::vector<std::int32_t> cellOf_;  // Per point: its cell.
 };
 
 }  // namespace muster

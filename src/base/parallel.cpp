@@ -10,8 +10,8 @@
 namespace muster {
 namespace {
 
-// How often a thread looks for work, or for the end of it, before it sleeps: about 0.1 ms. A sleeper wakes
-// late by as much as a stage of a step takes.
+// Number of times that a thread polls before it sleeps, about 0.1 ms. Waking a sleeping thread takes as long
+// as a short stage of a step.
 constexpr std::int32_t kSpins = 3000;
 
 void relax() {
@@ -22,7 +22,7 @@ void relax() {
 #endif
 }
 
-// True as soon as `condition` holds, false where it does not within `spins` looks.
+// Polls `condition` up to `spins` times; returns whether it became true.
 template <class Condition>
 bool spinUntil(std::int32_t spins, const Condition& condition) {
     for (std::int32_t i = 0; i < spins; ++i) {
@@ -34,44 +34,45 @@ bool spinUntil(std::int32_t spins, const Condition& condition) {
 
 constexpr std::uint64_t kLeftMask = 0xffffffffu;
 
-// What became of the work that was launched.
-enum class Aside : std::int32_t { None, Offered, Taken, Done };
+// State of the background work.
+enum class Background : std::int32_t { None, Offered, Taken, Done };
 
 }  // namespace
 
-// A round lives in one word: its number above, items that nobody has taken below. Who takes an item by
-// exchanging the word knows that the round is still the one it saw, and that the round cannot end before it
-// reports the item: so a worker that wakes late finds nothing to do and nobody waits for it.
+// A round, one call of run(), is one atomic word: its number in the upper half, the number of items left in
+// the lower half. A worker takes an item by a compare-and-exchange of the word. It then knows that the round
+// is still the one it saw, and that the round cannot end before it reports the item. So a worker that wakes
+// late finds nothing to do, and no thread waits for it.
 struct ThreadPool::Impl {
     std::int32_t total = 1;
     TaskRunner runner;
     std::vector<std::thread> workers;
     std::int32_t spins = 0;
-    // Of this round, as is the count: read only by those who hold an item of it.
+    // Task and number of items of the round; read only by workers that have an item of it.
     const TaskRef* work = nullptr;
     std::uint32_t count = 0;
     std::atomic<std::uint64_t> round{0};
     std::atomic<std::uint32_t> done{0};  // Items reported.
     std::atomic<std::int32_t> sleepers{0};
     std::atomic<bool> callerSleeps{false};
-    std::atomic<Aside> aside{Aside::None};
-    void (*asideWork)(void* context) = nullptr;  // Read only by who takes it.
-    void* asideContext = nullptr;
+    std::atomic<Background> background{Background::None};
+    void (*backgroundWork)(void* context) = nullptr;  // Read only by the thread that takes it.
+    void* backgroundContext = nullptr;
     std::atomic<bool> stopping{false};
-    std::mutex mutex;  // Only for falling asleep and waking.
+    std::mutex mutex;  // Held only to fall asleep and to wake others.
     std::condition_variable wake;
     std::condition_variable finished;
 
     bool somethingToDo() const {
-        return (round.load() & kLeftMask) != 0 || aside.load() == Aside::Offered || stopping.load();
+        return (round.load() & kLeftMask) != 0 || background.load() == Background::Offered || stopping.load();
     }
 
-    // Takes the launched work where nobody has, and does it.
-    bool doAside() {
-        Aside offered = Aside::Offered;
-        if (!aside.compare_exchange_strong(offered, Aside::Taken)) return false;
-        asideWork(asideContext);
-        aside.store(Aside::Done);
+    // Does the background work where no other thread has taken it.
+    bool doBackground() {
+        Background offered = Background::Offered;
+        if (!background.compare_exchange_strong(offered, Background::Taken)) return false;
+        backgroundWork(backgroundContext);
+        background.store(Background::Done);
         if (callerSleeps.load()) {
             const std::lock_guard lock(mutex);
             finished.notify_one();
@@ -81,7 +82,7 @@ struct ThreadPool::Impl {
 
     // Takes items until none is left.
     void drain(std::int32_t worker) {
-        std::uint32_t mine = 0;
+        std::uint32_t taken = 0;
         std::uint32_t all = 0;
         std::uint64_t seen = round.load(std::memory_order_acquire);
         while ((seen & kLeftMask) != 0) {
@@ -90,12 +91,12 @@ struct ThreadPool::Impl {
                 continue;
             all = count;
             (*work)(static_cast<std::int32_t>(all - static_cast<std::uint32_t>(seen & kLeftMask)), worker);
-            ++mine;
+            ++taken;
             seen = round.load(std::memory_order_acquire);
         }
-        // From the last report on the caller may return and begin another round: only the lock is touched
-        // then.
-        if (mine == 0 || done.fetch_add(mine) + mine != all || !callerSleeps.load()) return;
+        // After the last report the calling thread may return and start another round: from here on only the
+        // lock is touched.
+        if (taken == 0 || done.fetch_add(taken) + taken != all || !callerSleeps.load()) return;
         const std::lock_guard lock(mutex);
         finished.notify_one();
     }
@@ -109,19 +110,19 @@ struct ThreadPool::Impl {
                 --sleepers;
             }
             drain(worker);
-            doAside();
+            doBackground();
         }
     }
 
-    // Either a worker about to sleep sees what there is to do, or it is counted and waiting once the lock is
-    // had.
+    // A worker that is about to sleep either sees the new work, or is counted in `sleepers` and waits by the
+    // time the lock is acquired.
     void wakeAll() {
         if (sleepers.load() == 0) return;
         const std::lock_guard lock(mutex);
         wake.notify_all();
     }
 
-    // In the caller, until `over`: looks for a while, then sleeps.
+    // Makes the calling thread wait until `over`: it polls for a while, then sleeps.
     template <class Condition>
     void await(const Condition& over) {
         if (spinUntil(spins, over)) return;
@@ -149,7 +150,7 @@ ThreadPool::ThreadPool(std::int32_t threads) : impl_(std::make_unique<Impl>()) {
     const auto cores = static_cast<std::int32_t>(std::thread::hardware_concurrency());
     if (threads <= 0) threads = cores;
     threads = std::clamp(threads, 1, 256);
-    // Where threads share cores, who spins keeps from work those it waits for.
+    // Where threads share cores, polling would keep the awaited threads from working.
     impl_->spins = threads <= cores ? kSpins : 0;
     for (std::int32_t i = 1; i < threads; ++i)
         impl_->workers.emplace_back([impl = impl_.get(), i] { impl->loop(i); });
@@ -193,28 +194,28 @@ void ThreadPool::run(std::int32_t count, TaskRef work) {
 void ThreadPool::launch(void (*work)(void* context), void* context) {
     wait();
     Impl& s = *impl_;
-    const bool foreign = s.runner.run != nullptr;
-    if (foreign ? s.runner.launch == nullptr || s.runner.wait == nullptr : s.total == 1) {
+    const bool hasRunner = s.runner.run != nullptr;
+    if (hasRunner ? s.runner.launch == nullptr || s.runner.wait == nullptr : s.total == 1) {
         work(context);
-    } else if (foreign) {
-        s.aside.store(Aside::Taken);
+    } else if (hasRunner) {
+        s.background.store(Background::Taken);
         s.runner.launch(s.runner.context, work, context);
     } else {
-        s.asideWork = work;
-        s.asideContext = context;
-        s.aside.store(Aside::Offered);
+        s.backgroundWork = work;
+        s.backgroundContext = context;
+        s.background.store(Background::Offered);
         s.wakeAll();
     }
 }
 
 void ThreadPool::wait() {
     Impl& s = *impl_;
-    if (s.aside.load() == Aside::None) return;
+    if (s.background.load() == Background::None) return;
     if (s.runner.run != nullptr)
         s.runner.wait(s.runner.context);
-    else if (!s.doAside())
-        s.await([&] { return s.aside.load() == Aside::Done; });
-    s.aside.store(Aside::None);
+    else if (!s.doBackground())
+        s.await([&] { return s.background.load() == Background::Done; });
+    s.background.store(Background::None);
 }
 
 }  // namespace muster

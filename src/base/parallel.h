@@ -1,4 +1,4 @@
-// Independent pieces of work on several threads; results never depend on their number.
+// A pool of worker threads. Results never depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,20 @@
 
 namespace muster {
 
-/// A callable `(std::int32_t item, std::int32_t worker)` for the time of one call: a pointer to it, never a
-/// copy.
+/// A reference to a callable `(std::int32_t item, std::int32_t worker)`; nothing is copied.
 class TaskRef {
 public:
     /// Refers to `callable`, which has to outlive the reference.
     template <class Callable>
     requires(!std::is_same_v<std::remove_cvref_t<Callable>, TaskRef> &&
              std::is_invocable_v<Callable&, std::int32_t, std::int32_t>)
-        TaskRef(Callable&& callable)  // NOLINT: lambdas are handed over as they are.
+        TaskRef(Callable&& callable)  // NOLINT: implicit, so that lambdas can be passed.
         : object_(const_cast<void*>(static_cast<const void*>(&callable))),
           call_([](void* object, std::int32_t item, std::int32_t worker) {
               (*static_cast<std::remove_reference_t<Callable>*>(object))(item, worker);
           }) {}
 
-    /// Calls it.
+    /// Calls the callable.
     void operator()(std::int32_t item, std::int32_t worker) const { call_(object_, item, worker); }
 
 private:
@@ -33,30 +32,31 @@ private:
     void (*call_)(void* object, std::int32_t item, std::int32_t worker);
 };
 
-/// A pool of worker threads. With one thread (or under WebAssembly) all runs in the caller.
+/// Worker threads for a fork-join loop, and for one piece of background work at a time. With one thread, and
+/// under WebAssembly, all work is done in the calling thread.
 class ThreadPool {
 public:
-    /// `threads` in total, the caller counted in; 0 takes what the machine has.
+    /// `threads` in total, the calling thread included [0 to 256]; 0 for as many as the machine has.
     explicit ThreadPool(std::int32_t threads = 1);
-    /// No threads of its own: work goes to `runner`. Where it has no function or no thread, all runs in the
-    /// caller.
+    /// A pool without threads of its own that passes all work to `runner`. Without a `run` function, or with
+    /// fewer than one thread, all work is done in the calling thread.
     explicit ThreadPool(const TaskRunner& runner);
     ~ThreadPool();
-    ThreadPool(const ThreadPool&) = delete;  ///< Threads cannot be copied.
+    ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    /// Threads in total, at least 1.
+    /// Threads in total, the calling thread included; at least 1.
     std::int32_t threads() const;
-    /// Calls `work(item, worker)` once for every item in [0, count); returns when all are done.
-    /// `worker` in [0, threads()) picks private working memory. Items must not touch each other's
-    /// results: which worker takes which item is not fixed. Allocates nothing. Neither items nor other
-    /// threads may call it meanwhile.
+    /// Calls `work(item, worker)` once for every item in [0, count) and returns when all calls have returned.
+    /// No two simultaneous calls have the same `worker`, in [0, threads()), so that it can select working
+    /// memory. Which worker takes which item is not defined: items must not touch each other's results. Does
+    /// not allocate. Neither items nor other threads may call it meanwhile.
     void run(std::int32_t count, TaskRef work);
-    /// Has `work(context)` done beside whatever the caller does until wait(), run() included: by a worker
-    /// that has time, else by the caller. Waits for what was launched before. The work may not call this
-    /// pool.
+    /// Starts `work(context)` in the background and returns. A worker does it while the calling thread goes
+    /// on, also into run(); if no worker has time until wait(), the calling thread does it there. Waits for
+    /// the background work launched before. The work must not call this pool.
     void launch(void (*work)(void* context), void* context);
-    /// Returns when what was launched is done, at once where nothing was.
+    /// Returns when the background work is done; at once where none was launched.
     void wait();
 
 private:
@@ -64,8 +64,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// Calls `each(i)` for all i in [0, count), `chunk` of them in one piece of work; in the caller where `pool`
-/// is null or one chunk holds them all. Calls must not touch each other's results.
+/// Calls `each(i)` for all i in [0, count), in items of `chunk` calls; in the calling thread where `pool` is
+/// null or one item is enough. Calls must not touch each other's results.
 template <class Each>
 void forChunks(ThreadPool* pool, std::size_t count, std::size_t chunk, const Each& each) {
     const auto task = [&](std::int32_t item, std::int32_t) {

@@ -16,8 +16,8 @@ std::uint32_t Random::next() {
     const std::uint64_t old = state_;
     state_ = old * kMultiplier + kIncrement;
     const auto shifted = static_cast<std::uint32_t>(((old >> 18) ^ old) >> 27);
-    const auto turn = static_cast<std::uint32_t>(old >> 59);
-    return (shifted >> turn) | (shifted << ((32u - turn) & 31u));
+    const auto rotation = static_cast<std::uint32_t>(old >> 59);
+    return (shifted >> rotation) | (shifted << ((32u - rotation) & 31u));
 }
 
 double Random::uniform() {
@@ -27,7 +27,7 @@ double Random::uniform() {
 }
 
 std::uint32_t Random::below(std::uint32_t bound) {
-    // Rejects the values that would make some results likelier than others.
+    // Rejects values that would make some results more likely than others.
     const std::uint32_t threshold = (0u - bound) % bound;
     for (;;) {
         const std::uint32_t bits = next();

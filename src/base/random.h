@@ -8,7 +8,7 @@ namespace muster {
 /// PCG32 (O'Neill 2014): small, portable, the same stream everywhere.
 class Random {
 public:
-    /// A stream chosen by `seed`.
+    /// Different seeds give different streams.
     explicit Random(std::uint64_t seed = 0);
 
     /// The next 32 random bits.

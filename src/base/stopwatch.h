@@ -1,18 +1,18 @@
-// Wall-clock time for reports; never read by a decision.
+// Wall-clock time for reports. No decision of the simulation may depend on it.
 #pragma once
 
 #include <chrono>
 
 namespace muster {
 
-/// Measures from its making or last restart.
+/// Measures the time since its construction or its last restart.
 class Stopwatch {
 public:
     /// Milliseconds since the start.
     double milliseconds() const {
         return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
     }
-    /// Starts again from now.
+    /// Restarts the measurement.
     void restart() { start_ = Clock::now(); }
 
 private:

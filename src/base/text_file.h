@@ -1,4 +1,4 @@
-// Whole files as text.
+// Reading and writing of whole files.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace muster {
 
-inline constexpr std::size_t kMaxTextBytes = 64u << 20;  ///< Largest file read where no other limit is named.
+inline constexpr std::size_t kMaxTextBytes = 64u << 20;  ///< Default limit of readTextFile().
 
-/// Whole file as bytes. Fails with IoError, or LimitExceeded beyond `limit` bytes.
+/// Reads a whole file. Fails with IoError, or LimitExceeded beyond `limit` bytes.
 Result<std::string> readTextFile(const std::string& path, std::size_t limit = kMaxTextBytes);
-/// Makes or replaces a file. Fails with IoError.
+/// Creates or replaces a file. Fails with IoError.
 Status writeTextFile(const std::string& path, std::string_view text);
 
 }  // namespace muster

@@ -35,7 +35,7 @@ void ConnectedComponents::label(const Grid& grid, std::span<const float> clearan
     const std::int32_t count = grid.count();
     entry.label.resize(count);
     for (std::int32_t i = 0; i < count; ++i)
-        entry.label[i] = clearance[i] >= entry.radius ? kUnseenRegion : kBlocked;
+        entry.label[i] = clearance[i] >= entry.radius ? kUnlabelled : kBlocked;
     entry.count = labelRegions(grid, entry.label, stack_);
 }
 

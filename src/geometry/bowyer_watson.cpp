@@ -14,7 +14,7 @@ BowyerWatson::BowyerWatson(std::vector<Vec2> points, std::array<std::int32_t, 3>
     : points_(std::move(points)), faceOf_(points_.size(), -1) {
     auto [a, b, c] = first;
     if (orientation(points_[a], points_[b], points_[c]) < 0) std::swap(b, c);
-    // One real face, and a ghost across each of its edges.
+    // One face, and a ghost across each of its edges.
     newFace({a, b, c});
     newFace({c, b, kGhost});
     newFace({a, c, kGhost});
@@ -46,8 +46,8 @@ std::int32_t BowyerWatson::newFace(std::array<std::int32_t, 3> vertex) {
     return index;
 }
 
-// True where p lies inside the face's circle. A ghost's circle is the half plane beyond its hull
-// edge, with the edge itself.
+// True where p lies inside the face's circumcircle. That of a ghost is the half plane beyond its hull edge,
+// with the edge itself.
 bool BowyerWatson::conflicts(const Face& face, Vec2 p) const {
     for (std::size_t i = 0; i < 3; ++i) {
         if (face.vertex[i] != kGhost) continue;
@@ -60,10 +60,11 @@ bool BowyerWatson::conflicts(const Face& face, Vec2 p) const {
     return inCircle(points_[face.vertex[0]], points_[face.vertex[1]], points_[face.vertex[2]], p) > 0;
 }
 
-// Walks towards p; the face reached holds it, or is a ghost that sees it.
+// Point location by walking: the face reached contains p, or is a ghost across a hull edge from it.
 std::int32_t BowyerWatson::findConflict(Vec2 p) const {
     std::int32_t at = last_;
-    // A walk through a Delaunay triangulation never comes back to a face; the bound is for safety.
+    // A walk through a Delaunay triangulation never returns to a face (Edelsbrunner 1990). The bound is a
+    // safeguard.
     for (std::size_t step = 0; step < faces_.size() && !isGhost(faces_[at]); ++step) {
         const Face& face = faces_[at];
         std::int32_t next = -1;
@@ -117,7 +118,7 @@ void BowyerWatson::replaceNeighbour(std::int32_t face, std::int32_t from, std::i
 }
 
 void BowyerWatson::fillCavity(std::int32_t point) {
-    // The rim as a loop: each edge ends where the next starts.
+    // Sorts the rim into a loop: each edge ends where the next one starts.
     for (std::size_t i = 0; i + 1 < rim_.size(); ++i) {
         std::size_t j = i + 1;
         while (j < rim_.size() && rim_[j].from != rim_[i].to) ++j;

@@ -1,4 +1,4 @@
-// Incremental Delaunay triangulation that can be added to (Bowyer 1981, Watson 1981).
+// Incremental Delaunay triangulation (Bowyer 1981; Watson 1981).
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace muster {
 
-/// Keeps the triangulation of all points added so far. Beyond the hull lie ghost triangles that share
-/// one vertex at infinity, so the hull needs no special care and no outer triangle distorts it.
+/// The triangulation of all points inserted so far. Beyond the convex hull lie ghost triangles, which share
+/// one vertex at infinity: the hull needs no special cases, and no large outer triangle distorts it.
 class BowyerWatson {
 public:
     static constexpr std::int32_t kGhost = -1;  ///< The vertex at infinity.
@@ -20,30 +20,31 @@ public:
     struct Face {
         std::array<std::int32_t, 3> vertex;
         std::array<std::int32_t, 3> neighbour;
-        bool alive = true;
+        bool alive = true;  ///< False once its circumcircle has held an inserted point.
     };
 
-    /// Starts from three points that do not lie on one line.
+    /// Starts from three of the points, which must not lie on one line.
     BowyerWatson(std::vector<Vec2> points, std::array<std::int32_t, 3> first);
 
-    /// Adds the point with that number; false where it repeats a point that is there already.
+    /// Inserts the point of that index; false where it repeats an inserted point.
     bool insert(std::int32_t point);
-    /// Appends a point and returns its number; insert() still has to be called.
+    /// Appends a point without inserting it; returns its index.
     std::int32_t addPoint(Vec2 p);
-    /// True where the two points are joined by an edge.
+    /// True where an edge joins the two inserted points.
     bool hasEdge(std::int32_t a, std::int32_t b) const;
     /// All points.
     const std::vector<Vec2>& points() const { return points_; }
-    /// All faces, dead and ghost ones too.
+    /// All faces, including ghosts and those that are not alive.
     const std::vector<Face>& faces() const { return faces_; }
     /// True where one of the face's vertices is at infinity.
     static bool isGhost(const Face& face);
 
 private:
+    // An edge of the cavity's boundary.
     struct RimEdge {
         std::int32_t from;
         std::int32_t to;
-        std::int32_t outside;  // Face across.
+        std::int32_t outside;  // The face outside the cavity.
     };
 
     bool conflicts(const Face& face, Vec2 p) const;
@@ -55,11 +56,11 @@ private:
 
     std::vector<Vec2> points_;
     std::vector<Face> faces_;
-    std::vector<std::int32_t> free_;
-    std::vector<std::int32_t> faceOf_;  // Some face at each point, -1 where not inserted.
-    std::vector<std::int32_t> cavity_;
+    std::vector<std::int32_t> free_;    // Faces that are not alive, for reuse.
+    std::vector<std::int32_t> faceOf_;  // Per point: one of its faces, -1 where not inserted.
+    std::vector<std::int32_t> cavity_;  // Faces whose circumcircles hold the point being inserted.
     std::vector<RimEdge> rim_;
-    std::int32_t last_ = 0;  // Where the next walk starts.
+    std::int32_t last_ = 0;  // The face at which the next point location starts.
 };
 
 }  // namespace muster

@@ -8,14 +8,14 @@
 namespace muster {
 namespace {
 
-using Loop = std::vector<std::int32_t>;  // Corner numbers, counter-clockwise.
+using Loop = std::vector<std::int32_t>;  // Corner indices, counter-clockwise.
 
 struct Diagonal {
     std::int32_t from;
     std::int32_t to;
 };
 
-// Cuts ears off a simple polygon until nothing is left.
+// Ear clipping of a simple polygon (Meisters 1975).
 class EarClipper {
 public:
     explicit EarClipper(const Polygon& corners) : corners_(corners) {
@@ -33,9 +33,9 @@ public:
     std::vector<Diagonal> diagonals;
 
 private:
-    Vec2 corner(std::size_t place) const { return corners_[rest_[place % rest_.size()]]; }
-    Vec2 before(std::size_t place) const { return corner(place + rest_.size() - 1); }
-    Vec2 after(std::size_t place) const { return corner(place + 1); }
+    Vec2 corner(std::size_t at) const { return corners_[rest_[at % rest_.size()]]; }
+    Vec2 before(std::size_t at) const { return corner(at + rest_.size() - 1); }
+    Vec2 after(std::size_t at) const { return corner(at + 1); }
 
     // A corner on the straight line between its neighbours bounds no area.
     bool dropStraightCorner() {
@@ -48,19 +48,19 @@ private:
         return false;
     }
 
-    bool isEar(std::size_t place) const {
-        const Vec2 a = before(place), b = corner(place), c = after(place);
+    bool isEar(std::size_t at) const {
+        const Vec2 a = before(at), b = corner(at), c = after(at);
         if (orientation(a, b, c) <= 0) return false;
         const std::size_t count = rest_.size();
         for (std::size_t step = 2; step + 1 < count; ++step) {
-            const Vec2 p = corner(place + step);
+            const Vec2 p = corner(at + step);
             if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0)
                 return false;
         }
         return true;
     }
 
-    // The ear with the shortest cut: short cuts keep parts compact. First in order where equal.
+    // The ear with the shortest diagonal, since these keep the parts compact; the first of equal ones.
     std::size_t bestEar() {
         order_.clear();
         for (std::size_t i = 0; i < rest_.size(); ++i) {
@@ -69,20 +69,19 @@ private:
             }
         }
         std::sort(order_.begin(), order_.end());
-        for (const auto& [length, place] : order_) {
-            if (isEar(place)) return place;
+        for (const auto& [length, at] : order_) {
+            if (isEar(at)) return at;
         }
         MUSTER_ASSERT(false);  // A simple polygon always has an ear (Meisters 1975).
         return order_.empty() ? 1 : order_.front().second;
     }
 
-    void clip(std::size_t place) {
+    void clip(std::size_t at) {
         const std::size_t count = rest_.size();
-        const std::int32_t a = rest_[(place + count - 1) % count], b = rest_[place],
-                           c = rest_[(place + 1) % count];
+        const std::int32_t a = rest_[(at + count - 1) % count], b = rest_[at], c = rest_[(at + 1) % count];
         triangles.push_back({a, b, c});
         if (count > 3) diagonals.push_back({a, c});
-        rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(place));
+        rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(at));
         if (rest_.size() < 3) rest_.clear();
     }
 
@@ -91,7 +90,7 @@ private:
     std::vector<std::pair<double, std::size_t>> order_;
 };
 
-// The place in `loop` from which the edge from -> to starts, or -1.
+// The position in `loop` at which the edge from -> to starts, or -1.
 std::ptrdiff_t findEdge(const Loop& loop, std::int32_t from, std::int32_t to) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
         if (loop[i] == from && loop[(i + 1) % loop.size()] == to) return static_cast<std::ptrdiff_t>(i);
@@ -99,8 +98,8 @@ std::ptrdiff_t findEdge(const Loop& loop, std::int32_t from, std::int32_t to) {
     return -1;
 }
 
-// Both loops with their shared edge taken out: `first` holds it from place `i` on, `second` the
-// other way round from place `j` on.
+// Joins two loops at their shared edge, which starts at position `i` of `first` and, reversed, at position
+// `j` of `second`.
 Loop joinLoops(const Loop& first, std::size_t i, const Loop& second, std::size_t j) {
     Loop joined;
     for (std::size_t k = 1; k <= first.size(); ++k) joined.push_back(first[(i + k) % first.size()]);
@@ -119,13 +118,13 @@ bool loopIsConvex(const Polygon& corners, const Loop& loop) {
     return true;
 }
 
-// Takes one cut out where the parts on both its sides together are convex.
-void tryMerge(const Polygon& corners, std::vector<Loop>& parts, Diagonal cut) {
+// Removes a diagonal where the union of the parts on both its sides is convex (Hertel and Mehlhorn 1983).
+void tryMerge(const Polygon& corners, std::vector<Loop>& parts, Diagonal diagonal) {
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        const std::ptrdiff_t i = findEdge(parts[p], cut.from, cut.to);
+        const std::ptrdiff_t i = findEdge(parts[p], diagonal.from, diagonal.to);
         if (i < 0) continue;
         for (std::size_t q = 0; q < parts.size(); ++q) {
-            const std::ptrdiff_t j = q == p ? -1 : findEdge(parts[q], cut.to, cut.from);
+            const std::ptrdiff_t j = q == p ? -1 : findEdge(parts[q], diagonal.to, diagonal.from);
             if (j < 0) continue;
             Loop joined = joinLoops(parts[p], static_cast<std::size_t>(i), parts[q],
                                     static_cast<std::size_t>(j));
@@ -157,13 +156,13 @@ Result<std::vector<Polygon>> decomposeConvex(std::span<const Vec2> polygon) {
     if (isConvex(corners)) return std::vector<Polygon>{corners};
     EarClipper clipper(corners);
     clipper.run();
-    // Long cuts first: taking these out leaves the compact parts.
+    // Long diagonals first: what remains are compact parts.
     std::stable_sort(clipper.diagonals.begin(), clipper.diagonals.end(), [&](Diagonal a, Diagonal b) {
         return lengthSquared(corners[a.to] - corners[a.from]) >
                lengthSquared(corners[b.to] - corners[b.from]);
     });
     std::vector<Loop> parts = std::move(clipper.triangles);
-    for (Diagonal cut : clipper.diagonals) tryMerge(corners, parts, cut);
+    for (Diagonal diagonal : clipper.diagonals) tryMerge(corners, parts, diagonal);
     std::vector<Polygon> result;
     for (const Loop& part : parts) result.push_back(toPolygon(corners, part));
     return result;

@@ -1,4 +1,4 @@
-// Concave polygons into convex parts.
+// Convex decomposition of concave polygons (Hertel and Mehlhorn 1983).
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace muster {
 
-/// Cuts a simple polygon into few convex parts that cover it exactly and do not overlap
-/// (ear clipping, then merging of triangles across shared diagonals: Hertel and Mehlhorn 1983).
-/// A convex polygon comes back as it is. Fails as cleanPolygon does.
+/// Cuts a simple polygon into few convex parts that cover it exactly and do not overlap, by ear clipping and
+/// merging of triangles across shared diagonals. A convex polygon is returned as one part. Fails where
+/// cleanPolygon() fails.
 Result<std::vector<Polygon>> decomposeConvex(std::span<const Vec2> polygon);
 
 }  // namespace muster

@@ -8,9 +8,9 @@
 namespace muster {
 namespace {
 
-constexpr double kOnBoundary = 1e-14;  // Relative to the lengths at hand.
+constexpr double kOnBoundary = 1e-14;  // Distance from an edge relative to its length.
 
-// On a corner or an edge the weights are those of linear interpolation; true where p is there.
+// Writes the weights of linear interpolation where p lies on a corner or an edge; false elsewhere.
 bool writeBoundaryWeights(std::span<const Vec2> polygon, Vec2 p, std::span<double> weights) {
     const std::size_t count = polygon.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -28,7 +28,7 @@ bool writeBoundaryWeights(std::span<const Vec2> polygon, Vec2 p, std::span<doubl
     return false;
 }
 
-// Tangent of half the angle from `a` to `b`, by the form that does not cancel.
+// Tangent of half the angle from `a` to `b`, by the form without cancellation.
 double halfTangent(Vec2 a, double lengthA, Vec2 b, double lengthB) {
     const double product = lengthA * lengthB;
     const double cosine = dot(a, b);

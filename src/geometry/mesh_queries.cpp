@@ -30,15 +30,15 @@ std::ptrdiff_t findEdge(const std::vector<DirectedEdge>& edges, std::int32_t fro
     return at != edges.end() && at->from == from && at->to == to ? at - edges.begin() : -1;
 }
 
-// The boundary edge that follows boundary edge `at`: turns about its end through the triangles, so
-// that loops which touch in one vertex stay apart. -1 where the mesh is no surface.
+// The boundary edge that follows boundary edge `at`, found by rotating about its end through the triangles,
+// so that loops which touch in one vertex stay separate. -1 where the mesh is not a manifold.
 std::ptrdiff_t nextBoundary(const std::vector<Triangle>& triangles, const std::vector<DirectedEdge>& edges,
                             std::ptrdiff_t at) {
     const std::int32_t pivot = edges[at].to;
-    for (std::size_t turn = 0; turn <= triangles.size(); ++turn) {
+    for (std::size_t k = 0; k <= triangles.size(); ++k) {
         const Triangle& t = triangles[edges[at].triangle];
-        const std::size_t k = static_cast<std::size_t>(std::find(t.begin(), t.end(), pivot) - t.begin());
-        const std::int32_t apex = t[(k + 1) % 3];
+        const auto corner = std::find(t.begin(), t.end(), pivot) - t.begin();
+        const std::int32_t apex = t[(corner + 1) % 3];
         const std::ptrdiff_t opposite = findEdge(edges, apex, pivot);
         if (opposite < 0) return findEdge(edges, pivot, apex);
         at = opposite;
@@ -46,15 +46,15 @@ std::ptrdiff_t nextBoundary(const std::vector<Triangle>& triangles, const std::v
     return -1;
 }
 
-// Weights of the point of the segment a-b nearest to p.
+// Fraction of the segment a-b at which it is nearest to p.
 double shareOnSegment(Vec2 a, Vec2 b, Vec2 p) {
     const Vec2 along = b - a;
     const double squared = lengthSquared(along);
     return squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
 }
 
-// Nearest point of the triangle's rim, by weights; returns the squared distance.
-double nearestOnRim(const std::array<Vec2, 3>& corner, Vec2 p, std::array<double, 3>& weight) {
+// Finds the nearest point of a triangle's boundary as barycentric weights; returns the squared distance.
+double nearestOnBoundary(const std::array<Vec2, 3>& corner, Vec2 p, std::array<double, 3>& weight) {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t l = (k + 1) % 3;
@@ -76,7 +76,7 @@ std::array<double, 3> barycentric(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
     const double size = std::max({lengthSquared(b - a), lengthSquared(c - b), lengthSquared(a - c)});
     if (std::fabs(whole) <= 1e-14 * size) {
         std::array<double, 3> weight{1.0, 0.0, 0.0};
-        nearestOnRim({a, b, c}, p, weight);
+        nearestOnBoundary({a, b, c}, p, weight);
         return weight;
     }
     const double u = cross(b - p, c - p) / whole;
@@ -110,7 +110,7 @@ MeshPoint locate(const std::vector<Triangle>& triangles, const std::vector<Vec2>
         std::array<double, 3> weight = barycentric(corner[0], corner[1], corner[2], p);
         const bool inside = weight[0] >= 0.0 && weight[1] >= 0.0 && weight[2] >= 0.0 &&
                             cross(corner[1] - corner[0], corner[2] - corner[0]) != 0.0;
-        const double squared = inside ? 0.0 : nearestOnRim(corner, p, weight);
+        const double squared = inside ? 0.0 : nearestOnBoundary(corner, p, weight);
         if (squared >= bestSquared) continue;
         bestSquared = squared;
         best = {static_cast<std::int32_t>(i), weight};

@@ -16,7 +16,7 @@ void forEdges(std::span<const Vec2> polygon, const Visit& visit) {
     for (std::size_t i = 0, j = count - 1; i < count; j = i++) visit(polygon[j], polygon[i]);
 }
 
-// Even-odd rule; points on the boundary may go either way.
+// Even-odd rule; a point on the boundary may count as inside or outside.
 bool crossesOddly(std::span<const Vec2> polygon, Vec2 p) {
     bool inside = false;
     forEdges(polygon, [&](Vec2 a, Vec2 b) {
@@ -31,7 +31,7 @@ bool crossesOddly(std::span<const Vec2> polygon, Vec2 p) {
 
 double signedArea(std::span<const Vec2> polygon) {
     if (polygon.size() < 3) return 0.0;
-    // Relative to the first corner, so that shapes far from the origin lose no digits.
+    // Relative to the first corner, so that polygons far from the origin lose no digits.
     double twice = 0.0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
@@ -56,16 +56,6 @@ Vec2 centroid(std::span<const Vec2> polygon) {
     const double size = box.width() + box.height();
     if (std::fabs(weight) <= 1e-14 * size * size) return base + mean / static_cast<double>(polygon.size());
     return base + sum / (3.0 * weight);
-}
-
-Box boundsOf(std::span<const Vec2> points) {
-    MUSTER_ASSERT(!points.empty());
-    Box box{points[0], points[0]};
-    for (Vec2 p : points) {
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-    }
-    return box;
 }
 
 bool isConvex(std::span<const Vec2> polygon) {
@@ -141,7 +131,7 @@ bool segmentsCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
         std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) {
         return false;
     }
-    // The boxes meet; the segments do where neither lies wholly on one side of the other's line.
+    // The bounding boxes meet. The segments meet where neither lies on one side of the other's line.
     if (orientation(a, b, c) * orientation(a, b, d) > 0) return false;
     return orientation(c, d, a) * orientation(c, d, b) <= 0;
 }

@@ -5,23 +5,22 @@
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "muster/geometry.h"
 #include "muster/status.h"
 
 namespace muster {
 
-/// A point of a boundary nearest to a query.
+/// The point of a boundary that is nearest to a query point.
 struct ClosestPoint {
     Vec2 point;             ///< On the boundary [m].
-    double distance = 0.0;  ///< From the query, >= 0 [m].
+    double distance = 0.0;  ///< From the query point [m], >= 0.
 };
 
 /// Area [m^2], positive where the corners run counter-clockwise.
 double signedArea(std::span<const Vec2> polygon);
 /// Centre of area; the mean of the corners where the area vanishes.
 Vec2 centroid(std::span<const Vec2> polygon);
-/// The smallest axis-aligned box around the points; at least one.
-Box boundsOf(std::span<const Vec2> points);
 /// True where no corner turns right (collinear corners allowed); expects counter-clockwise order.
 bool isConvex(std::span<const Vec2> polygon);
 /// True where `p` lies inside or on the boundary (within 1e-12 of its size).
@@ -42,9 +41,9 @@ double segmentDistance(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 bool segmentsCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 /// The convex hull, counter-clockwise, without collinear corners (Andrew's monotone chain).
 Polygon convexHull(std::span<const Vec2> points);
-/// Makes a user's polygon usable: drops repeated corners, turns it counter-clockwise.
-/// Fails with InvalidArgument, naming the edges or the number, where fewer than three distinct
-/// corners remain, the area is under 1e-9 m^2, a coordinate is not finite, or edges cross.
+/// A polygon of the user in normal form: without repeated corners, counter-clockwise. Fails with
+/// InvalidArgument, naming edges or corners, where fewer than three distinct corners remain, the area is
+/// under 1e-9 m^2, a coordinate is not finite, or edges cross.
 Result<Polygon> cleanPolygon(std::span<const Vec2> polygon);
 
 }  // namespace muster

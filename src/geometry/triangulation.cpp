@@ -11,7 +11,7 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kMostVertices = 20000;
-// Interior points stay this share of the spacing off the boundary, so that no flat triangles arise.
+// Least distance of interior points from the boundary, as a share of the spacing: it avoids flat triangles.
 constexpr double kBoundaryMargin = 0.6;
 
 struct BoundaryEdge {
@@ -19,7 +19,7 @@ struct BoundaryEdge {
     std::int32_t to;
 };
 
-// An outline and its holes as checked loops: the outline first.
+// The outline and the holes as valid polygons; the outline first.
 Result<std::vector<Polygon>> cleanLoops(const PolygonWithHoles& shape) {
     std::vector<Polygon> loops;
     Result<Polygon> outline = cleanPolygon(shape.outline);
@@ -62,7 +62,7 @@ Status tooManyVertices() {
     return invalidArgument("the mesh would need more than 20,000 vertices; take a larger spacing");
 }
 
-// Samples, joins and cuts out one shape.
+// Meshes one shape: samples it, triangulates the samples and removes triangles outside.
 class Mesher {
 public:
     Mesher(std::vector<Polygon> loops, double spacing) : loops_(std::move(loops)), spacing_(spacing) {}
@@ -112,8 +112,7 @@ private:
                             [&](const Polygon& hole) { return containsPoint(std::span(hole), p); });
     }
 
-    // A square lattice, centred in the box and stretched by the rounding to whole numbers only, so
-    // that a rectangle gets the regular mesh one would draw.
+    // A square lattice fitted to the bounding box, so that a rectangle gets a regular mesh.
     Status sampleInterior() {
         const Box box = boundsOf(loops_[0]);
         const double columns = std::max(1.0, std::ceil(box.width() / spacing_ - 1e-9));
@@ -131,7 +130,7 @@ private:
         return {};
     }
 
-    // Three outline corners around a real corner; it exists, as the area is not zero.
+    // Three points of the outline that do not lie on one line; they exist, since the area is not zero.
     std::array<std::int32_t, 3> firstTriple() const {
         const auto count = static_cast<std::int32_t>(boundaryCount_);
         for (std::int32_t i = 2; i < count; ++i) {
@@ -140,8 +139,8 @@ private:
         return {0, 1, 2};
     }
 
-    // Halves every boundary edge that is no edge of the triangulation, until all are. Points near an
-    // edge can only be other boundary points, so few rounds do.
+    // Makes the triangulation conforming: halves every boundary edge that is not an edge of it, until all
+    // are. Only other boundary points can be near an edge, so that few rounds are needed.
     Status conform(BowyerWatson& mesh) {
         for (bool changed = true; changed;) {
             changed = false;
@@ -166,7 +165,7 @@ private:
         return std::binary_search(keys_.begin(), keys_.end(), key);
     }
 
-    // Marks faces from the outside in: crossing the boundary changes sides.
+    // Finds the faces inside the shape, from the hull inwards: each boundary edge crossed changes sides.
     std::vector<std::int8_t> markInside(const BowyerWatson& mesh) {
         for (BoundaryEdge e : edges_) keys_.push_back({std::min(e.from, e.to), std::max(e.from, e.to)});
         std::sort(keys_.begin(), keys_.end());

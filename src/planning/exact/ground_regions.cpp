@@ -9,7 +9,7 @@ void GroundRegions::label(const UnitCost& cost) {
     constexpr std::int32_t kWall = -1;
     grid_ = cost.grid;
     labels_.resize(cost.cells.size());
-    for (std::int32_t k = 0; k < grid_.count(); ++k) labels_[k] = cost.wall(k) ? kWall : kUnseenRegion;
+    for (std::int32_t k = 0; k < grid_.count(); ++k) labels_[k] = cost.wall(k) ? kWall : kUnlabelled;
     count_ = labelRegions(grid_, labels_, stack_);
 }
 
