@@ -1,4 +1,4 @@
-// Grids of any size and place: what must hold of all of them.
+// Invariants of grids of any size and position.
 #include <doctest.h>
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/archive.h"
-#include "base/bilinear.h"
 #include "base/grid.h"
 #include "base/random.h"
 
@@ -22,13 +21,6 @@ Grid randomGrid(Random& random) {
 
 Vec2 pointIn(const Box& box, Random& random) {
     return {random.uniform(box.min.x, box.max.x), random.uniform(box.min.y, box.max.y)};
-}
-
-double interpolate(const Grid& grid, const std::vector<double>& values, Vec2 p) {
-    const BilinearStencil stencil = bilinearStencil(grid, p);
-    double sum = 0.0;
-    for (int k = 0; k < 4; ++k) sum += stencil.weight[k] * values[stencil.cell[k]];
-    return sum;
 }
 
 }  // namespace
@@ -101,65 +93,6 @@ TEST_CASE("cells on the negative side are not rounded towards zero") {
     CHECK_FALSE(grid.contains({4, 0}));
     CHECK_FALSE(grid.contains({0, 4}));
     CHECK(grid.contains({3, 3}));
-}
-
-TEST_CASE("bilinear weights are a share of one, in the cells that surround the point") {
-    Random random(14);
-    for (int i = 0; i < 500; ++i) {
-        const Grid grid = randomGrid(random);
-        const Vec2 p = pointIn(grid.box().grown(3.0), random);
-        const BilinearStencil stencil = bilinearStencil(grid, p);
-        double sum = 0.0;
-        for (int k = 0; k < 4; ++k) {
-            CHECK(stencil.weight[k] >= 0.0);
-            CHECK(stencil.weight[k] <= 1.0);
-            REQUIRE(grid.contains(grid.at(stencil.cell[k])));
-            sum += stencil.weight[k];
-            if (stencil.weight[k] == 0.0 || !grid.box().contains(p)) continue;
-            const Vec2 away = grid.centre(grid.at(stencil.cell[k])) - p;
-            CHECK(std::max(std::fabs(away.x), std::fabs(away.y)) <= grid.cell * (1.0 + 1e-9));
-        }
-        CHECK(sum == doctest::Approx(1.0).epsilon(1e-12));
-    }
-}
-
-TEST_CASE("interpolation is exact at centres, bounded by its samples and continuous across cells") {
-    Random random(15);
-    const Grid grid = Grid::covering({{-2, -1}, {3, 4}}, 0.5);
-    std::vector<double> values;
-    for (std::int32_t i = 0; i < grid.count(); ++i) values.push_back(random.uniform(-5, 5));
-    for (std::int32_t i = 0; i < grid.count(); ++i)
-        CHECK(interpolate(grid, values, grid.centre(grid.at(i))) == doctest::Approx(values[i]));
-    const double low = *std::min_element(values.begin(), values.end());
-    const double high = *std::max_element(values.begin(), values.end());
-    for (int i = 0; i < 1000; ++i) {
-        const Vec2 p = pointIn(grid.box().grown(1.0), random);
-        const double value = interpolate(grid, values, p);
-        CHECK(value >= low - 1e-12);
-        CHECK(value <= high + 1e-12);
-        // The steepest slope between neighbours is (high - low) / cell along each axis.
-        const Vec2 q = p + Vec2{random.uniform(-1e-6, 1e-6), random.uniform(-1e-6, 1e-6)};
-        CHECK(std::fabs(interpolate(grid, values, q) - value) <= 2.0 * (high - low) / grid.cell * 2e-6);
-    }
-}
-
-TEST_CASE("beyond the outermost centres the edge goes on") {
-    const Grid grid = Grid::covering({{0, 0}, {3, 2}}, 1.0);
-    const std::vector<double> values{1, 2, 3, 4, 5, 6};
-    CHECK(interpolate(grid, values, {-50, -50}) == 1.0);
-    CHECK(interpolate(grid, values, {50, -50}) == 3.0);
-    CHECK(interpolate(grid, values, {-50, 50}) == 4.0);
-    CHECK(interpolate(grid, values, {1e300, 1e300}) == 6.0);
-    CHECK(interpolate(grid, values, {0.1, 1.0}) == doctest::Approx(2.5));
-}
-
-TEST_CASE("one row, one column: the other axis still interpolates") {
-    const Grid row = Grid::covering({{0, 0}, {4, 1}}, 1.0);
-    REQUIRE(row.height == 1);
-    CHECK(interpolate(row, {0, 10, 20, 30}, {2.0, 0.3}) == doctest::Approx(15.0));
-    const Grid column = Grid::covering({{0, 0}, {1, 4}}, 1.0);
-    REQUIRE(column.width == 1);
-    CHECK(interpolate(column, {0, 10, 20, 30}, {0.9, 3.25}) == doctest::Approx(27.5));
 }
 
 TEST_CASE("a grid survives an archive") {

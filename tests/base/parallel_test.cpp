@@ -12,6 +12,20 @@
 
 using namespace muster;
 
+TEST_CASE("a pool runs every item once, with any number of threads") {
+    for (const int threads : {1, 2, 4, 8}) {
+        ThreadPool pool(threads);
+        for (int round = 0; round < 50; ++round) {
+            std::vector<std::atomic<int>> hits(97);
+            pool.run(97, [&](std::int32_t item, std::int32_t worker) {
+                CHECK(worker < threads);
+                ++hits[item];
+            });
+            for (const auto& hit : hits) REQUIRE(hit.load() == 1);
+        }
+    }
+}
+
 TEST_CASE("a pool without items calls nobody and returns") {
     for (const int threads : {1, 3}) {
         ThreadPool pool(threads);
@@ -169,7 +183,7 @@ TEST_CASE("a caller that waits longer than it spins is woken by the last worker"
     }
 }
 
-TEST_CASE("work goes to a foreign runner, but for single items") {
+TEST_CASE("work goes to the task runner, except single items") {
     struct Log {
         std::vector<std::int32_t> counts;
     } log;
@@ -192,7 +206,7 @@ TEST_CASE("work goes to a foreign runner, but for single items") {
     CHECK(log.counts == std::vector<std::int32_t>{5});
 }
 
-TEST_CASE("a runner without a function or threads leaves all to the caller") {
+TEST_CASE("without a function or threads of the runner the caller does all work") {
     for (const TaskRunner& runner :
          {TaskRunner{},
           TaskRunner{0, nullptr,
@@ -224,7 +238,7 @@ struct Launched {
 
 }  // namespace
 
-TEST_CASE("launched work is done when wait returns, with rounds beside it") {
+TEST_CASE("background work is done when wait returns, with rounds meanwhile") {
     for (const int threads : {1, 2, 3, 8}) {
         ThreadPool pool(threads);
         pool.wait();  // For nothing.
@@ -246,7 +260,7 @@ TEST_CASE("launched work is done when wait returns, with rounds beside it") {
     }
 }
 
-TEST_CASE("what is launched next waits for what was launched before, and a pool that closes for both") {
+TEST_CASE("launching waits for earlier background work, and so does closing the pool") {
     Launched launched;
     launched.slow = true;
     {
@@ -256,7 +270,7 @@ TEST_CASE("what is launched next waits for what was launched before, and a pool 
     CHECK(launched.round == 5 * 200);
 }
 
-TEST_CASE("a foreign runner is handed launched work where it takes any, else the caller does it") {
+TEST_CASE("a task runner gets background work if it can launch, else the caller does it") {
     struct Log {
         int launches = 0;
         int waits = 0;

@@ -1,24 +1,23 @@
-// Unit costs made by hand.
+// Unit costs for tests, given by a function.
 #pragma once
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 #include "cost/unit_cost.h"
 
 namespace muster::test {
 
-inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+inline constexpr float kInfinity = kInfiniteCost;
 
-/// Costs by a function of the cell's centre; walls where east is infinite.
-inline UnitCost makeCost(const Box& box, double cell, const std::function<CellCost(Vec2)>& price) {
+/// Unit costs by a function of the cell's centre; a cell is a wall where `east` is infinite.
+inline UnitCost makeCost(const Box& box, double cell, const std::function<CellCost(Vec2)>& costAt) {
     UnitCost cost;
     cost.grid = Grid::covering(box, cell);
     cost.cells.resize(cost.grid.count());
     cost.lowest = kInfinity;
     for (std::int32_t k = 0; k < cost.grid.count(); ++k)
-        cost.cells[k] = price(cost.grid.centre(cost.grid.at(k)));
+        cost.cells[k] = costAt(cost.grid.centre(cost.grid.at(k)));
     const auto wall = [&](Cell c) {
         return !cost.grid.contains(c) || cost.cells[cost.grid.index(c)].east == kInfinity;
     };
@@ -41,8 +40,8 @@ inline UnitCost makeCost(const Box& box, double cell, const std::function<CellCo
     return cost;
 }
 
-/// The same cost in all directions.
-inline CellCost even(double cost) {
+/// The same unit cost in all directions.
+inline CellCost isotropic(double cost) {
     const auto c = static_cast<float>(cost);
     return {c, c, c, c};
 }

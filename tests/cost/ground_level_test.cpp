@@ -1,4 +1,4 @@
-// The still ground on cells twice as wide, and cells beside thin walls.
+// The static ground on cells twice as wide, and thin walls.
 #include <doctest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 using namespace muster;
 using namespace muster::test;
 
-TEST_CASE("wider cells have the room and the cost of the ground that they cover") {
+TEST_CASE("wider cells have the clearance and the unit cost of the ground that they cover") {
     Environment environment = squareWorld(12.0);
     REQUIRE(environment.addObstacle(rectangle(-4, -3, 2, 5)).ok());
     REQUIRE(environment.addPatch(slowBox(5, -6, 9, 6, 0.25)).ok());
@@ -22,9 +22,9 @@ TEST_CASE("wider cells have the room and the cost of the ground that they cover"
     CHECK(grid.cell == 2.0 * ground.fine().grid.cell);
     for (std::int32_t k = 0; k < grid.count(); ++k) {
         const Vec2 p = grid.centre(grid.at(k));
-        const double room = environment.distanceToObstacle(p) - 0.25;
+        const double clearance = environment.distanceToObstacle(p) - 0.25;
         // Clearance is known up to a limit, and kinks where two walls are as near.
-        if (room < 1.0) REQUIRE(std::fabs(level.clearance[k] - room) < 0.1);
+        if (clearance < 1.0) REQUIRE(std::fabs(level.clearance[k] - clearance) < 0.1);
         REQUIRE(level.blocked(k) == (level.clearance[k] < 0.0f));
     }
     const auto east = [&](Vec2 p) { return level.cost.cells[grid.index(grid.cellOf(p))].east; };
@@ -34,7 +34,7 @@ TEST_CASE("wider cells have the room and the cost of the ground that they cover"
     CHECK(level.freeCellNear({-4.1, 1.1}) >= 0);
 }
 
-TEST_CASE("no way leads through a wall thinner than a cell") {
+TEST_CASE("no path leads through a wall thinner than a cell") {
     // From walls without any thickness to such as are thicker than a cell, wherever they stand in it.
     for (const double thickness : {0.02, 0.1, 0.3, 0.7})
         for (double shift = 0.0; shift < 0.5; shift += 0.06) {

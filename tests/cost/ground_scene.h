@@ -1,4 +1,4 @@
-// Environments for tests of costs between points.
+// Environments for tests of the static ground and of costs on it.
 #pragma once
 
 #include <doctest.h>
@@ -18,7 +18,7 @@ inline ObstacleDef rectangle(double x0, double y0, double x1, double y1) {
     return def;
 }
 
-/// A patch on which one moves at `speed` of running.
+/// A patch of this travel speed, relative to running.
 inline PatchDef slowBox(double x0, double y0, double x1, double y1, double speed) {
     PatchDef def;
     def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
@@ -27,7 +27,7 @@ inline PatchDef slowBox(double x0, double y0, double x1, double y1, double speed
     return def;
 }
 
-/// A square world of 2 x `half` metres.
+/// An environment without obstacles on a square of 2 x `half` metres.
 inline Environment squareWorld(double half) {
     EnvironmentDef def;
     def.box = {{-half, -half}, {half, half}};
@@ -36,14 +36,14 @@ inline Environment squareWorld(double half) {
     return std::move(environment).value();
 }
 
-/// Its still ground, for characters of 0.25 m.
+/// The static ground of an environment for characters of radius 0.25 m.
 inline StaticGround groundOf(const Environment& environment) {
     StaticGround ground;
     ground.update(environment, 1.0, 0.25);
     return ground;
 }
 
-/// A free spot within `half` of the middle.
+/// A random point within `half` of the origin at which a character can stand.
 inline Vec2 freeSpot(const Environment& environment, Random& random, double half) {
     for (;;) {
         const Vec2 p{random.uniform(-half, half), random.uniform(-half, half)};

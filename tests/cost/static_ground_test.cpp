@@ -1,4 +1,4 @@
-// The ground without crowd: room, straight lines, the coarse copy.
+// The static ground: clearance, lines of sight, the coarse copy.
 #include <doctest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 using namespace muster;
 using namespace muster::test;
 
-TEST_CASE("room is a lower bound of the free and uniform surroundings") {
+TEST_CASE("the uniform clearance is a lower bound of the distance to walls and other ground") {
     Environment environment = squareWorld(24.0);
     REQUIRE(environment.addObstacle(rectangle(-4, -3, 3, 2)).ok());
     REQUIRE(environment.addPatch(slowBox(8, -6, 14, 6, 0.5)).ok());
@@ -22,8 +22,8 @@ TEST_CASE("room is a lower bound of the free and uniform surroundings") {
     double most = 0.0;
     for (int k = 0; k < 4000; ++k) {
         const Vec2 p{random.uniform(-24, 24), random.uniform(-24, 24)};
-        const double rim = std::min({24 - p.x, p.x + 24, 24 - p.y, p.y + 24});
-        const double walls = std::min(block.signedDistance(p), rim) - 0.25;
+        const double edgeDistance = std::min({24 - p.x, p.x + 24, 24 - p.y, p.y + 24});
+        const double walls = std::min(block.signedDistance(p), edgeDistance) - 0.25;
         // A patch reaches to the far side of the cells it touches.
         const double edge = std::fabs(patch.signedDistance(p)) + 0.36;
         REQUIRE(ground.uniformClearance(p) <= std::min(walls, edge) + 1e-5);
@@ -33,7 +33,7 @@ TEST_CASE("room is a lower bound of the free and uniform surroundings") {
     CHECK(ground.uniformClearance({30, 0}) < 0.0);
 }
 
-TEST_CASE("straight lines agree with the exact ones but near walls") {
+TEST_CASE("lines of sight agree with exact distances except very near walls") {
     Environment environment = squareWorld(16.0);
     std::vector<Shape> shapes;
     Random random(5);
@@ -64,12 +64,12 @@ TEST_CASE("straight lines agree with the exact ones but near walls") {
     CHECK(blocked > 300);
 }
 
-TEST_CASE("on slow ground the straight line counts only where no way out can be faster") {
+TEST_CASE("on slow ground there is a line of sight only where no path outside can be faster") {
     Environment environment = squareWorld(16.0);
     REQUIRE(environment.addPatch(slowBox(-6, -6, 6, 6, 0.2)).ok());
     const StaticGround ground = groundOf(environment);
     CHECK(ground.lineOfSight({-0.5, 0}, {0.5, 0}));
-    CHECK_FALSE(ground.lineOfSight({-5, 5.5}, {5, 5.5}));  // Round by the fast side.
+    CHECK_FALSE(ground.lineOfSight({-5, 5.5}, {5, 5.5}));  // The path along the fast side is cheaper.
     CHECK_FALSE(ground.lineOfSight({-8, 0}, {0, 0}));      // Across the edge.
     CHECK(ground.lineOfSight({-9, -9}, {-9, 9}));
     CHECK(ground.unitCost({0, 0}) == doctest::Approx(5.0));
@@ -98,7 +98,7 @@ TEST_CASE("the coarse copy keeps walls closed and doors open") {
     CHECK_FALSE(std::isfinite(field.cost({-19.2, 0.0})));
 }
 
-TEST_CASE("coarse cells with a wall in the middle are known from the side on which people stand") {
+TEST_CASE("partially blocked coarse cells have values from their free side") {
     Environment environment = squareWorld(60.0);
     // A wall whose lower face lies a little above the border of a row of coarse cells.
     const double edge = groundOf(environment).coarse().grid.cell;
@@ -108,28 +108,29 @@ TEST_CASE("coarse cells with a wall in the middle are known from the side on whi
     const Grid& grid = ground.coarse().grid;
     REQUIRE(grid.cell == edge);
     REQUIRE_FALSE(ground.partiallyBlockedCells().empty());
-    for (const StaticGround::PartiallyBlockedCell& beside : ground.partiallyBlockedCells()) {
-        const Vec2 middle = grid.centre(beside.cell);
+    for (const StaticGround::PartiallyBlockedCell& blocked : ground.partiallyBlockedCells()) {
+        const Vec2 middle = grid.centre(blocked.cell);
         CHECK(environment.distanceToObstacle(middle) < 0.25 + environment.grid().cell);
-        CHECK(environment.distanceToObstacle(grid.centre(beside.neighbour)) >= 0.25);
-        CHECK(std::abs(beside.cell.x - beside.neighbour.x) + std::abs(beside.cell.y - beside.neighbour.y) ==
+        CHECK(environment.distanceToObstacle(grid.centre(blocked.neighbour)) >= 0.25);
+        CHECK(std::abs(blocked.cell.x - blocked.neighbour.x) +
+                  std::abs(blocked.cell.y - blocked.neighbour.y) ==
               1);
-        CHECK(beside.cost == doctest::Approx(edge));
+        CHECK(blocked.cost == doctest::Approx(edge));
     }
-    // Values there can be told, and only sink.
+    // Values can be set there, and only be lowered.
     EikonalSolver solver;
     CostField field;
     solver.solve(ground.coarse(), {5.0, face - 8.0}, {}, field);
-    const Cell beside = ground.partiallyBlockedCells()[20].cell;
-    CHECK(field.value(beside) > 60.0f);  // Round the wall's end, or not at all.
-    field.lowerValue(beside, 40.0f);
-    CHECK(field.value(beside) == 40.0f);
-    field.lowerValue(beside, 50.0f);
-    CHECK(field.value(beside) == 40.0f);
-    field.lowerValue({-1, 4000}, 1.0f);  // Nothing there.
+    const Cell cell = ground.partiallyBlockedCells()[20].cell;
+    CHECK(field.value(cell) > 60.0f);  // Round the end of the wall, or infinite.
+    field.lowerValue(cell, 40.0f);
+    CHECK(field.value(cell) == 40.0f);
+    field.lowerValue(cell, 50.0f);
+    CHECK(field.value(cell) == 40.0f);
+    field.lowerValue({-1, 4000}, 1.0f);  // No such cell.
 }
 
-TEST_CASE("ground changes with what stands still and with nothing else") {
+TEST_CASE("the static ground changes only with what stands still") {
     Environment environment = squareWorld(12.0);
     ObstacleDef cart;
     cart.centre = {0, 0};
@@ -142,7 +143,7 @@ TEST_CASE("ground changes with what stands still and with nothing else") {
     environment.setTime(1.0);
     ground.update(environment, 1.0, 0.25);
     CHECK(ground.version() == version);
-    CHECK(ground.lineOfSight({-4, 0}, {4, 0}));  // Moving things are no part of it.
+    CHECK(ground.lineOfSight({-4, 0}, {4, 0}));  // Moving obstacles are not part of it.
     REQUIRE(environment.addObstacle(rectangle(-1, -1, 1, 1)).ok());
     ground.update(environment, 1.0, 0.25);
     CHECK(ground.version() == version + 1);

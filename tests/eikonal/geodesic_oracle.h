@@ -49,7 +49,7 @@ struct Shape {
     }
 };
 
-/// Shortest ways of a disc of `radius` among shapes.
+/// Shortest paths of a disc of `radius` among shapes.
 class GeodesicOracle {
 public:
     GeodesicOracle(std::vector<Shape> shapes, double radius, Vec2 source)
@@ -64,12 +64,12 @@ public:
         for (const Shape& shape : shapes_) best = std::min(best, shape.signedDistance(p));
         return best;
     }
-    /// Length of the shortest way from the source.
+    /// Length of the shortest path from the source.
     double cost(Vec2 p) const {
         double best = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < nodes_.size(); ++k) {
-            const double way = costs_[k] + distance(nodes_[k], p);
-            if (way < best && sees(nodes_[k], p)) best = way;
+            const double path = costs_[k] + distance(nodes_[k], p);
+            if (path < best && sees(nodes_[k], p)) best = path;
         }
         return best;
     }
@@ -108,8 +108,8 @@ private:
             }
             done[best] = true;
             for (std::size_t k = 0; k < nodes_.size(); ++k) {
-                const double way = costs_[best] + distance(nodes_[best], nodes_[k]);
-                if (!done[k] && way < costs_[k] && sees(nodes_[best], nodes_[k])) costs_[k] = way;
+                const double path = costs_[best] + distance(nodes_[best], nodes_[k]);
+                if (!done[k] && path < costs_[k] && sees(nodes_[best], nodes_[k])) costs_[k] = path;
             }
         }
     }

@@ -1,4 +1,4 @@
-// A solver that was used before gives what a new one gives.
+// A used solver gives the same result as a new one.
 #include <doctest.h>
 
 #include <cmath>
@@ -85,7 +85,7 @@ TEST_CASE("a used solver gives the same bits as a new one: patches, crowds, obst
     CHECK(different == 0);
 }
 
-TEST_CASE("seeds in dear ground that a front never reached leave nothing behind") {
+TEST_CASE("seeds on expensive ground that a front never reached leave no traces") {
     EnvironmentDef def;
     def.box = {{-16, -16}, {16, 16}};
     Environment environment = std::move(Environment::create(def)).value();

@@ -1,4 +1,4 @@
-// What a metre costs.
+// Unit costs.
 #include <doctest.h>
 
 #include <algorithm>
@@ -41,19 +41,18 @@ bool same(const CellCost& a, const CellCost& b) {
     return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
 }
 
-// What a builder tells of the empty ground, of what crowd and discomfort priced, and of what changed since
-// `before`.
+// Checks the ground cost of a builder, its dynamic cells and its changes since `before`.
 void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
                  const std::vector<CellCost>& before, std::uint64_t versionBefore) {
     REQUIRE(used.groundCost().size() == bare.groundCost().size());
-    std::vector<std::uint8_t> priced(used.groundCost().size(), 0), changed(used.groundCost().size(), 0);
-    for (const std::int32_t cell : used.dynamicCells()) ++priced[cell];
+    std::vector<std::uint8_t> dynamic(used.groundCost().size(), 0), changed(used.groundCost().size(), 0);
+    for (const std::int32_t cell : used.dynamicCells()) ++dynamic[cell];
     for (const std::int32_t cell : used.groundChanges()) ++changed[cell];
     bool all = true, any = false;
-    for (std::size_t k = 0; k < priced.size(); ++k) {
-        all = all && same(used.groundCost()[k], bare.groundCost()[k]) && priced[k] <= 1 && changed[k] <= 1;
-        all = all && (priced[k] == 1) == !same(used.cost().cells[k], used.groundCost()[k]);
-        const bool differs = before.size() != priced.size() || !same(before[k], used.groundCost()[k]);
+    for (std::size_t k = 0; k < dynamic.size(); ++k) {
+        all = all && same(used.groundCost()[k], bare.groundCost()[k]) && dynamic[k] <= 1 && changed[k] <= 1;
+        all = all && (dynamic[k] == 1) == !same(used.cost().cells[k], used.groundCost()[k]);
+        const bool differs = before.size() != dynamic.size() || !same(before[k], used.groundCost()[k]);
         all = all && (changed[k] == 1 || !differs);
         any = any || differs;
     }
@@ -69,7 +68,7 @@ const CellCost& at(const UnitCost& cost, Vec2 p) {
 
 }  // namespace
 
-TEST_CASE("open ground costs alpha + beta, walls and the rim infinitely much") {
+TEST_CASE("open ground costs alpha + beta, walls and the edge of the world are infinite") {
     Environment environment = makeEnvironment();
     REQUIRE(environment.addObstacle(block(-2, -2, 2, 2)).ok());
     environment.setTime(0.0);
@@ -107,7 +106,7 @@ TEST_CASE("slow ground costs in proportion") {
     CHECK(cost.lowest == 1.0f);
 }
 
-TEST_CASE("a crowd slows those who walk against it, not those who walk with it") {
+TEST_CASE("a crowd raises the cost of walking against it, not with it") {
     Environment environment = makeEnvironment();
     environment.setTime(0.0);
     UnitCostDef def;
@@ -282,7 +281,7 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
     }
 }
 
-TEST_CASE("ground that moving things change, step by step, costs the same as when it is priced anew") {
+TEST_CASE("incremental updates under moving things give the same cost as a new builder") {
     Environment environment = makeEnvironment();
     REQUIRE(environment.addObstacle(block(-1, 2, 3, 3)).ok());
     ObstacleDef cart = block(-0.6, -0.4, 0.6, 0.4);

@@ -1,4 +1,4 @@
-// Where two ways cost the same, somebody still has to take one.
+// Directions on ridges, where two paths cost the same.
 #include <doctest.h>
 
 #include <cmath>
@@ -17,35 +17,36 @@ bool inBlock(Vec2 p) {
 
 }  // namespace
 
-TEST_CASE("who stands exactly behind a block takes one of the two equal ways round it") {
-    for (const bool turned : {false, true}) {
-        const auto seen = [&](Vec2 p) { return turned ? Vec2{p.y, p.x} : p; };
-        const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25,
-                                       [&](Vec2 p) { return even(inBlock(seen(p)) ? kInfinity : 1.0); });
+TEST_CASE("exactly behind a block the direction follows one of two equal paths") {
+    for (const bool mirror : {false, true}) {
+        const auto mirrored = [&](Vec2 p) { return mirror ? Vec2{p.y, p.x} : p; };
+        const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25, [&](Vec2 p) {
+            return isotropic(inBlock(mirrored(p)) ? kInfinity : 1.0);
+        });
         EikonalSolver solver;
         CostField field;
-        solver.solve(cost, seen({6, 0}), {}, field);
+        solver.solve(cost, mirrored({6, 0}), {}, field);
         Vec2 p{-2, 0};
         double walked = 0.0;
         while (distance(p, {6, 0}) > 0.3 && walked < 30.0) {
-            const Vec2 step = seen(field.direction(seen(p))) * 0.03;
+            const Vec2 step = mirrored(field.direction(mirrored(p))) * 0.03;
             walked += 0.03;
             Vec2 next = p + step;
             if (inBlock(next)) next = inBlock({next.x, p.y}) ? Vec2{p.x, next.y} : Vec2{next.x, p.y};
             p = next;
         }
-        // Both ways round are about 9.4 m long; the first metres straight to the wall cost a little more.
+        // Both paths are about 9.4 m long; the first metres straight to the wall cost a little more.
         CHECK(walked < 12.0);
     }
 }
 
-TEST_CASE("who stands exactly before slow ground takes one of the two equal ways round it") {
+TEST_CASE("exactly before slow ground the direction follows one of two equal paths") {
     for (const double slow : {1.5, 2.5, 6.0}) {
         CAPTURE(slow);
         // Deep and narrow: 4 m through at `slow`, or about a metre more round it.
         const auto onPatch = [](Vec2 p) { return p.x > -4.0 && p.x < 0.0 && std::fabs(p.y) < 1.0; };
         const UnitCost cost = makeCost({{-8, -8}, {8, 8}}, 0.25,
-                                       [&](Vec2 p) { return even(onPatch(p) ? slow : 1.0); });
+                                       [&](Vec2 p) { return isotropic(onPatch(p) ? slow : 1.0); });
         EikonalSolver solver;
         CostField field;
         solver.solve(cost, {3, 0}, {}, field);

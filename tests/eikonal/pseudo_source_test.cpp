@@ -1,4 +1,4 @@
-// Cost fields against exact geodesics round corners.
+// Values from pseudo-sources, against exact geodesics round corners.
 #include <doctest.h>
 
 #include <cstdio>
@@ -28,7 +28,7 @@ Shape rectangle(double x0, double y0, double x1, double y1) {
     return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
-Shape turned(Vec2 centre, Vec2 half, double angle) {
+Shape rotated(Vec2 centre, Vec2 half, double angle) {
     const Rotation r{std::cos(angle), std::sin(angle)};
     Shape shape;
     for (const Vec2 c : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}}) {
@@ -40,9 +40,9 @@ Shape turned(Vec2 centre, Vec2 half, double angle) {
 std::vector<Scene> scenes() {
     std::vector<Scene> all;
     all.push_back({"block", {rectangle(-3.07, -2.04, 2.98, 1.91)}, {-6.2, 0.1}});
-    all.push_back({"block, source beside it", {rectangle(-3.13, -2.11, 3.04, 1.98)}, {-2.9, 2.6}});
-    all.push_back({"turned block", {turned({0.1, 0.2}, {3, 2}, 0.4)}, {-5.3, -1.2}});
-    all.push_back({"diamond", {turned({0.1, 0.2}, {2.5, 2.5}, kPi / 4)}, {-5.3, 0.4}});
+    all.push_back({"block, source at it", {rectangle(-3.13, -2.11, 3.04, 1.98)}, {-2.9, 2.6}});
+    all.push_back({"rotated block", {rotated({0.1, 0.2}, {3, 2}, 0.4)}, {-5.3, -1.2}});
+    all.push_back({"diamond", {rotated({0.1, 0.2}, {2.5, 2.5}, kPi / 4)}, {-5.3, 0.4}});
     all.push_back({"L", {rectangle(-3, -3, -2.06, 3.1), rectangle(-2.1, -3, 3.07, -2.1)}, {0.3, 0.4}});
     all.push_back(
         {"corridor", {rectangle(-1.06, -99, 1.02, -0.71), rectangle(-1.06, 0.69, 1.02, 99)}, {-4.3, 3.1}});
@@ -122,13 +122,13 @@ TEST_CASE("cost fields agree with exact geodesics among random obstacles") {
     constexpr int kRounds = 25;
     for (int round = 0; round < kRounds; ++round) {
         std::vector<Shape> shapes;
-        // Gaps are left wide enough: one a hair wider than a character may be closed on the grid.
+        // Gaps are left wide enough: one slightly wider than a character may be closed on the grid.
         while (shapes.size() < 7) {
             const Vec2 centre{random.uniform(-6, 6), random.uniform(-6, 6)};
             const double reach = random.uniform(0.4, 1.6);
             Shape shape{{centre}, reach};
             if (random.below(2) == 0)
-                shape = turned(centre, {0.8 * reach, 0.6 * reach}, random.uniform(0, 3));
+                shape = rotated(centre, {0.8 * reach, 0.6 * reach}, random.uniform(0, 3));
             const auto apart = [&](const Shape& other) {
                 Vec2 middle;
                 double around = other.extra;
@@ -152,7 +152,7 @@ TEST_CASE("cost fields agree with exact geodesics among random obstacles") {
         CAPTURE(round);
         CAPTURE(errors.where.x);
         CAPTURE(errors.where.y);
-        // Beside tight corners whose walls' directions the cells do not tell, some points are above 1 %.
+        // At tight corners, where wall normals are imprecise, some points are above 1 %.
         CHECK(errors.worst < 0.02);
         CHECK(errors.mean < 0.001);
         above += errors.worst > 0.01 ? 1 : 0;
@@ -184,7 +184,7 @@ TEST_CASE("traced paths are as long as the cost, and stay out of obstacles") {
             CHECK(tracePath(field, p, 0.05, path));
             const double exact = oracle.cost(p);
             if (exact > 1.0) CHECK(pathLength(path) < 1.05 * exact + 0.05);
-            // The direction is steered by contacts in the world; alone it may graze the obstacle itself.
+            // In the world contacts keep characters out; a traced path alone may graze the obstacle.
             for (const Vec2 q : path) CHECK(oracle.clearance(q) > -0.02);
         }
     }

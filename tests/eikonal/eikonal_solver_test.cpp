@@ -1,4 +1,4 @@
-// Cost fields: analytic cases, a second algorithm, invariants, bad input.
+// The eikonal solver: analytic cases, a second algorithm, invariants, bad input.
 #include "eikonal/eikonal_solver.h"
 
 #include <doctest.h>
@@ -32,9 +32,9 @@ double worst(const CostField& field, const Grid& grid, double from, Exact exact)
 UnitCost randomCost(Random& random, double cell, bool anisotropic) {
     const double phase = random.uniform(0, 6);
     return makeCost({{-4, -4}, {4, 4}}, cell, [&](Vec2 p) {
-        if (random.below(6) == 0) return even(kInfinity);
+        if (random.below(6) == 0) return isotropic(kInfinity);
         const double base = 2.0 + std::sin(1.3 * p.x + phase) + 0.5 * std::cos(2.1 * p.y);
-        CellCost c = even(base);
+        CellCost c = isotropic(base);
         if (anisotropic) {
             c = {static_cast<float>(base * random.uniform(0.7, 3)),
                  static_cast<float>(base * random.uniform(0.7, 3)),
@@ -78,10 +78,10 @@ double update(const UnitCost& cost, const std::vector<double>& phi, Cell c) {
 
 }  // namespace
 
-TEST_CASE("in the open the field is the straight distance") {
+TEST_CASE("on open ground the field is the straight distance") {
     std::printf("measured: open ground, worst error of all cells [m]:");
     for (const double h : {1.0, 0.5, 0.25, 0.125}) {
-        const UnitCost cost = makeCost(kBox, h, [](Vec2) { return even(1.0); });
+        const UnitCost cost = makeCost(kBox, h, [](Vec2) { return isotropic(1.0); });
         EikonalSolver solver;
         CostField field;
         const Vec2 source{1.3, 2.1};
@@ -110,7 +110,7 @@ TEST_CASE("differences are of second order: speed rising linearly, against the c
         double order = 0.0;
         std::printf("measured: speed rising linearly, %s order:", second ? "second" : "first");
         for (const double h : {1.0, 0.5, 0.25, 0.125}) {
-            const UnitCost cost = makeCost(kBox, h, [&](Vec2 p) { return even(1.0 / speed(p)); });
+            const UnitCost cost = makeCost(kBox, h, [&](Vec2 p) { return isotropic(1.0 / speed(p)); });
             EikonalSolver solver(def);
             CostField field;
             solver.solve(cost, source, {}, field);
@@ -143,8 +143,8 @@ TEST_CASE("costs that differ by direction: the cost of the direction walked coun
     }
 }
 
-TEST_CASE("ways bend where the ground gets slower, against Fermat's principle") {
-    const UnitCost cost = makeCost(kBox, 0.25, [](Vec2 p) { return even(p.x > 0.0 ? 2.5 : 1.0); });
+TEST_CASE("paths are refracted where the ground gets slower, against Fermat's principle") {
+    const UnitCost cost = makeCost(kBox, 0.25, [](Vec2 p) { return isotropic(p.x > 0.0 ? 2.5 : 1.0); });
     EikonalSolver solver;
     CostField field;
     const Vec2 source{-5.1, 0.2};
@@ -236,11 +236,11 @@ TEST_CASE("a used solver gives the same bits as a new one") {
     }
 }
 
-TEST_CASE("sources in walls and out of the world, closed rooms, targets that are no numbers") {
+TEST_CASE("sources in walls and outside the world, closed regions, targets that are not finite") {
     const UnitCost cost = makeCost({{-4, -4}, {4, 4}}, 0.25, [](Vec2 p) {
         const bool ring = std::max(std::fabs(p.x), std::fabs(p.y)) < 2.0 &&
                           std::max(std::fabs(p.x), std::fabs(p.y)) > 1.4;
-        return ring ? even(kInfinity) : even(1.0);
+        return ring ? isotropic(kInfinity) : isotropic(1.0);
     });
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EikonalSolver solver;
@@ -257,7 +257,7 @@ TEST_CASE("sources in walls and out of the world, closed rooms, targets that are
     CHECK(field.cost({3, 3}) == doctest::Approx(std::sqrt(50.0)).epsilon(0.02));
     solver.solve(cost, {nan, nan}, {}, field);
     CHECK(std::isfinite(field.cost({3, 3})));
-    const UnitCost solid = makeCost({{-1, -1}, {1, 1}}, 0.25, [](Vec2) { return even(kInfinity); });
+    const UnitCost solid = makeCost({{-1, -1}, {1, 1}}, 0.25, [](Vec2) { return isotropic(kInfinity); });
     solver.solve(solid, {0, 0}, {}, field);
     CHECK(field.acceptedCount() == 0);
     CHECK(std::isinf(field.cost({0, 0})));
@@ -267,7 +267,7 @@ TEST_CASE("sources in walls and out of the world, closed rooms, targets that are
 }
 
 TEST_CASE("directions lead to the source") {
-    const UnitCost cost = makeCost(kBox, 0.25, [](Vec2) { return even(1.0); });
+    const UnitCost cost = makeCost(kBox, 0.25, [](Vec2) { return isotropic(1.0); });
     EikonalSolver solver;
     CostField field;
     const Vec2 source{-2.2, 3.7};
@@ -285,20 +285,20 @@ TEST_CASE("every cell that can be reached is reached") {
     for (int round = 0; round < 30; ++round) {
         const double share = random.uniform(0.05, 0.4);
         const UnitCost cost = makeCost({{-6, -6}, {6, 6}}, 0.25, [&](Vec2) {
-            return random.uniform() < share ? even(kInfinity) : even(1.0);
+            return random.uniform() < share ? isotropic(kInfinity) : isotropic(1.0);
         });
         const Grid& grid = cost.grid;
         const Cell start = grid.nearestCell({random.uniform(-6, 6), random.uniform(-6, 6)});
         if (cost.wall(grid.index(start))) continue;
-        std::vector<bool> flooded(cost.cells.size(), false);
+        std::vector<bool> connected(cost.cells.size(), false);
         std::vector<Cell> open{start};
-        flooded[grid.index(start)] = true;
+        connected[grid.index(start)] = true;
         while (!open.empty()) {
             const Cell c = open.back();
             open.pop_back();
             for (const Cell n : {Cell{c.x + 1, c.y}, {c.x - 1, c.y}, {c.x, c.y + 1}, {c.x, c.y - 1}}) {
-                if (!grid.contains(n) || cost.wall(grid.index(n)) || flooded[grid.index(n)]) continue;
-                flooded[grid.index(n)] = true;
+                if (!grid.contains(n) || cost.wall(grid.index(n)) || connected[grid.index(n)]) continue;
+                connected[grid.index(n)] = true;
                 open.push_back(n);
             }
         }
@@ -308,8 +308,8 @@ TEST_CASE("every cell that can be reached is reached") {
         std::vector<Vec2> path;
         for (std::int32_t k = 0; k < grid.count(); ++k) {
             const Vec2 p = grid.centre(grid.at(k));
-            CHECK(std::isfinite(field.value(grid.at(k))) == flooded[k]);
-            if (!flooded[k]) continue;
+            CHECK(std::isfinite(field.value(grid.at(k))) == connected[k]);
+            if (!connected[k]) continue;
             CHECK(field.value(grid.at(k)) >= 0.95 * distance(p, field.source()) - 0.05);
         }
     }
