@@ -34,7 +34,7 @@ const app = new StudioApp(client, view, canvas, byId('ui', HTMLElement));
 client.connect(socketAddress());
 void fetchBodies(document.baseURI, ['body-1', 'body-2']).then((bodies) => view.setBodies(bodies));
 
-/** For tests and the curious. */
+/** For the tests in a browser. */
 Object.defineProperty(window, '__muster', {
   value: {
     client,

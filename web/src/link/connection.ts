@@ -1,4 +1,4 @@
-// One WebSocket that comes back: opens, notices silence, and tries again with growing pauses.
+// Keeps one WebSocket open: it notices a silent server and reconnects after growing pauses.
 
 import { backoffMs } from './backoff';
 import type { LinkState } from '../model/link_state';
@@ -23,7 +23,7 @@ export interface Timers {
 export interface ConnectionHandlers {
   onBytes(bytes: ArrayBuffer): void;
   onState(state: LinkState): void;
-  /** Asks the other side for a sign of life. */
+  /** Sends a ping. */
   ping(): void;
 }
 
@@ -93,7 +93,7 @@ export class Connection {
     this.timer_ = this.timers_.after(pause, () => this.start());
   }
 
-  /** A server that hangs closes nothing: after long silence we do. */
+  /** A server that hangs does not close its socket, so a long silence closes it here. */
   private watch(): void {
     this.timer_ = this.timers_.after(kPingEveryMs, () => {
       const socket = this.socket_;

@@ -82,7 +82,7 @@ export class CrowdUnpacker {
   private play(crowd: CrowdFrame, passed: number): void {
     const fine = crowd.phaseFine.length > 0;
     const { clip_: clip, phase_: phase, fade_: fade } = this;
-    // Those of a whole frame have been taken.
+    // A whole frame has set the clips already.
     for (let k = 0; k < crowd.changed.length; ++k) {
       const who = crowd.changed[k]!;
       this.before_[who] = clip[who]!;

@@ -10,12 +10,12 @@ import type { StudioFrame, StudioGroup } from '../model/studio_frame';
 /** Numbers of a whole pose on the wire, and unpacked. */
 const kPacked = 3 + 3 * kJoints;
 const kUnpacked = 3 + 4 * kJoints;
-/** The largest of the three numbers that tell a joint's turn stands for this. */
+/** Value of the largest packed component: the three smaller components of a unit quaternion are at most sqrt(1/2). */
 const kLargest = Math.SQRT1_2;
 const kUnits = 16383;
 
-/** Whole poses from three numbers per joint: of a unit quaternion the largest component follows from the others; which it
- * is say the lowest bits of the first two. */
+/** Unpacks whole poses, three numbers per joint. The largest component of a unit quaternion follows from the other three; the
+ * lowest bits of the first two numbers give its index. */
 export function unpackPoses(packed: Int16Array): Float32Array {
   const count = Math.floor(packed.length / kPacked);
   const poses = new Float32Array(kUnpacked * count);
@@ -39,7 +39,7 @@ function unpackTurn(packed: Int16Array, from: number, out: Float32Array, to: num
   out[to + largest] = Math.sqrt(Math.max(0, rest));
 }
 
-/** A group's places: points of its mesh, and how far each lies from its point. */
+/** A group's places: each is a point of the mesh and an offset from it. */
 class Places {
   private readonly offsets_: Float32Array;
   private unfit_: Uint8Array = new Uint8Array(0);

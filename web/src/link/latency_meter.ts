@@ -43,13 +43,13 @@ export class LatencyMeter {
     return drawn;
   }
 
-  /** That picture is done. */
+  /** Records when the picture of these touches was done. */
   drawn(touches: readonly ArrivedTouch[], shown: number): void {
     for (const { down, received } of touches) this.samples.push({ down, received, shown });
     if (this.samples.length > kKept) this.samples.splice(0, this.samples.length - kKept);
   }
 
-  /** Touches that a lost connection or a new scene will never show. */
+  /** Forgets the touches that wait; a lost connection or a new scene never shows them. */
   reset(): void {
     this.waiting_ = [];
     this.arrived_ = [];

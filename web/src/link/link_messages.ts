@@ -1,4 +1,4 @@
-// What page and worker tell each other.
+// Messages between page and worker.
 
 import type { LinkState } from '../model/link_state';
 import type { ClientMessage, Frame, ServerMessage } from '../protocol/messages';

@@ -60,7 +60,7 @@ class LinkWorker {
     }
   }
 
-  /** A new connection tells everything anew. */
+  /** The server sends everything anew over a new connection. */
   private forget(): void {
     this.gate_.reset();
     this.unpacker_ = new FrameUnpacker();

@@ -1,4 +1,4 @@
-// From scene, meshes and frames to what the panels show.
+// Derives the state of the panels from scene, meshes and frames.
 
 import type { GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';

@@ -12,7 +12,7 @@ export interface FrameBlend {
 
 interface Stamped {
   readonly frame: FrameView;
-  /** When its picture is due without delay, by the page's clock [ms]: arrivals freed of their jitter. */
+  /** Arrival without its jitter, by the page's clock [ms]. */
   readonly due: number;
 }
 

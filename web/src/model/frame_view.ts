@@ -63,9 +63,9 @@ export interface FrameView {
   readonly clip: Numbers;
   /** What the graphics card reads of the characters: see StudioFrame. */
   readonly rows: Float32Array;
-  /** Indices of those who come with whole poses. */
+  /** Indices of the characters that have whole poses. */
   readonly near: Numbers;
-  /** Per such: hips x, y, z [m], then per joint x, y, z, w. */
+  /** Per whole pose: hips x, y, z [m], then per joint x, y, z, w. */
   readonly nearPoses: Numbers;
   readonly groups: readonly GroupView[];
   readonly moving: readonly MovingView[];

@@ -1,10 +1,10 @@
-// What the plan makes least, and what each objective comes to.
+// The objectives that a plan can minimise, and their current values.
 
 import type { StudioFrame } from './studio_frame';
 import type { SceneParameter } from '../protocol/scene';
 import { formatCount, formatFigure } from './formatters';
 
-/** Of all groups together [m], [m^2], [m], where the ground is plain. */
+/** Distances that characters walk, over all groups, on uniform ground: sum [m], sum of squares [m^2], longest [m]. */
 export interface Walks {
   readonly sum: number;
   readonly squares: number;
@@ -48,7 +48,7 @@ export function objectiveText(index: number, walks: Walks): string {
 const valueOf = (parameters: readonly SceneParameter[], name: string): number | undefined =>
   parameters.find((one) => one.name === name)?.value;
 
-/** Which one the world pursues; -1 where its parameters do not tell. */
+/** Index of the world's objective; -1 where its parameters do not hold one. */
 export function objectiveOf(parameters: readonly SceneParameter[]): number {
   const chosen = valueOf(parameters, 'plan.objective');
   if (chosen !== undefined) return Math.min(kObjectives.length - 1, Math.max(0, Math.round(chosen)));
@@ -56,13 +56,13 @@ export function objectiveOf(parameters: readonly SceneParameter[]): number {
   return exponent === 1 ? 0 : exponent === 2 ? 1 : -1;
 }
 
-/** Those that the world can pursue. */
+/** Indices of the objectives that the world supports. */
 export function objectivesFor(parameters: readonly SceneParameter[]): readonly number[] {
   if (valueOf(parameters, 'plan.objective') !== undefined) return [0, 1, 2];
   return valueOf(parameters, 'plan.exponent') !== undefined ? [0, 1] : [];
 }
 
-/** The parameter that makes the world pursue it. */
+/** The parameter that sets this objective. */
 export function objectiveParameter(
   parameters: readonly SceneParameter[],
   index: number,

@@ -1,5 +1,5 @@
-// The characters' skeleton: 21 joints, in rest a T-pose facing +x (y to the left, z up), every frame parallel to the
-// character's own. The server has the same.
+// The characters' skeleton: 21 joints, in rest a T-pose facing +x (y to the left, z up), all joint axes parallel to the
+// body axes. The server has the same skeleton.
 
 export interface Joint {
   readonly name: string;

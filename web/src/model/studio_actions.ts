@@ -1,4 +1,4 @@
-// What buttons, keys and gestures can ask for; panels know no more of the studio.
+// The actions of buttons, keys and gestures. Panels know no more of the studio.
 
 import type { OverlayKind } from '../protocol/messages';
 import type { Layers } from './view_settings';
@@ -7,7 +7,7 @@ export interface StudioActions {
   togglePlay(): void;
   singleStep(): void;
   restart(): void;
-  /** From the start, with the touches that the scenario carries; back to the plain start where they run. */
+  /** Restarts with the touches of the scenario; restarts without them where they are playing. */
   toggleDemonstration(): void;
   /** To the next of the usual speeds; backwards where `back`. */
   nextSpeed(back?: boolean): void;
@@ -22,7 +22,7 @@ export interface StudioActions {
   leaveReplay(): void;
   setFormation(name: string): void;
   setActiveGroup(index: number): void;
-  /** What plans make least: an index into OBJECTIVES. */
+  /** What plans make least: an index into kObjectives. */
   setObjective(index: number): void;
   toggleLayer(layer: keyof Layers): void;
   /** Shows the overlay, or takes it away where it is shown. */

@@ -2,8 +2,8 @@
 
 import type { Frame, GroupFrame } from '../protocol/messages';
 
-/** Numbers per character in `rows`: x, y [m], heading [rad], share of the clip before; clip, how far in it (0 to 1),
- * the clip before, how far in that. */
+/** Numbers per character in `rows`: x, y [m], heading [rad], share of the clip before; clip and its phase (0 to 1),
+ * the clip before and its phase. */
 export const kRowFloats = 8;
 /** Characters side by side where rows are a picture on the graphics card; `rows` holds whole lines of them. */
 export const kRowsAcross = 64;
@@ -21,20 +21,20 @@ export interface StudioGroup extends Omit<GroupFrame, 'moved' | 'offsets' | 'unf
 }
 
 export interface StudioFrame extends Omit<Frame, 'crowd' | 'groups'> {
-  /** Of everybody [m]. */
+  /** Positions of all characters [m]. */
   x: Float32Array;
   y: Float32Array;
   /** Index into the clips. */
   clip: Uint8Array;
   rows: Float32Array;
-  /** Indices of those who come with whole poses. */
+  /** Indices of the characters that have whole poses. */
   near: Uint32Array;
-  /** Per such: hips x, y, z [m], then per joint x, y, z, w, for a body of size 1. */
+  /** Per whole pose: hips x, y, z [m], then per joint x, y, z, w, for a body of size 1. */
   nearPoses: Float32Array;
   groups: StudioGroup[];
 }
 
-/** Buffers that go to the page without being copied. */
+/** Buffers that are transferred to the page instead of copied. */
 export function buffersOf(frame: StudioFrame): ArrayBuffer[] {
   const arrays = [
     frame.x,

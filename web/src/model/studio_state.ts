@@ -64,7 +64,7 @@ export interface StudioState {
   readonly parameters: readonly SceneParameter[];
   /** Number of frames taken, for the sparklines. */
   readonly frames: number;
-  /** The file that everybody looks like; empty for our people. */
+  /** File of the visitor's own character; empty where Muster's characters are shown. */
   readonly ownCharacter: string;
   readonly notice: Notice | null;
   readonly hint: boolean;
@@ -108,7 +108,7 @@ export const kInitialState: StudioState = {
   help: false,
 };
 
-/** The server is gone after a scene was seen: what needs it would do nothing. */
+/** True where the connection is lost after a scene was seen: actions that need the server have no effect. */
 export function isLost({ link, loaded }: Pick<StudioState, 'link' | 'loaded'>): boolean {
   return loaded && link.phase !== 'open';
 }

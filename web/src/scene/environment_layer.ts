@@ -104,7 +104,7 @@ export class EnvironmentLayer {
     });
   }
 
-  /** Lets people be seen through crowns; true while these change. */
+  /** Makes crowns transparent that hide characters; true while they change. */
   reveal(people: Standing, camera: CameraController): boolean {
     return this.trees_.reveal(people, camera);
   }

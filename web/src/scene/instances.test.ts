@@ -1,4 +1,5 @@
 // three.js draws no more instances than a geometry had when it was first drawn, until the geometry is disposed of.
+
 import { InstancedBufferGeometry } from 'three';
 import { describe, expect, it } from 'vitest';
 import { ContactDiscs } from './crowd/contact_discs';

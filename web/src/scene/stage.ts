@@ -17,7 +17,7 @@ import { Sun } from './drawing/sun';
 import type { ViewStats } from './picture_stats';
 import { EnvironmentLayer } from './environment_layer';
 
-/** Device px per CSS px are never more than this. */
+/** Most device px per CSS px. */
 const kMaxPixelRatio = 2;
 
 /** Number of characters whose whole poses the page requests. */
@@ -128,7 +128,7 @@ export class Stage {
     return this.pace_ ? 0 : kWholePoses;
   }
 
-  /** True where pictures are spaced because drawing is slow. */
+  /** True where `GpuPace` spaces the pictures, as software renders them. */
   get paced(): boolean {
     return this.pace_ !== null;
   }

@@ -10,7 +10,7 @@ import type { FrameView, GroupMeshView, OverlayView } from '../model/frame_view'
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { DraftControl } from './marks/draft_control';
 
-/** Whom the server shall send whole poses of. */
+/** The characters whose whole poses the server shall send: those nearest to a point. */
 export interface Attention {
   /** [m] */
   readonly x: number;
@@ -19,7 +19,7 @@ export interface Attention {
   readonly count: number;
 }
 
-/** The contract; tools and panels hold no more than this. */
+/** The view as tools and panels use it. */
 export interface StudioScene {
   readonly camera: CameraControls;
   readonly stats: ViewStats;
@@ -27,9 +27,9 @@ export interface StudioScene {
   setScene(scene: SceneFacts): void;
   /** The clips that frames refer to by index. */
   setMotions(clips: readonly ClipPoses[]): void;
-  /** Muster's own people; a simple one stands for them until they have come. */
+  /** Muster's own people; a simple person is drawn until they have come. */
   setBodies(bodies: readonly Body[]): void;
-  /** A visitor's body for everybody, with clips in place of ours; null brings our people back. */
+  /** A visitor's body for everybody, with clips that replace ours; null brings our people back. */
   setOwnBody(body: Body | null, clips?: readonly ClipPoses[]): void;
   /** Where this view looks. */
   attention(): Attention;

@@ -31,7 +31,7 @@ import type { FieldScale } from '../model/field_scale';
 
 /** Pictures are drawn for this long after the last change, until fades have ended [ms]. */
 const kSettle = 700;
-/** The answer to a finger comes within this time, or does not come [ms]. */
+/** Longest wait for the frame that answers a finger [ms]. */
 const kEchoWait = 60;
 /** Interval between two checks whether the last picture is finished [ms]. */
 const kRetry = 3;
@@ -90,7 +90,7 @@ export class StudioView implements StudioScene {
     this.request_ = requestAnimationFrame((now) => this.tick(now));
   }
 
-  /** Characters in the last picture by body, and the names of clips by index: for tests and the curious. */
+  /** Characters in the last picture by body, and the names of clips by index: for tests. */
   get people(): { readonly drawn: CrowdLayer['drawn']; readonly clips: readonly string[] } {
     const { drawn, bank } = this.stage_.crowd;
     return { drawn, clips: Array.from({ length: bank.clipCount }, (_, clip) => bank.name(clip)) };

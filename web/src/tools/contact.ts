@@ -1,4 +1,5 @@
 // A finger, pen or mouse on the scene.
+
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 
 export interface Contact {

@@ -50,7 +50,7 @@ export class CrowdKeys {
     this.frame_ = frame;
   }
 
-  /** A pointer event over the scene. A drag has its control in hand: what lies under the mouse then is chance. */
+  /** A pointer event over the scene. During a drag keys act on the dragged control, so the pointer is forgotten. */
   pointed({ type, pointerType, buttons, clientX, clientY }: PointerFacts): void {
     if (pointerType === 'touch') return;
     this.pointer_ = type !== 'pointerleave' && buttons === 0 ? { x: clientX, y: clientY } : null;
@@ -107,7 +107,7 @@ export class CrowdKeys {
     this.say_('Removed');
   }
 
-  /** What is dragged, else what lies under the mouse, whoever holds it, else our newest. */
+  /** The dragged control, else the one under the mouse, whoever holds it, else our newest. */
   private target(): OwnControl | null {
     if (!this.frame_) return null;
     const ground = this.pointer_ && this.scene_.screenToWorld(this.pointer_);

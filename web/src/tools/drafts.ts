@@ -1,16 +1,16 @@
-// What fingers draw that no frame of the server shows yet. While the world is paused nothing answers them: drafts show
-// what they have drawn, until the next step takes it.
+// What fingers draw that no frame of the server shows yet. No frame answers them while the world is paused: drafts show
+// what they have drawn until the next step takes it.
 
 import { convexHull, type GroundPoint } from '../model/plane';
 import { ControlKind } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
 import type { DraftControl } from '../scene/marks/draft_control';
 
-/** Where tools write down what they send. */
+/** Receives the touches that tools send. */
 export interface DraftBook {
   /** The finger of this touch is at `at`; `time` as sent. */
   add(touch: number, group: number, at: GroundPoint, time: number): void;
-  /** What it drew counts no more. */
+  /** Forgets what this touch has drawn. */
   drop(touch: number): void;
   /** A new control was requested or released. */
   changed(): void;
@@ -66,9 +66,9 @@ export class Drafts implements DraftBook {
   observe(frame: StudioFrame): void {
     this.groups_ = frame.groups.map(({ id }) => id);
     this.ends_ = endsOf(frame, this.clientId_());
-    // A replay takes nothing from fingers.
+    // A replay ignores fingers.
     this.paused_ = !frame.playing && !frame.replaying;
-    // A world that began anew knows nothing of them.
+    // A world that began anew has no touches.
     if (frame.step < this.step_) this.paths_.clear();
     this.step_ = frame.step;
     for (const [touch, { points }] of this.paths_) {

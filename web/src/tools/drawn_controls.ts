@@ -130,7 +130,7 @@ export class ControlDrag implements ContactOwner {
     this.control_ = null;
   }
 
-  /** Rings of fingers are known by their touch, which is positive; this one is at no end of a path. */
+  /** Rings of fingers have the touch as id, which is positive; this ring belongs to no path. */
   private mark({ pointer }: Contact, at: GroundPoint | null): void {
     this.marks_.touchMark(-1 - pointer, at, this.grab_.index);
   }

@@ -1,4 +1,4 @@
-// Which formation a contact begins on, tested against the newest Vf.
+// Finds the formation on which a contact begins, by the newest final mesh Vf.
 
 import { distanceToSegment, insideTriangle, pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
 import type { GroupMesh } from '../protocol/messages';

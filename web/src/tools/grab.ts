@@ -1,4 +1,4 @@
-// What of the controls on the meshes a contact takes hold of: an end, a bar, or a whole area.
+// Finds the part of a control that a contact grabs: an end, a bar, or a whole area.
 
 import {
   convexHull,
@@ -25,7 +25,7 @@ export type Grabbable = 'nothing' | 'handles' | 'whole';
 
 export type ToScreen = (point: GroundPoint) => ScreenPoint;
 
-/** Handles draw at 22 px but catch 48, also where the view foreshortens the ground. */
+/** Handles are drawn 22 px wide and grabbed within 48 px, also where perspective foreshortens the ground. */
 const kHandlePx = 24;
 const kBarPx = 12;
 

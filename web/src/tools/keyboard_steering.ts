@@ -13,7 +13,7 @@ const kLongStep = 2;
 
 export type ArrowKey = 'ArrowUp' | 'ArrowDown' | 'ArrowLeft' | 'ArrowRight';
 
-/** Where keys lead on the ground, as the camera looks. */
+/** Directions of the arrow keys on the ground, as the camera sees it. */
 export interface GroundAxes {
   readonly right: GroundPoint;
   readonly up: GroundPoint;

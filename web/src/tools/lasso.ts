@@ -4,7 +4,7 @@ import { convexHull, turn, type GroundPoint } from '../model/plane';
 
 const kMostCorners = 6;
 
-/** Twice the area that goes when the corner goes. */
+/** Twice the area that is lost without this corner. */
 function loss(hull: readonly GroundPoint[], corner: number): number {
   const count = hull.length;
   return turn(hull[(corner + count - 1) % count]!, hull[corner]!, hull[(corner + 1) % count]!);

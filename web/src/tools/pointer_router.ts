@@ -1,4 +1,4 @@
-// From the browser's pointer events to contacts, each owned by one tool from its start to its end.
+// Turns the browser's pointer events into contacts. One tool owns a contact from its start to its end.
 
 import type { Contact, ContactOwner } from './contact';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
@@ -58,7 +58,7 @@ export class PointerRouter {
   private down(event: PointerEvent): void {
     const contact = this.contactOf(event);
     if (this.owned_.has(event.pointerId) || this.owned_.size >= kMostTouches) return;
-    // The scene answers to keys from now on; a ring is for those who came by keyboard.
+    // The scene takes the focus for its keys, without the focus ring, which is for keyboard users.
     const quietly: FocusOptions & { focusVisible: boolean } = { preventScroll: true, focusVisible: false };
     this.surface_.focus(quietly);
     try {

@@ -1,4 +1,4 @@
-// What several tests of the tools need: a client that remembers, and contacts.
+// Shared by the tests of the tools: a client that records messages, contacts, and frames.
 
 import type { ClientMessage, ControlFrame, TouchEvent } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';

@@ -1,4 +1,4 @@
-// Contacts that begin on a formation: each is a finger that the server makes controls of.
+// Owns contacts that begin on a formation. Each is sent as a finger, from which the server makes controls.
 
 import type { Contact, ContactOwner } from './contact';
 import { kNoDrafts, type DraftBook } from './drafts';

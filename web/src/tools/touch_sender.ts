@@ -4,7 +4,7 @@ import { TouchPhase, type TouchEvent } from '../protocol/messages';
 import type { MessageSender } from '../link/studio_client';
 import type { GroundPoint } from '../model/plane';
 
-/** Moves of fast mice leave together, no oftener than this [ms]; queued moves are sent with the next picture. */
+/** Least time between two messages with moves [ms]; queued moves are sent with the next picture. */
 const kSpacing = 8;
 
 export class TouchSender {
@@ -30,12 +30,12 @@ export class TouchSender {
     this.flush();
   }
 
-  /** Waits for flush() or later moves where the last ones left only just now. */
+  /** Queues a move for `moved()` or `flush()`. */
   move(touch: number, at: GroundPoint, time: number): void {
     this.push(TouchPhase.Move, touch, at, time, 0);
   }
 
-  /** The moves of one event are all there. */
+  /** All moves of one event are queued: sends them unless others were sent just before. */
   moved(): void {
     if (this.now_() - this.lastSent_ >= kSpacing) this.flush();
   }
@@ -50,7 +50,7 @@ export class TouchSender {
     this.flush();
   }
 
-  /** Sends what waits. */
+  /** Sends the queue. */
   flush(): void {
     if (this.queue_.length === 0) return;
     const events = this.queue_;

@@ -1,5 +1,5 @@
-// Controls whose fingers are not real ones: made by rubber band, lasso or keyboard, or taken up again after the
-// fingers lifted. Their touches stay down until they are let go.
+// Controls with virtual fingers: made by rubber band, lasso or keyboard, or grabbed again after the real fingers
+// lifted. Their touches stay down until they are released.
 
 import { type ControlKind, type ControlFrame } from '../protocol/messages';
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
@@ -25,7 +25,7 @@ export interface VirtualControl {
   /** The control that this one replaced; 0 for none. */
   readonly replaced: number;
   pinned: boolean;
-  /** Stays when its drag ends. */
+  /** Stays after its drag has ended. */
   keep: boolean;
   drags: number;
   readonly bornAtStep: number;
@@ -72,7 +72,7 @@ export class VirtualControls {
     return this.controls_.filter((virtual) => virtual.control === 0);
   }
 
-  /** What of a control may be taken hold of: all of ours and of pinned ones, the handles of others that were lifted. */
+  /** The part of a control that may be grabbed: all of ours and of pinned ones, the handles of others whose fingers lifted. */
   grabbable(control: ControlFrame, group: number): Grabbable {
     if (this.holderOf(control, group)) return 'whole';
     if (control.points.some((point) => point.down)) return 'nothing';
@@ -137,7 +137,7 @@ export class VirtualControls {
     this.drafts_.add(finger.touch, virtual.group, at, time);
   }
 
-  /** A drag of it ended: unless it is meant to stay, its fingers lift. */
+  /** Ends a drag. The fingers lift unless the control stays. */
   release(virtual: VirtualControl, time: number): void {
     virtual.drags = Math.max(0, virtual.drags - 1);
     if (virtual.drags === 0 && !virtual.keep && !virtual.pinned) this.letGo(virtual, time);
@@ -149,7 +149,7 @@ export class VirtualControls {
     this.drafts_.changed();
   }
 
-  /** Ends all of ours, pinned or not; those that no frame shows yet lift. */
+  /** Removes all our controls, pinned or not. Fingers of controls that no frame shows yet lift. */
   letGoAll(time: number, frame: StudioFrame | null): void {
     for (const { touch } of this.controls_.flatMap((virtual) => virtual.fingers)) this.drafts_.drop(touch);
     for (const virtual of this.pending) this.letGo(virtual, time);

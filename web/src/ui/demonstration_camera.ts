@@ -34,7 +34,7 @@ export class DemonstrationCamera {
     private readonly fit_: () => void,
   ) {}
 
-  /** Somebody uses the scene: it stays as it is. */
+  /** The visitor moves the camera: it follows the crowd no more. */
   release(): void {
     this.follows_ = false;
     this.away_ = false;
@@ -50,7 +50,7 @@ export class DemonstrationCamera {
   /** For each frame; the size is the canvas's [CSS px]. */
   observe(frame: WatchedFrame, width: number, height: number, padding: () => Padding): void {
     if (frame.step < this.step_ && this.away_) {
-      // All stand at the start again.
+      // The crowd is back at the start.
       this.away_ = false;
       this.fit_();
     }

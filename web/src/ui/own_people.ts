@@ -1,4 +1,4 @@
-// A visitor's own character in place of our people: from a chosen or dropped file.
+// Replaces Muster's characters by a visitor's own, from a chosen or dropped file.
 
 import { NoticeLevel, type Notice } from '../protocol/messages';
 import { problem } from '../protocol/problem';

@@ -1,4 +1,4 @@
-// Carries out what panels and keys ask for.
+// Carries out the actions of panels and keys.
 
 import { OverlayKind, TransportAction } from '../protocol/messages';
 import { problem } from '../protocol/problem';
@@ -97,7 +97,7 @@ export class StudioController implements StudioActions {
     this.say_('Our people are back');
   }
 
-  /** Loads what was there before the take; where that is unknown, the scenario that is called like it, or the first. */
+  /** Loads the scenario that was steered before the replay; where that is unknown, the one with the take's title, or the first. */
   leaveReplay(): void {
     const { scenarios, title, lastSteered: lastLive } = this.store_.state;
     const found =
@@ -121,7 +121,7 @@ export class StudioController implements StudioActions {
     const group = groups[active];
     if (!group) return;
     this.client_.send({ type: 'SetFormation', group: group.id, formation: name });
-    // The change itself is spoken when it happens.
+    // The change is announced when it happens.
     if (!this.store_.state.playing) this.say_(`${group.name}: ${name} with the next step`);
   }
 

@@ -1,4 +1,5 @@
 // Light or dark: the visitor's choice, else the system's.
+
 import type { Theme } from '../model/view_settings';
 
 const kKey = 'muster.theme';
@@ -16,7 +17,7 @@ export function writeSetting(storage: () => Storage, key: string, value: string)
   try {
     storage().setItem(key, value);
   } catch {
-    // See above.
+    // Storage is forbidden: the choice lasts as long as the page.
   }
 }
 

@@ -1,4 +1,4 @@
-// What people are drawn with: lit per pixel and throwing shadows, or, for software renderers, lit per corner.
+// Materials of characters: lit per pixel and casting shadows, or, for software renderers, lit per vertex.
 
 import {
   Color,
@@ -16,7 +16,7 @@ import { kCharacterColour, kCharacterPose, kCharacterShown } from './character_s
 import type { Quality } from '../drawing/quality';
 import { kEarthColour, kSkyColour, kSunColour, kToSun } from '../drawing/sun';
 
-/** Values that the shaders of all people read. */
+/** Uniforms of all characters. */
 export class CharacterUniforms {
   readonly uSkins = { value: kSkins.map((hex) => new Color(hex)) };
   readonly uHairs = { value: kHairs.map((hex) => new Color(hex)) };
@@ -40,13 +40,13 @@ export class CharacterUniforms {
   }
 }
 
-/** What the shaders of all people read. */
+/** Uniforms that the shaders of all bodies share. */
 export interface CrowdUniforms {
   readonly characters: CharacterUniforms;
   readonly crowd: CrowdTextures['uniforms'];
 }
 
-/** Values of one body. */
+/** Uniforms of one body. */
 export interface BodyUniforms {
   readonly uBaked: { value: Texture };
   readonly uNear: { value: Texture };
@@ -79,7 +79,7 @@ function injectDepth(shader: WebGLProgramParametersWithUniforms, uniforms: All):
     .replace('#include <begin_vertex>', 'vec3 transformed = posePerson(position, vec3(0.0, 0.0, 1.0)).at;');
 }
 
-/** Uniforms stay the same objects: the crowd's pictures are exchanged in them. */
+/** Joins the uniforms without copying them, as the crowd's textures are exchanged in them. */
 function together(
   people: CharacterUniforms,
   crowd: CrowdTextures['uniforms'],

@@ -1,6 +1,6 @@
-// Vertex code that bends a body to its pose and sets it in the world.
+// Shader code that poses a body by linear blending of its joints and places it in the world.
 //
-// Per character: aWho (its number in the crowd; row of a whole pose of its own, or -1). Everything else lies in pictures:
+// Per character: aWho (its number in the crowd; row of a whole pose of its own, or -1). Everything else lies in textures:
 // uFrom and uTo, two frames as StudioFrame.rows has them; uMembers (shirt, and skin, hair and whether it is never greyed as
 // one number; size); uClips (first pose, poses, whether cyclic; disc of shade).
 
@@ -39,7 +39,7 @@ Person personShown() {
   vec4 b = texelFetch(uTo, row, 0);
   vec4 playedA = texelFetch(uFrom, row + ivec2(1, 0), 0);
   vec4 playedB = texelFetch(uTo, row + ivec2(1, 0), 0);
-  // Who was put elsewhere is there at once.
+  // A character that was put elsewhere is not interpolated.
   float t = distance(a.xy, b.xy) > ${kJump.toFixed(1)} ? 1.0 : uAlpha;
   float turn = b.z - a.z;
   turn -= 6.2831853 * floor(turn / 6.2831853 + 0.5);

@@ -1,4 +1,4 @@
-// The discs of shade under everybody: one draw call.
+// Contact discs: a soft shadow under each character, in one draw call.
 
 import { BufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
 import type { CrowdTextures } from './crowd_textures';

@@ -1,4 +1,4 @@
-// The crowd as drawn: picks body and level for everybody, and tells the graphics card what each one plays.
+// Draws the crowd: chooses body and level of detail of each character, and uploads what the shaders need.
 
 import { Group } from 'three';
 import { type Body, disposeBody } from './bodies/body';
@@ -34,11 +34,11 @@ export class CrowdLayer {
   private ours_: readonly Body[] = [makePlainBody()];
   private own_: { readonly body: Body; readonly clips: readonly ClipPoses[] } | null = null;
   private dressed_: DressedBody[] = [];
-  /** One for all bodies with the same joints. */
+  /** One per set of joints; bodies with the same joints share it. */
   private poses_: RigPoses[] = [];
   private accents_: Float32Array = new Float32Array(3);
   private chosen_ = -1;
-  /** Of the members that the graphics card knows; -1 where they must go up anew. */
+  /** Version of the members that were uploaded; -1 where they must be uploaded again. */
   private members_ = -1;
   /** Per clip, 1 where a visitor's own is played: whole poses are not of it. */
   private replaced_ = new Uint8Array(0);
@@ -74,7 +74,7 @@ export class CrowdLayer {
     if (!this.own_) this.dress();
   }
 
-  /** A visitor's body for everybody, with clips that take the place of ours; null brings our people back. */
+  /** A visitor's body for everybody, with clips that replace ours; null brings our people back. */
   setOwn(body: Body | null, clips: readonly ClipPoses[] = []): void {
     const before = this.own_?.body;
     this.own_ = body ? { body, clips } : null;
@@ -98,7 +98,7 @@ export class CrowdLayer {
     this.members_ = -1;
   }
 
-  /** Sends everybody as they are now. */
+  /** Uploads the crowd at this moment. */
   update(state: CrowdState, blend: FrameBlend | null, camera: CameraController): void {
     for (const body of this.dressed_) body.begin(state.count);
     this.discs_.list.begin(state.count);
@@ -115,7 +115,7 @@ export class CrowdLayer {
     this.textures_.dispose();
   }
 
-  /** What the graphics card has to know of this moment. */
+  /** Uploads members, frames and whole poses. */
   private take(state: CrowdState, blend: FrameBlend): void {
     if (this.members_ !== state.version) this.textures_.setMembers(state, this.accents_, this.chosen_);
     this.members_ = state.version;
@@ -125,7 +125,7 @@ export class CrowdLayer {
     for (const poses of this.poses_) poses.pose(this.near_);
   }
 
-  /** Who is drawn, and how finely, by where they will be. */
+  /** Lists the characters in view at their level of detail, by the positions of the newer frame. */
   private choose(state: CrowdState, { to }: FrameBlend, camera: CameraController): void {
     const {
       dressed_: dressed,

@@ -1,5 +1,5 @@
-// The characters as the picture shows them, between two frames. The graphics card interpolates positions; here this is done only for
-// those who ask, once for each picture.
+// The characters as the picture shows them, between two frames. The graphics card interpolates positions; the page does so
+// only on request, once per picture.
 
 import { kRowFloats } from '../../model/studio_frame';
 import { bodyOf, lookOf, sizeOf } from './look';
@@ -15,11 +15,11 @@ export class CrowdState {
   count = 0;
   ids = new Uint32Array(0);
   group = new Uint8Array(0);
-  /** Over that of the skeleton. */
+  /** Size of each character relative to the skeleton. */
   size = new Float32Array(0);
   /** Skin and hair as one number. */
   look = new Uint8Array(0);
-  /** Grows with every other list of members. */
+  /** Grows when the list of members changes. */
   version = 0;
   private bodyDraw_ = new Uint8Array(0);
   private blend_: FrameBlend | null = null;
@@ -75,14 +75,14 @@ export class CrowdState {
     return this.bodyDraw_[i]! % bodies;
   }
 
-  /** Moves everyone to a moment between two frames. */
+  /** Sets the moment between two frames. */
   update(blend: FrameBlend): void {
     this.gridStale_ ||= blend.to !== this.blend_?.to;
     this.blend_ = blend;
     this.positionsStale_ = true;
   }
 
-  /** x, y of everybody in this moment [m]. */
+  /** x, y of all characters at this moment [m]. */
   get positions(): Float32Array {
     if (this.positionsStale_ && this.blend_) this.mixPositions(this.blend_);
     this.positionsStale_ = false;

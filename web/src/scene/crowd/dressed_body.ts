@@ -1,4 +1,4 @@
-// Everybody in the scene: one instanced draw call per body and level of detail.
+// A body on the graphics card: one instanced draw call per level of detail.
 
 import type { RigPoses } from './rig_poses';
 import { type BufferGeometry, Group, InstancedBufferGeometry, type Material, Mesh, ShaderMaterial } from 'three';
@@ -71,7 +71,7 @@ export class DressedBody {
   readonly group = new Group();
   readonly near: Level;
   readonly far: Level;
-  /** A few tubes on the same joints: for those who are small on the screen. */
+  /** A few tubes on the same joints, for characters that are small on the screen. */
   readonly tiny: Level;
 
   constructor(

@@ -12,11 +12,11 @@ const kStep = 1.06;
 /** Reach of a figure around its position, with the longest shadow that may fall into view [m]. */
 const kMargin = 3;
 
-/** Who takes at least so many px is drawn better; the limit follows how many did in the last picture. */
+/** A least size in px for the better level. It rises and falls so that at most `most_` characters pass. */
 class Limit {
   least: number;
   private count_ = 0;
-  /** Who would count too, were the limit one step lower. */
+  /** Number of characters that would also pass if the limit were one step lower. */
   private nearly_ = 0;
 
   constructor(
@@ -42,7 +42,7 @@ class Limit {
   }
 }
 
-/** From how many px a metre on bodies are fine, and coarse rather than tiny; beyond so many only larger ones. */
+/** Least size of a metre [px], and most characters, of the fine and of the coarse level. */
 const kFine = { pixels: 13, most: 250 };
 const kCoarse = { pixels: 5, most: 1500 };
 

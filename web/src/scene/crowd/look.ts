@@ -1,4 +1,4 @@
-// What a character looks like, by its id: always the same for one.
+// The look of a character follows from its id, so it never changes.
 
 export const kSkins = ['#F1C9A5', '#E0A97F', '#B97A50', '#8A5636', '#5B3A28'];
 export const kHairs = ['#15120F', '#3A2618', '#6B4A2B', '#8F867C', '#241A16'];

@@ -1,4 +1,4 @@
-// Who stands under a pointer.
+// Finds the character under a pointer.
 
 import { distanceToSegment, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';

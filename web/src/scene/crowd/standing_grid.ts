@@ -1,4 +1,4 @@
-// Who stands where, by cells: for questions about small spots in large crowds.
+// A cell list of the characters, for queries about small spots in large crowds.
 
 /** Edge of a cell [m]; wider where the crowd would take too many. */
 const kCell = 2;

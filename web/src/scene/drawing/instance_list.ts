@@ -11,7 +11,7 @@ export class InstanceList {
   /** `geometries` are all drawn with these. */
   constructor(private readonly geometries_: readonly InstancedBufferGeometry[]) {}
 
-  /** Empties the list and grows it. */
+  /** Empties the list and grows it to hold `most` entries. */
   begin(most: number): void {
     this.count = 0;
     if (2 * most <= this.data_.length) return;

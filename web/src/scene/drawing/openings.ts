@@ -1,4 +1,4 @@
-// Holes in the ground: a mark in the stencil where it opens, which the ground leaves out.
+// Holes in the ground: they mark the stencil, and the ground is not drawn there.
 
 import { AlwaysStencilFunc, type Material, MeshBasicMaterial, NotEqualStencilFunc, ReplaceStencilOp } from 'three';
 

@@ -1,4 +1,5 @@
 // The colours of the scene in both themes (the tests hold the contrasts).
+
 import { accentOf, type Accent } from '../../model/accent';
 import type { Theme } from '../../model/view_settings';
 

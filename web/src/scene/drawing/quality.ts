@@ -1,4 +1,4 @@
-// How much the page may ask of the machine: a software renderer gets no multisampling and plain shadow edges.
+// Quality of the pictures: software renderers draw without multisampling and shadow maps.
 
 export type Quality = 'full' | 'light';
 

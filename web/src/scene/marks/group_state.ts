@@ -35,7 +35,7 @@ export class GroupState {
   private groups_: readonly GroupView[] = [];
   /** Grows with each mesh that comes. */
   private meshes_ = 0;
-  /** What the layers show now: nothing goes up twice. */
+  /** What the layers show now; nothing is uploaded twice. */
   private shownMeshes_: Shown | null = null;
   private shownPlaces_: Shown | null = null;
 

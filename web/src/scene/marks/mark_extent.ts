@@ -1,6 +1,7 @@
 // The part of the screen that marks need. Where a processor draws the page, every pixel of a layer over the scene costs
-import type { ScreenPoint } from '../../model/plane';
 // time with every picture, whether there is something on it or not.
+
+import type { ScreenPoint } from '../../model/plane';
 
 /** A rectangle of the screen [CSS px]. */
 export interface MarkBounds {

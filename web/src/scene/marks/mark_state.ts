@@ -10,7 +10,7 @@ export interface ShownControl {
   /** Where its handles are in the newest frame [m]. */
   readonly handles: readonly GroundPoint[];
   readonly born: number;
-  /** When its kind last changed [ms]. */
+  /** Time of the last change of its kind [ms]. */
   readonly kindSince: number;
   /** When it ended [ms]; 0 while it lives. */
   readonly ended: number;
@@ -30,9 +30,9 @@ const kFadeReduced = 80;
 export class MarkState {
   /** By touch, where the ring is a finger's that draws. */
   readonly rings = new Map<number, TouchRing>();
-  /** Of all others' fingers, by client and touch: where the server heard of them last. */
+  /** Fingers of other clients, by client and touch, at the position that the server last received. */
   readonly others = new Map<string, TouchRing>();
-  /** Our number at the server: our own rings come before it hears of them. */
+  /** Our number at the server. Our own rings are drawn before the server receives them. */
   client = 0;
   private shown_ = new Map<string, ShownControl>();
   private reduced_ = false;

@@ -1,4 +1,4 @@
-// The words over the scene at this moment.
+// Chooses the words over the scene: names of patches, kinds of controls, numbers of contours.
 
 import type { ControlKind } from '../../protocol/messages';
 import { kKindNames } from '../../model/control_watch';

@@ -1,4 +1,5 @@
 // Words over the scene: names of patches, kinds of controls, numbers of contours. Plain elements, moved by transforms.
+
 import type { ScreenPoint } from '../../model/plane';
 
 export interface Tag {

@@ -8,7 +8,7 @@ import type { Palette } from '../drawing/palette';
 /** Nothing is drawn higher than this, so that streets stay visible [m]. */
 export const kCutHeight = 3.2;
 
-/** Sides of cars, and what is smaller than any [m]. */
+/** Lengths and widths of cars, and the length below which a moving obstacle is an animal [m]. */
 const kCar = { longLeast: 2.8, longMost: 7, wideLeast: 1.3, wideMost: 2.6 };
 const kSmall = 1.2;
 
@@ -27,7 +27,7 @@ export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
   return obstacle.moving ? lookBySize(outlineOf(obstacle)) : 'building';
 }
 
-/** Something that moves and has no telling name: what is as large as a car is one, what is tiny scurries. */
+/** A moving obstacle whose name says nothing is a car where it has the size of one, and a mouse where it is tiny. */
 function lookBySize(outline: readonly Point2[]): ObstacleLook {
   const { length, width } = boxOf(outline);
   const [long, short] = [2 * Math.max(length, width), 2 * Math.min(length, width)];
@@ -258,7 +258,7 @@ function addWheel(builder: GeometryBuilder, inner: Point2, outer: Point2, radius
   }
 }
 
-/** Sloping walls between two outlines of as many corners. */
+/** Sloping walls between two outlines with the same number of corners. */
 function addSkirt(
   builder: GeometryBuilder,
   low: readonly Point2[],

@@ -22,7 +22,7 @@ import type { Palette } from '../drawing/palette';
 /** Height of the middle of a crown, and its reach, for a tree of size 1 [m]. */
 const kCrownHeight = 2.9;
 const kCrownReach = 1.75;
-/** A person's middle [m]. */
+/** Height of the middle of a figure [m]. */
 const kPerson = 0.9;
 /** Opacity of a crown that hides a character. */
 const kThin = 0.1;
@@ -35,7 +35,7 @@ interface Crown {
   readonly size: number;
 }
 
-/** People to be seen. */
+/** Characters that crowns must not hide. */
 export interface Standing {
   /** True where one of them is within `reach` of a spot [m]. */
   someoneNear(x: number, y: number, reach: number): boolean;
@@ -92,7 +92,7 @@ export class TreeLayer {
     this.group.add(trunks, crowns);
   }
 
-  /** Thins crowns that hide somebody; true while they change. */
+  /** Makes crowns transparent that hide a character; true while they change. */
   reveal(people: Standing, camera: CameraController): boolean {
     if (this.crowns_.length === 0) return false;
     const { forward } = camera.basis();

@@ -5,9 +5,9 @@ import { addBlob, boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { addPlain, blended, type PatchParts, thrown } from './patch_parts';
 
-/** Where leaves begin: who walks upright is in them, who ducks is below [m]. */
+/** Height where leaves begin: above ducking characters, below the heads of upright ones [m]. */
 export const kLeavesFrom = 1.3;
-/** One tuft to so much floor [m²]. */
+/** Floor area per tuft [m²]. */
 const kTuftArea = 0.8;
 
 export function addBranches(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {

@@ -1,4 +1,4 @@
-// What one jumps over: a hedge, a hurdle, or a mouse.
+// Patches to jump over: a hedge, a hurdle, or a mouse.
 
 import type { Point2 } from '../../protocol/scene';
 import type { Vec3 } from '../drawing/geometry_builder';
@@ -6,7 +6,7 @@ import { addBlob, boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { addPlain, addRim, blended, type PatchParts, thrown } from './patch_parts';
 
-/** As the jump expects it [m]. */
+/** Height that the jump clips expect [m]. */
 export const kHurdleHeight = 0.5;
 
 export function addJump(parts: PatchParts, outline: readonly Point2[], name: string, palette: Palette): void {
@@ -65,7 +65,7 @@ function addHedge(parts: PatchParts, outline: readonly Point2[], palette: Palett
   }
 }
 
-/** A small grey beast. */
+/** A mouse with ears, eyes and tail. */
 function addMouse(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
   addRim(parts, outline, palette.brickLine);
   const box = boxOf(outline);

@@ -1,4 +1,4 @@
-// What patches look like, by motion, so that the ground explains why people move as they do.
+// Shapes of patches by motion, so that the ground explains how the characters move.
 
 import type { Point2, ScenePatch } from '../../protocol/scene';
 import { counterClockwise } from '../drawing/geometry_builder';

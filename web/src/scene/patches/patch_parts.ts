@@ -1,4 +1,4 @@
-// What one patch, or all still ones together, put into the scene.
+// The parts of one moving patch, or of all still patches together.
 
 import type { Point2 } from '../../protocol/scene';
 import { GeometryBuilder } from '../drawing/geometry_builder';
@@ -93,7 +93,7 @@ export function hatchChords(outline: readonly Point2[], angle: number, spacing: 
   return chords;
 }
 
-/** A number in [0, 1) that looks thrown, always the same for the same two. */
+/** A pseudo-random number in [0, 1) that depends only on the arguments. */
 export function thrown(a: number, b = 0): number {
   const wave = Math.sin(a * 127.1 + b * 311.7) * 43758.5453;
   return wave - Math.floor(wave);

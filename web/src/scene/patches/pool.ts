@@ -6,7 +6,7 @@ import { boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { blended, edges, hatchChords, type PatchParts } from './patch_parts';
 
-/** Of the water, below the rim, and of the bottom [m]. */
+/** Heights of the water and of the bottom [m]. */
 export const kWaterLevel = -0.1;
 export const kBottom = -1.15;
 const kCoping = 0.34;

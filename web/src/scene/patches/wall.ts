@@ -5,7 +5,7 @@ import { boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { addPlain, blended, type PatchParts, thrown } from './patch_parts';
 
-/** As the climb expects it [m]. */
+/** Height that the climb clip expects [m]. */
 export const kWallHeight = 1.3;
 export const kWallThickness = 0.4;
 const kCourse = 0.13;

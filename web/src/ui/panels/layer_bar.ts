@@ -1,4 +1,4 @@
-// What is drawn over the scene, the theme, and help.
+// Switches for layers and overlays, the theme, and help.
 
 import { OverlayKind } from '../../protocol/messages';
 import { element, setAttribute, setPressed } from '../widgets/dom';

@@ -1,4 +1,4 @@
-// The lost connection, and what of the visitor's work is safe.
+// Tells of a lost connection, and up to when the visitor's take is safe.
 
 import { element, setText } from '../widgets/dom';
 import { formatClock } from '../../model/formatters';

@@ -18,7 +18,7 @@ const kLevels: Record<NoticeLevel, { readonly name: string; readonly icon: IconN
   [NoticeLevel.Error]: { name: 'error', icon: 'error' },
 };
 
-/** What is no error goes by itself [ms]. */
+/** Messages other than errors vanish after this time [ms]. */
 const kNoticeMs = 6000;
 
 export class NoticeBanner {

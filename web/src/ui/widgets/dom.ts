@@ -1,4 +1,4 @@
-// Making elements without ceremony.
+// Helpers that make and update elements.
 
 export type AttributeValue = string | number | boolean | undefined;
 

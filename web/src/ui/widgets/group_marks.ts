@@ -1,4 +1,4 @@
-// Colour and mark of a group: colour never stands alone.
+// Colour and shape of a group's mark, so that groups can be told apart without colour.
 
 import { accentOf, type Accent } from '../../model/accent';
 

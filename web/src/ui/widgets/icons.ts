@@ -67,7 +67,7 @@ export function logo(): SVGSVGElement {
   return svg(dots.join(''), 30, 30, 'fill="currentColor" class="logo"');
 }
 
-/** Text in a record button and the like. */
+/** The dot of the record button. */
 export function recordDot(): SVGSVGElement {
   return svg('<circle cx="6" cy="6" r="6"/>', 12, 12, 'fill="currentColor"');
 }

@@ -1,11 +1,12 @@
 // One Tab stop per toolbar; arrow keys, Home and End move inside it.
+
 import type { StudioStore } from '../../model/studio_store';
 
 const kForward = new Set(['ArrowRight', 'ArrowDown']);
 const kBack = new Set(['ArrowLeft', 'ArrowUp']);
 
 export class ToolbarFocus {
-  /** Layouts and the connection hide and still buttons: the stop must stand on one that can be reached. */
+  /** Layouts and a lost connection hide or disable buttons; the Tab stop moves to one that can be reached. */
   constructor(
     private readonly root_: HTMLElement,
     store: StudioStore,

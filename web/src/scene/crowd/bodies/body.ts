@@ -1,9 +1,9 @@
-// A body that a crowd can be dressed in: its joints, and its skin at two levels of detail.
+// A body of the characters: its joints, and its skin at two levels of detail.
 
 import type { BufferGeometry, Texture } from 'three';
 import type { Rig } from './rig';
 
-/** What a corner of the skin is made of, as the attribute `region` numbers it; `own`: as its maker coloured it. */
+/** Materials of the skin, as the attribute `region` numbers them; `own` keeps the colours of the file. */
 export const kRegion = { skin: 0, shirt: 1, trousers: 2, hair: 3, shoes: 4, own: 5 } as const;
 
 /** One draw call: geometry with `position`, `normal`, `joints`, `weights`, `region`, `tint`, and `uv` for a map. */
@@ -27,7 +27,7 @@ export function trianglesOf(parts: readonly BodyPart[]): number {
   );
 }
 
-/** Gives back what it holds on the graphics card. */
+/** Frees its geometries and textures. */
 export function disposeBody(body: Body): void {
   for (const { geometry, map } of [...body.near, ...body.far]) {
     geometry.dispose();

@@ -1,4 +1,4 @@
-// Rotations as x, y, z, w in flat arrays: what is done a hundred thousand times a second makes no objects.
+// Quaternions as x, y, z, w in flat arrays. They are used a hundred thousand times a second, so no objects are made.
 
 export type Floats = Float32Array | number[];
 
@@ -64,14 +64,14 @@ export function nlerp(out: Floats, o: number, a: Floats, i: number, b: Floats, j
 
 export type Vector = readonly [number, number, number];
 
-/** The shortest turn that brings direction a to direction b; none where either is nil. */
+/** The shortest rotation from direction a to direction b; the identity where either is zero. */
 export function shortestArc(a: Vector, b: Vector): [number, number, number, number] {
   const la = Math.hypot(...a),
     lb = Math.hypot(...b);
   if (la < 1e-9 || lb < 1e-9) return [0, 0, 0, 1];
   const dot = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / (la * lb);
   if (dot < -0.999999) {
-    // Opposite: half a turn about anything across.
+    // Opposite directions: half a turn about any axis across them.
     const across: Vector = Math.abs(a[0]) < 0.7 * la ? [0, a[2], -a[1]] : [-a[2], 0, a[0]];
     const size = Math.hypot(...across);
     return [across[0] / size, across[1] / size, across[2] / size, 0];

@@ -1,4 +1,4 @@
-// From a pose to where a body's joints are: forward kinematics on the body's own proportions.
+// Forward kinematics: from a pose to the joints of a body with proportions of its own.
 
 import { addTurned, multiply } from './quaternion';
 import { kJoints, kSkeleton, restPositions } from '../../../model/skeleton';
@@ -7,9 +7,9 @@ import { kJoints, kSkeleton, restPositions } from '../../../model/skeleton';
 export interface Rig {
   /** x, y, z per joint. */
   readonly bind: Float32Array;
-  /** Per joint the turn from how it was modelled to our rest pose; where arms were modelled hanging it lifts them. */
+  /** Per joint the rotation from the modelled pose to our rest pose; it lifts arms that were modelled hanging. */
   readonly align: Float32Array;
-  /** Height of its hips over that of our skeleton's: motion of the hips is scaled so. */
+  /** Height of its hips divided by that of our skeleton's; it scales the motion of the hips. */
   readonly scale: number;
 }
 
@@ -28,7 +28,7 @@ export function plainRig(bind: Float32Array = restPositions()): Rig {
   return { bind, align, scale: bind[2]! / restPositions()[2]! };
 }
 
-/** True where both would stand alike in every pose. */
+/** True where both rigs have the same joints in every pose. */
 export function sameRig(a: Rig, b: Rig): boolean {
   const close = (p: Float32Array, q: Float32Array): boolean => p.every((one, i) => Math.abs(one - q[i]!) < 1e-4);
   return Math.abs(a.scale - b.scale) < 1e-4 && close(a.bind, b.bind) && close(a.align, b.align);

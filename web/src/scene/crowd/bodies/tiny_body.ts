@@ -1,4 +1,4 @@
-// A body of a few tubes on any body's joints: for those who are a few px tall.
+// A body of a few tubes on the joints of any rig, for characters that are a few px tall.
 
 import type { BufferGeometry } from 'three';
 import { kRegion } from './body';

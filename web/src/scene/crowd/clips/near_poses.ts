@@ -1,4 +1,4 @@
-// Whole poses of those whom this page looks at, between the two frames shown. They are interpolated exactly as positions
+// Whole poses of the characters near the view, between the two frames shown. They are interpolated exactly as positions
 // and headings are, so that a foot that stands still in both frames stands still on the screen.
 
 import type { Numbers } from '../../../model/frame_view';
@@ -23,13 +23,13 @@ export class NearPoses {
   private earlier_ = new Int32Array(0);
   private poses_ = new Float32Array(0);
 
-  /** Mixes everyone who is near in `to`, at most `most`, out of `members` characters. */
+  /** Interpolates the whole poses of `to`, at most `most` of them; the crowd has `members` characters. */
   mix(from: NearFrame, to: NearFrame, alpha: number, members: number, most: number): void {
     this.count = Math.min(to.near.length, Math.floor(to.nearPoses.length / kPoseNumbers), most);
     this.reserve(members);
     this.slots.fill(-1);
     this.earlier_.fill(-1);
-    // Where somebody came or went, indices of the one frame are not those of the other.
+    // Where the crowd has changed, indices of the two frames do not agree.
     const sameCrowd = from !== to && alpha < 1 && from.x.length === to.x.length;
     if (sameCrowd) for (let k = 0; k < from.near.length; ++k) this.earlier_[from.near[k]!] = k;
     for (let k = 0; k < this.count; ++k) {

@@ -1,4 +1,4 @@
-// Animations that a visitor's file carries under names of motions: they take the place of our clips.
+// Animations that a visitor's file carries under names of motions: they replace our clips.
 
 import { AnimationMixer, type AnimationClip, type Object3D, Quaternion, Vector3 } from 'three';
 import type { ClipPoses } from '../clips/clip_bank';
@@ -11,7 +11,7 @@ const kRate = 30;
 /** Longest part of an animation that is taken [s]. */
 const kLongest = 12;
 
-/** What is said first counts: a running jump is a jump. */
+/** The first pattern that matches decides: a running jump is a jump. */
 const kMotions: readonly (readonly [RegExp, string])[] = [
   [/crawl/, 'crawl'],
   [/swim/, 'swim'],

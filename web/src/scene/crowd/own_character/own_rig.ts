@@ -76,7 +76,7 @@ function axesOf(name: string, bones: readonly Object3D[], roles: Roles, lowest: 
   return { facing, scale: restPositions()[2]! / high, origin: [facing * hips.z, facing * hips.x, lowest] };
 }
 
-/** Where joints are; one that is missing goes along with its parent. */
+/** Positions of the joints; a missing joint takes that of its parent. */
 function bindOf(bones: readonly Object3D[], roles: Roles, axes: Axes): Float32Array {
   const bind = new Float32Array(3 * kJoints);
   kSkeleton.forEach(({ parent }, j) => {
