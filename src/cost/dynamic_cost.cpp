@@ -136,7 +136,7 @@ void DynamicCost::addMovingPatches(const Environment& environment, const CellRec
             const std::int32_t cell = movingGrid_.index({x, y});
             if (!patchCells_.insert(cell)) continue;
             const std::int32_t at = ground_.index(ground_.nearestCell(movingGrid_.centre({x, y})));
-            const float staticSpeed = patchSpeed[at] < kInfiniteCost ? patchSpeed[at] : 1.0f;
+            const float staticSpeed = patchSpeed[at] < kUnreachableCost ? patchSpeed[at] : 1.0f;
             if (travelSpeed[at] != staticSpeed)
                 setMovingCost(cell, (1.0f + movingCost_[cell]) * (staticSpeed / travelSpeed[at]) - 1.0f);
         }

@@ -152,10 +152,10 @@ private:
 };
 
 float edgeCost(const Node& from, const Node& to, float x, float y, float unit) {
-    if (!from.free || !to.free) return kInfiniteCost;
+    if (!from.free || !to.free) return kUnreachableCost;
     const float dx = x + to.x - from.x;
     const float dy = y + to.y - from.y;
-    if (crossesThinWall(from, to, dx, dy)) return kInfiniteCost;
+    if (crossesThinWall(from, to, dx, dy)) return kUnreachableCost;
     return unit * std::max(static_cast<float>(kLeastEdge), std::sqrt(dx * dx + dy * dy));
 }
 
@@ -169,8 +169,8 @@ void computeCell(const GroundRasters& ground, const NodeFinder& finder, double o
         out = {unit, unit, unit, unit};
         return;
     }
-    out = {kInfiniteCost, kInfiniteCost, kInfiniteCost, kInfiniteCost};
-    costs.unit[index] = kInfiniteCost;
+    out = {kUnreachableCost, kUnreachableCost, kUnreachableCost, kUnreachableCost};
+    costs.unit[index] = kUnreachableCost;
     const Node here = finder.find(cell);
     if (!here.free) return;
     const auto unit = static_cast<float>(openCost / ground.travelSpeed[index]);

@@ -38,7 +38,7 @@ void StaticGround::update(const Environment& environment, double openCost, doubl
     speed_.resize(patchSpeed.size());
     unit_.resize(patchSpeed.size());
     for (std::size_t k = 0; k < patchSpeed.size(); ++k) {
-        speed_[k] = patchSpeed[k] < kInfiniteCost ? patchSpeed[k] : 1.0f;
+        speed_[k] = patchSpeed[k] < kUnreachableCost ? patchSpeed[k] : 1.0f;
         unit_[k] = static_cast<float>(openCost / speed_[k]);
     }
     computeLevel(fine_, {grid_, clearance, speed_});
@@ -53,13 +53,13 @@ void StaticGround::computeLevel(GroundLevel& level, const GroundRasters& rasters
     const std::int32_t count = rasters.grid.count();
     cost.grid = rasters.grid;
     cost.radius = radius_;
-    cost.cells.assign(count, {kInfiniteCost, kInfiniteCost, kInfiniteCost, kInfiniteCost});
+    cost.cells.assign(count, {kUnreachableCost, kUnreachableCost, kUnreachableCost, kUnreachableCost});
     cost.nodes.clear();
     std::vector<float>& unit = scratch_;
-    unit.assign(count, kInfiniteCost);
+    unit.assign(count, kUnreachableCost);
     computeGroundCost(rasters, radius_, openCost_, 0, count, {cost.cells, unit, cost.nodes});
     cost.lowest = *std::min_element(unit.begin(), unit.end());
-    if (!(cost.lowest < kInfiniteCost)) cost.lowest = static_cast<float>(openCost_);
+    if (!(cost.lowest < kUnreachableCost)) cost.lowest = static_cast<float>(openCost_);
     level.clearance.resize(count);
     const auto radius = static_cast<float>(radius_);
     for (std::int32_t k = 0; k < count; ++k) level.clearance[k] = rasters.clearance[k] - radius;

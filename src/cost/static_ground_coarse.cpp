@@ -9,19 +9,19 @@ namespace muster {
 // The cheapest straight row of ground cells from the centre of a coarse cell to the centre of the next;
 // infinite where none is free.
 float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
-    float best = kInfiniteCost;
+    float best = kUnreachableCost;
     const Cell to{from.x + step.x, from.y + step.y};
     if (!coarse_.grid.contains(to)) return best;
     for (std::int32_t row = 0; row < ratio; ++row) {
         float sum = 0.0f;
         bool uniform = true;
         float first = 0.0f;
-        for (std::int32_t k = 0; k < ratio && sum < kInfiniteCost; ++k) {
+        for (std::int32_t k = 0; k < ratio && sum < kUnreachableCost; ++k) {
             const std::int32_t along = ratio / 2 + k;
             const Cell c{from.x * ratio + (step.x != 0 ? along : row),
                          from.y * ratio + (step.y != 0 ? along : row)};
             if (!grid_.contains(c) || fine_.blocked(grid_.index(c))) {
-                sum = kInfiniteCost;
+                sum = kUnreachableCost;
                 break;
             }
             const float unit = unit_[grid_.index(c)];
@@ -30,7 +30,7 @@ float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
             sum += unit;
         }
         // A mean of equal numbers may be off by rounding.
-        if (sum < kInfiniteCost) best = std::min(best, uniform ? first : sum / static_cast<float>(ratio));
+        if (sum < kUnreachableCost) best = std::min(best, uniform ? first : sum / static_cast<float>(ratio));
     }
     return best;
 }
@@ -38,19 +38,19 @@ float StaticGround::coarseEdge(Cell from, Cell step, std::int32_t ratio) const {
 // The cheapest straight row of ground cells from the centre of the neighbour at `step` over the border into a
 // coarse cell, by one ground cell; infinite where none is free.
 float StaticGround::edgeToBorder(Cell cell, Cell step, std::int32_t ratio) const {
-    float best = kInfiniteCost;
+    float best = kUnreachableCost;
     if (!coarse_.grid.contains({cell.x + step.x, cell.y + step.y})) return best;
     const std::int32_t inside = step.x + step.y > 0 ? ratio - 1 : 0;
     for (std::int32_t row = 0; row < ratio; ++row) {
         float sum = 0.0f;
         const std::int32_t length = 1 + ratio / 2;
-        for (std::int32_t k = 0; k < length && sum < kInfiniteCost; ++k) {
+        for (std::int32_t k = 0; k < length && sum < kUnreachableCost; ++k) {
             const Cell c{cell.x * ratio + (step.x != 0 ? inside + k * step.x : row),
                          cell.y * ratio + (step.y != 0 ? inside + k * step.y : row)};
             const bool free = grid_.contains(c) && !fine_.blocked(grid_.index(c));
-            sum = free ? sum + unit_[grid_.index(c)] : kInfiniteCost;
+            sum = free ? sum + unit_[grid_.index(c)] : kUnreachableCost;
         }
-        if (sum < kInfiniteCost) best = std::min(best, sum / static_cast<float>(length));
+        if (sum < kUnreachableCost) best = std::min(best, sum / static_cast<float>(length));
     }
     return best;
 }
@@ -69,11 +69,11 @@ void StaticGround::findPartiallyBlocked(std::int32_t ratio) {
             const Cell down{-up.x, -up.y};
             const float upperEdge = alongX ? cost.east : cost.north;
             const float lowerEdge = alongX ? cost.west : cost.south;
-            if (upperEdge < kInfiniteCost || lowerEdge < kInfiniteCost) continue;
+            if (upperEdge < kUnreachableCost || lowerEdge < kUnreachableCost) continue;
             const float above = edgeToBorder(cell, up, ratio);
             const float below = edgeToBorder(cell, down, ratio);
-            if ((above < kInfiniteCost) == (below < kInfiniteCost)) continue;
-            const Cell step = above < kInfiniteCost ? up : down;
+            if ((above < kUnreachableCost) == (below < kUnreachableCost)) continue;
+            const Cell step = above < kUnreachableCost ? up : down;
             partiallyBlocked_.push_back({cell,
                                          {cell.x + step.x, cell.y + step.y},
                                          std::min(above, below) * static_cast<float>(grid.cell)});
@@ -92,7 +92,8 @@ void StaticGround::computeCoarse() {
     coarse_.lowest = fine_.cost.lowest;
     if (open_) return;  // No query reads it on open ground.
     const Grid& grid = coarse_.grid;
-    coarse_.cells.assign(grid.count(), {kInfiniteCost, kInfiniteCost, kInfiniteCost, kInfiniteCost});
+    coarse_.cells.assign(grid.count(),
+                         {kUnreachableCost, kUnreachableCost, kUnreachableCost, kUnreachableCost});
     coarse_.nodes.clear();
     for (std::int32_t k = 0; k < grid.count(); ++k) {
         const Cell c = grid.at(k);

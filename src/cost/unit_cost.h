@@ -10,7 +10,7 @@
 namespace muster {
 
 /// Cost of what cannot be reached or entered.
-inline constexpr float kInfiniteCost = std::numeric_limits<float>::infinity();
+inline constexpr float kUnreachableCost = std::numeric_limits<float>::infinity();
 
 /// Weights and thresholds of the unit cost C = (alpha f + beta + gamma g) / (f T), with the speed f relative
 /// to the free speed, the discomfort g and the travel speed T of the ground. With alpha + beta = 1 open
@@ -77,8 +77,8 @@ struct UnitCost {
     /// True for a cell that no character of this radius can enter.
     bool wall(std::int32_t index) const {
         const CellCost& c = cells[index];
-        return c.east >= kInfiniteCost && c.north >= kInfiniteCost && c.west >= kInfiniteCost &&
-               c.south >= kInfiniteCost;
+        return c.east >= kUnreachableCost && c.north >= kUnreachableCost && c.west >= kUnreachableCost &&
+               c.south >= kUnreachableCost;
     }
     /// Lets an archive read or write the cost.
     template <class Archive>

@@ -89,9 +89,9 @@ void UnitCostBuilder::computeAll(const Environment& environment) {
 }
 
 void UnitCostBuilder::findLowest() {
-    float lowest = kInfiniteCost;
+    float lowest = kUnreachableCost;
     for (const float unit : unit_) lowest = std::min(lowest, unit);
-    const bool any = lowest < kInfiniteCost;
+    const bool any = lowest < kUnreachableCost;
     cost_.lowest = any ? lowest : static_cast<float>(openCost_);
     lowestCount_ = any ? static_cast<std::int32_t>(std::count(unit_.begin(), unit_.end(), lowest)) : 0;
 }

@@ -17,7 +17,7 @@ std::int32_t CostField::indexOf(Cell cell) const {
 
 float CostField::value(Cell cell) const {
     const std::int32_t at = indexOf(cell);
-    return at >= 0 ? values_[at] : kInfiniteCost;
+    return at >= 0 ? values_[at] : kUnreachableCost;
 }
 
 void CostField::lowerValue(Cell cell, float value) {
@@ -28,27 +28,27 @@ void CostField::lowerValue(Cell cell, float value) {
 }
 
 double CostField::cost(Vec2 p) const {
-    if (!isFinite(p) || values_.empty()) return kInfiniteCost;
+    if (!isFinite(p) || values_.empty()) return kUnreachableCost;
     if (lengthSquared(p - source_) <= uniformRadius_ * uniformRadius_) {
         const double straight = stepCost(sourceCost_, source_ - p);
-        if (straight < kInfiniteCost) return straight;
+        if (straight < kUnreachableCost) return straight;
     }
     Vec2 ignored;
     const double exact = exactCost(p, ignored);
-    if (exact < kInfiniteCost) return exact;
+    if (exact < kUnreachableCost) return exact;
     const BilinearPoint at = bilinearPoint(grid_, p);
     double sum = 0.0;
     double weights = 0.0;
     for (int k = 0; k < 4; ++k) {
         const double weight = ((k & 1) != 0 ? at.fx : 1.0 - at.fx) * ((k & 2) != 0 ? at.fy : 1.0 - at.fy);
         const double corner = cornerValue(at.low, k);
-        if (!(corner < kInfiniteCost)) continue;
+        if (!(corner < kUnreachableCost)) continue;
         // A corner of weight zero counts where it is the only one.
         const double share = std::max(weight, 1e-12);
         sum += share * corner;
         weights += share;
     }
-    return weights > 0.0 ? sum / weights : kInfiniteCost;
+    return weights > 0.0 ? sum / weights : kUnreachableCost;
 }
 
 // Value of corner k of the square of centres above and right of `low`. A corner that is not reached, in a
@@ -56,17 +56,18 @@ double CostField::cost(Vec2 p) const {
 double CostField::cornerValue(Cell low, int k) const {
     const Cell c{low.x + (k & 1), low.y + (k >> 1)};
     const float own = value(c);
-    if (own < kInfiniteCost) return own;
+    if (own < kUnreachableCost) return own;
     const std::int32_t inX = (k & 1) != 0 ? -1 : 1;
     const std::int32_t inY = (k & 2) != 0 ? -1 : 1;
     const auto extrapolate = [&](std::int32_t dx, std::int32_t dy) {
         const double near = value({c.x + dx, c.y + dy});
         const double far = value({c.x + 2 * dx, c.y + 2 * dy});
-        return far < kInfiniteCost ? std::max(0.0, 2.0 * near - far) : static_cast<double>(kInfiniteCost);
+        return far < kUnreachableCost ? std::max(0.0, 2.0 * near - far)
+                                      : static_cast<double>(kUnreachableCost);
     };
     const double x = extrapolate(inX, 0);
     const double y = extrapolate(0, inY);
-    if (x < kInfiniteCost && y < kInfiniteCost) return 0.5 * (x + y);
+    if (x < kUnreachableCost && y < kUnreachableCost) return 0.5 * (x + y);
     return std::min(x, y);
 }
 

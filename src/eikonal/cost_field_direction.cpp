@@ -22,7 +22,7 @@ double edgeSlope(const double* v, int a, int b, int c, int d, double share) {
     double sum = 0.0;
     double weights = 0.0;
     const auto add = [&](int from, int to, double weight) {
-        if (!(v[from] < kInfiniteCost) || !(v[to] < kInfiniteCost)) return;
+        if (!(v[from] < kUnreachableCost) || !(v[to] < kUnreachableCost)) return;
         sum += std::max(weight, 1e-9) * (v[to] - v[from]);
         weights += std::max(weight, 1e-9);
     };
@@ -39,9 +39,9 @@ Vec2 CostField::direction(Vec2 p) const {
     const BilinearPoint at = bilinearPoint(grid_, p);
     bool allReached = true;
     for (int k = 0; k < 4; ++k)
-        allReached = allReached && value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kInfiniteCost;
+        allReached = allReached && value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost;
     Vec2 towards;
-    if (allReached && exactCost(p, towards) < kInfiniteCost && lengthSquared(towards) > kNearSource)
+    if (allReached && exactCost(p, towards) < kUnreachableCost && lengthSquared(towards) > kNearSource)
         return normalized(towards);
     const Vec2 down = descent(p);
     return down == Vec2{} ? towardsReached(p) : down;
@@ -55,7 +55,7 @@ Vec2 CostField::descent(Vec2 p) const {
     bool reached[4];
     for (int k = 0; k < 4; ++k) {
         v[k] = cornerValue(at.low, k);
-        reached[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kInfiniteCost;
+        reached[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost;
     }
     Vec2 down{-edgeSlope(v, 0, 1, 2, 3, at.fy), -edgeSlope(v, 0, 2, 1, 3, at.fx)};
     // Components towards a side where no cell is reached are removed.
@@ -96,7 +96,7 @@ bool CostField::risesBeyond(Cell low, double sign, Cell axis) const {
     if (lengthSquared(grid_.centre(low) - source_) <= sourceReach * sourceReach) return false;
     const float edge = cheapestAcross(low, axis, sign > 0.0 ? 1 : 0);
     const float beyond = cheapestAcross(low, axis, sign > 0.0 ? 2 : -1);
-    return beyond < kInfiniteCost && beyond > edge;
+    return beyond < kUnreachableCost && beyond > edge;
 }
 
 // The side of a square of centres along `axis` beyond which the cells are cheaper: 1 or -1, 1 where they tie;
@@ -104,7 +104,7 @@ bool CostField::risesBeyond(Cell low, double sign, Cell axis) const {
 double CostField::cheaperSide(Cell low, Cell axis) const {
     const float ahead = cheapestAcross(low, axis, 2);
     const float behind = cheapestAcross(low, axis, -1);
-    if (!(ahead < kInfiniteCost) && !(behind < kInfiniteCost)) return 0.0;
+    if (!(ahead < kUnreachableCost) && !(behind < kUnreachableCost)) return 0.0;
     return ahead <= behind ? 1.0 : -1.0;
 }
 
@@ -116,7 +116,7 @@ Vec2 CostField::towardsReached(Vec2 p) const {
     for (std::int32_t y = middle.y - kSearchReach; y <= middle.y + kSearchReach; ++y) {
         for (std::int32_t x = middle.x - kSearchReach; x <= middle.x + kSearchReach; ++x) {
             const float cost = value({x, y});
-            if (!(cost < kInfiniteCost)) continue;
+            if (!(cost < kUnreachableCost)) continue;
             const double away = distance(grid_.centre({x, y}), p);
             const double score = 4.0 * away + cost;
             if (away > 1e-9 && score < best) {

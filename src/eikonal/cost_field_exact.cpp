@@ -32,7 +32,7 @@ CostField::SourceSet CostField::pseudoSourcesAround(Vec2 p) const {
     SourceSet sources;
     for (int k = 0; k < 4; ++k) {
         const Cell c{at.low.x + (k & 1), at.low.y + (k >> 1)};
-        if (!(value(c) < kInfiniteCost)) continue;
+        if (!(value(c) < kUnreachableCost)) continue;
         const std::int32_t index = pseudoSourceOf(c);
         if (index == 0) return {};
         if (sources.find(index) < 0) sources.index[sources.count++] = index;
@@ -70,7 +70,7 @@ double CostField::exactCost(Vec2 p, Vec2& towards) const {
             isAncestor[same] = true;
         }
     }
-    double best = kInfiniteCost;
+    double best = kUnreachableCost;
     for (int k = 0; k < around.count; ++k) {
         if (isAncestor[k]) continue;
         const std::int32_t last = around.index[k];

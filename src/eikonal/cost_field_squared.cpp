@@ -46,8 +46,8 @@ double CostField::squaredCost(Vec2 p) const {
         return squaredCostOfReached(at.low, at.fx, at.fy);
     const float* low = values_.data() + static_cast<std::size_t>(y) * width_ + x;
     const float* high = low + width_;
-    const bool allReached = low[0] < kInfiniteCost && low[1] < kInfiniteCost && high[0] < kInfiniteCost &&
-                            high[1] < kInfiniteCost;
+    const bool allReached = low[0] < kUnreachableCost && low[1] < kUnreachableCost &&
+                            high[0] < kUnreachableCost && high[1] < kUnreachableCost;
     if (!allReached) return squaredCostOfReached(at.low, at.fx, at.fy);
     return interpolateBilinear(square(low[0]), square(low[1]), square(high[0]), square(high[1]), at.fx,
                                at.fy);
@@ -60,7 +60,7 @@ double CostField::squaredCostOfReached(Cell low, double fx, double fy) const {
     bool any = false;
     for (int k = 0; k < 4; ++k) {
         v[k] = value({low.x + (k & 1), low.y + (k >> 1)});
-        known[k] = v[k] < kInfiniteCost;
+        known[k] = v[k] < kUnreachableCost;
         any = any || known[k];
         v[k] *= v[k];
     }

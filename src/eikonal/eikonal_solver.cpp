@@ -39,7 +39,7 @@ void EikonalSolver::Impl::findTargetCells(const UnitCost& cost, std::span<const 
 // Distance of the farthest target from the source, with the margin [m]; infinite without targets.
 double EikonalSolver::Impl::targetDistance(const UnitCost& cost, Vec2 source,
                                            std::span<const Vec2> targets) const {
-    if (targets.empty()) return kInfiniteCost;
+    if (targets.empty()) return kUnreachableCost;
     double farthest = 0.0;
     for (const Vec2 target : targets) {
         if (isFinite(target)) farthest = std::max(farthest, distance(cost.grid.box().clamp(target), source));
@@ -50,10 +50,10 @@ double EikonalSolver::Impl::targetDistance(const UnitCost& cost, Vec2 source,
 // Marches until all target cells are final and the front is the margin beyond them, or until nothing is left.
 void EikonalSolver::Impl::march(double cell, bool bounded) {
     std::size_t reached = 0;
-    float stop = kInfiniteCost;
+    float stop = kUnreachableCost;
     while (front.level() <= stop && front.step()) {
-        if (!bounded || stop < kInfiniteCost) continue;
-        while (reached < targetCells.size() && front.value(targetCells[reached].node) < kInfiniteCost)
+        if (!bounded || stop < kUnreachableCost) continue;
+        while (reached < targetCells.size() && front.value(targetCells[reached].node) < kUnreachableCost)
             ++reached;
         if (reached < targetCells.size()) continue;
         // Values from pseudo-sources may be ahead of the front.
@@ -70,14 +70,14 @@ Cell EikonalSolver::Impl::reachedBounds(const Grid& grid, Cell& high) const {
     for (std::int32_t y = front.firstRow(); y <= front.lastRow(); ++y) {
         const FrontNode* row = front.row(y);
         std::int32_t left = 0;
-        while (left < low.x && !(row[left].accepted < kInfiniteCost)) ++left;
+        while (left < low.x && !(row[left].accepted < kUnreachableCost)) ++left;
         std::int32_t right = grid.width - 1;
-        while (right > high.x && !(row[right].accepted < kInfiniteCost)) --right;
+        while (right > high.x && !(row[right].accepted < kUnreachableCost)) --right;
         const bool widened = left < low.x || right > high.x;
         low.x = std::min(low.x, left);
         high.x = std::max(high.x, right);
         bool any = widened;
-        for (std::int32_t x = low.x; !any && x <= high.x; ++x) any = row[x].accepted < kInfiniteCost;
+        for (std::int32_t x = low.x; !any && x <= high.x; ++x) any = row[x].accepted < kUnreachableCost;
         if (!any) continue;
         low.y = std::min(low.y, y);
         high.y = y;
@@ -133,7 +133,7 @@ void EikonalSolver::Impl::copyValues(Cell low, Cell high, CostField& field) cons
             const std::int32_t source = row[x].source;
             out[x] = row[x].accepted * edge;
             sourceOut[x] = static_cast<std::uint16_t>(source > 0 && source <= 0xffff ? source : 0);
-            accepted += row[x].accepted < kInfiniteCost ? 1 : 0;
+            accepted += row[x].accepted < kUnreachableCost ? 1 : 0;
         }
         field.acceptedCount_ += accepted;
     }

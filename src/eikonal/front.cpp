@@ -37,7 +37,7 @@ void Front::resize(const Grid& grid) {
     nodes_.assign(size, {});
     occluderOf_.assign(size, -1);
     // No value is below minus infinity: the padding is never reached.
-    const FrontNode padding{kInfiniteCost, -kInfiniteCost, 0, 0};
+    const FrontNode padding{kUnreachableCost, -kUnreachableCost, 0, 0};
     std::fill_n(nodes_.begin(), 2 * stride_ + 1, padding);
     std::fill(nodes_.begin() + node(0, grid.height) - 1, nodes_.end(), padding);
     for (std::int32_t y = 0; y < grid.height; ++y) nodes_[node(grid.width, y)] = padding;
@@ -46,7 +46,7 @@ void Front::resize(const Grid& grid) {
 void Front::begin(const UnitCost& cost, bool secondOrder) {
     cells_ = cost.cells.data();
     // No difference is below minus infinity.
-    maxStepDifference_ = secondOrder ? kMaxStepDifference : -kInfiniteCost;
+    maxStepDifference_ = secondOrder ? kMaxStepDifference : -kUnreachableCost;
     bucketWidth_ = kBucketWidth * std::max(cost.lowest, 1e-6f);
     tolerance_ = 1e-3f * bucketWidth_;
     queue_.restart(1.0f / bucketWidth_);
@@ -68,7 +68,7 @@ void Front::seed(Cell cell, float value, std::int32_t source) {
     const FrontCell at = this->at(cell);
     if (!(value < nodes_[at.node].tentative)) return;
     noteWritten(cell, cell);
-    put(at, kInfiniteCost, value, source);
+    put(at, kUnreachableCost, value, source);
 }
 
 Visibility Front::visibility(Cell cell, std::int32_t source, float& value) const {
@@ -114,7 +114,7 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
     float a = value;
     float ca = towards<kSide>(*cost);
     const float last = ca;
-    if (!(ca < kInfiniteCost)) return;
+    if (!(ca < kUnreachableCost)) return;
     const float behind = here[-step].accepted;
     const float before = towards<kSide>(*fromCost);
     if (behind <= value && std::fabs(before - ca) <= maxStepDifference_ * ca) {
@@ -133,7 +133,7 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
     float b = above ? upValue : downValue;
     float cb = above ? up : down;
     float best = a + ca;
-    if (b + cb < kInfiniteCost) {
+    if (b + cb < kUnreachableCost) {
         const float acrossBehind = there[above ? 2 * across : -2 * across].accepted;
         if (acrossBehind <= b) {
             const CellCost& next = cost[above ? acrossCell : -acrossCell];

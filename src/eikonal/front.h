@@ -23,8 +23,8 @@ inline constexpr std::int32_t kFromCheaperGround = -2;
 
 /// State of one cell of the front. It is one struct, since an update reads nearly all of it.
 struct FrontNode {
-    float accepted = kInfiniteCost;   ///< The value that neighbours have been updated from.
-    float tentative = kInfiniteCost;  ///< The lowest value found so far.
+    float accepted = kUnreachableCost;   ///< The value that neighbours have been updated from.
+    float tentative = kUnreachableCost;  ///< The lowest value found so far.
     /// Where the value comes from: index of a pseudo-source, > 0; 0 for upwind differences; kFixedValue or
     /// kFromCheaperGround.
     std::int32_t source = 0;

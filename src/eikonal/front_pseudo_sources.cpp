@@ -75,8 +75,8 @@ inline bool Front::isCorner(std::int32_t cell) const {
     const WallNode& wallNode = lineOfSight_.node(number);
     if (wallNode.normalX != 0.0f || wallNode.normalY != 0.0f) return true;
     const CellCost& c = cells_[cell];
-    return (c.east == kInfiniteCost && c.west == kInfiniteCost) ||
-           (c.north == kInfiniteCost && c.south == kInfiniteCost);
+    return (c.east == kUnreachableCost && c.west == kUnreachableCost) ||
+           (c.north == kUnreachableCost && c.south == kUnreachableCost);
 }
 
 // True where a node is known to see a pseudo-source: its value comes from there. Far from the pseudo-source
@@ -141,7 +141,7 @@ bool Front::relaxFromSource(FrontCell from, FrontCell to, float old) {
     const PseudoSource& origin = sources_[source];
     if (!lineOfSight_.uniform(to.cell, origin.unit)) return false;
     const FrontNode& there = nodes_[to.node];
-    if (there.source == 0 && old < kInfiniteCost && there.accepted == kInfiniteCost)
+    if (there.source == 0 && old < kUnreachableCost && there.accepted == kUnreachableCost)
         old += kDifferenceError * origin.unit;
     float x = 0.0f;
     float y = 0.0f;
@@ -274,8 +274,8 @@ void Front::relaxDiagonals(FrontCell from) {
             const float old = nodes_[to.node].tentative;
             if (!(old > nodes_[from.node].accepted) || nodes_[to.node].source == kFixedValue) continue;
             const CellCost& cost = cells_[from.cell];
-            const bool openX = (right > 0 ? cost.east : cost.west) < kInfiniteCost;
-            const bool openY = (up > 0 ? cost.north : cost.south) < kInfiniteCost;
+            const bool openX = (right > 0 ? cost.east : cost.west) < kUnreachableCost;
+            const bool openY = (up > 0 ? cost.north : cost.south) < kUnreachableCost;
             if (openX || openY) relaxFromSource(from, to, old);
         }
     }
@@ -285,7 +285,7 @@ float Front::centreValue(const WallNode& wallNode) const {
     const Cell c = grid_.at(wallNode.cell);
     const std::int32_t at = node(c.x, c.y);
     const std::int32_t source = nodes_[at].source;
-    if (!(nodes_[at].accepted < kInfiniteCost) || source <= 0) return nodes_[at].accepted;
+    if (!(nodes_[at].accepted < kUnreachableCost) || source <= 0) return nodes_[at].accepted;
     const auto x = static_cast<float>(c.x);
     const auto y = static_cast<float>(c.y);
     return nodes_[at].accepted + sources_[source].costAt(x, y) -

@@ -139,7 +139,7 @@ void Front::queueBorder(std::int32_t source) {
             const bool inner = here[-1].source == source && here[1].source == source &&
                                here[-stride_].source == source && here[stride_].source == source;
             if (inner && lineOfSight_.wall(cell.cell) == 0) continue;
-            here->accepted = kInfiniteCost;
+            here->accepted = kUnreachableCost;
             queue_.push(queue_.number(here->tentative), cell);
         }
     }

@@ -15,7 +15,7 @@ constexpr double kGoodEnough = 1.25;
 
 // True where all open directions of a cell cost `unit`, and one is open.
 bool costsUniformly(const CellCost& c, float unit) {
-    const auto fits = [unit](float side) { return side == unit || side == kInfiniteCost; };
+    const auto fits = [unit](float side) { return side == unit || side == kUnreachableCost; };
     return fits(c.east) && fits(c.north) && fits(c.west) && fits(c.south) &&
            std::min({c.east, c.north, c.west, c.south}) == unit;
 }
@@ -35,7 +35,7 @@ double straightLineCost(const UnitCost& cost, Vec2 from, Vec2 source) {
 
 // Lowest cost of any direction in the cells from `low` to `high`.
 double lowestCost(const UnitCost& cost, Cell low, Cell high) {
-    float least = kInfiniteCost;
+    float least = kUnreachableCost;
     for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
             const CellCost& c = cost.cells[cost.grid.index({x, y})];
@@ -49,7 +49,7 @@ double lowestCost(const UnitCost& cost, Cell low, Cell high) {
 
 double stepCost(const CellCost& cost, Vec2 by) {
     // A closed side costs as much as the opposite one: only the far side of the cell is closed.
-    const auto side = [](float ahead, float behind) { return ahead < kInfiniteCost ? ahead : behind; };
+    const auto side = [](float ahead, float behind) { return ahead < kUnreachableCost ? ahead : behind; };
     const double x = by.x > 0.0 ? side(cost.east, cost.west) : side(cost.west, cost.east);
     const double y = by.y > 0.0 ? side(cost.north, cost.south) : side(cost.south, cost.north);
     const double alongX = by.x == 0.0 ? 0.0 : by.x * x;

@@ -8,7 +8,7 @@
 
 namespace muster::test {
 
-inline constexpr float kInfinity = kInfiniteCost;
+inline constexpr float kInfinity = kUnreachableCost;
 
 /// Unit costs by a function of the cell's centre; a cell is a wall where `east` is infinite.
 inline UnitCost makeCost(const Box& box, double cell, const std::function<CellCost(Vec2)>& costAt) {
