@@ -73,7 +73,7 @@ Status placeExists(const World& world, const PictureDef& picture) {
     const std::size_t groups = world.groupCount();
     if (picture.group > 0 && picture.group >= groups) return range("--group", picture.group, groups);
     if (picture.place < 0) return {};
-    const std::size_t places = groups == 0 ? 0 : world.group(picture.group).places->positions().size();
+    const std::size_t places = groups == 0 ? 0 : world.group(picture.group).placePositions.size();
     const auto place = static_cast<std::size_t>(picture.place);
     return place < places ? Status() : range("--place", place, places);
 }

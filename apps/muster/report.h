@@ -5,9 +5,9 @@
 #include <string>
 
 #include "base/stopwatch.h"
-#include "muster/metrics.h"
 #include "muster/status.h"
 #include "muster/world_def.h"
+#include "world/metrics.h"
 
 namespace muster {
 

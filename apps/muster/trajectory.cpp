@@ -11,10 +11,10 @@ Result<TrajectoryWriter> TrajectoryWriter::create(const std::string& path) {
 }
 
 void TrajectoryWriter::add(const World& world) {
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 p = characters.position[i];
-        const auto& places = world.group(characters.group[i]).places->positions();
+        const auto places = world.group(characters.group[i]).placePositions;
         const auto place = static_cast<std::size_t>(characters.place[i]);
         std::fprintf(file_.get(), "%.9g,%u,%.9g,%.9g,", world.time(), characters.id[i], p.x, p.y);
         if (characters.place[i] >= 0 && place < places.size()) {

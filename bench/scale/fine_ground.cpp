@@ -1,9 +1,11 @@
 #include "scale/fine_ground.h"
+#include "environment/environment.h"
+#include "world/inspect.h"
 
 namespace muster::scale {
 
 Result<FineGround> FineGround::create(const World& world, double factor) {
-    const Environment& coarse = world.environment();
+    const Environment& coarse = inspect::environment(world);
     EnvironmentDef def = coarse.def();
     def.cell *= factor;
     Result<Environment> environment = Environment::create(def);
@@ -21,7 +23,7 @@ Result<FineGround> FineGround::create(const World& world, double factor) {
 }
 
 const UnitCost& FineGround::update(const World& world) {
-    environment_.setTime(world.environment().time());
+    environment_.setTime(inspect::environment(world).time());
     density_.splat(world.characters().position, world.characters().velocity);
     builder_.build(unitCostDef(world.parameters()), environment_, density_, world.parameters().radius, cost_);
     return cost_;

@@ -13,11 +13,12 @@ constexpr std::uint32_t kFirstLook = 2;
 }  // namespace
 
 Committed committedBy(const World& world) {
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     Committed plan;
-    plan.characters = characters.position;
-    plan.placeOf = characters.place;
-    plan.places = world.group(0).places->positions();
+    plan.characters.assign(characters.position.begin(), characters.position.end());
+    plan.placeOf.assign(characters.place.begin(), characters.place.end());
+    const std::span<const Vec2> places = world.group(0).placePositions;
+    plan.places.assign(places.begin(), places.end());
     plan.exponent = world.parameters().exponent;
     return plan;
 }

@@ -47,8 +47,8 @@ void timedStep(World& world, bool warm, Watch& watch) {
 
 // Distances to places: their mean, and the share of those that are near enough.
 void lags(const World& world, double& mean, double& arrived) {
-    const Characters& characters = world.characters();
-    const std::vector<Vec2>& places = world.group(0).places->positions();
+    const CharactersView characters = world.characters();
+    const std::span<const Vec2> places = world.group(0).placePositions;
     double sum = 0.0;
     std::int32_t near = 0;
     std::int32_t matched = 0;

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "base/archive.h"
 #include "muster/control.h"
 #include "muster/id.h"
 #include "muster/world_def.h"
@@ -209,10 +209,11 @@ struct Command {
     CommandBody body;
 };
 
-/// Appends a command's bytes.
-void encodeCommand(Writer& writer, const Command& command);
-/// Reads one back. Fails with ParseError where the bytes are short, the kind unknown or a value not finite.
-Result<Command> decodeCommand(Reader& reader);
+/// A command as bytes, to send it to another world.
+std::vector<std::uint8_t> encodeCommand(const Command& command);
+/// A command from these bytes. Fails with ParseError where they are short or too many, the kind is unknown or
+/// a value is out of its range.
+Result<Command> decodeCommand(std::span<const std::uint8_t> bytes);
 /// The kind as a word, for logs: "TouchDown".
 const char* commandName(const Command& command);
 /// InvalidArgument where a number is not finite or out of its range, whatever the world.

@@ -14,6 +14,9 @@
 
 namespace muster {
 
+class Environment;
+struct Characters;
+
 /// What a character plays: enough to draw it from baked poses.
 struct Playback {
     std::uint16_t clip = 0;      ///< Index into the library.

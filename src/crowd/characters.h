@@ -4,17 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/vec2.h"
+#include "muster/characters.h"
 
 namespace muster {
-
-/// How a character moves just now (SPEC C1, C3, C4).
-enum class MotionPhase : std::uint8_t {
-    Steady,    ///< The motion of the ground it is on.
-    Entering,  ///< Playing the transition into the motion.
-    Leaving,   ///< Playing the transition out of the motion.
-    Locked,    ///< Within a single-step motion, which runs once per patch.
-};
 
 /// One entry per character in each array; the order is that of ids and never changes but by removal.
 struct Characters {
@@ -34,6 +26,11 @@ struct Characters {
     std::vector<std::uint32_t> lastSingle;
 
     std::size_t size() const { return id.size(); }  ///< Number of characters.
+    /// The same for reading.
+    CharactersView view() const {
+        return {id,        group, position, velocity, heading,    place,
+                direction, cost,  motion,   phase,    motionTime, patch};
+    }
 
     /// Lets an archive read or write all arrays.
     template <class Archive>

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "crowd/neighbours.h"
 #include "environment/environment.h"
+#include "muster/characters.h"
 
 namespace muster {
 
@@ -17,12 +18,6 @@ struct ContactDef {
     double radius = 0.25;  ///< Of a character [m] > 0.
     /// Rounds over all contacts >= 1; ends early once nothing is left to correct.
     std::int32_t iterations = 8;
-};
-
-/// Contacts left after a step.
-struct ContactReport {
-    std::int32_t overlapPairs = 0;  ///< Pairs deeper than 10 % of the diameter.
-    double worstPenetration = 0.0;  ///< Deepest pair, as a share of the diameter.
 };
 
 /// Corrects positions in place: pairs by halves in a fixed order, then obstacles, which have the last word.

@@ -235,6 +235,23 @@ const PatchDef* Environment::patch(PatchId id) const {
     return at < 0 ? nullptr : &impl_->patches[at].def;
 }
 
+Polygon Environment::obstaclePolygon(ObstacleId id) const {
+    const std::ptrdiff_t at = indexOf(impl_->obstacleIds, id);
+    if (at < 0) return {};
+    const ObstacleEntry& entry = impl_->obstacles[at];
+    Polygon polygon = entry.def.polygon;
+    if (entry.def.path.still()) return polygon;
+    for (Vec2& p : polygon) p = entry.placement.apply(p);
+    return polygon;
+}
+
+Vec2 Environment::obstacleCentre(ObstacleId id) const {
+    const std::ptrdiff_t at = indexOf(impl_->obstacleIds, id);
+    if (at < 0) return {};
+    const Placement& placement = impl_->obstacles[at].placement;
+    return placement.apply(placement.pivot);
+}
+
 Polygon Environment::patchPolygon(PatchId id) const {
     const std::ptrdiff_t at = indexOf(impl_->patchIds, id);
     if (at < 0) return {};

@@ -83,6 +83,10 @@ public:
     const ObstacleDef* obstacle(ObstacleId id) const;
     /// Definition by id, or null.
     const PatchDef* patch(PatchId id) const;
+    /// An obstacle's polygon where it stands now; empty for a disc and for an unknown id.
+    Polygon obstaclePolygon(ObstacleId id) const;
+    /// Where an obstacle's centre of area, or the centre of a disc, is now [m].
+    Vec2 obstacleCentre(ObstacleId id) const;
     /// A patch's polygon where it stands now; empty for an unknown id.
     Polygon patchPolygon(PatchId id) const;
 

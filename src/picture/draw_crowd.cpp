@@ -1,7 +1,11 @@
 // Meshes, places, paths, controls and characters.
 #include <algorithm>
 
+#include "formation/mesh/formation_mesh.h"
+#include "formation/places/place_tracker.h"
+#include "muster/control.h"
 #include "picture/theme.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -42,7 +46,7 @@ void drawControl(const Pen& pen, const Control& control, Colour accent) {
 
 void drawMeshes(const Pen& pen) {
     for (std::size_t g = 0; g < pen.world.groupCount(); ++g) {
-        const FormationMesh& mesh = *pen.world.group(g).mesh;
+        const FormationMesh& mesh = inspect::mesh(pen.world, g);
         const TriangleMesh& rest = mesh.formation().mesh;
         const auto& vertices = mesh.finalMesh();
         const auto loops = boundaryLoops(rest);
@@ -65,7 +69,7 @@ void drawMeshes(const Pen& pen) {
 
 void drawPlaces(const Pen& pen) {
     for (std::size_t g = 0; g < pen.world.groupCount(); ++g) {
-        const PlaceTracker& places = *pen.world.group(g).places;
+        const PlaceTracker& places = inspect::places(pen.world, g);
         const double reach = 0.14;
         for (std::size_t i = 0; i < places.positions().size(); ++i) {
             const Vec2 at = places.positions()[i];
@@ -79,7 +83,7 @@ void drawPlaces(const Pen& pen) {
 }
 
 void drawTrails(const Pen& pen) {
-    const Characters& characters = pen.world.characters();
+    const CharactersView characters = pen.world.characters();
     for (std::size_t i = 0; i < pen.def.trails.size() && i < characters.size(); ++i) {
         pen.draw.line(pen.def.trails[i], pen.stroke(pen.accent(characters.group[i], 0.30), 1.4));
     }
@@ -87,7 +91,7 @@ void drawTrails(const Pen& pen) {
 
 void drawPaths(const Pen& pen) {
     for (std::size_t g = 0; g < pen.world.groupCount(); ++g) {
-        for (const Control& control : pen.world.group(g).controls->controls()) {
+        for (const Control& control : pen.world.group(g).controls) {
             for (const ControlPoint& point : control.points) {
                 std::vector<Vec2> way{point.position};
                 for (const Checkpoint& checkpoint : point.trajectory) way.push_back(checkpoint.position);
@@ -107,13 +111,13 @@ void drawPaths(const Pen& pen) {
 
 void drawControls(const Pen& pen) {
     for (std::size_t g = 0; g < pen.world.groupCount(); ++g) {
-        for (const Control& control : pen.world.group(g).controls->controls())
+        for (const Control& control : pen.world.group(g).controls)
             drawControl(pen, control, pen.accent(g));
     }
 }
 
 void drawCharacters(const Pen& pen) {
-    const Characters& characters = pen.world.characters();
+    const CharactersView characters = pen.world.characters();
     // Seen from far they are drawn larger than they are.
     const double radius = std::max(pen.world.parameters().radius, pen.metres(3.5));
     for (std::size_t i = 0; i < characters.size(); ++i) {

@@ -5,9 +5,13 @@
 #include <functional>
 #include <limits>
 
+#include "cost/density.h"
+#include "cost/unit_cost.h"
 #include "cost/unit_cost_builder.h"
 #include "eikonal/eikonal_solver.h"
+#include "environment/environment.h"
 #include "picture/theme.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -19,7 +23,7 @@ struct Samples {
 };
 
 Samples sample(const Pen& pen, const std::function<double(Vec2)>& value) {
-    const Environment& environment = pen.world.environment();
+    const Environment& environment = inspect::environment(pen.world);
     const double cell = std::max(environment.grid().cell, environment.grid().box().width() / 1024.0);
     Samples samples{Grid::covering(environment.def().box, cell), {}};
     samples.values.resize(samples.grid.count());
@@ -96,7 +100,7 @@ void drawLegend(const Pen& pen, const std::string& title, double highest, const 
 /// The character whose cost field is shown: that of the place asked for, or the one with the longest way.
 std::int32_t shownPlace(const Pen& pen) {
     if (pen.def.place >= 0) return pen.def.place;
-    const Characters& characters = pen.world.characters();
+    const CharactersView characters = pen.world.characters();
     std::int32_t place = 0;
     double longest = -1.0;
     for (std::size_t i = 0; i < characters.size(); ++i) {
@@ -111,10 +115,10 @@ std::int32_t shownPlace(const Pen& pen) {
 
 /// The unit cost of the plan, or that of the ground before the first plan.
 UnitCost costNow(const World& world) {
-    if (world.unitCost() != nullptr) return *world.unitCost();
+    if (inspect::unitCost(world) != nullptr) return *inspect::unitCost(world);
     UnitCost cost;
     UnitCostBuilder builder;
-    builder.build({}, world.environment(), world.density(), world.parameters().radius, cost);
+    builder.build({}, inspect::environment(world), inspect::density(world), world.parameters().radius, cost);
     return cost;
 }
 
@@ -134,7 +138,7 @@ std::vector<Vec2> descend(const CostField& field, Vec2 at) {
 }  // namespace
 
 void drawPotentialField(const Pen& pen) {
-    const Environment& environment = pen.world.environment();
+    const Environment& environment = inspect::environment(pen.world);
     const auto strength = [&](Vec2 p) {
         return environment.distanceToObstacle(p, 0.01) <= 0.0 ? std::numeric_limits<double>::infinity()
                                                               : length(environment.potentialField(p));
@@ -169,7 +173,7 @@ void drawPotentialField(const Pen& pen) {
 
 void drawCostField(const Pen& pen) {
     if (pen.def.group >= pen.world.groupCount()) return;
-    const auto& places = pen.world.group(pen.def.group).places->positions();
+    const auto places = pen.world.group(pen.def.group).placePositions;
     const std::int32_t place = shownPlace(pen);
     if (static_cast<std::size_t>(place) >= places.size()) return;
     EikonalSolver solver;
@@ -186,7 +190,7 @@ void drawCostField(const Pen& pen) {
     drawSamples(pen, grown, highest, 1.0, false);
     drawContours(pen, samples, highest > 60.0 ? 5.0 : 1.0, highest);
     drawLegend(pen, "Cost to place " + std::to_string(place), highest, "m");
-    const Characters& characters = pen.world.characters();
+    const CharactersView characters = pen.world.characters();
     for (std::size_t i = 0; i < characters.size(); ++i) {
         if (characters.group[i] != pen.def.group || characters.place[i] != place) continue;
         const auto way = descend(field, characters.position[i]);
@@ -198,7 +202,7 @@ void drawCostField(const Pen& pen) {
 }
 
 void drawDensity(const Pen& pen) {
-    const DensityField& density = pen.world.density();
+    const DensityField& density = inspect::density(pen.world);
     if (density.grid().count() == 0) return;
     const Samples samples = sample(pen, [&](Vec2 p) { return static_cast<double>(density.densityAt(p)); });
     const double highest = std::max(1.0, *std::max_element(samples.values.begin(), samples.values.end()));

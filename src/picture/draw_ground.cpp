@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "environment/environment.h"
 #include "geometry/polygon.h"
 #include "picture/letters.h"
 #include "picture/theme.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -71,7 +73,7 @@ void patchTexture(const Pen& pen, const Polygon& corners, const std::string& mot
 }  // namespace
 
 void drawGroundLines(const Pen& pen) {
-    const Box box = pen.world.environment().def().box;
+    const Box box = inspect::environment(pen.world).def().box;
     const double step = pen.draw.pixel() * 5.0 > 1.0 ? 25.0 : 5.0;
     const bool fine = pen.draw.pixel() * 12.0 < 1.0;
     std::vector<std::vector<Vec2>> thin, thick;
@@ -91,10 +93,10 @@ void drawGroundLines(const Pen& pen) {
 }
 
 void drawObstacles(const Pen& pen) {
-    const auto pieces = pen.world.environment().pieces();
+    const auto pieces = inspect::environment(pen.world).pieces();
     const auto& theme = pen.theme;
     for (const ObstaclePiece& piece : pieces) {  // Shadows first: they fall on everything.
-        const ObstacleDef* def = pen.world.environment().obstacle(piece.obstacle);
+        const ObstacleDef* def = inspect::environment(pen.world).obstacle(piece.obstacle);
         const double length = 0.16 * std::min(def != nullptr ? def->height : 3.0, 3.2);
         const Vec2 cast{length, -0.6 * length};
         if (piece.corners.empty()) {
@@ -121,7 +123,7 @@ void drawObstacles(const Pen& pen) {
 }
 
 void drawPatches(const Pen& pen) {
-    const Environment& environment = pen.world.environment();
+    const Environment& environment = inspect::environment(pen.world);
     const auto& clips = environment.def().clips;
     for (PatchId id : environment.patchIds()) {
         const PatchDef& def = *environment.patch(id);
@@ -149,7 +151,7 @@ void drawItems(const Pen& pen) {
 
 /// One tag per name, at the upper edge of the first patch that bears it.
 void drawPatchTags(const Pen& pen) {
-    const Environment& environment = pen.world.environment();
+    const Environment& environment = inspect::environment(pen.world);
     std::vector<std::string> named;
     for (PatchId id : environment.patchIds()) {
         const std::string& name = environment.patch(id)->name;

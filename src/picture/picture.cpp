@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "environment/environment.h"
 #include "picture/theme.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -84,7 +86,7 @@ Result<Box> viewOf(const World& world, const PictureDef& def) {
         return invalidArgument("found a width of " + std::to_string(def.width) +
                                " pixels, expected 64 to 8192");
     }
-    const Box view = def.view.value_or(world.environment().def().box);
+    const Box view = def.view.value_or(inspect::environment(world).def().box);
     if (!(view.width() > 0.0 && view.height() > 0.0 && view.height() * def.width < 8192.0 * view.width())) {
         return invalidArgument("found an empty view or one too high for its width, expected a box");
     }

@@ -20,7 +20,7 @@ struct Bounds {
     double span() const { return std::max(max.x - min.x, max.y - min.y); }
 };
 
-Bounds boundsOf(const std::vector<Vec2>& positions) {
+Bounds boundsOf(std::span<const Vec2> positions) {
     if (positions.empty()) return {};
     Bounds bounds{positions.front(), positions.front()};
     for (const Vec2 p : positions) {
@@ -36,7 +36,7 @@ std::uint16_t number(double metres, double quantum) {
 
 }  // namespace
 
-void PlaceLattice::cover(const std::vector<Vec2>& positions) {
+void PlaceLattice::cover(std::span<const Vec2> positions) {
     const Bounds bounds = boundsOf(positions);
     double needed = positions.size() > kFineCrowd ? kFinestLarge : kFinest;
     while (bounds.span() > needed * kSteps * kRoom) needed *= 2.0;
@@ -64,7 +64,7 @@ void CrowdPicture::resize(std::size_t count) {
     clip.resize(count, 0);
 }
 
-void CrowdPicture::place(const std::vector<Vec2>& positions) {
+void CrowdPicture::place(std::span<const Vec2> positions) {
     resize(positions.size());
     lattice.cover(positions);
     for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "muster/vec2.h"
@@ -18,7 +19,7 @@ inline constexpr std::size_t kFineCrowd = 1000;
 class PlaceLattice {
 public:
     /// Makes sure that all these have numbers; keeps what it has as long as that serves.
-    void cover(const std::vector<Vec2>& positions);
+    void cover(std::span<const Vec2> positions);
 
     double quantum() const { return quantum_; }  ///< [m]
     Vec2 corner() const { return corner_; }      ///< Where both numbers are 0 [m].
@@ -45,7 +46,7 @@ struct CrowdPicture {
 
     std::size_t size() const { return x.size(); }  ///< Number of characters.
     void resize(std::size_t count);                ///< Makes room; new ones face along x, in the first pose.
-    void place(const std::vector<Vec2>& positions);  ///< Takes everybody's positions; resizes.
+    void place(std::span<const Vec2> positions);   ///< Takes everybody's positions; resizes.
 };
 
 }  // namespace muster

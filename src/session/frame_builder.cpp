@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "environment/environment.h"
+#include "formation/mesh/formation_mesh.h"
+#include "formation/places/place_tracker.h"
+#include "muster/control.h"
 #include "muster/formation.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -19,7 +24,7 @@ void appendPoint(std::vector<float>& list, Vec2 p) {
     list.push_back(narrow(p.y));
 }
 
-void fillPoints(std::vector<float>& list, const std::vector<Vec2>& points) {
+void fillPoints(std::vector<float>& list, std::span<const Vec2> points) {
     list.clear();
     list.reserve(2 * points.size());
     for (const Vec2 p : points) appendPoint(list, p);
@@ -45,17 +50,18 @@ protocol::ControlFrame controlFrame(const Control& control, const FormationMesh&
     return frame;
 }
 
-void fillGroup(const GroupView& view, protocol::GroupFrame& frame) {
+void fillGroup(const World& world, std::size_t group, protocol::GroupFrame& frame) {
+    const GroupView view = world.group(group);
     frame.id = view.id.value;
     frame.meshVersion = view.formationVersion;
     frame.lag = narrow(view.meanLag);
     frame.walkSum = narrow(view.walk.sum);
     frame.walkSquares = narrow(view.walk.squares);
     frame.walkLongest = narrow(view.walk.longest);
-    fillPoints(frame.vertices, view.mesh->finalMesh());
+    fillPoints(frame.vertices, view.finalMesh);
     frame.controls.clear();
-    for (const Control& control : view.controls->controls())
-        frame.controls.push_back(controlFrame(control, *view.mesh));
+    for (const Control& control : world.group(group).controls)
+        frame.controls.push_back(controlFrame(control, inspect::mesh(world, group)));
 }
 
 protocol::MovingFrame movingFrame(protocol::MovingKind kind, std::uint32_t id, const Waypoint& at) {
@@ -99,10 +105,10 @@ void FrameBuilder::observe(const World& world) {
 }
 
 void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     const std::size_t count = characters.size();
     crowd_.place(characters.position);
-    frame.ids = characters.id;
+    frame.ids.assign(characters.id.begin(), characters.id.end());
     frame.group.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         frame.group[i] = static_cast<std::uint8_t>(std::min<std::uint32_t>(characters.group[i], 255));
@@ -113,11 +119,11 @@ void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
 }
 
 double FrameBuilder::lagP95(const World& world) {
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     lags_.clear();
     for (std::size_t i = 0; i < characters.size(); ++i) {
         if (characters.place[i] < 0) continue;
-        const auto& places = world.group(characters.group[i]).places->positions();
+        const std::span<const Vec2> places = inspect::places(world, characters.group[i]).positions();
         const auto place = static_cast<std::size_t>(characters.place[i]);
         if (place < places.size()) lags_.push_back(narrow(distance(characters.position[i], places[place])));
     }
@@ -134,10 +140,10 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     frame.groups.resize(world.groupCount());
     places_.resize(world.groupCount());
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
-        fillGroup(world.group(g), frame.groups[g]);
-        places_[g].take(world.group(g));
+        fillGroup(world, g, frame.groups[g]);
+        places_[g].take(world, g);
     }
-    fillMoving(world.environment(), frame.moving);
+    fillMoving(inspect::environment(world), frame.moving);
     frame.collected.assign(world.collected().begin(), world.collected().end());
     frame.stepMs = narrow(slowestStep_);
     stepsTold_ = true;
@@ -148,13 +154,15 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     frame.swapsPerSecond = shares > 0.0 ? narrow(static_cast<double>(swapSum_) / shares) : 0.0f;
 }
 
-protocol::GroupMesh buildGroupMesh(const GroupView& group) {
+protocol::GroupMesh buildGroupMesh(const World& world, std::size_t index) {
+    const GroupView group = world.group(index);
+    const Formation& formation = inspect::mesh(world, index).formation();
     protocol::GroupMesh message;
     message.group = group.id.value;
     message.version = group.formationVersion;
-    message.formation = std::string(formationName(group.def->formation.kind));
-    const TriangleMesh& mesh = group.mesh->formation().mesh;
-    for (const MeshPoint& place : group.mesh->formation().places) {
+    message.formation = std::string(formationName(group.formation));
+    const TriangleMesh& mesh = formation.mesh;
+    for (const MeshPoint& place : formation.places) {
         message.placeTriangles.push_back(static_cast<std::uint32_t>(place.triangle));
         message.placeWeights.push_back(narrow(place.weight[0]));
         message.placeWeights.push_back(narrow(place.weight[1]));

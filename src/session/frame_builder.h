@@ -44,7 +44,7 @@ private:
 };
 
 /// Topology of a group's mesh.
-protocol::GroupMesh buildGroupMesh(const GroupView& group);
+protocol::GroupMesh buildGroupMesh(const World& world, std::size_t index);
 /// Events as the page gets them: all but swaps, whose rate frames tell.
 void appendEvents(const World& world, std::vector<protocol::EventFrame>& events);
 

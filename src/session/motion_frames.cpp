@@ -132,7 +132,7 @@ void MotionFrames::encodeMotions() {
 
 // Everyone whom some client looks at; those nearest to where it looks, the lower id first where equally near.
 void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& attentions) {
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     near_.clear();
     for (const Attention& attention : attentions) {
         const std::size_t most = characters.size() > kLargeCrowd ? kNearOfLarge : characters.size();

@@ -4,6 +4,11 @@
 #include <cmath>
 
 #include "base/grid.h"
+#include "cost/density.h"
+#include "cost/unit_cost.h"
+#include "environment/environment.h"
+#include "planning/plan.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -51,14 +56,14 @@ void fill(protocol::Overlay& overlay, const Grid& grid, Value value) {
 }
 
 std::optional<Destination> destinationOf(const World& world, std::uint32_t character) {
-    const Characters& all = world.characters();
+    const CharactersView all = world.characters();
     const auto found = std::lower_bound(all.id.begin(), all.id.end(), character);
     if (found == all.id.end() || *found != character) return std::nullopt;
     const auto i = static_cast<std::size_t>(found - all.id.begin());
-    const GroupView group = world.group(all.group[i]);
+    const std::span<const Vec2> places = world.group(all.group[i]).placePositions;
     const std::int32_t place = all.place[i];
-    if (place < 0 || static_cast<std::size_t>(place) >= group.places->positions().size()) return std::nullopt;
-    return Destination{group.plan, place, all.position[i], group.places->positions()[place]};
+    if (place < 0 || static_cast<std::size_t>(place) >= places.size()) return std::nullopt;
+    return Destination{&inspect::plan(world, all.group[i]), place, all.position[i], places[place]};
 }
 
 Box boundsOfGroup(const World& world, const Destination& destination) {
@@ -104,11 +109,12 @@ void tracePath(const Destination& destination, double step, protocol::Overlay& o
 
 std::optional<protocol::Overlay> costOverlay(const World& world, std::uint32_t character) {
     const auto destination = destinationOf(world, character);
-    if (!destination || destination->plan == nullptr || world.unitCost() == nullptr) return std::nullopt;
+    if (!destination || destination->plan == nullptr || inspect::unitCost(world) == nullptr)
+        return std::nullopt;
     protocol::Overlay overlay;
     overlay.kind = protocol::OverlayKind::Cost;
     overlay.character = character;
-    const Grid& ground = world.environment().grid();
+    const Grid& ground = inspect::environment(world).grid();
     fill(overlay, overlayGrid(ground, boundsOfGroup(world, *destination)),
          [&](Vec2 p) { return destination->cost(p); });
     overlay.cost = static_cast<float>(destination->cost(destination->from));
@@ -129,13 +135,13 @@ std::optional<protocol::Overlay> buildOverlay(const World& world, protocol::Over
         case protocol::OverlayKind::Cost:
             return costOverlay(world, character);
         case protocol::OverlayKind::Field: {
-            const Environment& environment = world.environment();
+            const Environment& environment = inspect::environment(world);
             fill(overlay, overlayGrid(environment.grid(), environment.grid().box()),
                  [&](Vec2 p) { return length(environment.potentialField(p)); });
             return overlay;
         }
         case protocol::OverlayKind::Density: {
-            const DensityField& density = world.density();
+            const DensityField& density = inspect::density(world);
             fill(overlay, overlayGrid(density.grid(), density.grid().box()),
                  [&](Vec2 p) { return density.densityAt(p); });
             return overlay;

@@ -1,4 +1,7 @@
 #include "session/places_encoder.h"
+#include "formation/mesh/formation_mesh.h"
+#include "formation/places/place_tracker.h"
+#include "world/inspect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +18,16 @@ std::int16_t centimetres(double metres) {
 
 }  // namespace
 
-void PlacesPicture::take(const GroupView& group) {
-    const auto& positions = group.places->positions();
-    const auto& fit = group.places->fit();
-    const Formation& formation = group.mesh->formation();
+void PlacesPicture::take(const World& world, std::size_t group) {
+    const std::vector<Vec2>& positions = inspect::places(world, group).positions();
+    const std::vector<std::uint8_t>& fit = inspect::places(world, group).fit();
+    const FormationMesh& mesh = inspect::mesh(world, group);
+    const Formation& formation = mesh.formation();
     const std::size_t count = std::min(positions.size(), formation.places.size());
     offsets.resize(2 * count);
     unfit.assign((count + 7) / 8, 0);
     for (std::size_t k = 0; k < count; ++k) {
-        const Vec2 from = formation.places[k].position(formation.mesh.triangles, group.mesh->finalMesh());
+        const Vec2 from = formation.places[k].position(formation.mesh.triangles, mesh.finalMesh());
         offsets[2 * k] = centimetres(positions[k].x - from.x);
         offsets[2 * k + 1] = centimetres(positions[k].y - from.y);
         if (k < fit.size() && fit[k] == 0)

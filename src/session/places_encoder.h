@@ -15,7 +15,7 @@ struct PlacesPicture {
     std::vector<std::int16_t> offsets;  ///< x, y per place from its point of the mesh [cm].
     std::vector<std::uint8_t> unfit;    ///< A bit per place, the lowest first.
 
-    void take(const GroupView& group);  ///< As they lie now.
+    void take(const World& world, std::size_t group);  ///< As they lie now.
 };
 
 /// Remembers what a client knows.

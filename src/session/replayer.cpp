@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "muster/hash.h"
+
 namespace muster {
 
 Status Replayer::feed(World& world) {

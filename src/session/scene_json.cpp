@@ -2,8 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "environment/environment.h"
 #include "muster/formation.h"
 #include "muster/hash.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -69,9 +71,9 @@ Json groups(const World& world) {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView view = world.group(g);
         list.push_back(Json{{"id", view.id.value},
-                            {"name", view.def->name},
-                            {"count", view.def->count},
-                            {"formation", formationName(view.def->formation.kind)},
+                            {"name", view.name},
+                            {"count", view.count},
+                            {"formation", formationName(view.formation)},
                             {"colour", (view.id.value + kColours - 1) % kColours}});
     }
     return list;
@@ -112,7 +114,7 @@ Json parameters(const World& world) {
 
 std::string buildSceneJson(const std::string& name, const WorldDef& def, const World& world,
                            bool demonstration) {
-    const Environment& environment = world.environment();
+    const Environment& environment = inspect::environment(world);
     Json scene;
     scene["name"] = name;
     scene["title"] = def.name;
@@ -135,11 +137,11 @@ std::string buildSceneJson(const std::string& name, const WorldDef& def, const W
 
 std::uint64_t sceneSignature(const World& world) {
     Hash hash;
-    hash.add(world.environment().staticVersion());
+    hash.add(inspect::environment(world).staticVersion());
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView view = world.group(g);
         hash.add(view.id.value);
-        hash.add(view.def->count);
+        hash.add(view.count);
     }
     for (const ParameterInfo& info : parameterTable()) hash.add(world.parameters().*(info.member));
     return hash.value();

@@ -107,7 +107,7 @@ void Session::Impl::sendScene(SessionClient& client) {
         const GroupView group = world->group(g);
         const auto sent = client.sentMeshes.find(group.id.value);
         if (sent != client.sentMeshes.end() && sent->second == group.formationVersion) continue;
-        client.outbox.push_back(protocol::encode(buildGroupMesh(group)));
+        client.outbox.push_back(protocol::encode(buildGroupMesh(*world, g)));
         client.sentMeshes[group.id.value] = group.formationVersion;
         client.places[group.id.value].restart();
     }

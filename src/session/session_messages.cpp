@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "environment/environment.h"
 #include "session/notice_place.h"
 #include "session/session_state.h"
 #include "world/commands/validation.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -125,7 +127,7 @@ public:
         if (!session_.world) return noWorld();
         Parameters copy = session_.world->parameters();
         Status status = setParameter(copy, message.name, message.value);
-        if (status.ok()) status = validateParameters(copy, session_.world->environment().def().box);
+        if (status.ok()) status = validateParameters(copy, inspect::environment(*session_.world).def().box);
         if (!status.ok()) return status;
         return submit(CommandBody{SetParameter{message.name, message.value}});
     }
@@ -186,7 +188,7 @@ public:
     Status operator()(const protocol::SetOverlay& message) {
         if (message.kind == protocol::OverlayKind::Cost) {
             if (!session_.world) return noWorld();
-            const auto& ids = session_.world->characters().id;
+            const std::span ids = session_.world->characters().id;
             if (std::find(ids.begin(), ids.end(), message.character) == ids.end())
                 return {StatusCode::NotFound, "no character has the id " + std::to_string(message.character)};
         }
@@ -229,8 +231,7 @@ private:
     const GroupDef* groupDef(std::uint32_t id) const {
         if (!session_.world) return nullptr;
         for (std::size_t g = 0; g < session_.world->groupCount(); ++g) {
-            const GroupView group = session_.world->group(g);
-            if (group.id.value == id) return group.def;
+            if (session_.world->group(g).id.value == id) return &inspect::groupDef(*session_.world, g);
         }
         return nullptr;
     }

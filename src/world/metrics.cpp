@@ -1,9 +1,13 @@
-#include "muster/metrics.h"
+#include "world/metrics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "environment/environment.h"
+#include "formation/places/place_tracker.h"
+#include "muster/control.h"
+#include "world/inspect.h"
 #include "world/stages/least_walk.h"
 
 namespace muster {
@@ -14,10 +18,10 @@ constexpr double kStill = 0.03;  // Places between a wall and each other tremble
 
 /// Distance of a character to its place; infinite without one.
 double lagOf(const World& world, std::size_t i) {
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     const std::int32_t place = c.place[i];
     if (place < 0) return std::numeric_limits<double>::infinity();
-    const auto& positions = world.group(c.group[i]).places->positions();
+    const std::vector<Vec2>& positions = inspect::places(world, c.group[i]).positions();
     const auto index = static_cast<std::size_t>(place);
     return index < positions.size() ? distance(c.position[i], positions[index])
                                     : std::numeric_limits<double>::infinity();
@@ -47,17 +51,18 @@ RunMetrics::RunMetrics(const World& world) {
     samplePeriod_ = static_cast<std::uint32_t>(
         std::max(1.0, std::floor(1.0 / world.parameters().stepTime + 0.5)));
     follow(world.characters());
-    still_ = world.stepCount() == 0 && !anythingMoves(world.environment());
+    still_ = world.stepCount() == 0 && !anythingMoves(inspect::environment(world));
 }
 
 /// Keeps one entry per character: those that left drop out, those that joined begin here.
-void RunMetrics::follow(const Characters& characters) {
-    if (ids_ == characters.id) return;
+void RunMetrics::follow(const CharactersView& characters) {
+    if (std::ranges::equal(ids_, characters.id)) return;
     const RunMetrics old = *this;
     const std::size_t count = characters.size();
-    ids_ = characters.id;
+    ids_.assign(characters.id.begin(), characters.id.end());
     reachedAt_.assign(count, kNever);
-    start_ = last_ = characters.position;
+    last_.assign(characters.position.begin(), characters.position.end());
+    start_ = last_;
     walked_.assign(count, 0.0);
     trail_.resize(count);
     std::size_t from = 0;  // Both lists ascend.
@@ -84,7 +89,7 @@ void RunMetrics::watchArrivals(const World& world) {
 }
 
 void RunMetrics::observe(const World& world) {
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     follow(characters);
     const bool sample = world.stepCount() % samplePeriod_ == 0;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
@@ -133,8 +138,8 @@ double RunMetrics::pathRatio(const World& world) const {
         for (std::size_t i = 0; i < ids_.size(); ++i) {
             if (world.characters().group[i] == g) starts.push_back(start_[i]);
         }
-        const double sum = leastWalk(world.environment(), world.parameters().radius, starts,
-                                     world.group(g).places->positions());
+        const double sum = leastWalk(inspect::environment(world), world.parameters().radius, starts,
+                                     world.group(g).placePositions);
         if (sum < 0.0) return -1.0;
         least += sum;
     }
@@ -174,13 +179,12 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
 
 bool RunMetrics::settled(const World& world) const {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
-        const GroupView group = world.group(g);
-        for (const Control& control : group.controls->controls()) {
+        for (const Control& control : world.group(g).controls) {
             for (const ControlPoint& point : control.points) {
                 if (!point.trajectory.empty() || (!point.down && !control.pinned)) return false;
             }
         }
-        for (Vec2 v : group.places->velocities()) {
+        for (Vec2 v : world.group(g).placeVelocities) {
             if (length(v) > kStill) return false;
         }
     }

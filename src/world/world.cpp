@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "world/commands/command_archive.h"
 #include "world/commands/validation.h"
 #include "world/state/world_state.h"
 
@@ -123,26 +124,6 @@ void World::Impl::visit(Archive& ar) {
     archiveGroups(ar, *this);
 }
 
-const char* stageName(Stage stage) {
-    constexpr const char* kNames[] = {"commands", "controls",         "user mesh", "final mesh",
-                                      "places",   "density and cost", "plan",      "steering",
-                                      "contacts", "patches",          "events"};
-    return stage < Stage::Count ? kNames[static_cast<std::size_t>(stage)] : "none";
-}
-
-void WalkTotals::add(double walk) {
-    if (!std::isfinite(walk)) return;
-    sum += walk;
-    squares += walk * walk;
-    longest = std::max(longest, walk);
-}
-
-void WalkTotals::add(const WalkTotals& others) {
-    sum += others.sum;
-    squares += others.squares;
-    longest = std::max(longest, others.longest);
-}
-
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -246,72 +227,6 @@ Result<World> World::restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const
     impl->makeDensity();
     impl->prepareGround();
     return World(std::move(impl));
-}
-
-std::uint32_t World::stepCount() const {
-    return impl_->stepCount;
-}
-double World::time() const {
-    return impl_->time();
-}
-const Parameters& World::parameters() const {
-    return impl_->parameters;
-}
-const Environment& World::environment() const {
-    return impl_->environment;
-}
-const Characters& World::characters() const {
-    return impl_->characters;
-}
-std::size_t World::groupCount() const {
-    return impl_->groups.size();
-}
-const DensityField& World::density() const {
-    return impl_->density;
-}
-const UnitCost* World::unitCost() const {
-    return impl_->unitCostNow();
-}
-std::span<const Event> World::events() const {
-    return impl_->events;
-}
-std::span<const Rejection> World::rejections() const {
-    return impl_->rejections;
-}
-std::span<const ItemDef> World::items() const {
-    return impl_->items;
-}
-std::span<const std::uint8_t> World::collected() const {
-    return impl_->collected;
-}
-std::span<const FormationCheckpointDef> World::checkpoints() const {
-    return impl_->checkpoints;
-}
-const StageTimes& World::stageTimes() const {
-    return impl_->times;
-}
-const ContactReport& World::contacts() const {
-    return impl_->contacts;
-}
-std::uint32_t World::lastCommandStep() const {
-    return impl_->lastCommandStep;
-}
-
-GroupView World::group(std::size_t index) const {
-    const Group& group = impl_->groups[index];
-    GroupView view;
-    view.id = group.id;
-    view.def = &group.def;
-    view.mesh = &group.mesh;
-    view.controls = &group.controls;
-    view.places = &group.places;
-    view.plan = group.plan.get();
-    view.objective = group.objective;
-    view.gapBound = group.gapBound;
-    view.walk = group.walk;
-    view.meanLag = group.meanLag;
-    view.formationVersion = group.formationVersion;
-    return view;
 }
 
 }  // namespace muster

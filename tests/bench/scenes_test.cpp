@@ -23,7 +23,7 @@ SceneDef sceneOf(const std::string& name, Regime regime, std::int32_t count) {
     return def;
 }
 
-double meanX(const std::vector<Vec2>& points) {
+double meanX(std::span<const Vec2> points) {
     double sum = 0.0;
     for (const Vec2 p : points) sum += p.x;
     return sum / static_cast<double>(points.size());
@@ -96,7 +96,7 @@ TEST_CASE("the formation is dragged, the crowd follows at a distance, and the ju
     def.seconds = 4.0;
     std::vector<double> lead;
     const Row row = runCase(def, [&](const World& world) {
-                        lead.push_back(meanX(world.group(0).places->positions()) -
+                        lead.push_back(meanX(world.group(0).placePositions) -
                                        meanX(world.characters().position));
                     }).value();
     CHECK(row.steps == 239);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "muster/gestures.h"
+#include "muster/hash.h"
 #include "muster/scenario.h"
 #include "muster/world.h"
 

@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "environment/environment.h"
+#include "formation/mesh/formation_mesh.h"
+#include "formation/places/place_tracker.h"
+#include "muster/control.h"
 #include "picture/picture.h"
 #include "picture/recorder.h"
+#include "world/inspect.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -40,7 +45,7 @@ World sceneWorld(const WorldDef& def = sceneDef()) {
 
 /// What a layer draws beyond the lines of the ground.
 std::vector<Shape> layerOf(const World& world, std::string_view name, PictureDef def = {}) {
-    const Box box = world.environment().def().box;
+    const Box box = inspect::environment(world).def().box;
     Recorder ground(box), all(box);
     PictureDef bare;
     bare.layers = 1u << 20;  // No layer has this bit.
@@ -136,7 +141,7 @@ TEST_CASE("items: filled while they lie there, a ring once they are collected") 
 TEST_CASE("characters: a disc where each stands, pointing where it faces") {
     const World world = sceneWorld();
     const auto shapes = layerOf(world, "characters");
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         const bool drawn = std::any_of(shapes.begin(), shapes.end(), [&](const Shape& s) {
             return s.kind == Kind::Disc && s.loops[0][0] == c.position[i] && s.radius == 0.25 &&
@@ -161,7 +166,7 @@ TEST_CASE("places: a ring each, crossed out where nobody can stand") {
     def.groups[0].count = 81;
     def.groups[0].position = {0, 0};
     const World world = sceneWorld(def);
-    const PlaceTracker& places = *world.group(0).places;
+    const PlaceTracker& places = inspect::places(world, 0);
     const auto unfit = static_cast<std::size_t>(std::count(places.fit().begin(), places.fit().end(), 0));
     const auto shapes = layerOf(world, "places");
     CHECK(unfit > 0);
@@ -177,7 +182,7 @@ TEST_CASE("places: a ring each, crossed out where nobody can stand") {
 
 TEST_CASE("mesh: every edge of every triangle between vertices where they stand now") {
     const World world = sceneWorld();
-    const FormationMesh& mesh = *world.group(0).mesh;
+    const FormationMesh& mesh = inspect::mesh(world, 0);
     const auto shapes = layerOf(world, "mesh");
     std::size_t outlined = 0;
     for (const Shape& shape : shapes) {
@@ -210,9 +215,9 @@ TEST_CASE("paths: what a finger has drawn, and where characters came from") {
     }
     def.trails = {{{-7, 1}, {-6.5, 1}, {-6, 1.2}}};
     const auto shapes = layerOf(world, "paths", def);
-    const auto& point = world.group(0).controls->controls()[0].points[0];
+    const auto& point = world.group(0).controls[0].points[0];
     std::vector<Vec2> way{point.position};
-    for (const Checkpoint& checkpoint : point.path) way.push_back(checkpoint.position);
+    for (const Checkpoint& checkpoint : point.trajectory) way.push_back(checkpoint.position);
     REQUIRE(way.size() > 2);
     int ways = 0, trails = 0;
     for (const Shape& shape : shapes) {
@@ -244,7 +249,7 @@ TEST_CASE("cost: as dark as the way is long, with contours and the place itself"
     PictureDef def;
     def.place = 4;
     const auto shapes = layerOf(world, "cost", def);
-    const Vec2 place = world.group(0).places->positions()[4];
+    const Vec2 place = world.group(0).placePositions[4];
     const Shape& raster = rasterOf(shapes);
     const auto light = [&](Vec2 p) {
         return colourAt(raster, p).red + colourAt(raster, p).green + colourAt(raster, p).blue;

@@ -43,10 +43,11 @@ TEST_CASE("a crossing counts from left to right, in its lane and at its time") {
     LaneWatch watch(0.0, {-1.0, 1.0}, world);
     double first = -1.0, second = -1.0;
     while (world.time() < 8.0) {
-        const std::vector<Vec2> before = world.characters().position;
+        const std::span<const Vec2> then = world.characters().position;
+        const std::vector<Vec2> before(then.begin(), then.end());
         world.step();
         watch.observe(world);
-        const std::vector<Vec2>& now = world.characters().position;
+        const std::span<const Vec2> now = world.characters().position;
         // What it says of this step, looked at anew.
         std::vector<std::size_t> crossed;
         for (std::size_t i = 0; i < now.size(); ++i)

@@ -1,6 +1,7 @@
 // Stamps and parameters on their way from a client to the world.
 #include <doctest.h>
 
+#include "muster/control.h"
 #include "session/fake_client.h"
 #include "session/touch_clock.h"
 
@@ -28,7 +29,7 @@ TEST_CASE("Fingers set down seconds apart on a paused world make no line, togeth
         client.touchAt(protocol::TouchPhase::Down, {-1, -1}, 100.0 + later, 2);
         client.send(protocol::Transport{protocol::TransportAction::Play});
         run(session, 0.1, {&client});
-        const auto controls = session.world()->group(0).controls->controls();
+        const auto controls = session.world()->group(0).controls;
         CAPTURE(later);
         REQUIRE(controls.size() == (later < 0.15 ? 1 : 2));
         CHECK(controls[0].kind == (later < 0.15 ? ControlKind::Line : ControlKind::Point));

@@ -3,7 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "environment/environment.h"
+#include "muster/control.h"
 #include "muster/take.h"
+#include "world/inspect.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -59,7 +62,7 @@ TEST_CASE("The scene holds what the page draws") {
     const auto& moving = client.frames.back().moving;
     REQUIRE(moving.size() == 1);
     // The frame shows where the car stood in the last step: 3 m in 4 s.
-    CHECK(moving[0].x == doctest::Approx(0.75 * session.world()->environment().time()).epsilon(1e-5));
+    CHECK(moving[0].x == doctest::Approx(0.75 * inspect::environment(*session.world()).time()).epsilon(1e-5));
 }
 
 TEST_CASE("Frames show the world") {
@@ -67,7 +70,7 @@ TEST_CASE("Frames show the world") {
     FakeClient client(session);
     run(session, 1.0, {&client});
     const protocol::Frame& frame = client.frames.back();
-    const Characters& characters = session.world()->characters();
+    const CharactersView characters = session.world()->characters();
     CHECK(frame.step == 60);
     CHECK(frame.time == doctest::Approx(1.0));
     REQUIRE(client.page.x.size() == 16);
@@ -78,11 +81,11 @@ TEST_CASE("Frames show the world") {
     REQUIRE(frame.groups.size() == 1);
     REQUIRE(client.page.places[0].size() == 32);
     for (std::size_t k = 0; k < 16; ++k) {
-        const Vec2 place = session.world()->group(0).places->positions()[k];
+        const Vec2 place = session.world()->group(0).placePositions[k];
         CHECK(std::fabs(client.page.places[0][2 * k] - place.x) < 0.006);
         CHECK(std::fabs(client.page.places[0][2 * k + 1] - place.y) < 0.006);
     }
-    CHECK(frame.groups[0].vertices.size() == 2 * session.world()->group(0).mesh->finalMesh().size());
+    CHECK(frame.groups[0].vertices.size() == 2 * session.world()->group(0).finalMesh.size());
     // Triangles and boundary refer to those vertices.
     REQUIRE(client.meshes.size() == 1);
     for (const std::uint32_t v : client.meshes[0].triangles) CHECK(2 * v < frame.groups[0].vertices.size());
@@ -107,7 +110,7 @@ TEST_CASE("A touch reaches the next frame and steers the crowd") {
     CHECK(control.client == client.id);
     CHECK(control.points.size() == 1);
     CHECK(client.frames.back().touchEcho == page);
-    CHECK(session.world()->time() - session.world()->group(0).controls->controls()[0].began <= 0.05);
+    CHECK(session.world()->time() - session.world()->group(0).controls[0].startTime <= 0.05);
     for (int i = 1; i <= 60; ++i) {
         client.touchAt(protocol::TouchPhase::Move, {0.1 + 0.05 * i, 0.1}, page + i / 60.0);
         run(session, 1.0 / 60.0, {&client});
@@ -181,11 +184,11 @@ TEST_CASE("Touches of a paused world apply on the next step") {
     client.send(protocol::Transport{protocol::TransportAction::Pause});
     client.touchAt(protocol::TouchPhase::Down, {0, 0}, 100.0);
     run(session, 0.5, {&client});
-    CHECK(session.world()->group(0).controls->controls().empty());
+    CHECK(session.world()->group(0).controls.empty());
     client.send(protocol::Transport{protocol::TransportAction::SingleStep});
     run(session, 0.1, {&client});
     CHECK(session.world()->stepCount() == 1);
-    CHECK(session.world()->group(0).controls->controls().size() == 1);
+    CHECK(session.world()->group(0).controls.size() == 1);
 }
 
 TEST_CASE("Formation, count and parameters change the world and the scene") {
@@ -315,10 +318,10 @@ TEST_CASE("A client that goes lifts its fingers, and is logged") {
     auto client = std::make_unique<FakeClient>(session);
     client->touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
     run(session, 0.2, {client.get()});
-    REQUIRE(session.world()->group(0).controls->controls().size() == 1);
+    REQUIRE(session.world()->group(0).controls.size() == 1);
     session.disconnect(client->id);
     run(session, 0.5);
-    CHECK(session.world()->group(0).controls->controls().empty());
+    CHECK(session.world()->group(0).controls.empty());
     const auto bytes = session.take();
     REQUIRE(bytes.ok());
     const auto take = parseTake(bytes.value(), "memory");

@@ -52,7 +52,7 @@ long leadToAndFro(const WorldDef& def, int ways) {
         const long before = allocations;
         for (int s = 0; s < 900; ++s) world.step();
         if (way >= ways - 2) inStep += allocations - before;
-        CHECK(std::fabs(world.group(0).mesh->pose().position.x + from) < 0.5);  // It did walk.
+        CHECK(std::fabs(world.group(0).pose.position.x + from) < 0.5);  // It did walk.
     }
     return inStep;
 }

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "planning/plan.h"
+#include "world/inspect.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -24,7 +26,7 @@ WorldDef bigFloor(std::uint64_t seed) {
 
 int pendingPlans(const World& world) {
     int pending = 0;
-    for (std::size_t g = 0; g < world.groupCount(); ++g) pending += world.group(g).plan->pending();
+    for (std::size_t g = 0; g < world.groupCount(); ++g) pending += inspect::plan(world, g).pending();
     return pending;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/random.h"
+#include "world/commands/command_archive.h"
 
 using namespace muster;
 

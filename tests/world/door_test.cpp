@@ -1,7 +1,7 @@
 // A crowd before a door: nobody's press may wedge it for good.
 #include <doctest.h>
 
-#include "muster/metrics.h"
+#include "world/metrics.h"
 #include "world/scenes.h"
 
 using namespace muster;

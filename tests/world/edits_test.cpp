@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "environment/environment.h"
+#include "world/inspect.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -18,23 +20,23 @@ void run(World& world, int steps) {
 double freeDistance(const World& world) {
     double least = 1e9;
     for (const Vec2 p : world.characters().position)
-        least = std::min(least, world.environment().distanceToObstacle(p));
+        least = std::min(least, inspect::environment(world).distanceToObstacle(p));
     return least;
 }
 
 double worstToPlace(const World& world) {
     double worst = 0.0;
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.place[i] < 0) continue;
-        const auto& places = world.group(c.group[i]).places->positions();
+        const auto places = world.group(c.group[i]).placePositions;
         worst = std::max(worst, distance(c.position[i], places[c.place[i]]));
     }
     return worst;
 }
 
 std::int32_t matched(const World& world) {
-    const auto& place = world.characters().place;
+    const std::span place = world.characters().place;
     return static_cast<std::int32_t>(
         std::count_if(place.begin(), place.end(), [](std::int32_t p) { return p >= 0; }));
 }
@@ -44,20 +46,20 @@ std::int32_t matched(const World& world) {
 TEST_CASE("an obstacle set on the crowd drives it apart; taken away, all return to where they were") {
     World world = World::create(openFloor(25)).value();
     run(world, 30);
-    const auto before = world.characters().position;
+    const auto before = copyOf(world.characters().position);
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, AddObstacle{tree({-6, 0}, 1.2)}).ok());
     run(world, 1);
     CHECK(world.rejections().empty());
-    REQUIRE(world.environment().obstacleIds().size() == 1);
+    REQUIRE(world.obstacleIds().size() == 1);
     CHECK(freeDistance(world) > 0.25 - 1e-6);  // From the first step on.
     run(world, 240);
     CHECK(freeDistance(world) > 0.25 - 1e-6);
     CHECK(matched(world) == 25);
     CHECK(worstToPlace(world) < 0.2);
-    REQUIRE(give(world, sequence, RemoveObstacle{world.environment().obstacleIds()[0]}).ok());
+    REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds()[0]}).ok());
     run(world, 600);
-    CHECK(world.environment().pieces().empty());
+    CHECK(inspect::environment(world).pieces().empty());
     for (const Vec2 p : before) {  // The same spots are stood on, by whomever.
         double nearest = 1e9;
         for (const Vec2 q : world.characters().position) nearest = std::min(nearest, distance(p, q));
@@ -70,7 +72,7 @@ TEST_CASE("an obstacle moved to and fro: nobody is ever in it") {
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, AddObstacle{tree({-6, 5}, 0.7)}).ok());
     run(world, 1);
-    const ObstacleId id = world.environment().obstacleIds()[0];
+    const ObstacleId id = world.obstacleIds()[0];
     for (int k = 0; k < 60; ++k) {
         REQUIRE(give(world, sequence, ChangeObstacle{id, tree({-6.0, 5.0 - 0.1 * k}, 0.7)}).ok());
         run(world, 3);  // At 2 m/s.
@@ -79,7 +81,7 @@ TEST_CASE("an obstacle moved to and fro: nobody is ever in it") {
     }
     run(world, 300);
     CHECK(freeDistance(world) > 0.25 - 1e-6);
-    CHECK(world.environment().obstacle(id)->centre == Vec2{-6.0, 5.0 - 0.1 * 59});
+    CHECK(inspect::environment(world).obstacle(id)->centre == Vec2{-6.0, 5.0 - 0.1 * 59});
 }
 
 TEST_CASE("a wall across the way is walked round as soon as it stands, and not when it is gone") {
@@ -89,14 +91,14 @@ TEST_CASE("a wall across the way is walked round as soon as it stands, and not w
         if (wall) REQUIRE(give(world, sequence, AddObstacle{block(-1, -3, 0, 12)}).ok());
         REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, 3}, 0}).ok());
         run(world, 5);
-        if (taken) REQUIRE(give(world, sequence, RemoveObstacle{world.environment().obstacleIds()[0]}).ok());
+        if (taken) REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds()[0]}).ok());
         double low = 0.0;
         for (int s = 0; s < 20 * 60; ++s) {
             world.step();
             for (const Vec2 p : world.characters().position) low = std::min(low, p.y);
         }
         CHECK(worstToPlace(world) < 0.2);
-        CHECK(distance(world.group(0).mesh->pose().position, {6, 3}) < 0.5);
+        CHECK(distance(world.group(0).pose.position, {6, 3}) < 0.5);
         return low;
     };
     const double open = farthest(false, false);
@@ -119,7 +121,7 @@ TEST_CASE(
     };
     REQUIRE(give(world, sequence, AddPatch{rectangle(-11, -5, -1, 5, 3)}).ok());
     CHECK(count(120, EventKind::EnterPatch) == 16);
-    const PatchId id = world.environment().patchIds()[0];
+    const PatchId id = world.patchIds()[0];
     for (std::size_t i = 0; i < 16; ++i) {
         CHECK(world.characters().patch[i] == id.value);
         CHECK(world.characters().motion[i] == 3);
@@ -133,7 +135,7 @@ TEST_CASE(
     REQUIRE(give(world, sequence, RemovePatch{id}).ok());
     CHECK(count(120, EventKind::LeavePatch) == 16);
     for (std::size_t i = 0; i < 16; ++i) CHECK(world.characters().motion[i] == 0);
-    CHECK(world.environment().patchIds().empty());
+    CHECK(world.patchIds().empty());
     CHECK(worstToPlace(world) < 0.05);  // None of this moved anybody.
 }
 
@@ -143,8 +145,8 @@ TEST_CASE("ids of what is gone are not given again, and commands for it are refu
     REQUIRE(give(world, sequence, AddObstacle{tree({5, 5}, 0.5)}).ok());
     REQUIRE(give(world, sequence, AddPatch{rectangle(2, 2, 4, 4, 3)}).ok());
     run(world, 1);
-    const ObstacleId obstacle = world.environment().obstacleIds()[0];
-    const PatchId patch = world.environment().patchIds()[0];
+    const ObstacleId obstacle = world.obstacleIds()[0];
+    const PatchId patch = world.patchIds()[0];
     REQUIRE(give(world, sequence, RemoveObstacle{obstacle}).ok());
     REQUIRE(give(world, sequence, RemovePatch{patch}).ok());
     REQUIRE(give(world, sequence, AddObstacle{tree({5, 5}, 0.5)}).ok());
@@ -152,12 +154,12 @@ TEST_CASE("ids of what is gone are not given again, and commands for it are refu
     REQUIRE(give(world, sequence, ChangeObstacle{obstacle, tree({1, 1}, 0.5)}).ok());
     REQUIRE(give(world, sequence, ChangePatch{patch, rectangle(0, 0, 1, 1, 3)}).ok());
     run(world, 1);
-    CHECK(world.environment().obstacleIds()[0] > obstacle);
-    CHECK(world.environment().patchIds()[0] > patch);
+    CHECK(world.obstacleIds()[0] > obstacle);
+    CHECK(world.patchIds()[0] > patch);
     REQUIRE(world.rejections().size() == 2);
     for (const Rejection& rejection : world.rejections())
         CHECK(rejection.status.code() == StatusCode::NotFound);
-    CHECK(world.environment().obstacle(world.environment().obstacleIds()[0])->centre == Vec2{5, 5});
+    CHECK(inspect::environment(world).obstacle(world.obstacleIds()[0])->centre == Vec2{5, 5});
 }
 
 TEST_CASE("a car on its path touches nobody who has room to step aside") {

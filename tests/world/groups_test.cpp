@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "muster/control.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -27,10 +28,10 @@ void run(World& world, double seconds) {
 
 double worstToPlace(const World& world, std::size_t group) {
     double worst = 0.0;
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.group[i] != group || c.place[i] < 0) continue;
-        worst = std::max(worst, distance(c.position[i], world.group(group).places->positions()[c.place[i]]));
+        worst = std::max(worst, distance(c.position[i], world.group(group).placePositions[c.place[i]]));
     }
     return worst;
 }
@@ -38,11 +39,11 @@ double worstToPlace(const World& world, std::size_t group) {
 /// Every character of a group has a place of that group, nobody the same as another.
 void checkPlaces(const World& world) {
     std::set<std::pair<std::uint32_t, std::int32_t>> taken;
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         REQUIRE(c.group[i] < world.groupCount());
         if (c.place[i] < 0) continue;
-        CHECK(static_cast<std::size_t>(c.place[i]) < world.group(c.group[i]).places->positions().size());
+        CHECK(static_cast<std::size_t>(c.place[i]) < world.group(c.group[i]).placePositions.size());
         CHECK(taken.insert({c.group[i], c.place[i]}).second);
     }
 }
@@ -81,11 +82,11 @@ TEST_CASE("two clients draw two groups in the same steps, with the same touch nu
         REQUIRE(world.rejections().empty());
     }
     run(world, 8);
-    CHECK(distance(world.group(0).mesh->pose().position, {-2, 4}) < 0.6);
-    CHECK(distance(world.group(1).mesh->pose().position, {6, -3}) < 0.6);
+    CHECK(distance(world.group(0).pose.position, {-2, 4}) < 0.6);
+    CHECK(distance(world.group(1).pose.position, {6, -3}) < 0.6);
     for (const std::size_t g : {0u, 1u}) {
         CHECK(worstToPlace(world, g) < 0.1);
-        CHECK(world.group(g).controls->controls().empty());
+        CHECK(world.group(g).controls.empty());
     }
     checkPlaces(world);
 }
@@ -97,8 +98,8 @@ TEST_CASE("a client that leaves lifts its own fingers only") {
     for (int s = 0; s < 30; ++s) world.step();
     REQUIRE(world.submit({world.stepCount(), 1, 1, ReleaseClient{}}).ok());
     run(world, 3);
-    CHECK(world.group(0).controls->controls().empty());
-    CHECK(world.group(1).controls->controls().size() == 1);
+    CHECK(world.group(0).controls.empty());
+    CHECK(world.group(1).controls.size() == 1);
     REQUIRE(world.submit({world.stepCount(), 1, 2, TouchMove{1, {0, 0}, world.time()}}).ok());
     world.step();
     CHECK(world.rejections().size() == 1);  // Its finger is not down any more.
@@ -111,11 +112,11 @@ TEST_CASE("of commands in one step the last by client and sequence stands") {
     REQUIRE(world.submit({0, 3, 5, SetPose{id, {2, 0}, 0}}).ok());
     REQUIRE(world.submit({0, 3, 4, SetPose{id, {3, 0}, 0}}).ok());
     world.step();
-    CHECK(distance(world.group(0).mesh->pose().position, {1, 0}) < 1e-6);
+    CHECK(distance(world.group(0).pose.position, {1, 0}) < 1e-6);
     REQUIRE(world.submit({1, 3, 7, SetPose{id, {2, 0}, 0}}).ok());
     REQUIRE(world.submit({1, 3, 6, SetPose{id, {3, 0}, 0}}).ok());
     world.step();
-    CHECK(distance(world.group(0).mesh->pose().position, {2, 0}) < 1e-6);
+    CHECK(distance(world.group(0).pose.position, {2, 0}) < 1e-6);
     CHECK(world.lastCommandStep() == 1);
 }
 
@@ -189,7 +190,7 @@ TEST_CASE("events name the characters of the group that had them") {
             if (event.kind == EventKind::Collect) collected.insert(event.subject * 10 + event.value);
         }
     }
-    const PatchId left = world.environment().patchIds()[0];
+    const PatchId left = world.patchIds()[0];
     REQUIRE(left.value == 1);
     CHECK(entered[0].size() == 9);
     CHECK(*entered[0].rbegin() == 9);
@@ -211,9 +212,9 @@ TEST_CASE("more characters than room: who fits has a place, the others wait near
     def.groups.push_back(group);
     World world = World::create(def).value();
     run(world, 12);
-    const auto& fit = world.group(0).places->fit();
+    const auto fit = world.group(0).placeUsable;
     const auto room = std::count(fit.begin(), fit.end(), 1);
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     const auto matched = std::count_if(c.place.begin(), c.place.end(), [](std::int32_t p) { return p >= 0; });
     CHECK(room < 36);
     CHECK(room > 18);
@@ -238,8 +239,8 @@ TEST_CASE("late arrivals shift inward: those already there make room instead of 
     World world = World::create(def).value();
     world.step();
     // The plan that is least in squares keeps the order along the way: the first in file goes farthest.
-    const Characters& c = world.characters();
-    const auto placeX = [&](std::size_t i) { return world.group(0).places->positions()[c.place[i]].x; };
+    const CharactersView c = world.characters();
+    const auto placeX = [&](std::size_t i) { return world.group(0).placePositions[c.place[i]].x; };
     double front = 0.0, back = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
         back += placeX(i) / 4;

@@ -33,8 +33,8 @@ WorldDef largeFloor(std::int32_t side, double away) {
 
 double meanWay(const World& world) {
     double sum = 0.0;
-    const Characters& c = world.characters();
-    const auto& places = world.group(0).places->positions();
+    const CharactersView c = world.characters();
+    const auto places = world.group(0).placePositions;
     for (std::size_t i = 0; i < c.size(); ++i)
         if (c.place[i] >= 0) sum += distance(c.position[i], places[c.place[i]]);
     return sum / static_cast<double>(c.size());
@@ -66,7 +66,7 @@ TEST_CASE("eleven thousand: two steps a plan, nobody shares a place, any number 
         before = now;
     }
     CHECK(before < 2.6);  // From 3 m and some more.
-    const auto& place = alone.characters().place;
+    const std::span place = alone.characters().place;
     CHECK(std::count(place.begin(), place.end(), -1) < 200);  // Under the trees.
     CHECK(alone.contacts().overlapPairs == 0);
 }
@@ -89,8 +89,8 @@ TEST_CASE("a plan of many is near the best for each of a few of them") {
     // so far.
     World world = World::create(largeFloor(105, 3.0), 2).value();
     for (int step = 0; step < 30; ++step) world.step();
-    const Characters& c = world.characters();
-    const auto& places = world.group(0).places->positions();
+    const CharactersView c = world.characters();
+    const auto places = world.group(0).placePositions;
     int gaining = 0;
     Random random(8);
     for (int look = 0; look < 20000; ++look) {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "cost/density.h"
 #include "world/commands/validation.h"
+#include "world/inspect.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -71,9 +73,9 @@ TEST_CASE("the density grid follows its parameters, and a restored world goes on
     REQUIRE(give(world, sequence, SetParameter{"density.cell", 0.5}).ok());
     REQUIRE(give(world, sequence, SetParameter{"density.lambda", 2.0}).ok());
     for (int s = 0; s < 6; ++s) world.step();
-    CHECK(world.density().grid().cell == 0.5);
+    CHECK(inspect::density(world).grid().cell == 0.5);
     World copy = World::restore(world.snapshot()).value();
-    CHECK(copy.density().grid().cell == 0.5);
+    CHECK(inspect::density(copy).grid().cell == 0.5);
     for (int s = 0; s < 90; ++s) {
         world.step();
         copy.step();
@@ -140,10 +142,10 @@ TEST_CASE("the widest characters that may be still find room in the open") {
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, SetPose{world.group(0).id, {20, 0}, 0}).ok());
     for (int s = 0; s < 1500; ++s) world.step();
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) {
         REQUIRE(c.place[i] >= 0);
-        CHECK(distance(c.position[i], world.group(0).places->positions()[c.place[i]]) < 0.3);
+        CHECK(distance(c.position[i], world.group(0).placePositions[c.place[i]]) < 0.3);
         CHECK(c.position[i].x > 10.0);
     }
 }

@@ -1,4 +1,4 @@
-#include "muster/metrics.h"
+#include "world/metrics.h"
 
 #include <doctest.h>
 

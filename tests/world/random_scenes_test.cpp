@@ -3,6 +3,8 @@
 #include <doctest.h>
 #include <rapidcheck.h>
 
+#include "environment/environment.h"
+#include "world/inspect.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -16,15 +18,15 @@ TEST_CASE("random scenes under random fingers keep every invariant") {
         for (int s = 0; s < 150; ++s) {
             director.act(world);
             world.step();
-            const Characters& c = world.characters();
+            const CharactersView c = world.characters();
             for (std::size_t i = 0; i < c.size(); ++i) {
                 RC_ASSERT(isFinite(c.position[i]) && isFinite(c.velocity[i]) && isFinite(c.heading[i]));
-                RC_ASSERT(world.environment().def().box.contains(c.position[i]));
-                RC_ASSERT(world.environment().distanceToObstacle(c.position[i]) >
+                RC_ASSERT(inspect::environment(world).def().box.contains(c.position[i]));
+                RC_ASSERT(inspect::environment(world).distanceToObstacle(c.position[i]) >
                           world.parameters().radius - 1e-3);
             }
             for (std::size_t g = 0; g < world.groupCount(); ++g)
-                for (const Vec2 v : world.group(g).mesh->finalMesh()) RC_ASSERT(isFinite(v));
+                for (const Vec2 v : world.group(g).finalMesh) RC_ASSERT(isFinite(v));
             RC_ASSERT(world.contacts().worstPenetration < 1.0);
         }
         for (int s = 0; s < 60; ++s) world.step();

@@ -113,7 +113,7 @@ TEST_CASE("the totals of walks are those of the last plan") {
     WalkTotals expected;
     for (std::size_t i = 0; i < 3; ++i) {
         // On an open floor the way is straight; the field of the grid lengthens it a little.
-        const Vec2 place = world.group(0).places->positions()[world.characters().place[i]];
+        const Vec2 place = world.group(0).placePositions[world.characters().place[i]];
         const double walk = length(place - def.groups[0].starts[i]);
         expected.sum += walk;
         expected.squares += walk * walk;

@@ -17,6 +17,12 @@ inline WorldDef openFloor(std::int32_t count = 25) {
     return def;
 }
 
+/// A copy of what a view shows, to compare with later.
+template <class T>
+std::vector<T> copyOf(std::span<const T> values) {
+    return {values.begin(), values.end()};
+}
+
 inline ObstacleDef block(double x0, double y0, double x1, double y1) {
     ObstacleDef def;
     def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
@@ -92,8 +98,8 @@ public:
         if (dice == 70)
             (void)give(world, sequence_,
                        AddObstacle{tree({random_.uniform(-9, 9), random_.uniform(-9, 9)}, 0.4)});
-        if (dice == 80 && !world.environment().obstacleIds().empty())
-            (void)give(world, sequence_, RemoveObstacle{world.environment().obstacleIds().back()});
+        if (dice == 80 && !world.obstacleIds().empty())
+            (void)give(world, sequence_, RemoveObstacle{world.obstacleIds().back()});
         if (dice == 90)
             (void)give(world, sequence_,
                        SetCount{world.group(0).id, static_cast<std::int32_t>(10 + random_.below(30))});
@@ -107,7 +113,7 @@ public:
 private:
     void begin(World& world, double now) {
         if (down_ >= 3) return;
-        const auto& mesh = world.group(0).mesh->finalMesh();
+        const auto mesh = world.group(0).finalMesh;
         const std::uint32_t touch = ++down_;
         positions_[touch] = mesh[random_.below(static_cast<std::uint32_t>(mesh.size()))];
         (void)give(world, sequence_, TouchDown{touch, positions_[touch], now, world.group(0).id});

@@ -1,6 +1,8 @@
 // A saved world goes on from any slice of a plan, with what still waits in its queue.
 #include <doctest.h>
 
+#include "planning/plan.h"
+#include "world/inspect.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -18,7 +20,7 @@ TEST_CASE("a world saved at each slice of a plan goes on bit for bit") {
     std::vector<std::uint64_t> hashes;
     int pending = 0;
     for (int s = 0; s < 31; ++s) {
-        for (std::size_t g = 0; g < world.groupCount(); ++g) pending += world.group(g).plan->pending();
+        for (std::size_t g = 0; g < world.groupCount(); ++g) pending += inspect::plan(world, g).pending();
         saved.push_back(world.snapshot());
         hashes.push_back(world.hash());
         world.step();

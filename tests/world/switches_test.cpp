@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "cost/unit_cost.h"
+#include "world/inspect.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -33,8 +35,8 @@ Track trackOf(WorldDef def, const char* parameter, double value, const Director&
         add(track.characters, world.characters().position);
         add(track.assigned, world.characters().place);
         for (std::size_t g = 0; g < world.groupCount(); ++g) {
-            add(track.places, world.group(g).places->positions());
-            add(track.mesh, world.group(g).mesh->finalMesh());
+            add(track.places, world.group(g).placePositions);
+            add(track.mesh, world.group(g).finalMesh);
         }
     }
     return track;
@@ -61,8 +63,8 @@ ObstacleDef carFrom(Vec2 from, Vec2 to, double seconds) {
 
 /// How far Vf lies from Vu at its worst vertex.
 double displacement(const World& world) {
-    const auto& from = world.group(0).mesh->userMesh();
-    const auto& to = world.group(0).mesh->finalMesh();
+    const auto from = world.group(0).userMesh;
+    const auto to = world.group(0).finalMesh;
     double worst = 0.0;
     for (std::size_t i = 0; i < from.size(); ++i) worst = std::max(worst, distance(from[i], to[i]));
     return worst;
@@ -124,13 +126,13 @@ TEST_CASE("density.enabled: crowded ground costs more, a sparse crowd changes no
         def.parameters.density = enabled;
         World world = World::create(def).value();
         for (int s = 0; s < 8; ++s) world.step();
-        REQUIRE(world.unitCost() != nullptr);
+        REQUIRE(inspect::unitCost(world) != nullptr);
         float most = 0.0f;
-        const Grid& grid = world.unitCost()->grid;
+        const Grid& grid = inspect::unitCost(world)->grid;
         for (std::int32_t i = 0; i < grid.count(); ++i) {
             // Beside the world's edge a cell's ways have other lengths than from centre to centre.
             if (!grid.box().grown(-1.5).contains(grid.centre(grid.at(i)))) continue;
-            most = std::max(most, world.unitCost()->cells[i].east);
+            most = std::max(most, inspect::unitCost(world)->cells[i].east);
         }
         return most;
     };
@@ -148,7 +150,7 @@ TEST_CASE("discomfort.enabled: the ground ahead of a car costs more, that behind
         def.parameters.discomfort = enabled;
         World world = World::create(def).value();
         for (int s = 0; s < 6 * 60 + 5; ++s) world.step();
-        const UnitCost& cost = *world.unitCost();
+        const UnitCost& cost = *inspect::unitCost(world);
         const auto at = [&](Vec2 p) { return cost.cells[cost.grid.index(cost.grid.cellOf(p))].east; };
         CAPTURE(enabled);
         if (enabled == 1.0)
@@ -176,10 +178,10 @@ TEST_CASE("plan.geodesic: a wall between near things makes them far; straight li
         World world = World::create(def).value();
         world.step();
         CAPTURE(geodesic);
-        const Characters& c = world.characters();
+        const CharactersView c = world.characters();
         REQUIRE(c.place[1] >= 0);
         // The cost left is that of the way round the wall, or of the straight line through it.
-        const double straight = distance(c.position[1], world.group(0).places->positions()[c.place[1]]);
+        const double straight = distance(c.position[1], world.group(0).placePositions[c.place[1]]);
         if (geodesic == 1.0)
             CHECK(world.group(0).objective > 18.0 * 18.0);
         else
@@ -187,7 +189,7 @@ TEST_CASE("plan.geodesic: a wall between near things makes them far; straight li
         for (int s = 0; s < 25 * 60; ++s) world.step();  // Either way both get there.
         for (std::size_t i = 0; i < 2; ++i) {
             const auto j = static_cast<std::size_t>(c.place[i]);
-            CHECK(distance(c.position[i], world.group(0).places->positions()[j]) < 0.25);
+            CHECK(distance(c.position[i], world.group(0).placePositions[j]) < 0.25);
         }
     }
 }
@@ -203,8 +205,8 @@ TEST_CASE("plan.mode after a change of formation: assigned anew, or by number") 
         ring.kind = FormationKind::Ring;
         REQUIRE(give(world, sequence, SetFormation{world.group(0).id, ring}).ok());
         for (int s = 0; s < 10 * 60; ++s) world.step();
-        const auto& place = world.characters().place;
-        std::vector<std::int32_t> sorted = place;
+        const std::span place = world.characters().place;
+        std::vector<std::int32_t> sorted(place.begin(), place.end());
         std::sort(sorted.begin(), sorted.end());
         bool counted = true;
         for (std::int32_t i = 0; i < 16; ++i) {

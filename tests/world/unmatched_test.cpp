@@ -21,7 +21,7 @@ TEST_CASE("one who finds no place and stands behind a wall comes round it to the
     def.groups = {group};
     World world = World::create(def).value();
     for (int s = 0; s < 25 * 60; ++s) world.step();
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     const auto unmatched = std::count(c.place.begin(), c.place.end(), -1);
     REQUIRE(unmatched > 3);
     for (std::size_t i = 0; i < c.size(); ++i) {
@@ -43,19 +43,19 @@ TEST_CASE("kept places that do not fit are nobody's, and their holders' again wh
         def.groups = {group};
         World world = World::create(def).value();
         world.step();
-        const auto first = world.characters().place;
+        const auto first = copyOf(world.characters().place);
         CHECK(std::count(first.begin(), first.end(), -1) == 0);
         std::uint32_t sequence = 0;
         REQUIRE(give(world, sequence, AddObstacle{block(-4, -2, 3.2, 2)}).ok());  // A strip is left.
         for (int s = 0; s < 40; ++s) world.step();
-        const auto& fit = world.group(0).places->fit();
+        const auto fit = world.group(0).placeUsable;
         const auto room = std::count(fit.begin(), fit.end(), 1);
         REQUIRE(room < 12);
-        const auto crowded = world.characters().place;
+        const auto crowded = copyOf(world.characters().place);
         CHECK(std::count(crowded.begin(), crowded.end(), -1) == 12 - room);
         world = World::restore(world.snapshot()).value();
-        REQUIRE(give(world, sequence, RemoveObstacle{world.environment().obstacleIds()[0]}).ok());
+        REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds()[0]}).ok());
         for (int s = 0; s < 60; ++s) world.step();
-        CHECK(world.characters().place == first);
+        CHECK(copyOf(world.characters().place) == first);
     }
 }

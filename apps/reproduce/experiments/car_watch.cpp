@@ -1,4 +1,7 @@
 #include "reproduce/experiments/car_watch.h"
+#include "environment/environment.h"
+#include "formation/mesh/formation_mesh.h"
+#include "world/inspect.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,12 +16,12 @@ constexpr double kStands = 0.02;   // A vertex so near to it stands there again 
 }  // namespace
 
 CarWatch::CarWatch(const World& world)
-    : smallest_(world.characters().size(), kFar), displaced_(world.group(0).mesh->userMesh().size(), 0) {}
+    : smallest_(world.characters().size(), kFar), displaced_(world.group(0).userMesh.size(), 0) {}
 
 void CarWatch::observe(const World& world) {
-    const std::vector<Vec2>& positions = world.characters().position;
+    const std::span<const Vec2> positions = world.characters().position;
     const double radius = world.parameters().radius;
-    for (const ObstaclePiece& piece : world.environment().pieces()) {
+    for (const ObstaclePiece& piece : inspect::environment(world).pieces()) {
         if (!piece.moving) continue;
         // Displacement of the car until the next step. In the axes of the car, people move the opposite way.
         const Vec2 ahead = piece.velocity * world.parameters().stepTime;
@@ -32,7 +35,7 @@ void CarWatch::observe(const World& world) {
 }
 
 void CarWatch::watchMesh(const World& world) {
-    const FormationMesh& mesh = *world.group(0).mesh;
+    const FormationMesh& mesh = inspect::mesh(world, 0);
     for (std::size_t v = 0; v < displaced_.size(); ++v) {
         const Vec2 wanted = mesh.userMesh()[v];
         const double moved = distance(wanted, mesh.finalMesh()[v]);
@@ -40,7 +43,7 @@ void CarWatch::watchMesh(const World& world) {
         if (moved < kGivesWay || displaced_[v] != 0) continue;
         displaced_[v] = 1;
         double nearest = std::numeric_limits<double>::infinity();
-        for (const ObstaclePiece& piece : world.environment().pieces())
+        for (const ObstaclePiece& piece : inspect::environment(world).pieces())
             if (piece.moving) nearest = std::min(nearest, piece.signedDistance(wanted));
         sum_ += nearest;
         ++count_;

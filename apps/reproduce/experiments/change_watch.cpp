@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "muster/metrics.h"
 #include "reproduce/experiments/bottleneck.h"
+#include "world/metrics.h"
 
 namespace muster {
 namespace {
@@ -30,7 +30,7 @@ ChangeWatch::ChangeWatch(const World& world, std::size_t group)
       last_(positions(world)) {}
 
 std::vector<Vec2> ChangeWatch::positions(const World& world) const {
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     std::vector<Vec2> found;
     for (std::size_t i = 0; i < c.size(); ++i)
         if (c.group[i] == group_) found.push_back(c.position[i]);
@@ -40,9 +40,9 @@ std::vector<Vec2> ChangeWatch::positions(const World& world) const {
 void ChangeWatch::begin(const World& world) {
     const GroupView group = world.group(group_);
     running_ = {};
-    running_.kind = group.def->formation.kind;
+    running_.kind = group.formation;
     running_.time = lastTime_;
-    running_.bottleneck = bottleneckWalk(last_, group.places->goals());
+    running_.bottleneck = bottleneckWalk(last_, group.placeGoals);
     reachedAt_.assign(last_.size(), kInfinity);
     stoodAt_ = reachedAt_;
     movedAt_.assign(last_.size(), lastTime_);
@@ -58,12 +58,11 @@ void ChangeWatch::observe(const World& world) {
         begin(world);
     }
     const std::vector<Vec2> now = positions(world);
-    const Characters& c = world.characters();
+    const CharactersView c = world.characters();
     for (std::size_t i = 0, k = 0; watching_ && i < c.size(); ++i) {
         if (c.group[i] != group_) continue;
         const auto place = static_cast<std::size_t>(c.place[i]);
-        const double away = c.place[i] < 0 ? kInfinity
-                                           : distance(c.position[i], group.places->positions()[place]);
+        const double away = c.place[i] < 0 ? kInfinity : distance(c.position[i], group.placePositions[place]);
         reachedAt_[k] = away > kArrivedReach ? kInfinity : std::min(reachedAt_[k], world.time());
         stoodAt_[k] = away > kStandReach ? kInfinity : std::min(stoodAt_[k], world.time());
         if (distance(c.position[i], spot_[k]) >= kStuckMove) {

@@ -1,4 +1,6 @@
 #include "reproduce/experiments/encounter_watch.h"
+#include "environment/environment.h"
+#include "world/inspect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +24,8 @@ bool rayCastInside(const Polygon& polygon, Vec2 p) {
 
 EncounterWatch::EncounterWatch(const World& world, MotionId motion, double rearm)
     : motion_(motion), rearmSteps_(std::lround(rearm / world.parameters().stepTime)) {
-    for (const PatchId id : world.environment().patchIds())
-        if (world.environment().patch(id)->motion == motion) patches_.push_back(id);
+    for (const PatchId id : world.patchIds())
+        if (inspect::environment(world).patch(id)->motion == motion) patches_.push_back(id);
     const std::size_t count = world.characters().size();
     outside_.assign(patches_.size() * count, kNever);
     begins_.assign(count, 0);
@@ -32,10 +34,10 @@ EncounterWatch::EncounterWatch(const World& world, MotionId motion, double rearm
 }
 
 void EncounterWatch::look(const World& world, bool first) {
-    const std::vector<Vec2>& positions = world.characters().position;
+    const std::span<const Vec2> positions = world.characters().position;
     std::fill(begins_.begin(), begins_.end(), std::uint8_t{0});
     for (std::size_t k = 0; k < patches_.size(); ++k) {
-        const Polygon polygon = world.environment().patchPolygon(patches_[k]);
+        const Polygon polygon = inspect::environment(world).patchPolygon(patches_[k]);
         for (std::size_t i = 0; i < positions.size(); ++i) {
             std::int64_t& outside = outside_[k * positions.size() + i];
             const bool inside = rayCastInside(polygon, positions[i]);
@@ -47,7 +49,7 @@ void EncounterWatch::look(const World& world, bool first) {
 
 void EncounterWatch::observe(const World& world) {
     look(world, false);
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     for (std::size_t i = 0; i < characters.size(); ++i) {
         std::int32_t told = 0;
         for (const Event& event : world.events())

@@ -1,4 +1,6 @@
 #include "reproduce/experiments/ground_watch.h"
+#include "environment/environment.h"
+#include "world/inspect.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,17 +13,17 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 GroundWatch::GroundWatch(const World& world) : stepTime_(world.parameters().stepTime) {
-    const Characters& characters = world.characters();
-    position_ = characters.position;
-    for (const Vec2 p : position_) ground_.push_back(world.environment().ground(p).motion);
-    tallies_.resize(world.environment().def().clips.size());
+    const CharactersView characters = world.characters();
+    position_.assign(characters.position.begin(), characters.position.end());
+    for (const Vec2 p : position_) ground_.push_back(inspect::environment(world).ground(p).motion);
+    tallies_.resize(inspect::environment(world).def().clips.size());
     for (Tally& tally : tallies_) tally.visited.assign(characters.size(), 0);
 }
 
 void GroundWatch::observe(const World& world) {
-    const Characters& characters = world.characters();
+    const CharactersView characters = world.characters();
     for (std::size_t i = 0; i < position_.size(); ++i) {
-        const MotionId now = world.environment().ground(characters.position[i]).motion;
+        const MotionId now = inspect::environment(world).ground(characters.position[i]).motion;
         Tally& tally = tallies_[now];
         tally.visited[i] = 1;
         if (now == ground_[i]) {

@@ -9,13 +9,13 @@ namespace muster {
 LaneWatch::LaneWatch(double x, std::vector<double> borders, const World& world)
     : x_(x),
       borders_(std::move(borders)),
-      position_(world.characters().position),
+      position_(world.characters().position.begin(), world.characters().position.end()),
       lane_(position_.size(), -1),
       time_(position_.size(), 0.0) {}
 
 void LaneWatch::observe(const World& world) {
     crossed_.clear();
-    const std::vector<Vec2>& now = world.characters().position;
+    const std::span<const Vec2> now = world.characters().position;
     for (std::size_t i = 0; i < position_.size(); ++i) {
         const Vec2 before = position_[i];
         position_[i] = now[i];

@@ -70,7 +70,7 @@ void Trial::follow() {
     const auto every = static_cast<std::uint32_t>(
         std::max(1.0, std::floor(kTrailPeriod / def_.parameters.stepTime)));
     if (world_->stepCount() % every != 0) return;
-    const Characters& characters = world_->characters();
+    const CharactersView characters = world_->characters();
     if (picture_.trails.size() != characters.size()) picture_.trails.assign(characters.size(), {});
     for (std::size_t i = 0; i < characters.size(); ++i) {
         std::vector<Vec2>& trail = picture_.trails[i];

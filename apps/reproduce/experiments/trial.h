@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "muster/metrics.h"
 #include "muster/status.h"
 #include "muster/world.h"
 #include "picture/picture.h"
 #include "reproduce/experiments/experiment.h"
+#include "world/metrics.h"
 
 namespace muster {
 

@@ -5,9 +5,11 @@
 
 #include "base/maths.h"
 #include "base/random.h"
+#include "formation/mesh/formation_mesh.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/distortion.h"
 #include "reproduce/experiments/trial.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -122,15 +124,15 @@ public:
         trial->runUntil(trial->gesturesEnd() - 0.1);
         trial->shoot("the corners are where they were dragged");
         RunSample sample;
-        const GroupView group = trial->world().group(0);
-        const TriangleMesh& rest = group.mesh->formation().mesh;
-        const std::vector<double> deviation = triangleDistortion(rest, group.mesh->userMesh());
+        const FormationMesh& mesh = inspect::mesh(trial->world(), 0);
+        const TriangleMesh& rest = mesh.formation().mesh;
+        const std::vector<double> deviation = triangleDistortion(rest, mesh.userMesh());
         double sum = 0.0;
         for (const double value : deviation) sum += value;
         sample.figures = {{"peak", *std::max_element(deviation.begin(), deviation.end())},
                           {"mean", sum / static_cast<double>(deviation.size())},
-                          {"energy", arapEnergy(rest, group.mesh->userMesh())},
-                          {"controls", static_cast<double>(group.controls->controls().size())}};
+                          {"energy", arapEnergy(rest, mesh.userMesh())},
+                          {"controls", static_cast<double>(trial->world().group(0).controls.size())}};
         trial->report(sample);
         return sample;
     }

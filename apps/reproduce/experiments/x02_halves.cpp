@@ -2,9 +2,11 @@
 #include <map>
 
 #include "base/random.h"
+#include "formation/mesh/formation_mesh.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/distortion.h"
 #include "reproduce/experiments/trial.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -66,7 +68,7 @@ public:
         trial->shoot("line and area take hold");
         trial->runUntil(trial->gesturesEnd() - 0.5);
         trial->shoot("all fingers at rest");
-        const FormationMesh& mesh = *trial->world().group(0).mesh;
+        const FormationMesh& mesh = inspect::mesh(trial->world(), 0);
         RunSample sample;
         const double left = meanDistortion(mesh.formation().mesh, mesh.userMesh(), true);
         const double right = meanDistortion(mesh.formation().mesh, mesh.userMesh(), false);

@@ -12,7 +12,8 @@ constexpr double kLongest = 60.0;  // Who has not arrived by then has not [s].
 /// Length of the paths walked by all characters [m].
 class Walked {
 public:
-    explicit Walked(const World& world) : last_(world.characters().position) {}
+    explicit Walked(const World& world)
+        : last_(world.characters().position.begin(), world.characters().position.end()) {}
     void observe(const World& world) {
         for (std::size_t i = 0; i < last_.size(); ++i) {
             metres_ += distance(last_[i], world.characters().position[i]);
@@ -82,7 +83,8 @@ public:
                                                {"plan.geodesic", arm.starts_with("geodesic") ? 1.0 : 0.0}}});
         if (!trial.ok()) return trial.status();
         if (Status s = trial->start(); !s.ok()) return s;
-        const std::vector<Vec2> starts = trial->world().characters().position;
+        const std::span<const Vec2> now = trial->world().characters().position;
+        const std::vector<Vec2> starts(now.begin(), now.end());
         trial->runUntil(1.0);
         trial->shoot("before the command");
         Walked walked(trial->world());

@@ -1,10 +1,12 @@
 // X4 (paper fig. 7a): through dense woodland, ducking under branches.
 #include <cmath>
 
+#include "environment/environment.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/ground_watch.h"
 #include "reproduce/experiments/hand_jitter.h"
 #include "reproduce/experiments/trial.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -65,7 +67,7 @@ struct Crossing {
     std::int32_t through = 0;
 
     void observe(const World& world) {
-        const std::vector<Vec2>& positions = world.characters().position;
+        const std::span<const Vec2> positions = world.characters().position;
         through = 0;
         for (const Vec2 p : positions) {
             if (begins < 0.0 && p.x > kWoodBegins) begins = world.time();
@@ -82,14 +84,14 @@ struct Between {
     double seconds = 0.0;
 
     void observe(const World& world) {
-        const std::vector<Vec2>& now = world.characters().position;
+        const std::span<const Vec2> now = world.characters().position;
         for (std::size_t i = 0; i < last.size(); ++i) {
             const bool within = now[i].x > kWoodBegins && now[i].x < kWoodEnds;
-            if (!within || world.environment().ground(now[i]).motion != kRun) continue;
+            if (!within || inspect::environment(world).ground(now[i]).motion != kRun) continue;
             metres += distance(now[i], last[i]);
             seconds += world.parameters().stepTime;
         }
-        last = now;
+        last.assign(now.begin(), now.end());
     }
 };
 

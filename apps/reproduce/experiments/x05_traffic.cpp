@@ -127,7 +127,7 @@ Result<RunSample> TrafficExperiment::run(const RunRequest& request) const {
     trial->runUntilSettled(kLongest, observe);
     RunSample sample;
     trial->report(sample);
-    const std::vector<Vec2>& positions = trial->world().characters().position;
+    const std::span<const Vec2> positions = trial->world().characters().position;
     sample.figures["gap"] = cars.smallest();
     sample.figures["keeps"] = cars.meanSmallest();
     sample.figures["gives"] = cars.givesWayFrom();

@@ -70,7 +70,7 @@ public:
 class MotionsSeen {
 public:
     void observe(const World& world) {
-        const Characters& characters = world.characters();
+        const CharactersView characters = world.characters();
         seen_.resize(characters.size(), 0);
         into_.resize(characters.size(), 0);
         outOf_.resize(characters.size(), 0);
@@ -130,7 +130,7 @@ struct Watch {
         wall.observe(world);
         hedge.observe(world);
         motions.observe(world);
-        const std::vector<Vec2>& positions = world.characters().position;
+        const std::span<const Vec2> positions = world.characters().position;
         finished = static_cast<std::int32_t>(
             std::count_if(positions.begin(), positions.end(), [](Vec2 p) { return p.x > kFinish; }));
         if (last < 0.0 && finished == static_cast<std::int32_t>(positions.size())) last = world.time();

@@ -2,11 +2,13 @@
 #include <cmath>
 #include <limits>
 
+#include "formation/places/place_tracker.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/ground_watch.h"
 #include "reproduce/experiments/hand_jitter.h"
 #include "reproduce/experiments/lane_watch.h"
 #include "reproduce/experiments/trial.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -85,8 +87,8 @@ public:
         entrance_.observe(world);
         middle_.observe(world);
         end_.observe(world);
-        const Characters& characters = world.characters();
-        const PlaceTracker& places = *world.group(0).places;
+        const CharactersView characters = world.characters();
+        const PlaceTracker& places = inspect::places(world, 0);
         for (const std::size_t i : entrance_.crossedNow()) {
             const std::int32_t place = characters.place[i];
             held_[i] = place < 0 ? -1 : entrance_.laneAt(places.positions()[place].y);
@@ -106,8 +108,8 @@ public:
 
 private:
     static bool inPlace(const World& world) {
-        const Characters& characters = world.characters();
-        const std::vector<Vec2>& goals = world.group(0).places->goals();
+        const CharactersView characters = world.characters();
+        const std::span<const Vec2> goals = world.group(0).placeGoals;
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const std::int32_t place = characters.place[i];
             if (place < 0) return false;

@@ -82,7 +82,7 @@ struct Queue {
     double waited = 0.0;
 
     void observe(const World& world) {
-        const Characters& characters = world.characters();
+        const CharactersView characters = world.characters();
         std::int32_t standing = 0;
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const double x = characters.position[i].x;

@@ -94,7 +94,7 @@ struct Extent {
     double width = 0.0;
     double front = -1e9, rear = 1e9;
 
-    explicit Extent(const std::vector<Vec2>& points) {
+    explicit Extent(std::span<const Vec2> points) {
         double low = 1e9, high = -1e9;
         for (const Vec2 p : points) {
             low = std::min(low, p.y);
@@ -114,8 +114,8 @@ struct ArrowWatch {
     double lag = 0.0;          // The largest mean distance to the places while somebody is inside.
     std::int32_t unmatched = 0;
 
-    void observe(const World& world, const std::vector<Vec2>& points) {
-        if (world.group(0).def->formation.kind != FormationKind::Wedge) return;
+    void observe(const World& world, std::span<const Vec2> points) {
+        if (world.group(0).formation != FormationKind::Wedge) return;
         const Extent extent(points);
         if (extent.front < -kCorridor - kFieldRange) before = extent.width;
         if (extent.rear > kCorridor + kFieldRange) after = extent.width;
@@ -123,7 +123,7 @@ struct ArrowWatch {
         if (within && !(inside >= extent.width)) inside = extent.width;
         if (extent.front < -kCorridor || extent.rear > kCorridor) return;
         lag = std::max(lag, world.group(0).meanLag);
-        const auto& place = world.characters().place;
+        const std::span place = world.characters().place;
         unmatched = std::max(unmatched,
                              static_cast<std::int32_t>(std::count(place.begin(), place.end(), -1)));
     }
@@ -138,10 +138,10 @@ Result<RunSample> runCorridor(const RunRequest& request) {
     ArrowWatch mesh, crowd;
     const auto observe = [&] {
         watch.observe(trial->world());
-        mesh.observe(trial->world(), trial->world().group(0).mesh->finalMesh());
+        mesh.observe(trial->world(), trial->world().group(0).finalMesh);
         crowd.observe(trial->world(), trial->world().characters().position);
     };
-    const auto centre = [&] { return trial->world().group(0).mesh->pose().position.x; };
+    const auto centre = [&] { return trial->world().group(0).pose.position.x; };
     const auto shoot = [&](const char* caption) {
         const Box all = trial->def().box;
         const double left = std::clamp(centre() - 0.5 * kView, all.min.x, all.max.x - kView);

@@ -4,9 +4,11 @@
 
 #include "base/maths.h"
 #include "base/random.h"
+#include "formation/mesh/formation_mesh.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/mouth.h"
 #include "reproduce/experiments/trial.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -46,10 +48,10 @@ void vary(std::uint64_t seed, std::vector<Command>& commands) {
 /// Measures mouth and body.
 class PacmanWatch {
 public:
-    explicit PacmanWatch(const World& world) : mouth_(world.group(0).mesh->formation().mesh) {}
+    explicit PacmanWatch(const World& world) : mouth_(inspect::mesh(world, 0).formation().mesh) {}
 
     void observe(const World& world) {
-        const FormationMesh& mesh = *world.group(0).mesh;
+        const FormationMesh& mesh = inspect::mesh(world, 0);
         angle_ = kDegrees * mouth_.angle(mesh.userMesh());
         counter_.observe(angle_);
         widest_ = std::max(widest_, angle_);

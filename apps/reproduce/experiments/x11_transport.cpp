@@ -62,8 +62,8 @@ double planMode(const std::string& arm) {
 
 /// Number of characters within reach of their places at the end.
 std::int32_t inPlace(const World& world) {
-    const Characters& characters = world.characters();
-    const std::vector<Vec2>& places = world.group(0).places->positions();
+    const CharactersView characters = world.characters();
+    const std::span<const Vec2> places = world.group(0).placePositions;
     std::int32_t count = 0;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const std::int32_t place = characters.place[i];
@@ -86,7 +86,8 @@ Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
     };
     // The first touch is at 0.5 s, when every character has a place.
     trial->runUntil(0.5);
-    const std::vector<std::int32_t> first = trial->world().characters().place;
+    const std::span<const std::int32_t> now = trial->world().characters().place;
+    const std::vector<std::int32_t> first(now.begin(), now.end());
     shoot(-6.0, "at first");
     trial->runUntil(7.0);
     shoot(0.0, "some are caught behind the well");
@@ -98,7 +99,7 @@ Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
     shoot(7.0, settled ? "all in place" : "cut: not all in place");
     RunSample sample;
     trial->report(sample);
-    const std::vector<std::int32_t>& last = trial->world().characters().place;
+    const std::span<const std::int32_t> last = trial->world().characters().place;
     std::int32_t changed = 0;
     for (std::size_t i = 0; i < first.size(); ++i) changed += first[i] != last[i] ? 1 : 0;
     const double time = sample.figures["arrived100"];

@@ -4,6 +4,10 @@
 
 #include "character/motion/body.h"
 #include "character/motion/player.h"
+#include "crowd/characters.h"
+#include "environment/environment.h"
+#include "formation/places/place_tracker.h"
+#include "world/inspect.h"
 
 namespace muster {
 
@@ -89,12 +93,12 @@ void CrowdMotion::restart() {
 void CrowdMotion::update(const World& world) {
     impl_->places.clear();
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
-        const PlaceTracker& places = *world.group(g).places;
+        const PlaceTracker& places = inspect::places(world, g);
         impl_->places.push_back({places.positions(), places.velocities()});
     }
     CrowdView crowd;
-    crowd.characters = &world.characters();
-    crowd.environment = &world.environment();
+    crowd.characters = &inspect::characters(world);
+    crowd.environment = &inspect::environment(world);
     crowd.places = impl_->places;
     crowd.stepTime = world.parameters().stepTime;
     crowd.maxSpeed = world.parameters().maxSpeed;

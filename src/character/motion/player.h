@@ -7,6 +7,8 @@
 #include "character/motion/action_path.h"
 #include "character/motion/clip_table.h"
 #include "character/motion/feature_base.h"
+#include "crowd/characters.h"
+#include "environment/environment.h"
 #include "muster/crowd_motion.h"
 
 namespace muster {

@@ -52,7 +52,7 @@ private:
     double frameTime() const { return def_.from + static_cast<double>(next_) / def_.fps; }
 
     void fill(const World& world) {
-        const Characters& characters = world.characters();
+        const CharactersView characters = world.characters();
         now_.time = world.time();
         now_.characters.resize(characters.size());
         if (motion_) now_.poses.resize(characters.size());

@@ -2,9 +2,11 @@
 #include <cstdio>
 #include <optional>
 
+#include "environment/environment.h"
 #include "io/export/gltf_export.h"
 #include "io/export/gltf_people.h"
 #include "io/export/scene_camera.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -104,7 +106,7 @@ private:
     }
 
     Status addScene(const World& world) {
-        const Box& box = world.environment().def().box;
+        const Box& box = inspect::environment(world).def().box;
         middle_ = (box.min + box.max) * 0.5;
         for (SceneThing& thing : makeScene(world)) {
             const auto mesh = meshes_.thing(thing);

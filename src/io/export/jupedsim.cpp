@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "base/maths.h"
+#include "environment/environment.h"
 #include "io/export/output_file.h"
 #include "muster/hash.h"
+#include "world/inspect.h"
 #endif
 
 namespace muster {
@@ -73,7 +75,7 @@ public:
         if (opened != SQLITE_OK) return failed();
         if (!execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; BEGIN;") || !execute(kTables))
             return failed();
-        box_ = info.world->environment().def().box;
+        box_ = inspect::environment(*info.world).def().box;
         addFrame_ = std::make_unique<Statement>(base, "INSERT INTO frame_data VALUES(?, ?)");
         addCharacter_ = std::make_unique<Statement>(base,
                                                     "INSERT INTO trajectory_data VALUES(?, ?, ?, ?, ?, ?)");
@@ -83,7 +85,7 @@ public:
     Status frame(const ExportFrame& frame) override {
         const auto number = static_cast<std::int64_t>(frame.index);
         std::int64_t area = 0;
-        if (!addArea(frame.world->environment(), area) || !addFrame_->with(number).with(area).run())
+        if (!addArea(inspect::environment(*frame.world), area) || !addFrame_->with(number).with(area).run())
             return failed();
         for (const ExportCharacter& c : frame.characters) {
             const double yaw = c.yaw;

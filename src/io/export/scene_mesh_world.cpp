@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <set>
 
+#include "environment/environment.h"
 #include "geometry/triangulation.h"
 #include "io/export/scene_mesh.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -65,7 +67,7 @@ Vec2 pivotOf(const Polygon& polygon) {
 }  // namespace
 
 std::vector<SceneThing> makeScene(const World& world) {
-    const Environment& environment = world.environment();
+    const Environment& environment = inspect::environment(world);
     std::vector<SceneThing> things;
     std::set<std::string> names;
     const auto add = [&](const std::string& name, const char* kind, Vec2 pivot, const TimedPath& path,

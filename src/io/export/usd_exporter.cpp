@@ -3,8 +3,10 @@
 #include <map>
 
 #include "base/maths.h"
+#include "environment/environment.h"
 #include "io/export/usd_export.h"
 #include "io/export/usd_text.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -110,7 +112,7 @@ private:
     };
 
     Status addScene(const World& world) {
-        const Box& box = world.environment().def().box;
+        const Box& box = inspect::environment(world).def().box;
         middle_ = (box.min + box.max) * 0.5;
         std::map<std::string, int> names{{"World", 1}, {"Materials", 1}, {"Bodies", 1}, {"Camera", 1}};
         for (SceneThing& thing : makeScene(world)) {

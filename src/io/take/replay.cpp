@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "muster/hash.h"
+
 namespace muster {
 namespace {
 

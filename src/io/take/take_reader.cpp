@@ -3,6 +3,7 @@
 #include "io/take/take_format.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
+#include "world/commands/command_archive.h"
 
 namespace muster {
 namespace {

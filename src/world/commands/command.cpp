@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "world/commands/command_archive.h"
 #include "world/commands/validation.h"
 
 namespace muster {
@@ -114,6 +115,20 @@ Result<Command> decodeCommand(Reader& reader) {
     }
     const Status valid = validateCommand(command);
     if (!valid.ok()) return Status(StatusCode::ParseError, valid.message());
+    return command;
+}
+
+std::vector<std::uint8_t> encodeCommand(const Command& command) {
+    Writer writer;
+    encodeCommand(writer, command);
+    return writer.take();
+}
+
+Result<Command> decodeCommand(std::span<const std::uint8_t> bytes) {
+    Reader reader(bytes);
+    Result<Command> command = decodeCommand(reader);
+    if (command.ok() && reader.remaining() > 0)
+        return Status(StatusCode::ParseError, "command is followed by other bytes");
     return command;
 }
 

@@ -7,12 +7,22 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/parallel.h"
 #include "base/random.h"
+#include "cost/density.h"
+#include "cost/dynamic_cost.h"
+#include "cost/static_ground.h"
+#include "cost/unit_cost.h"
 #include "cost/unit_cost_builder.h"
+#include "crowd/characters.h"
 #include "crowd/contacts.h"
 #include "crowd/motion.h"
 #include "crowd/steering.h"
+#include "environment/environment.h"
+#include "formation/mesh/formation_mesh.h"
+#include "formation/places/place_tracker.h"
 #include "muster/world.h"
+#include "planning/plan.h"
 
 namespace muster {
 
@@ -179,6 +189,11 @@ struct World::Impl {
     /// All state, for saving, loading and hashing alike.
     template <class Archive>
     void visit(Archive& archive);
+};
+
+/// Lets Muster's own code into a world.
+struct WorldAccess {
+    static World::Impl& of(const World& world) { return *world.impl_; }  ///< All of it.
 };
 
 }  // namespace muster

@@ -71,7 +71,7 @@ TEST_CASE("who is near is as named, and keeps its state when others come") {
     World world = World::create(field(16)).value();
     const ClipLibrary clips = swingingClips();
     CrowdMotion named(clips), all(clips);
-    const std::vector<std::uint32_t>& ids = world.characters().id;
+    const std::span<const std::uint32_t> ids = world.characters().id;
     const std::vector<std::uint32_t> few{ids[3], ids[7]}, more{ids[9], ids[7], ids[3], 123456u};
     named.setNear(few);
     for (int k = 0; k < 90; ++k) {

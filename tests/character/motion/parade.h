@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "base/maths.h"
+#include "crowd/characters.h"
+#include "environment/environment.h"
 #include "muster/crowd_motion.h"
 
 namespace muster::testing {

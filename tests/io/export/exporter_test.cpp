@@ -15,11 +15,14 @@ namespace {
 
 /// Positions after each step, from the start on.
 std::vector<std::vector<Vec2>> stepsOf(const Take& take) {
-    std::vector<std::vector<Vec2>> steps{World::create(take.def)->characters().position};
-    REQUIRE(replayTake(take, 1, [&](const World& world) {
-                steps.push_back(world.characters().position);
-                return true;
-            }).ok());
+    std::vector<std::vector<Vec2>> steps;
+    const auto add = [&](const World& world) {
+        const std::span<const Vec2> now = world.characters().position;
+        steps.emplace_back(now.begin(), now.end());
+        return true;
+    };
+    add(*World::create(take.def));
+    REQUIRE(replayTake(take, 1, add).ok());
     return steps;
 }
 

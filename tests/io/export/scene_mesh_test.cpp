@@ -1,9 +1,11 @@
 // Meshes of what stands in a world: closed, the right way out, and as large as they should be.
 #include <doctest.h>
 
+#include "environment/environment.h"
 #include "io/export/pretend_take.h"
 #include "io/export/scene_camera.h"
 #include "io/export/scene_mesh.h"
+#include "world/inspect.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -85,7 +87,7 @@ TEST_CASE("solids hold as much as they should") {
 TEST_CASE("the ground has a hole where the pool is, and the pool a bottom") {
     const auto world = World::create(furnishedWorld());
     const auto things = makeScene(*world);
-    const Box box = world->environment().def().box.grown(40.0);
+    const Box box = inspect::environment(*world).def().box.grown(40.0);
     const double whole = box.width() * box.height();
     CHECK(areaAt(find(things, "Ground").surfaces, Finish::Ground, 0.0f) ==
           doctest::Approx(whole - 30.0).epsilon(1e-5));
@@ -99,7 +101,7 @@ TEST_CASE("pools that overlap lie on ground without holes") {
     def.patches.push_back(def.patches[0]);
     const auto world = World::create(def);
     const auto things = makeScene(*world);
-    const Box box = world->environment().def().box.grown(40.0);
+    const Box box = inspect::environment(*world).def().box.grown(40.0);
     CHECK(areaAt(find(things, "Ground").surfaces, Finish::Ground, 0.0f) ==
           doctest::Approx(box.width() * box.height()).epsilon(1e-5));
     for (const char* name : {"Pool", "Pool 2"}) {

@@ -8,6 +8,7 @@
 
 #include "base/archive.h"
 #include "muster/scenario.h"
+#include "world/commands/command_archive.h"
 
 using namespace muster;
 

@@ -152,7 +152,7 @@ TEST_CASE("commands behind the last mark of a killed take are replayed, and noth
     CHECK(take->steps() == 151);
     FormationKind last = FormationKind::Square;
     const auto report = replayTake(*take, 1, [&](const World& world) {
-        last = world.group(0).def->formation.kind;
+        last = world.group(0).formation;
         return true;
     });
     REQUIRE_MESSAGE(report.ok(), report.status().message());

@@ -52,7 +52,7 @@ public:
     bool settled(const World& world) const;
 
 private:
-    void follow(const Characters& characters);
+    void follow(const CharactersView& characters);
     void watchArrivals(const World& world);
     void arrivals(const World& world, RunFigures& figures) const;
     double pathRatio(const World& world) const;

@@ -1,0 +1,15 @@
+// Commands in archives: snapshots, takes and hashes.
+#pragma once
+
+#include "base/archive.h"
+#include "muster/command.h"
+
+namespace muster {
+
+/// Appends a command's bytes.
+void encodeCommand(Writer& writer, const Command& command);
+/// Reads one back. Fails with ParseError where the bytes are short, the kind is unknown or a value is out of
+/// its range.
+Result<Command> decodeCommand(Reader& reader);
+
+}  // namespace muster

@@ -1,0 +1,40 @@
+// The inside of a world for Muster's own pictures, files, reports and tests. Users read the public views.
+//
+// All references are valid until the world steps or ends.
+#pragma once
+
+#include <cstddef>
+
+namespace muster {
+
+class DensityField;
+class Environment;
+class FormationMesh;
+class PlaceTracker;
+class Plan;
+class World;
+struct Characters;
+struct GroupDef;
+struct UnitCost;
+
+namespace inspect {
+
+/// Obstacles, patches and ground.
+const Environment& environment(const World& world);
+/// All arrays of the characters.
+const Characters& characters(const World& world);
+/// Density of the last step.
+const DensityField& density(const World& world);
+/// Unit cost of the last step, made now where the step needed none; null before the first step.
+const UnitCost* unitCost(const World& world);
+/// Name, count and formation of a group.
+const GroupDef& groupDef(const World& world, std::size_t group);
+/// Rest shape, Vu and Vf of a group.
+const FormationMesh& mesh(const World& world, std::size_t group);
+/// Travelling places of a group.
+const PlaceTracker& places(const World& world, std::size_t group);
+/// The plan of a group.
+const Plan& plan(const World& world, std::size_t group);
+
+}  // namespace inspect
+}  // namespace muster
