@@ -66,7 +66,8 @@ void BidirectionalDijkstra::reach(Side& side, const Side& other, std::int32_t no
         pathLength_ = distance + opposite.distance;
         meeting_ = node;
     }
-    // A node beyond the bound is on no path that is short enough, and its dual does not change.
+    // A node beyond the bound is on no path that is short enough. Its dual is left as it is, although the
+    // radius may come to exceed its distance.
     if (!(distance < bound)) return;
     if (side.heap.size() == side.capacity) {
         side.overflowDistance = std::min(side.overflowDistance, distance);

@@ -29,7 +29,8 @@ public:
     SearchResult run(const ExchangeArcs& arcs, std::span<const double> dual, std::int32_t tail,
                      std::int32_t head, double violation, double returnCost, std::int32_t limit);
     /// Changes the duals as far as the last search allows: lower around the head, higher around the tail. No
-    /// reduced cost that is not negative becomes negative, and none that is negative falls.
+    /// reduced cost that is not negative becomes negative, and none that is negative falls, but for arcs to
+    /// nodes that the search reached beyond its bound and dropped.
     void updateDuals(std::span<double> dual) const;
 
     /// After SearchResult::Cycle: the nodes from head to tail.
