@@ -62,12 +62,12 @@ std::vector<Job> jobsOf(const Experiments& experiments, const ReproduceDef& def,
     return jobs;
 }
 
-using Watch = std::function<void(const ReproduceProgress&)>;
+using Progress = std::function<void(const ReproduceProgress&)>;
 
 /// Makes the runs and reports the progress. Once a run has failed no other begins.
 class Runner {
 public:
-    Runner(const Experiments& experiments, const ReproduceDef& def, const Watch& watch)
+    Runner(const Experiments& experiments, const ReproduceDef& def, const Progress& watch)
         : experiments_(experiments), def_(def), watch_(watch), done_(experiments.size(), 0) {
         for (const auto& experiment : experiments_) all_ += runsOf(*experiment);
     }
@@ -93,7 +93,7 @@ private:
 
     const Experiments& experiments_;
     const ReproduceDef& def_;
-    const Watch& watch_;
+    const Progress& watch_;
     std::mutex mutex_;
     std::vector<std::int32_t> done_;  // By experiment.
     std::int32_t doneInAll_ = 0;

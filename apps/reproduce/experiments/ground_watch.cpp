@@ -1,17 +1,13 @@
 #include "reproduce/experiments/ground_watch.h"
+
 #include "environment/environment.h"
+#include "reproduce/experiments/samples.h"
 #include "world/inspect.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace muster {
-namespace {
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 GroundWatch::GroundWatch(const World& world) : stepTime_(world.parameters().stepTime) {
     const CharactersView characters = world.characters();
     position_.assign(characters.position.begin(), characters.position.end());

@@ -5,12 +5,6 @@
 #include <limits>
 
 namespace muster {
-namespace {
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 void Samples::add(const std::string& arm, const std::string& preset, RunSample sample) {
     runs_[{arm, preset}].push_back(std::move(sample));
 }

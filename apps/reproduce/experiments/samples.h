@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "muster/vec2.h"
 
 namespace muster {
+
+/// The value of a figure that a run does not have.
+inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A picture of a film strip.
 struct FilmFrame {

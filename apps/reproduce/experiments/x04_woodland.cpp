@@ -16,9 +16,9 @@ constexpr MotionId kDuck = 2;
 constexpr double kWoodBegins = -10.7;  // All branches hang between these [m].
 constexpr double kWoodEnds = 11.7;
 // Distance of starts from their places, large enough to matter for more than a moment [m].
-constexpr double kJitter = 1.5;
-constexpr double kHand = 0.5;      // How far the hand draws aside [m].
-constexpr double kLongest = 60.0;  // After the last gesture [s].
+constexpr double kWoodlandJitter = 1.5;
+constexpr double kWoodlandHand = 0.5;      // How far the hand draws aside [m].
+constexpr double kWoodlandLongest = 60.0;  // After the last gesture [s].
 
 class WoodlandExperiment final : public Experiment {
 public:
@@ -96,11 +96,11 @@ struct Between {
 };
 
 Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x04-woodland", .jitter = kJitter});
+    auto trial = Trial::open(request, {.scenario = "x04-woodland", .jitter = kWoodlandJitter});
     if (!trial.ok()) return trial.status();
     const bool bare = request.arm.id == "bare";
     if (bare) trial->def().patches.clear();
-    jitterHand(trial->commands(), request.seed, kHand);
+    jitterHand(trial->commands(), request.seed, kWoodlandHand);
     if (Status s = trial->start(); !s.ok()) return s;
     GroundWatch ground(trial->world());
     Crossing crossing;
@@ -120,7 +120,7 @@ Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
     shoot(-4.0, bare ? "among the trunks, upright" : "among the trunks, ducking; the mesh gets ahead");
     trial->runUntil(25.0, watch);
     shoot(7.0, bare ? "most are nearly through" : "the first are nearly through");
-    trial->runUntilSettled(kLongest, watch);
+    trial->runUntilSettled(kWoodlandLongest, watch);
     shoot(12.5, "all through, a square again");
     RunSample sample;
     trial->report(sample);

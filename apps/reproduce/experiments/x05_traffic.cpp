@@ -16,12 +16,12 @@ namespace {
 
 constexpr MotionId kJump = 5;
 // Distance of starts from their places, large enough to matter for more than a moment [m].
-constexpr double kJitter = 1.0;
-constexpr double kHand = 0.3;      // How far the hand draws aside [m].
-constexpr double kEarly = 1.0;     // How far each car is ahead or behind [m].
-constexpr double kLongest = 30.0;  // After the last gesture [s].
-constexpr double kFarSide = 5.5;   // Beyond the street [m].
-constexpr double kClear = 0.25;    // Nobody is touched: the smallest gap is at least this [m].
+constexpr double kTrafficJitter = 1.0;
+constexpr double kTrafficHand = 0.3;      // How far the hand draws aside [m].
+constexpr double kEarly = 1.0;            // How far each car is ahead or behind [m].
+constexpr double kTrafficLongest = 30.0;  // After the last gesture [s].
+constexpr double kFarSide = 5.5;          // Beyond the street [m].
+constexpr double kClear = 0.25;           // Nobody is touched: the smallest gap is at least this [m].
 
 /// Arms of the sweep, with the strength of all cars' fields. The first is the scene as it is watched.
 struct Strength {
@@ -102,10 +102,10 @@ double strengthOf(const std::string& arm) {
 }
 
 Result<RunSample> TrafficExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x05-traffic", .jitter = kJitter});
+    auto trial = Trial::open(request, {.scenario = "x05-traffic", .jitter = kTrafficJitter});
     if (!trial.ok()) return trial.status();
     shiftCars(trial->def(), request.seed);
-    jitterHand(trial->commands(), request.seed, kHand);
+    jitterHand(trial->commands(), request.seed, kTrafficHand);
     for (ObstacleDef& obstacle : trial->def().obstacles)
         if (!obstacle.path.still()) obstacle.strength = strengthOf(request.arm.id);
     if (Status s = trial->start(); !s.ok()) return s;
@@ -124,7 +124,7 @@ Result<RunSample> TrafficExperiment::run(const RunRequest& request) const {
     shoot(11.0, -3.0, "across the first lane");
     shoot(16.8, 0.0, "between bus and lorry");
     shoot(26.5, 7.0, "over the mice on the other pavement");
-    trial->runUntilSettled(kLongest, observe);
+    trial->runUntilSettled(kTrafficLongest, observe);
     RunSample sample;
     trial->report(sample);
     const std::span<const Vec2> positions = trial->world().characters().position;

@@ -12,13 +12,13 @@
 namespace muster {
 namespace {
 
-constexpr MotionId kCrawl = 3, kSwim = 4, kJump = 5, kClimb = 6;
-constexpr std::array kTerrains{kClimb, kJump, kCrawl, kSwim};
+constexpr MotionId kCourseCrawl = 3, kCourseSwim = 4, kCourseJump = 5, kClimb = 6;
+constexpr std::array kTerrains{kClimb, kCourseJump, kCourseCrawl, kCourseSwim};
 constexpr double kFinish = 23.5;  // Behind the pool [m].
 // Distance of starts from their places, large enough to matter for more than a moment [m].
-constexpr double kJitter = 1.0;
-constexpr double kHand = 0.4;      // How far the hand draws aside [m].
-constexpr double kLongest = 60.0;  // After the last gesture [s].
+constexpr double kCourseJitter = 1.0;
+constexpr double kCourseHand = 0.4;      // How far the hand draws aside [m].
+constexpr double kCourseLongest = 60.0;  // After the last gesture [s].
 
 class CourseExperiment final : public Experiment {
 public:
@@ -90,7 +90,7 @@ public:
             std::count_if(seen_.begin(), seen_.end(), [all](std::uint32_t s) { return (s & all) == all; }));
     }
     std::int32_t everyTransition() const {
-        constexpr std::uint32_t kBoth = 1u << kCrawl | 1u << kSwim;
+        constexpr std::uint32_t kBoth = 1u << kCourseCrawl | 1u << kCourseSwim;
         std::int32_t count = 0;
         for (std::size_t i = 0; i < into_.size(); ++i)
             count += (into_[i] & outOf_[i] & kBoth) == kBoth ? 1 : 0;
@@ -123,7 +123,7 @@ double middle(const World& world) {
 
 /// All measurements of a run.
 struct Watch {
-    explicit Watch(const World& world) : ground(world), wall(world, kClimb), hedge(world, kJump) {}
+    explicit Watch(const World& world) : ground(world), wall(world, kClimb), hedge(world, kCourseJump) {}
 
     void observe(const World& world) {
         ground.observe(world);
@@ -151,8 +151,8 @@ struct Watch {
         figures["allMotions"] = motions.everyMotion();
         figures["transitions"] = motions.everyTransition();
         figures["changes"] = motions.changes();
-        figures["crawlSpeed"] = ground.speed(kCrawl);
-        figures["swimSpeed"] = ground.speed(kSwim);
+        figures["crawlSpeed"] = ground.speed(kCourseCrawl);
+        figures["swimSpeed"] = ground.speed(kCourseSwim);
     }
 
     GroundWatch ground;
@@ -164,9 +164,9 @@ struct Watch {
 };
 
 Result<RunSample> CourseExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x06-course", .jitter = kJitter});
+    auto trial = Trial::open(request, {.scenario = "x06-course", .jitter = kCourseJitter});
     if (!trial.ok()) return trial.status();
-    jitterHand(trial->commands(), request.seed, kHand);
+    jitterHand(trial->commands(), request.seed, kCourseHand);
     if (Status s = trial->start(); !s.ok()) return s;
     Watch watch(trial->world());
     std::size_t next = 0;
@@ -179,7 +179,7 @@ Result<RunSample> CourseExperiment::run(const RunRequest& request) const {
         const double x = middle(trial->world());
         if (next + 1 < kMoments.size() && x > kMoments[next].x) shoot(x);
     };
-    trial->runUntilSettled(kLongest, observe);
+    trial->runUntilSettled(kCourseLongest, observe);
     while (next + 1 < kMoments.size()) shoot(middle(trial->world()));
     shoot(25.0);
     RunSample sample;

@@ -13,16 +13,16 @@
 namespace muster {
 namespace {
 
-constexpr double kEntrance = -6.0;  // A metre before the lanes begin [m].
-constexpr double kMiddle = 0.0;     // Of the lanes: who is here has taken one [m].
-constexpr double kEnd = 5.0;        // The lanes end [m].
-constexpr double kLower = -1.5;     // The other gesture is this much lower [m].
-constexpr double kJitter = 0.8;     // Of starts [m].
-constexpr double kHand = 0.4;       // How far the hand draws aside [m].
-constexpr double kInPlace = 0.5;    // [m]
-constexpr double kLongest = 40.0;   // After the last gesture [s].
-constexpr MotionId kCrawl = 3;
-constexpr MotionId kSwim = 4;
+constexpr double kLanesEntrance = -6.0;  // A metre before the lanes begin [m].
+constexpr double kLanesMiddle = 0.0;     // Of the lanes: who is here has taken one [m].
+constexpr double kEnd = 5.0;             // The lanes end [m].
+constexpr double kLower = -1.5;          // The other gesture is this much lower [m].
+constexpr double kLanesJitter = 0.8;     // Of starts [m].
+constexpr double kLanesHand = 0.4;       // How far the hand draws aside [m].
+constexpr double kInPlace = 0.5;         // [m]
+constexpr double kLanesLongest = 40.0;   // After the last gesture [s].
+constexpr MotionId kLanesCrawl = 3;
+constexpr MotionId kLanesSwim = 4;
 
 enum Lane : std::int32_t { kPoolLane, kOpenLane, kNetLane };
 
@@ -78,8 +78,8 @@ public:
 class PathWatch {
 public:
     explicit PathWatch(const World& world)
-        : entrance_(kEntrance, hedges(), world),
-          middle_(kMiddle, hedges(), world),
+        : entrance_(kLanesEntrance, hedges(), world),
+          middle_(kLanesMiddle, hedges(), world),
           end_(kEnd, hedges(), world),
           held_(world.characters().size(), -1) {}
 
@@ -126,10 +126,10 @@ private:
 };
 
 Result<RunSample> ThreePathsExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x07-three-paths", .jitter = kJitter});
+    auto trial = Trial::open(request, {.scenario = "x07-three-paths", .jitter = kLanesJitter});
     if (!trial.ok()) return trial.status();
     if (request.arm.id == "lower") trial->shift({0.0, kLower});
-    jitterHand(trial->commands(), request.seed, kHand);
+    jitterHand(trial->commands(), request.seed, kLanesHand);
     if (Status s = trial->start(); !s.ok()) return s;
     PathWatch paths(trial->world());
     GroundWatch ground(trial->world());
@@ -147,13 +147,13 @@ Result<RunSample> ThreePathsExperiment::run(const RunRequest& request) const {
     shoot(0.0, "parted: some crawl, some run, some swim");
     trial->runUntil(20.0, watch);
     shoot(4.0, "the mesh waits for the slow");
-    trial->runUntilSettled(kLongest, watch);
+    trial->runUntilSettled(kLanesLongest, watch);
     shoot(10.0, "whole again");
     RunSample sample;
     trial->report(sample);
     const std::int32_t net = paths.count(kNetLane), pool = paths.count(kPoolLane);
-    const std::int32_t wrong = std::abs(ground.visitors(kCrawl) - net) +
-                               std::abs(ground.visitors(kSwim) - pool);
+    const std::int32_t wrong = std::abs(ground.visitors(kLanesCrawl) - net) +
+                               std::abs(ground.visitors(kLanesSwim) - pool);
     sample.figures["kept"] = paths.kept();
     sample.figures["net"] = net;
     sample.figures["open"] = paths.count(kOpenLane);

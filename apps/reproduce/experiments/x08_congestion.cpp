@@ -10,14 +10,14 @@
 namespace muster {
 namespace {
 
-constexpr double kEntrance = -2.0;   // Of the alley [m].
-constexpr double kMiddle = 0.0;      // Of the ways: who is here has taken one [m].
-constexpr double kAlley = 1.5;       // The alley lies between -y and y, the slow ways beyond [m].
-constexpr double kQueueReach = 4.0;  // Before the entrance [m].
-constexpr double kStanding = 0.5;    // Slower than this one waits [m/s].
+constexpr double kAlleyEntrance = -2.0;  // Of the alley [m].
+constexpr double kAlleyMiddle = 0.0;     // Of the ways: who is here has taken one [m].
+constexpr double kAlley = 1.5;           // The alley lies between -y and y, the slow ways beyond [m].
+constexpr double kQueueReach = 4.0;      // Before the entrance [m].
+constexpr double kStanding = 0.5;        // Slower than this one waits [m/s].
 // Time after the last gesture at which the run ends [s]. Characters still on their way count as arriving
 // then.
-constexpr double kLongest = 30.0;
+constexpr double kAlleyLongest = 30.0;
 constexpr double kCurvePeriod = 0.5;  // [s]
 constexpr std::int32_t kAlleyLane = 1;
 
@@ -86,7 +86,7 @@ struct Queue {
         std::int32_t standing = 0;
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const double x = characters.position[i].x;
-            const bool before = x > kEntrance - kQueueReach && x < kEntrance && world.time() > 2.0;
+            const bool before = x > kAlleyEntrance - kQueueReach && x < kAlleyEntrance && world.time() > 2.0;
             standing += before && length(characters.velocity[i]) < kStanding ? 1 : 0;
         }
         most = std::max(most, standing);
@@ -101,7 +101,7 @@ Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
     auto trial = Trial::open(request, def);
     if (!trial.ok()) return trial.status();
     if (Status s = trial->start(); !s.ok()) return s;
-    LaneWatch ways(kMiddle, {-kAlley, kAlley}, trial->world());
+    LaneWatch ways(kAlleyMiddle, {-kAlley, kAlley}, trial->world());
     Queue queue;
     RunSample sample;
     std::vector<Vec2>& curve = sample.curves["through"];
@@ -122,14 +122,14 @@ Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
                                            : "some turn to the garden walls");
     trial->runUntil(13.0, watch);
     trial->shoot("13 s: who is through");
-    const bool settled = trial->runUntilSettled(kLongest, watch);
+    const bool settled = trial->runUntilSettled(kAlleyLongest, watch);
     trial->picture().view = Box{{-4.0, -6.0}, {18.0, 6.0}};
     trial->shoot(settled ? "all there" : "not all there after 30 s: cut");
     trial->report(sample);
     const double number = static_cast<double>(ways.lanes().size());
     const double arrived = sample.figures["arrived100"];
     sample.figures["side"] = 100.0 * (count() - ways.count(kAlleyLane)) / number;
-    sample.figures["last"] = std::isnan(arrived) ? kLongest : arrived;
+    sample.figures["last"] = std::isnan(arrived) ? kAlleyLongest : arrived;
     sample.figures["through"] = count();
     sample.figures["queue"] = queue.most;
     sample.figures["waited"] = queue.waited;

@@ -6,12 +6,12 @@
 #include "base/random.h"
 #include "reproduce/experiments/catalogue.h"
 #include "reproduce/experiments/change_watch.h"
+#include "reproduce/experiments/samples.h"
 #include "reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kCorridor = 6.0;    // It reaches from -6 to 6 m along x, as the scenario says.
 constexpr double kFieldRange = 1.5;  // Beyond its ends nothing bends the arrow any more [m].
 constexpr double kSkin = 0.05;       // Vertices that wait at the face of a house are not inside [m].

@@ -8,11 +8,11 @@
 namespace muster {
 namespace {
 
-constexpr double kJitter = 0.5;  // Of starts [m]: so that the first plan has something to assign.
-constexpr double kHand = 0.3;    // How far the hand draws aside [m].
+constexpr double kTransportJitter = 0.5;  // Of starts [m]: so that the first plan has something to assign.
+constexpr double kTransportHand = 0.3;    // How far the hand draws aside [m].
 // Time after the last gesture at which the run ends [s]. Characters still on their way count as arriving
 // then.
-constexpr double kLongest = 30.0;
+constexpr double kTransportLongest = 30.0;
 
 class TransportExperiment final : public Experiment {
 public:
@@ -74,11 +74,11 @@ std::int32_t inPlace(const World& world) {
 
 Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
     const TrialDef def{.scenario = "x11-transport",
-                       .jitter = kJitter,
+                       .jitter = kTransportJitter,
                        .settings = {{"plan.mode", planMode(request.arm.id)}}};
     auto trial = Trial::open(request, def);
     if (!trial.ok()) return trial.status();
-    jitterHand(trial->commands(), request.seed, kHand);
+    jitterHand(trial->commands(), request.seed, kTransportHand);
     if (Status s = trial->start(); !s.ok()) return s;
     const auto shoot = [&](double x, const std::string& caption) {
         trial->picture().view = Box{{x - 6.0, -4.0}, {x + 6.0, 4.0}};
@@ -95,7 +95,7 @@ Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
     shoot(3.0, "10 s: the late come to the others");
     trial->runUntil(trial->gesturesEnd() + 1.0);
     shoot(7.0, "1 s after the last gesture");
-    const bool settled = trial->runUntilSettled(kLongest);
+    const bool settled = trial->runUntilSettled(kTransportLongest);
     shoot(7.0, settled ? "all in place" : "cut: not all in place");
     RunSample sample;
     trial->report(sample);
@@ -103,7 +103,7 @@ Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
     std::int32_t changed = 0;
     for (std::size_t i = 0; i < first.size(); ++i) changed += first[i] != last[i] ? 1 : 0;
     const double time = sample.figures["arrived100"];
-    sample.figures["time"] = std::isnan(time) ? kLongest : time;
+    sample.figures["time"] = std::isnan(time) ? kTransportLongest : time;
     sample.figures["arrived"] = inPlace(trial->world());
     sample.figures["changed"] = changed;
     return sample;
@@ -115,8 +115,8 @@ void TransportExperiment::judge(const Samples& samples, Judge& judge) const {
             return samples.values(arm, preset, figure);
         };
         judge.require("transport: everybody arrives, in every seed", preset,
-                      values("transport", "arrived100"), Aggregate::Highest, Comparison::AtMost, kLongest,
-                      "s");
+                      values("transport", "arrived100"), Aggregate::Highest, Comparison::AtMost,
+                      kTransportLongest, "s");
         judge.require("time of transport over that of fixed places, in every seed", preset,
                       ratios(values("transport", "time"), values("fixed", "time")), Aggregate::Highest,
                       Comparison::AtMost, 0.6);

@@ -5,8 +5,10 @@
 namespace muster {
 namespace {
 
-constexpr const char* kLight[kMarkKinds] = {"#1D5FD1", "#CB4A0E", "#016553", "#87598B", "#624A02", "#313C4B"};
-constexpr const char* kDark[kMarkKinds] = {"#74A9FF", "#FF8A4C", "#90FBC9", "#AC6BAA", "#FBE24F", "#B7BCC2"};
+constexpr const char* kLightSeries[kMarkKinds] = {"#1D5FD1", "#CB4A0E", "#016553",
+                                                  "#87598B", "#624A02", "#313C4B"};
+constexpr const char* kDarkSeries[kMarkKinds] = {"#74A9FF", "#FF8A4C", "#90FBC9",
+                                                 "#AC6BAA", "#FBE24F", "#B7BCC2"};
 constexpr std::size_t kCross = 4, kRing = 5;
 
 std::string point(double x, double y) {
@@ -17,8 +19,8 @@ std::string point(double x, double y) {
 
 std::string seriesGroup(std::size_t series, const std::string& content) {
     const std::size_t kind = series % kMarkKinds;
-    return "<g class=\"s" + std::to_string(kind) + "\" fill=\"" + kLight[kind] + "\" stroke=\"" +
-           kLight[kind] + "\">" + content + "</g>\n";
+    return "<g class=\"s" + std::to_string(kind) + "\" fill=\"" + kLightSeries[kind] + "\" stroke=\"" +
+           kLightSeries[kind] + "\">" + content + "</g>\n";
 }
 
 std::string seriesMark(std::size_t series, double x, double y, double r, bool hollow) {
@@ -52,7 +54,7 @@ std::string seriesMark(std::size_t series, double x, double y, double r, bool ho
 std::string seriesVariables(bool dark) {
     std::string css;
     for (std::size_t k = 0; k < kMarkKinds; ++k)
-        css += "--s" + std::to_string(k) + ":" + (dark ? kDark : kLight)[k] + ";";
+        css += "--s" + std::to_string(k) + ":" + (dark ? kDarkSeries : kLightSeries)[k] + ";";
     return css;
 }
 

@@ -11,19 +11,19 @@
 namespace muster {
 namespace {
 
-constexpr double kWidth = 360.0, kLeft = 20.0, kRight = 24.0;
+constexpr double kRowWidth = 360.0, kLeft = 20.0, kRowRight = 24.0;
 constexpr double kTitleHeight = 17.0, kLane = 30.0, kRowGap = 6.0, kAxisHeight = 26.0;
-constexpr double kLetterWidth = 6.9;
+constexpr double kRowLetterWidth = 6.9;
 constexpr double kRadius = 3.6;
 constexpr double kBeside = 6.4;  // Marks closer than this are put above each other ...
 constexpr double kRise = 3.7;    // ... by so much at a time.
 
 double across(const Axis& axis, double value) {
-    return kLeft + axis.place(value) * (kWidth - kLeft - kRight);
+    return kLeft + axis.place(value) * (kRowWidth - kLeft - kRowRight);
 }
 
-std::string text(double x, double y, const char* anchor, const std::string& words,
-                 const char* kind = "note") {
+std::string label(double x, double y, const char* anchor, const std::string& words,
+                  const char* kind = "note") {
     return "<text class=\"" + std::string(kind) + "\" x=\"" + svgNumber(x) + "\" y=\"" + svgNumber(y) +
            "\" text-anchor=\"" + anchor + "\">" + escaped(words) + "</text>\n";
 }
@@ -66,7 +66,7 @@ std::string drawRow(const StripRow& row, const Axis& axis, double y) {
     std::sort(finite.begin(), finite.end());
     for (const double value : finite) xs.push_back(across(axis, value));
     const std::string note = notes(row, finite.size());
-    std::string out = text(0.0, y + 12.0, "start", row.title + (note.empty() ? "" : ": " + note), "label");
+    std::string out = label(0.0, y + 12.0, "start", row.title + (note.empty() ? "" : ": " + note), "label");
     const double middle = y + kTitleHeight + 0.5 * kLane;
     for (const Tick& tick : axis.ticks)
         out += upright(across(axis, tick.value), middle - 15.0, middle + 15.0, "grid", "#DDD8CF", 1.0);
@@ -84,9 +84,9 @@ std::string drawRow(const StripRow& row, const Axis& axis, double y) {
     out += upright(at, middle - 13.0, middle + 13.0, "median", "#171B20", 2.0) +
            seriesGroup(row.series, marks);
     if (alike) {
-        const bool before = at > 0.7 * kWidth;
-        out += text(at + (before ? -9.0 : 9.0), middle + 4.5, before ? "end" : "start",
-                    "all " + std::to_string(finite.size()));
+        const bool before = at > 0.7 * kRowWidth;
+        out += label(at + (before ? -9.0 : 9.0), middle + 4.5, before ? "end" : "start",
+                     "all " + std::to_string(finite.size()));
     }
     return out;
 }
@@ -99,15 +99,15 @@ std::string stripPlot(const StripPlotDef& plot) {
     const Axis axis = axisOf(all, false, plot.whole);
     const double bottom = (kTitleHeight + kLane + kRowGap) * static_cast<double>(plot.rows.size());
     std::string body;
-    const std::size_t stride = labelStride(axis, kWidth - kLeft - kRight, kLetterWidth);
+    const std::size_t stride = labelStride(axis, kRowWidth - kLeft - kRowRight, kRowLetterWidth);
     for (std::size_t k = 0; k < axis.ticks.size(); k += stride)
-        body += text(across(axis, axis.ticks[k].value), bottom + 14.0, "middle", axis.ticks[k].label);
+        body += label(across(axis, axis.ticks[k].value), bottom + 14.0, "middle", axis.ticks[k].label);
     double y = 0.0;
     for (const StripRow& row : plot.rows) {
         body += drawRow(row, axis, y);
         y += kTitleHeight + kLane + kRowGap;
     }
-    const std::string width = svgNumber(kWidth), height = svgNumber(bottom + kAxisHeight);
+    const std::string width = svgNumber(kRowWidth), height = svgNumber(bottom + kAxisHeight);
     return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" +
            height + "\" viewBox=\"0 0 " + width + " " + height +
            "\" role=\"img\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"12\" "
