@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "assignment/dense/transportation_problem.h"
+#include "base/neighbour_list.h"
 #include "base/random.h"
 #include "base/stopwatch.h"
 #include "cost/dynamic_cost.h"
 #include "cost/static_ground.h"
 #include "cost/unit_cost_builder.h"
-#include "crowd/neighbours.h"
 #include "eikonal/eikonal_solver.h"
 #include "formation/mesh/arap.h"
 #include "formation/shapes/formation.h"
@@ -244,13 +244,12 @@ void neighbourSearch(benchmark::State& state) {
     Random random(2);
     std::vector<Vec2> positions(static_cast<std::size_t>(state.range(0)));
     for (Vec2& p : positions) p = {random.uniform(0, side), random.uniform(0, side)};
-    NeighbourGrid grid;
-    std::vector<NearPair> pairs;
-    grid.findPairs(positions, 1.0, pairs);
+    NeighbourList list;
+    list.build(positions, 1.0);
     const Bound bound(state, static_cast<double>(positions.size()) * sizeof(Vec2) +
-                                 static_cast<double>(pairs.size()) * sizeof(NearPair));
-    for (auto _ : state) grid.findPairs(positions, 1.0, pairs);
-    state.counters["pairs"] = static_cast<double>(pairs.size());
+                                 static_cast<double>(list.pairs().size()) * sizeof(NeighbourPair));
+    for (auto _ : state) list.build(positions, 1.0);
+    state.counters["pairs"] = static_cast<double>(list.pairs().size());
 }
 
 }  // namespace

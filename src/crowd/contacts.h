@@ -1,4 +1,5 @@
-// Nobody enters another or an obstacle (SPEC A6): positions are corrected by projection.
+// Contacts: nobody enters another or an obstacle (SPEC A6). Positions are corrected by projection, as in
+// position-based dynamics (Müller et al. 2007).
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "base/neighbour_list.h"
 #include "base/parallel.h"
-#include "crowd/neighbours.h"
 #include "environment/environment.h"
 #include "muster/characters.h"
 
@@ -15,45 +16,43 @@ namespace muster {
 
 /// How contacts are resolved.
 struct ContactDef {
-    double radius = 0.25;  ///< Of a character [m] > 0.
-    /// Rounds over all contacts >= 1; ends early once nothing is left to correct.
-    std::int32_t iterations = 8;
+    double radius = 0.25;         ///< Of a character [m], above 0.
+    std::int32_t iterations = 8;  ///< Most Gauss-Seidel iterations over all contacts, 1 or more.
 };
 
-/// Corrects positions in place: pairs by halves in a fixed order, then obstacles, which have the last word.
+/// Corrects positions in place: in each iteration first pairs, by halves and in the order of the neighbour
+/// list (Gauss-Seidel), then obstacles.
 class Contacts {
 public:
-    /// Moves `positions` apart and out of obstacles and reports what is left. `known` pairs save a search as
-    /// long as nobody is farther from where they were found than they leave room for.
+    /// Moves `positions` apart and out of obstacles and reports what overlaps remain. `neighbours`, if given,
+    /// is used as long as it is valid, which saves a search; it must list pairs nearer than a diameter or
+    /// farther.
     ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
-                          const KnownPairs& known = {}, ThreadPool* pool = nullptr);
+                          const NeighbourList* neighbours = nullptr, ThreadPool* pool = nullptr);
 
 private:
-    // Somebody near an obstacle or the edge of the world.
-    struct NearObstacle {
+    // A character near an obstacle or the edge of the world.
+    struct ObstacleCandidate {
         std::int32_t index;
-        // Known to be left where it is here; nowhere at first.
+        // A position that is known to be free; NaN where none is.
         Vec2 free{std::numeric_limits<double>::quiet_NaN(), 0.0};
     };
 
     double separatePairs(double diameter, std::span<Vec2> positions);
     double leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions);
-    void leaveForGood(double radius, const Environment& environment, std::span<Vec2> positions);
+    void leaveObstaclesFinally(double radius, const Environment& environment, std::span<Vec2> positions);
     ContactReport report(double diameter, std::span<const Vec2> positions);
-    void look(double diameter, std::span<const Vec2> positions);
-    void watchObstacles(double radius, const Environment& environment, std::span<const Vec2> positions,
-                        ThreadPool* pool);
-    double roomSquared(double diameter) const;
-    bool outdated(double diameter, std::span<const Vec2> positions) const;
-    bool outdatedSince(double diameter, std::span<const Vec2> positions);
+    void findPairs(double diameter, std::span<const Vec2> positions);
+    void findObstacleCandidates(double radius, const Environment& environment,
+                                std::span<const Vec2> positions, ThreadPool* pool);
+    double slack(double diameter) const;
+    bool outdatedByCorrections(double diameter, std::span<const Vec2> positions);
 
-    NeighbourGrid neighbours_;
-    std::vector<NearPair> found_;
-    std::vector<Vec2> foundAt_;
-    KnownPairs pairs_;    // Found here, or known before.
-    bool moved_ = false;  // Somebody was moved since pairs were last held against positions.
-    std::vector<NearObstacle> nearObstacle_;
-    std::vector<std::uint8_t> watched_;  // Per character: near one.
+    NeighbourList ownPairs_;
+    const NeighbourList* pairs_ = nullptr;  // Given by the caller, or ownPairs_.
+    bool corrected_ = false;  // True where a position was corrected since pairs_ was last checked.
+    std::vector<ObstacleCandidate> obstacleCandidates_;
+    std::vector<std::uint8_t> nearObstacle_;  // Per character, 1 for candidates.
 };
 
 }  // namespace muster

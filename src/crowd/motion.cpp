@@ -5,10 +5,10 @@
 namespace muster {
 namespace {
 
-// One character's motion state, updated in place.
+// The finite state machine of one character's motion.
 class MotionUpdate {
 public:
-    MotionUpdate(const Environment& environment, Characters& characters, std::size_t i,
+    MotionUpdate(const Environment& environment, Characters& characters, std::int32_t i,
                  std::vector<MotionEvent>& events)
         : environment_(environment), characters_(characters), i_(i), events_(events) {}
 
@@ -16,7 +16,7 @@ public:
         const std::uint32_t before = characters_.patch[i_];
         characters_.motionTime[i_] += dt;
         if (ground.patch.value != before) {
-            // From one patch to another of the same motion nothing changes: together they are one patch.
+            // Overlapping patches of one motion are one patch.
             if (before == 0 || ground.patch.value == 0 || ground.motion != groundMotion())
                 change(ground);
             else if (characters_.phase[i_] == MotionPhase::Locked)
@@ -24,13 +24,14 @@ public:
         }
         characters_.patch[i_] = ground.patch.value;
         endTransition(ground);
-        rearm();
+        allowRepetition();
     }
 
 private:
     const ClipFacts& clip(std::int32_t motion) const { return environment_.def().clips[motion]; }
 
-    // The motion of the patch it was in, even while a transition out of another still plays; 0 in the open.
+    // The motion of the patch that it was in, even while a transition out of another still plays; 0 in the
+    // open.
     std::int32_t groundMotion() const {
         if (characters_.patch[i_] == 0) return 0;
         if (characters_.phase[i_] != MotionPhase::Leaving) return characters_.motion[i_];
@@ -38,9 +39,7 @@ private:
         return patch != nullptr ? patch->motion : characters_.motion[i_];
     }
 
-    void tell(MotionChange what, std::uint32_t value) {
-        events_.push_back({what, static_cast<std::int32_t>(i_), value});
-    }
+    void addEvent(MotionChange change, std::uint32_t value) { events_.push_back({change, i_, value}); }
 
     void begin(std::int32_t motion, MotionPhase phase) {
         characters_.motion[i_] = motion;
@@ -52,46 +51,47 @@ private:
         return clip(motion).cyclic && clip(motion).transitionTime > 0.0;
     }
 
-    void start(std::int32_t motion, MotionPhase phase) {
+    void beginTransition(std::int32_t motion, MotionPhase phase) {
         begin(motion, phase);
-        tell(MotionChange::TransitionStart, static_cast<std::uint32_t>(motion));
+        addEvent(MotionChange::TransitionStart, static_cast<std::uint32_t>(motion));
     }
 
     void change(const GroundSample& ground) {
-        if (characters_.patch[i_] != 0) tell(MotionChange::LeavePatch, characters_.patch[i_]);
-        if (ground.patch.value != 0) tell(MotionChange::EnterPatch, ground.patch.value);
+        if (characters_.patch[i_] != 0) addEvent(MotionChange::LeavePatch, characters_.patch[i_]);
+        if (ground.patch.value != 0) addEvent(MotionChange::EnterPatch, ground.patch.value);
         const MotionPhase phase = characters_.phase[i_];
         const std::int32_t motion = characters_.motion[i_];
         const bool single = ground.patch.value != 0 && !clip(ground.motion).cyclic;
-        // A transition out plays to its end before another motion; back in the same it ends, and a single
-        // step waits for nothing.
-        const bool back = ground.patch.value != 0 && ground.motion == motion;
-        if (phase == MotionPhase::Leaving && !back && !single) return;
+        // A transition out plays to its end before another motion begins. It ends at once where the character
+        // comes back to the same motion, or to a single-step motion.
+        const bool returns = ground.patch.value != 0 && ground.motion == motion;
+        if (phase == MotionPhase::Leaving && !returns && !single) return;
         if (phase == MotionPhase::Entering || phase == MotionPhase::Leaving)
-            tell(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
+            addEvent(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
         const bool leaves = phase != MotionPhase::Leaving && characters_.patch[i_] != 0 &&
                             hasTransition(motion);
         if (single)
-            step(ground);
+            beginSingleStep(ground);
         else if (leaves)
-            start(motion, MotionPhase::Leaving);
+            beginTransition(motion, MotionPhase::Leaving);
         else
-            arrive(ground);
+            beginGroundMotion(ground);
     }
 
-    // Takes up the motion of the ground, which is cyclic.
-    void arrive(const GroundSample& ground) {
+    // Begins the motion of the ground, which is cyclic.
+    void beginGroundMotion(const GroundSample& ground) {
         if (ground.patch.value != 0 && hasTransition(ground.motion))
-            start(ground.motion, MotionPhase::Entering);
+            beginTransition(ground.motion, MotionPhase::Entering);
         else
             begin(ground.motion, MotionPhase::Steady);
     }
 
-    void step(const GroundSample& ground) {
+    void beginSingleStep(const GroundSample& ground) {
         const std::uint32_t last = characters_.lastSingle[i_];
-        const bool again = last == ground.patch.value || environment_.onePatch(PatchId{last}, ground.patch);
+        const bool repeated = last == ground.patch.value ||
+                              environment_.onePatch(PatchId{last}, ground.patch);
         begin(ground.motion, MotionPhase::Locked);
-        if (!again) tell(MotionChange::SingleStep, static_cast<std::uint32_t>(ground.motion));
+        if (!repeated) addEvent(MotionChange::SingleStep, static_cast<std::uint32_t>(ground.motion));
         characters_.lastSingle[i_] = ground.patch.value;
     }
 
@@ -100,22 +100,22 @@ private:
         if (phase != MotionPhase::Entering && phase != MotionPhase::Leaving) return;
         const std::int32_t motion = characters_.motion[i_];
         if (characters_.motionTime[i_] < clip(motion).transitionTime) return;
-        tell(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
+        addEvent(MotionChange::TransitionEnd, static_cast<std::uint32_t>(motion));
         if (phase == MotionPhase::Leaving)
-            arrive(ground);
+            beginGroundMotion(ground);
         else
             begin(motion, MotionPhase::Steady);
     }
 
-    // motionTime runs from the moment the single-step patch was left.
-    void rearm() {
+    // motionTime counts from the moment when the single-step patch was left.
+    void allowRepetition() {
         if (characters_.lastSingle[i_] == 0 || characters_.phase[i_] == MotionPhase::Locked) return;
         if (characters_.motionTime[i_] >= kRearmTime) characters_.lastSingle[i_] = 0;
     }
 
     const Environment& environment_;
     Characters& characters_;
-    std::size_t i_;
+    std::int32_t i_;
     std::vector<MotionEvent>& events_;
 };
 
@@ -128,8 +128,8 @@ void updateMotions(const Environment& environment, double dt, Characters& charac
     const std::span<const std::uint32_t> singles = characters.lastSingle;
     const std::span<const std::uint32_t> inPatch = characters.patch;
     const std::span<double> times = characters.motionTime;
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-        // Most go on in the motion they are in.
+    for (std::int32_t i = 0; i < std::ssize(phases); ++i) {
+        // Most characters keep their motion.
         const bool steady = phases[i] == MotionPhase::Steady && singles[i] == 0;
         if (!patches && steady && inPatch[i] == 0) {
             times[i] += dt;

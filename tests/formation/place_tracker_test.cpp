@@ -229,10 +229,10 @@ TEST_CASE("random scenes: no place crosses an obstacle, all keep the speed bound
         double warm = 0.0, cold = 0.0;
         for (std::size_t i = 0; i < 36; ++i) {
             ++all;
-            arrived += distance(places.goals()[i], places.positions()[i]) < 1e-6 ? 1 : 0;
+            arrived += distance(places.reachableTargets()[i], places.positions()[i]) < 1e-6 ? 1 : 0;
             CHECK(places.fit()[i] == 1);
-            warm += distance(places.goals()[i], targets[i]) / 36.0;
-            cold += distance(fresh.goals()[i], targets[i]) / 36.0;
+            warm += distance(places.reachableTargets()[i], targets[i]) / 36.0;
+            cold += distance(fresh.reachableTargets()[i], targets[i]) / 36.0;
         }
         CHECK(warm <= cold + 0.5 * 2 * def.radius);
     }
@@ -281,15 +281,15 @@ TEST_CASE(
     aim(-16.0);
     places.reset(def, targets, environment, region);
     threaded.reset(def, targets, environment, region);
-    CHECK(places.goals() == targets);
+    CHECK(places.reachableTargets() == targets);
     std::size_t leaps = 0, moves = 0, unfit = 0, displaced = 0;
     for (int k = 0; k < 1500; ++k) {
         aim(std::min(-16.0 + 1.4 * k * kStep, 18.0));
-        const std::vector<Vec2> before = places.goals();
+        const std::vector<Vec2> before = places.reachableTargets();
         places.advance(def, targets, environment, region, kStep);
         threaded.advance(def, targets, environment, region, kStep, &pool);
         for (std::size_t i = 0; i < targets.size(); ++i) {
-            const Vec2 goal = places.goals()[i];
+            const Vec2 goal = places.reachableTargets()[i];
             if (places.fit()[i] == 0) ++unfit;
             if (places.fit()[i] == 0) continue;
             REQUIRE(environment.distanceToObstacle(goal) > def.radius);
@@ -303,7 +303,7 @@ TEST_CASE(
         for (std::size_t i = 0; i < targets.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (places.fit()[i] != 0 && places.fit()[j] != 0)
-                    least = std::min(least, distance(places.goals()[i], places.goals()[j]));
+                    least = std::min(least, distance(places.reachableTargets()[i], places.reachableTargets()[j]));
         CHECK(least >= 2 * def.radius * (1 - 1e-8));
     }
     MESSAGE("of " << moves << " moves of goals " << leaps << " were leaps, " << displaced
@@ -311,7 +311,7 @@ TEST_CASE(
     CHECK(displaced > moves / 20);  // It was a squeeze.
     CHECK(leaps < moves / 200);
     CHECK(unfit < moves / 20);
-    CHECK(places.goals() == targets);  // Behind the gap all are where they belong.
+    CHECK(places.reachableTargets() == targets);  // Behind the gap all are where they belong.
 }
 
 TEST_CASE("who loses a seat where there is room has another in the same step") {
@@ -345,12 +345,12 @@ TEST_CASE("one target that leaps takes its place along; the others keep their se
     PlaceTracker places;
     places.reset({}, targets, environment, -1);
     for (int k = 0; k < 30; ++k) places.advance({}, targets, environment, -1, kStep);
-    const std::vector<Vec2> before = places.goals();
+    const std::vector<Vec2> before = places.reachableTargets();
     targets[20] = {-8, -8};
     places.advance({}, targets, environment, -1, kStep);
-    CHECK(places.goals()[20] == targets[20]);
+    CHECK(places.reachableTargets()[20] == targets[20]);
     for (std::size_t i = 0; i < 30; ++i)
-        if (i != 20) CHECK(distance(places.goals()[i], before[i]) <= 0.15);
+        if (i != 20) CHECK(distance(places.reachableTargets()[i], before[i]) <= 0.15);
     for (int k = 0; k < 600; ++k) places.advance({}, targets, environment, -1, kStep);
     CHECK(std::count(places.fit().begin(), places.fit().end(), 1) == 30);
     CHECK(closestPair(places) >= 0.5 * (1 - 1e-8));

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "base/neighbour_list.h"
 #include "counting_new.h"
-#include "crowd/neighbours.h"
 #include "world/scenes.h"
 
 using namespace muster;
@@ -82,17 +82,16 @@ TEST_CASE("60 steps of two groups on patches, with items and checkpoints, alloca
     CHECK(allocationsOf(world) == 0);
 }
 
-TEST_CASE("looking for neighbours allocates nothing more when a crowd spreads, however far") {
+TEST_CASE("neighbour lists allocate nothing more when a crowd spreads, however far") {
     Random random(3);
     std::vector<Vec2> positions;
     for (int k = 0; k < 60; ++k) positions.push_back({random.uniform(0, 3), random.uniform(0, 3)});
-    NeighbourGrid grid;
-    std::vector<NearPair> pairs;
-    grid.findPairs(positions, 0.65, pairs);
+    NeighbourList list;
+    list.build(positions, 0.65);
     const long before = allocations;
     for (int k = 0; k < 20; ++k) {
         for (Vec2& p : positions) p = {p.x * 1.5, p.y * 1.2};
-        grid.findPairs(positions, 0.65, pairs);
+        list.build(positions, 0.65);
     }
     CHECK(allocations == before);
 }

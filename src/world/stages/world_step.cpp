@@ -302,8 +302,7 @@ void World::Impl::steer() {
 
 void World::Impl::resolveContacts() {
     const ContactDef def{parameters.radius, static_cast<std::int32_t>(parameters.contactIterations)};
-    const KnownPairs known{steering.pairs(), characters.position, steering.reach()};
-    contacts = contactSolver.resolve(def, environment, memory.nextPosition, known, pool.get());
+    contacts = contactSolver.resolve(def, environment, memory.nextPosition, &steering.neighbours(), pool.get());
     // What contacts took away is not speed any more; what they pushed adds none.
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 moved = (memory.nextPosition[i] - characters.position[i]) / parameters.stepTime;
@@ -372,7 +371,7 @@ void World::Impl::measureLag() {
         for (const std::int32_t member : group.members) {
             const auto i = static_cast<std::size_t>(member);
             if (characters.place[i] < 0) continue;
-            sum += distance(characters.position[i], group.places.goals()[characters.place[i]]);
+            sum += distance(characters.position[i], group.places.reachableTargets()[characters.place[i]]);
             ++matched;
         }
         group.meanLag = matched > 0 ? sum / matched : 0.0;

@@ -1,22 +1,24 @@
 #include <doctest.h>
 
 #include "environment/scene.h"
-#include "formation/places/place_goals.h"
+#include "formation/places/free_space.h"
 
 using namespace muster;
 using namespace muster::test;
 
 namespace {
 
-// What PlaceGround tells, by exact distances alone.
-bool roomy(const Environment& environment, const PlaceDef& def, Vec2 p, double distance) {
+// FreeSpace::isClear() by exact distances alone.
+bool isClear(const Environment& environment, const PlaceDef& def, Vec2 p, double distance) {
     const Box inner = environment.def().box.grown(-def.radius - def.clearance);
     return inner.contains(p) && environment.distanceToObstacle(p, 20.0) >= distance;
 }
 
 }  // namespace
 
-TEST_CASE("room told by the raster is room by exact distances, in worlds of one region and of several") {
+TEST_CASE(
+    "the free space by raster and bounds equals that by exact distances, in worlds of one region and of "
+    "several") {
     Random random(11);
     const PlaceDef def;
     for (int round = 0; round < 8; ++round) {
@@ -26,17 +28,17 @@ TEST_CASE("room told by the raster is room by exact distances, in worlds of one 
         if (round % 2 == 0) REQUIRE(environment.addObstacle(rectangle({-0.3, -10.0}, {0.3, 10.0})).ok());
         environment.setTime(0.7);
         const std::int32_t region = round % 4 - 1;
-        const PlaceGround ground(def, environment, region);
+        const FreeSpace space(def, environment, region);
         for (int k = 0; k < 2000; ++k) {
             const Vec2 p{random.uniform(-10.5, 10.5), random.uniform(-10.5, 10.5)};
             const double distance = random.uniform(0.0, 4.0);
-            CHECK(ground.roomy(p, distance) == roomy(environment, def, p, distance));
-            if (ground.roomAt(ground.cellOf(p)) >= distance)
+            CHECK(space.isClear(p, distance) == isClear(environment, def, p, distance));
+            if (space.clearanceAt(space.cellOf(p)) >= distance)
                 CHECK(environment.distanceToObstacle(p, 20.0) >= distance);
             const std::int32_t label = environment.region(p, def.radius);
-            const bool free = roomy(environment, def, p, ground.clearRadius());
+            const bool free = isClear(environment, def, p, space.clearRadius());
             if (!free || label >= 0 || region < 0)
-                CHECK(ground.standable(p) == (free && (region < 0 || label == region)));
+                CHECK(space.contains(p) == (free && (region < 0 || label == region)));
         }
     }
 }

@@ -1,0 +1,78 @@
+// The free space of a character: the points where it can stand (configuration space of a disc, Lozano-Pérez
+// 1983).
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include "environment/environment.h"
+
+namespace muster {
+
+/// How places travel.
+struct PlaceDef {
+    double radius = 0.25;     ///< Of the characters [m], above 0.
+    double clearance = 0.02;  ///< Distance kept from obstacles beyond the radius [m], 0 or more.
+    double maxSpeed = 2.0;    ///< Of places [m/s], above 0; multiplied by the ground's travel speed.
+};
+
+/// The free space of one kind of character in one region of an environment.
+class FreeSpace {
+public:
+    /// `region` is a label of Environment::region(), or -1 for all regions.
+    FreeSpace(const PlaceDef& def, const Environment& environment, std::int32_t region)
+        : def_(def),
+          environment_(environment),
+          region_(region),
+          inner_(environment.def().box.grown(-clearRadius())),
+          grid_(environment.grid()),
+          clearance_(environment.clearance()),
+          clearanceError_(0.5 * std::sqrt(2.0) * grid_.cell + kRoundingError),
+          undivided_(region < 0 || (region == 0 && environment.regionCount(def.radius) == 1)) {}
+
+    /// Radius and clearance together [m].
+    double clearRadius() const { return def_.radius + def_.clearance; }
+    /// Index of the cell that holds `p`, or of the nearest to it.
+    std::int32_t cellOf(Vec2 p) const { return grid_.index(grid_.nearestCell(p)); }
+    /// A lower bound of the distance from any point whose cell this is to obstacles and to the edge of the
+    /// box [m]. Negative at the edge, and so for all points outside.
+    double clearanceAt(std::int32_t cell) const { return clearance_[cell] - clearanceError_; }
+    /// True where no obstacle lies within `distance` [m] of `p`, and the box holds `p` with its clearance.
+    bool isClear(Vec2 p, double distance) const {
+        return inner_.contains(p) && (clearanceAt(cellOf(p)) >= distance || isClearExactly(p, distance));
+    }
+    /// True where a character can stand at `p` with clearance, in the region.
+    bool contains(Vec2 p) const {
+        // A cell with enough clearance lies in a region, and where there is only one, in that.
+        return (undivided_ && clearanceAt(cellOf(p)) >= clearRadius()) || containsExactly(p);
+    }
+    /// `p` where the free space contains it, else a near point of the free space.
+    Vec2 nearest(Vec2 p) const;
+    /// `p` projected out of obstacles with clearance, whatever the region.
+    Vec2 project(Vec2 p) const { return environment_.projectToFreeSpace(p, clearRadius()); }
+
+private:
+    // Bound on the rounding error of clearances, which are kept as floats [m].
+    static constexpr double kRoundingError = 1e-5;
+
+    bool isClearExactly(Vec2 p, double distance) const;
+    bool containsExactly(Vec2 p) const;
+    bool inRegion(Vec2 p) const;
+
+    const PlaceDef& def_;
+    const Environment& environment_;
+    std::int32_t region_;
+    Box inner_;  // The box for characters with clearance [m].
+    Grid grid_;
+    std::span<const float> clearance_;  // Of cell centres [m].
+    double clearanceError_;  // Most by which a point's clearance is below that of its cell's centre [m].
+    bool undivided_;         // True where all cells with enough clearance are in the region.
+};
+
+/// Radius for tests of lines [m]: slightly below the radius, because places stand and paths run exactly at
+/// it.
+inline double lineRadius(const PlaceDef& def) {
+    return def.radius - std::fmin(1e-3, 0.01 * def.radius);
+}
+
+}  // namespace muster

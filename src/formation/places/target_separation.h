@@ -1,0 +1,33 @@
+// Reachable targets from scratch: targets are projected onto the free space and separated from each other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/cell_list.h"
+#include "base/neighbour_list.h"
+#include "formation/places/free_space.h"
+
+namespace muster {
+
+/// Working memory of separateTargets().
+struct SeparationMemory {
+    NeighbourList neighbours;              ///< Of the targets while they are pushed apart.
+    std::vector<Vec2> push;                ///< Of each target, its correction in this iteration [m].
+    std::vector<std::uint8_t> moved;       ///< Of each target, 1 where the last iteration moved it.
+    std::vector<NeighbourPair> conflicts;  ///< Pairs that are too close after the last iteration.
+    CellList cells;                        ///< Of the targets while some are relocated.
+    std::vector<Vec2> taken;               ///< Points that relocated targets have taken [m].
+};
+
+/// Moves `targets` [m] to points of the free space that are at least `separation` [m] apart:
+/// 1. Each is projected onto the free space.
+/// 2. Pairs that are too close are pushed apart by Jacobi iterations, and projected again.
+/// 3. Of those still too close a greedy maximal independent set, in ascending order, stays; the others are
+/// relocated
+///    to free points near by.
+/// `fit` is set to 1 for targets that have such a point, and to 0 for the others.
+void separateTargets(const FreeSpace& space, double separation, std::vector<Vec2>& targets,
+                     std::vector<std::uint8_t>& fit, SeparationMemory& memory);
+
+}  // namespace muster

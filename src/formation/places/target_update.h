@@ -1,0 +1,77 @@
+// Reachable targets from step to step: they move along with their targets, conflicts are resolved, and single
+// ones are relocated.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/neighbour_list.h"
+#include "base/parallel.h"
+#include "formation/places/free_space.h"
+
+namespace muster {
+
+/// Where the places of a group are bound for.
+struct ReachableTargets {
+    std::vector<Vec2> target;  ///< Targets of the last step: points of the final mesh [m].
+    std::vector<Vec2>
+        reachable;  ///< Of each target, the point of the free space that the place heads for [m].
+    std::vector<std::uint8_t> fit;  ///< 1 where a place has such a point, 0 where it stays unmatched.
+    std::uint32_t nextSearch = 0;   ///< Index of the place whose search for a better point comes next.
+};
+
+/// Working memory of TargetUpdate. Only the neighbour list outlives a step, and it is a cache.
+struct TargetUpdateMemory {
+    NeighbourList neighbours;             ///< Of the reachable targets.
+    std::vector<Vec2> advected;           ///< Where each is if it moves along with its target [m].
+    std::vector<Vec2> next;               ///< Where each moves by its level [m].
+    std::vector<std::uint8_t> level;      ///< How each moves.
+    std::vector<std::uint8_t> exact;      ///< 1 for those that are on their targets.
+    std::vector<std::uint8_t> yielding;   ///< 1 for those listed in `yields`.
+    std::vector<std::int32_t> yields;     ///< Those whose level is lowered next.
+    std::vector<std::int32_t> lowered;    ///< Those whose level was lowered last.
+    std::vector<std::int32_t> searching;  ///< Those that are not on their targets, round robin.
+    std::vector<std::int32_t> relocated;  ///< Those relocated in this step.
+};
+
+/// One step of reachable targets. A reachable target that lies on its target moves with it. Others are
+/// advected by the displacement of their targets and attracted by them. Where two come too close, one gives
+/// up attraction first, then advection; where all keep their points nobody is too close. Those without a
+/// point, or not on their targets, search for a better one, round robin and within a budget.
+class TargetUpdate {
+public:
+    /// Reachable targets stay `separation` [m] apart; attraction moves them by up to `attraction` [m] per
+    /// step.
+    TargetUpdate(const FreeSpace& space, double separation, double attraction, ReachableTargets& state,
+                 TargetUpdateMemory& memory)
+        : space_(space), separation_(separation), attraction_(attraction), s_(state), m_(memory) {}
+
+    /// Advances to `targets`. False, with nothing changed, where so many targets jumped that
+    /// separateTargets() suits better.
+    bool run(std::span<const Vec2> targets, ThreadPool* pool);
+
+private:
+    enum Level : std::uint8_t { Fixed, Advected, Attracted, Discontinuous };
+
+    double maxStep() const;
+    void propose(std::int32_t place, Vec2 target);
+    void proposeAttracted(std::int32_t place, Vec2 target, Vec2 advected, bool free);
+    bool correct(Vec2& point, Vec2 from) const;
+    void resolveConflicts();
+    bool inConflict(std::int32_t a, std::int32_t b) const;
+    void chooseYielding(std::int32_t a, std::int32_t b);
+    void lowerLevel(std::int32_t place);
+    void relocateRoundRobin(std::span<const Vec2> targets);
+    void listSearching(std::span<const Vec2> targets, std::int32_t first);
+    bool relocate(std::int32_t place, Vec2 target, std::int32_t& budget);
+    bool tryPoint(std::int32_t place, Vec2 point);
+
+    const FreeSpace& space_;
+    double separation_;
+    double attraction_;
+    ReachableTargets& s_;
+    TargetUpdateMemory& m_;
+};
+
+}  // namespace muster
