@@ -27,7 +27,7 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
         s.time += kStep;
         s.controls.advance(s.controlDef, kStep, s.time, 1.0);
         const bool ok = s.mesh.deform(s.meshDef, s.controlDef, s.controls, kStep).ok();
-        s.mesh.meet(s.meshDef, environment, kStep);
+        s.mesh.applyEnvironment(s.meshDef, environment, kStep);
         s.mesh.placePositions(targets);
         const long beforePlaces = allocations;
         places.advance({}, targets, environment, -1, kStep);

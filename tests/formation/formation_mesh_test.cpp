@@ -201,7 +201,7 @@ TEST_CASE("a change of formation keeps place and orientation") {
     CHECK(s.mesh.formation().places.size() == 36);
     CHECK(s.mesh.formation().mesh.vertices.size() == s.mesh.userMesh().size());
     CHECK_FALSE(s.mesh.reset(square(), {{std::nan(""), 0}, {}}).ok());
-    s.mesh.place(poseOf(0.2, {1, 1}));
+    s.mesh.setPose(poseOf(0.2, {1, 1}));
     s.mesh.placePositions(places);
     mean = {};
     for (const Vec2 p : places) mean += p / 36.0;
@@ -220,7 +220,7 @@ TEST_CASE("vertices leave obstacles and the displacement is bounded, decays and 
     std::vector<Vec2> last = s.mesh.finalMesh();
     for (int k = 0; k < 120; ++k) {
         s.step();
-        s.mesh.meet(s.meshDef, environment, kStep);
+        s.mesh.applyEnvironment(s.meshDef, environment, kStep);
         for (std::size_t v = 0; v < last.size(); ++v) {
             REQUIRE(environment.distanceToObstacle(s.mesh.finalMesh()[v]) > -1e-9);
             // Outside the obstacle from the first step on, the bound holds.
@@ -230,11 +230,11 @@ TEST_CASE("vertices leave obstacles and the displacement is bounded, decays and 
         last = s.mesh.finalMesh();
     }
     REQUIRE(environment.removeObstacle(id).ok());
-    for (int k = 0; k < 240; ++k) s.mesh.meet(s.meshDef, environment, kStep);
+    for (int k = 0; k < 240; ++k) s.mesh.applyEnvironment(s.meshDef, environment, kStep);
     CHECK(s.mesh.finalMesh() == s.mesh.userMesh());
     FormationMeshDef off = s.meshDef;
     off.environmentField = false;
-    s.mesh.meet(off, environment, kStep);
+    s.mesh.applyEnvironment(off, environment, kStep);
     CHECK(s.mesh.finalMesh() == s.mesh.userMesh());
 }
 

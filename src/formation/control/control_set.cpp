@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "formation/control/supplementary_points.h"
 #include "formation/control/trajectory.h"
@@ -10,7 +11,7 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kMaxControls = 64;           // On one mesh.
-constexpr double kLatest = 0.5;                    // Touches arrive at most this long after their stamps [s].
+constexpr double kMaxDelay = 0.5;                  // Touches arrive at most this long after their stamps [s].
 constexpr std::int32_t kMaxFingersPerClient = 32;  // Down at once on one mesh.
 
 ControlKind kindFor(std::size_t points) {
@@ -29,11 +30,12 @@ std::int32_t nearestVertex(std::span<const Vec2> vertices, Vec2 p) {
     return static_cast<std::int32_t>(best);
 }
 
-ControlPoint grabVertex(std::int32_t vertex, std::uint32_t touch, Vec2 finger, std::span<const Vec2> held) {
+ControlPoint holdVertex(std::int32_t vertex, std::uint32_t touch, Vec2 finger,
+                        std::span<const Vec2> userVertices) {
     ControlPoint point;
     point.vertex = vertex;
     point.touch = touch;
-    point.position = held[vertex];
+    point.position = userVertices[vertex];
     point.offset = point.position - finger;
     return point;
 }
@@ -65,8 +67,8 @@ const Control* holderOf(const std::vector<Control>& controls, std::int32_t verte
     return nullptr;
 }
 
-// Frees a vertex whose control was lifted and only follows the rest of its path.
-// False where a finger or a pin holds it.
+// Ends the control that holds a vertex if it was lifted and only follows the rest of its trajectories. False
+// where a finger or a pinned control holds the vertex.
 bool freeVertex(std::vector<Control>& controls, std::int32_t vertex) {
     const Control* holder = holderOf(controls, vertex);
     if (holder == nullptr) return true;
@@ -75,30 +77,31 @@ bool freeVertex(std::vector<Control>& controls, std::int32_t vertex) {
     return true;
 }
 
-// True where the control has nowhere left to go.
-bool ended(const Control& control) {
+// True where the control ends in the next step.
+bool hasEnded(const Control& control) {
     if (control.pinned) return false;
     return std::none_of(control.points.begin(), control.points.end(),
                         [](const ControlPoint& p) { return p.down || !p.trajectory.empty(); });
 }
 
-bool goodMesh(const TriangleMesh& rest, std::span<const Vec2> vertices) {
+bool isMeshOf(const TriangleMesh& rest, std::span<const Vec2> vertices) {
     return !vertices.empty() && rest.vertices.size() == vertices.size();
 }
 
 }  // namespace
 
 bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
-                           double time, const TriangleMesh& rest, std::span<const Vec2> vertices,
-                           std::span<const Vec2> held) {
-    if (held.empty()) held = vertices;
-    if (!isFinite(position) || !std::isfinite(time) || !goodMesh(rest, vertices) || !goodMesh(rest, held))
+                           double time, const TriangleMesh& rest, std::span<const Vec2> finalVertices,
+                           std::span<const Vec2> userVertices) {
+    if (userVertices.empty()) userVertices = finalVertices;
+    if (!isFinite(position) || !std::isfinite(time) || !isMeshOf(rest, finalVertices) ||
+        !isMeshOf(rest, userVertices))
         return false;
     if (findFinger(controls_, client, touch) != nullptr) return false;
     if (fingersDown(controls_, client) >= kMaxFingersPerClient) return false;
-    const std::int32_t vertex = nearestVertex(vertices, position);
+    const std::int32_t vertex = nearestVertex(finalVertices, position);
     if (!freeVertex(controls_, vertex)) return false;
-    const ControlPoint point = grabVertex(vertex, touch, position, held);
+    const ControlPoint point = holdVertex(vertex, touch, position, userVertices);
     for (Control& control : controls_) {
         const bool joins = control.open && control.client == client && anyDown(control) &&
                            std::fabs(time - control.startTime) <= def.window;
@@ -121,23 +124,23 @@ bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uin
 
 bool ControlSet::addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
                             std::span<const std::uint32_t> touches, std::span<const Vec2> positions,
-                            double time, const TriangleMesh& rest, std::span<const Vec2> vertices,
-                            std::span<const Vec2> held) {
-    if (held.empty()) held = vertices;
+                            double time, const TriangleMesh& rest, std::span<const Vec2> finalVertices,
+                            std::span<const Vec2> userVertices) {
+    if (userVertices.empty()) userVertices = finalVertices;
     const std::size_t n = positions.size();
     if (n == 0 || touches.size() != n || kindFor(n) != kind || !std::isfinite(time) ||
-        !goodMesh(rest, vertices) || !goodMesh(rest, held))
+        !isMeshOf(rest, finalVertices) || !isMeshOf(rest, userVertices))
         return false;
-    if (n + static_cast<std::size_t>(fingersDown(controls_, client)) > kMaxFingersPerClient) return false;
+    if (std::cmp_greater(n + fingersDown(controls_, client), kMaxFingersPerClient)) return false;
     Control control;
     for (std::size_t k = 0; k < n; ++k) {
         if (!isFinite(positions[k]) || findFinger(controls_, client, touches[k]) != nullptr) return false;
-        const std::int32_t vertex = nearestVertex(vertices, positions[k]);
+        const std::int32_t vertex = nearestVertex(finalVertices, positions[k]);
         const Control* holder = holderOf(controls_, vertex);
         if (holder != nullptr && (holder->pinned || anyDown(*holder))) return false;
         for (const ControlPoint& other : control.points)
             if (other.vertex == vertex || other.touch == touches[k]) return false;
-        control.points.push_back(grabVertex(vertex, touches[k], positions[k], held));
+        control.points.push_back(holdVertex(vertex, touches[k], positions[k], userVertices));
     }
     for (const ControlPoint& point : control.points) freeVertex(controls_, point.vertex);
     if (controls_.size() >= kMaxControls) return false;
@@ -157,7 +160,7 @@ bool ControlSet::touchMove(const ControlDef& def, std::uint32_t client, std::uin
     if (!isFinite(position) || !std::isfinite(time)) return false;
     ControlPoint* point = findFinger(controls_, client, touch);
     if (point == nullptr) return false;
-    extendPath(*point, position + point->offset, time, def.checkpointSpacing);
+    extendTrajectory(*point, position + point->offset, time, def.checkpointSpacing);
     return true;
 }
 
@@ -209,37 +212,34 @@ void ControlSet::clear() {
 }
 
 bool ControlSet::advance(const ControlDef& def, double dt, double now, double pace) {
-    // A control that reached its end in the last step has been shown there; now it goes.
+    // A control that reached its end in the last step has been shown there, and ends now.
     const std::size_t before = controls_.size();
-    std::erase_if(controls_, ended);
+    std::erase_if(controls_, hasEnded);
     const double reach = std::isfinite(pace) ? def.maxSpeed * std::clamp(pace, 0.0, 1.0) * dt : 0.0;
     for (Control& control : controls_) {
-        if (control.joinDeadline < 0.0) control.joinDeadline = now + def.window + kLatest;
+        if (control.joinDeadline < 0.0) control.joinDeadline = now + def.window + kMaxDelay;
         if (now > control.joinDeadline) control.open = false;
         control.clock = std::min(control.clock, now);
         const double until = std::max(control.clock, std::min(now, control.clock + def.clockRate * dt));
         double reached = until;
         for (const ControlPoint& point : control.points)
-            reached = std::min(reached, clockWithin(point, control.clock, until, reach));
-        for (ControlPoint& point : control.points) followPath(point, control.clock, reached, reach);
+            reached = std::min(reached, latestReachable(point, control.clock, until, reach));
+        for (ControlPoint& point : control.points) followTrajectory(point, control.clock, reached, reach);
         control.clock = reached;
     }
     return controls_.size() != before;
 }
 
 void ControlSet::rebind(const ControlDef& def, const TriangleMesh& rest, std::span<const Vec2> vertices) {
-    if (!goodMesh(rest, vertices)) {
+    if (!isMeshOf(rest, vertices)) {
         clear();
         return;
     }
-    std::vector<std::uint8_t> held(vertices.size(), 0);
+    std::vector<std::uint8_t> taken(vertices.size(), 0);
     for (Control& control : controls_) {
         std::erase_if(control.points, [&](ControlPoint& point) {
             point.vertex = nearestVertex(vertices, point.position);
-            std::uint8_t& mark = held[point.vertex];
-            const bool taken = mark != 0;
-            mark = 1;
-            return taken;
+            return std::exchange(taken[point.vertex], std::uint8_t{1}) != 0;
         });
         if (control.points.empty()) continue;
         control.kind = kindFor(control.points.size());

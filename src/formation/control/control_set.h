@@ -10,63 +10,63 @@
 
 namespace muster {
 
-/// How touches become controls and how these move.
+/// How touches become controls, and how controls move.
 struct ControlDef {
-    double window = 0.15;            ///< Touches that begin within it form one control [s] >= 0.
-    double checkpointSpacing = 0.5;  ///< Along a drawn path [m] > 0.
-    double maxSpeed = 1.6;           ///< Bound on control points [m/s] > 0.
-    double clockRate = 4.0;          ///< Bound on drawing seconds per second when catching up >= 1.
-    double softWeight = 6.0;         ///< Of supplementary points > 0.
-    double sampleSpacing = 1.0;      ///< Between supplementary points [m] > 0.
+    double window = 0.15;            ///< Touches that begin within it form one control [s], 0 or more.
+    double checkpointSpacing = 0.5;  ///< Distance between checkpoints of a trajectory [m], above 0.
+    double maxSpeed = 1.6;           ///< Bound on the speed of control points [m/s], above 0.
+    double clockRate = 4.0;          ///< Most drawing seconds per second when catching up, 1 or more.
+    double softWeight = 6.0;  ///< Weight of supplementary points against the mesh's own stiffness, above 0.
+    double sampleSpacing = 1.0;  ///< Distance between supplementary points [m], above 0.
 };
 
 /// All controls on one mesh.
 class ControlSet {
 public:
-    /// A finger comes down at `position` on the mesh with these vertices (Vf, as people see it): starts a
-    /// point control on the nearest vertex, or joins the same client's open control and upgrades it to line
-    /// or area. `held` are the vertices that controls move (Vu); empty where they are the same. Refused
-    /// (false): a finger that is down already, one whose nearest vertex is held by a finger or a pin (a
-    /// lifted control still on its way gives way), numbers that are not finite, more than 32 fingers of a
-    /// client or 64 controls.
+    /// A finger comes down at `position` [m]. It starts a point control on the nearest of `finalVertices`
+    /// (Vf, as people see it), or joins the same client's open control, which becomes a line or an area.
+    /// `userVertices` are the vertices that controls move (Vu); empty where they are the same. Refused
+    /// (false): a finger that is down already; a nearest vertex that is held by a finger or a pinned control
+    /// (a lifted control that still follows its trajectories ends instead); numbers that are not finite; more
+    /// than 32 fingers of a client or 64 controls.
     bool touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
-                   double time, const TriangleMesh& rest, std::span<const Vec2> vertices,
-                   std::span<const Vec2> held = {});
-    /// Starts a whole control of a given kind at once (mouse: rubber band, lasso; API): one position
-    /// and touch number per point. False where the number does not suit the kind (1, 2, 3 and more), or as
-    /// above.
+                   double time, const TriangleMesh& rest, std::span<const Vec2> finalVertices,
+                   std::span<const Vec2> userVertices = {});
+    /// Starts a control of a given kind at once (mouse: rubber band, lasso; API), with one position and touch
+    /// number per point. Refused (false) where the number of points does not suit the kind, or as
+    /// touchDown().
     bool addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
                     std::span<const std::uint32_t> touches, std::span<const Vec2> positions, double time,
-                    const TriangleMesh& rest, std::span<const Vec2> vertices,
-                    std::span<const Vec2> held = {});
-    /// The finger moves: its path grows (at most 4096 checkpoints; then every second goes). False for an
-    /// unknown finger or a number that is not finite.
+                    const TriangleMesh& rest, std::span<const Vec2> finalVertices,
+                    std::span<const Vec2> userVertices = {});
+    /// Extends the trajectory of a finger (at most 4096 checkpoints; then every second is dropped). False for
+    /// an unknown finger or a number that is not finite.
     bool touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
                    double time);
-    /// The finger lifts: the path stays to be followed. False for an unknown finger.
+    /// Lifts a finger; its trajectory is still followed. False for an unknown finger.
     bool touchUp(std::uint32_t client, std::uint32_t touch);
-    /// Ends the control that this finger belongs to at once, dropping the path still ahead.
+    /// Ends the control of a finger at once. False for an unknown finger.
     bool touchCancel(std::uint32_t client, std::uint32_t touch);
-    /// Lifts every finger of a client that has gone.
+    /// Lifts all fingers of a client that has left.
     void releaseClient(std::uint32_t client);
-    /// Keeps a control where its path ends, or lets it go. False for an unknown id.
+    /// Pins a control where its trajectories end, or releases it. False for an unknown id.
     bool setPinned(ControlId id, bool pinned);
     /// Ends a control. False for an unknown id.
     bool remove(ControlId id);
-    /// Ends all.
+    /// Ends all controls.
     void clear();
 
-    /// Moves control points along their paths for `dt` [s]: clocks advance no faster than the speed
-    /// bound times `pace` (0 to 1, SPEC U6) allows, never beyond `now`; lifted controls at the end of their
-    /// paths go, unless pinned. Returns true where the set of constraints changed.
+    /// Moves control points along their trajectories for `dt` [s]. Clocks advance no faster than the speed
+    /// bound times `pace` (0 to 1, SPEC U6) allows and never beyond `now` [s]. Lifted controls at the ends of
+    /// their trajectories end, unless pinned. Returns true where the set of constraints changed.
     bool advance(const ControlDef& def, double dt, double now, double pace);
-    /// The mesh was exchanged: every control point takes the vertex nearest to where it is held,
-    /// supplementary points are sampled anew; points that fall on one vertex are merged.
+    /// Binds the controls to another mesh: every control point takes the vertex nearest to its position,
+    /// points that fall on one vertex are merged, and supplementary points are sampled anew.
     void rebind(const ControlDef& def, const TriangleMesh& rest, std::span<const Vec2> vertices);
 
-    /// In the order they were made.
+    /// All controls, in the order in which they were made.
     std::span<const Control> controls() const { return controls_; }
-    /// Hard vertices, soft points and their targets for the solver, in a fixed order.
+    /// Writes the constraints for the solver and their targets [m], in a fixed order.
     void constraints(const ControlDef& def, std::vector<std::int32_t>& hard, std::vector<Vec2>& hardTargets,
                      std::vector<SoftConstraint>& soft, std::vector<Vec2>& softTargets) const;
 
@@ -78,7 +78,7 @@ public:
 
 private:
     std::vector<Control> controls_;
-    std::uint32_t nextId_ = 1;
+    std::uint32_t nextId_ = 1;  // Of the next control.
 };
 
 }  // namespace muster

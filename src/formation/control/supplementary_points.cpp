@@ -9,10 +9,10 @@
 namespace muster {
 namespace {
 
-constexpr double kMostPerLine = 64.0;  // Samples between two points.
-constexpr double kMostInside = 256.0;  // Samples inside an area.
+constexpr double kMaxPerLine = 64.0;  // Samples between two control points.
+constexpr double kMaxInside = 256.0;  // Samples inside an area.
 
-// One control's samples in the making.
+// Samples one control.
 class Sampler {
 public:
     Sampler(Control& control, const TriangleMesh& rest, double spacing)
@@ -24,9 +24,9 @@ public:
         control.weights.clear();
     }
 
-    // Between the points with indices i and j, both left out.
-    void line(std::size_t i, std::size_t j) {
-        const double parts = std::min(kMostPerLine,
+    // Samples the segment between two control points, without its ends.
+    void addLine(std::size_t i, std::size_t j) {
+        const double parts = std::min(kMaxPerLine,
                                       std::ceil(distance(corner_[i], corner_[j]) / spacing_ - 1e-9));
         for (double k = 1.0; k < parts; k += 1.0) {
             row_.assign(corner_.size(), 0.0);
@@ -36,30 +36,29 @@ public:
         }
     }
 
-    void area() {
+    void addArea() {
         const Polygon hull = convexHull(corner_);
-        if (hull.size() < 3 || thin(hull)) {
-            chain();
+        if (hull.size() < 3 || isFlat(hull)) {
+            addChain();
             return;
         }
         std::vector<std::size_t> index;
         for (const Vec2 c : hull)
-            index.push_back(
-                static_cast<std::size_t>(std::find(corner_.begin(), corner_.end(), c) - corner_.begin()));
-        for (std::size_t k = 0; k < hull.size(); ++k) line(index[k], index[(k + 1) % hull.size()]);
-        inside(hull, index);
+            index.push_back(std::find(corner_.begin(), corner_.end(), c) - corner_.begin());
+        for (std::size_t k = 0; k < hull.size(); ++k) addLine(index[k], index[(k + 1) % hull.size()]);
+        addInside(hull, index);
     }
 
 private:
-    // Hulls this flat have no usable inside.
-    static bool thin(const Polygon& hull) {
+    // True where the hull is too flat for mean-value coordinates.
+    static bool isFlat(const Polygon& hull) {
         const Box box = boundsOf(hull);
         const double size = std::max(box.width(), box.height());
         return signedArea(hull) < 1e-6 * size * size;
     }
 
-    // Points on one line: a chain of lines from one end to the other.
-    void chain() {
+    // Control points on one line: a chain of segments from one end to the other.
+    void addChain() {
         std::size_t farthest = 0;
         for (std::size_t k = 1; k < corner_.size(); ++k)
             if (distance(corner_[0], corner_[k]) > distance(corner_[0], corner_[farthest])) farthest = k;
@@ -67,12 +66,12 @@ private:
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t k = 0; k < corner_.size(); ++k) order.emplace_back(dot(corner_[k], direction), k);
         std::sort(order.begin(), order.end());
-        for (std::size_t k = 1; k < order.size(); ++k) line(order[k - 1].second, order[k].second);
+        for (std::size_t k = 1; k < order.size(); ++k) addLine(order[k - 1].second, order[k].second);
     }
 
-    void inside(const Polygon& hull, const std::vector<std::size_t>& index) {
+    void addInside(const Polygon& hull, const std::vector<std::size_t>& index) {
         const Box box = boundsOf(hull);
-        const double step = std::max(spacing_, std::sqrt(box.width() * box.height() / kMostInside));
+        const double step = std::max(spacing_, std::sqrt(box.width() * box.height() / kMaxInside));
         const Vec2 middle = (box.min + box.max) / 2.0;
         const double columns = std::floor(box.width() / 2.0 / step);
         const double rows = std::floor(box.height() / 2.0 / step);
@@ -89,7 +88,7 @@ private:
         }
     }
 
-    // Takes the point with the weights in row_, where the mesh covers it.
+    // Adds a point with the weights in row_ where the mesh covers it.
     void add(Vec2 p) {
         const MeshPoint point = locate(rest_.triangles, rest_.vertices, p);
         if (!(distance(point.position(rest_.triangles, rest_.vertices), p) <= tolerance_)) return;
@@ -99,18 +98,18 @@ private:
 
     Control& control_;
     const TriangleMesh& rest_;
-    double spacing_;
-    double tolerance_ = 0.0;
-    std::vector<Vec2> corner_;  // Of the control's points in the rest shape.
-    std::vector<double> row_;   // Weights of the sample in hand.
+    double spacing_;            // [m]
+    double tolerance_ = 0.0;    // Distance within which a point counts as covered by the mesh [m].
+    std::vector<Vec2> corner_;  // Control points in the rest shape [m].
+    std::vector<double> row_;   // Weights of the current sample.
 };
 
 }  // namespace
 
 void sampleSupplementary(Control& control, const TriangleMesh& rest, double spacing) {
     Sampler sampler(control, rest, spacing);
-    if (control.kind == ControlKind::Line) sampler.line(0, 1);
-    if (control.kind == ControlKind::Area) sampler.area();
+    if (control.kind == ControlKind::Line) sampler.addLine(0, 1);
+    if (control.kind == ControlKind::Area) sampler.addArea();
 }
 
 }  // namespace muster

@@ -1,20 +1,22 @@
-// Drawn trajectories: cutting into checkpoints, and following by a clock.
+// Drawn trajectories (paper section 4.2): cut into checkpoints, and followed by a clock.
 #pragma once
 
 #include "muster/control.h"
 
 namespace muster {
 
-inline constexpr std::size_t kMaxCheckpoints = 4096;  ///< Per path; a longer one keeps every second.
+inline constexpr std::size_t
+    kMaxCheckpoints = 4096;  ///< Per trajectory; of a longer one every second is dropped.
 
-/// Adds the finger's newest point. Full spacings become fixed checkpoints with interpolated drawing
-/// time; the last element always is the newest point.
-void extendPath(ControlPoint& point, Vec2 position, double time, double spacing);
+/// Adds the finger's newest point, drawn at `time` [s]. At each full `spacing` [m] a checkpoint with
+/// interpolated time is fixed; the last element is always the newest point.
+void extendTrajectory(ControlPoint& point, Vec2 position, double time, double spacing);
 
-/// The latest drawing time up to `until` [s] that a point at `clock` can reach within `reach` [m].
-double clockWithin(const ControlPoint& point, double clock, double until, double reach);
+/// The latest drawing time up to `until` [s] that a point at drawing time `clock` [s] reaches within `reach`
+/// [m].
+double latestReachable(const ControlPoint& point, double clock, double until, double reach);
 
-/// Moves the point along its path from drawing time `clock` to `until`, at most `reach` [m].
-void followPath(ControlPoint& point, double clock, double until, double reach);
+/// Moves the point along its trajectory from drawing time `clock` to `until` [s], at most by `reach` [m].
+void followTrajectory(ControlPoint& point, double clock, double until, double reach);
 
 }  // namespace muster

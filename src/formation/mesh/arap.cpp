@@ -3,22 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "formation/mesh/mesh_components.h"
-#include "formation/mesh/sparse_factor.h"
+#include "formation/mesh/sparse_ldlt.h"
 
 namespace muster {
 namespace {
 
-// Components that too few constraints hold are drawn this weakly to the placement of the rest shape
-// that fits all targets best, so that both systems stay solvable.
+// Weight at which underconstrained components are drawn to the placement of the rest shape that fits all
+// targets best, so that both systems are positive definite.
 constexpr double kWeakPull = 1e-4;
 
-std::size_t at(std::int32_t i) {
-    return static_cast<std::size_t>(i);
-}
-
-// Complex product: b turned and scaled by a.
+// Complex product.
 constexpr Vec2 times(Vec2 a, Vec2 b) {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
@@ -27,10 +24,10 @@ constexpr Vec2 conjugate(Vec2 a) {
 }
 
 std::array<Vec2, 3> corners(const Triangle& t, std::span<const Vec2> vertices) {
-    return {vertices[at(t[0])], vertices[at(t[1])], vertices[at(t[2])]};
+    return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
 }
 
-// What every solution asks of a triangle at rest.
+// What solutions need of a triangle at rest.
 struct RestTriangle {
     std::array<Vec2, 3> spoke;  // From the centre to each corner, conjugate.
     std::array<Vec2, 3> edge;   // From each corner to the next.
@@ -42,7 +39,7 @@ RestTriangle restTriangle(const std::array<Vec2, 3>& c) {
             {c[1] - c[0], c[2] - c[1], c[0] - c[2]}};
 }
 
-// The rotation that turns the rest triangle best onto the given corners (least squares).
+// The rotation that fits the rest triangle best to the given corners (least squares).
 Vec2 bestRotation(const RestTriangle& rest, const std::array<Vec2, 3>& now) {
     const Vec2 mean = (now[0] + now[1] + now[2]) / 3.0;
     Vec2 sum;
@@ -51,19 +48,20 @@ Vec2 bestRotation(const RestTriangle& rest, const std::array<Vec2, 3>& now) {
     return l > 1e-300 ? sum / l : Vec2{1.0, 0.0};
 }
 
-bool sameSoft(const SoftConstraint& a, const SoftConstraint& b) {
+bool isSame(const SoftConstraint& a, const SoftConstraint& b) {
     return a.point.triangle == b.point.triangle && a.point.weight == b.point.weight && a.weight == b.weight;
 }
 
 }  // namespace
 
 struct ArapSolver::Impl {
-    // Known values that appear on the right side: free row, constraint column, complex factor.
+    // A matrix entry in the column of a hard constraint, which goes to the right side.
     struct Coupling {
-        std::int32_t row;
-        std::int32_t column;  // Index into the hard constraints.
-        Vec2 factor;
+        std::int32_t row;     // Index of the free vertex.
+        std::int32_t column;  // Index of the hard constraint.
+        Vec2 factor;          // Complex.
     };
+    // A vertex of an underconstrained component.
     struct Pull {
         std::int32_t vertex;
         double weight;
@@ -76,19 +74,19 @@ struct ArapSolver::Impl {
     std::vector<SoftConstraint> soft;
     bool ready = false;
 
-    std::vector<std::int32_t> freeIndex;  // Of each vertex; -1 - k for the k-th hard one.
+    std::vector<std::int32_t> freeIndex;  // Of each vertex, its row; -1 - k for the k-th hard constraint.
     std::int32_t freeCount = 0;
     std::vector<Pull> pulls;
-    SparseFactor similarity;
-    SparseFactor edges;
+    SparseLdlt similarity;
+    SparseLdlt edges;
     std::vector<Coupling> similarityKnown;
     std::vector<Coupling> edgesKnown;
     std::vector<SparseEntry> entries;
 
-    std::vector<Vec2> restPoints;  // Of hard, then soft constraints.
-    std::vector<Vec2> targets;
-    std::vector<double> right;      // Of the first step: x and y of each free vertex in turn.
-    std::vector<Vec2> rightPoints;  // Of the second.
+    std::vector<Vec2> restPoints;   // Of hard, then soft constraints [m].
+    std::vector<Vec2> targets;      // Of hard, then soft constraints, relative to the first [m].
+    std::vector<double> right;      // Right side of step 1: x and y of each free vertex.
+    std::vector<Vec2> rightPoints;  // Right side of step 2.
 
     Status check(std::span<const std::int32_t> newHard, std::span<const SoftConstraint> newSoft);
     void indexVertices();
@@ -107,15 +105,16 @@ Status ArapSolver::Impl::check(std::span<const std::int32_t> newHard,
                                std::span<const SoftConstraint> newSoft) {
     freeIndex.assign(rest.vertices.size(), 0);
     for (const std::int32_t v : newHard) {
-        if (v < 0 || at(v) >= rest.vertices.size())
+        if (v < 0 || std::cmp_greater_equal(v, rest.vertices.size()))
             return invalidArgument("hard constraint on vertex " + std::to_string(v) +
                                    ", which the mesh does not have");
-        if (freeIndex[at(v)] != 0) return invalidArgument("vertex " + std::to_string(v) + " is held twice");
-        freeIndex[at(v)] = 1;
+        if (freeIndex[v] != 0)
+            return invalidArgument("vertex " + std::to_string(v) + " is constrained twice");
+        freeIndex[v] = 1;
     }
     for (std::size_t k = 0; k < newSoft.size(); ++k) {
         const SoftConstraint& s = newSoft[k];
-        if (s.point.triangle < 0 || at(s.point.triangle) >= rest.triangles.size())
+        if (s.point.triangle < 0 || std::cmp_greater_equal(s.point.triangle, rest.triangles.size()))
             return invalidArgument("soft constraint " + std::to_string(k) + " lies on triangle " +
                                    std::to_string(s.point.triangle) + ", which the mesh does not have");
         const auto& w = s.point.weight;
@@ -124,7 +123,7 @@ Status ArapSolver::Impl::check(std::span<const std::int32_t> newHard,
                                    " has a weight that is not positive and finite");
     }
     restPoints.clear();
-    for (const std::int32_t v : newHard) restPoints.push_back(rest.vertices[at(v)]);
+    for (const std::int32_t v : newHard) restPoints.push_back(rest.vertices[v]);
     for (const SoftConstraint& s : newSoft)
         restPoints.push_back(s.point.position(rest.triangles, rest.vertices));
     const Box box = boundsOf(rest.vertices);
@@ -136,24 +135,23 @@ Status ArapSolver::Impl::check(std::span<const std::int32_t> newHard,
 
 void ArapSolver::Impl::indexVertices() {
     freeIndex.assign(rest.vertices.size(), 0);
-    for (std::size_t k = 0; k < hard.size(); ++k) freeIndex[at(hard[k])] = -1 - static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < hard.size(); ++k) freeIndex[hard[k]] = -1 - static_cast<std::int32_t>(k);
     freeCount = 0;
     for (std::int32_t& index : freeIndex)
         if (index == 0) index = freeCount++;
 }
 
-// Vertices of components with fewer than two constrained points of their own.
 void ArapSolver::Impl::findPulls() {
     pulls.clear();
-    const auto needy = components.heldByFewerThanTwo(rest, hard, soft);
-    for (std::size_t v = 0; v < needy.size(); ++v)
-        if (needy[v] != 0 && freeIndex[v] >= 0) pulls.push_back({static_cast<std::int32_t>(v), kWeakPull});
+    const auto weak = components.underconstrained(rest, hard, soft);
+    for (std::size_t v = 0; v < weak.size(); ++v)
+        if (weak[v] != 0 && freeIndex[v] >= 0) pulls.push_back({static_cast<std::int32_t>(v), kWeakPull});
 }
 
-// Adds factor * conj(row a) * (column b) of the Hermitian system, written as a real one of twice the size.
+// Adds a complex entry of the Hermitian system, which is written as a real one of twice the size.
 void ArapSolver::Impl::addSimilarity(std::int32_t a, std::int32_t b, Vec2 factor) {
-    const std::int32_t row = freeIndex[at(a)];
-    const std::int32_t column = freeIndex[at(b)];
+    const std::int32_t row = freeIndex[a];
+    const std::int32_t column = freeIndex[b];
     if (row < 0) return;
     if (column < 0) {
         similarityKnown.push_back({row, -1 - column, factor});
@@ -166,8 +164,8 @@ void ArapSolver::Impl::addSimilarity(std::int32_t a, std::int32_t b, Vec2 factor
 }
 
 void ArapSolver::Impl::addEdge(std::int32_t a, std::int32_t b, double factor) {
-    const std::int32_t row = freeIndex[at(a)];
-    const std::int32_t column = freeIndex[at(b)];
+    const std::int32_t row = freeIndex[a];
+    const std::int32_t column = freeIndex[b];
     if (row < 0) return;
     if (column < 0)
         edgesKnown.push_back({row, -1 - column, {factor, 0.0}});
@@ -177,7 +175,7 @@ void ArapSolver::Impl::addEdge(std::int32_t a, std::int32_t b, double factor) {
 
 void ArapSolver::Impl::addSoft(bool forSimilarity) {
     for (const SoftConstraint& s : soft) {
-        const Triangle& t = rest.triangles[at(s.point.triangle)];
+        const Triangle& t = rest.triangles[s.point.triangle];
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
                 const double factor = s.weight * s.point.weight[i] * s.point.weight[j];
@@ -204,10 +202,10 @@ bool ArapSolver::Impl::factorise() {
     edgesKnown.clear();
     for (const Triangle& t : rest.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
-            // Corner c in the frame of the edge a b: c = (1 - z) a + z b, as complex numbers.
+            // Corner c relative to the edge a b: c = (1 - z) a + z b, in complex numbers.
             const std::array<std::int32_t, 3> v{t[(k + 1) % 3], t[(k + 2) % 3], t[k]};
-            const Vec2 edge = rest.vertices[at(v[1])] - rest.vertices[at(v[0])];
-            const Vec2 z = times(conjugate(edge), rest.vertices[at(v[2])] - rest.vertices[at(v[0])]) /
+            const Vec2 edge = rest.vertices[v[1]] - rest.vertices[v[0]];
+            const Vec2 z = times(conjugate(edge), rest.vertices[v[2]] - rest.vertices[v[0]]) /
                            lengthSquared(edge);
             const std::array<Vec2, 3> row{Vec2{z.x - 1.0, z.y}, -z, Vec2{1.0, 0.0}};
             for (std::size_t i = 0; i < 3; ++i)
@@ -232,7 +230,7 @@ bool ArapSolver::Impl::factorise() {
     return edges.factorise(freeCount, entries);
 }
 
-// Where the weak pull draws: the rest shape as the targets place it best.
+// The placement of the rest shape that fits the targets best.
 Pose ArapSolver::Impl::placement() const {
     return bestRigidFit(restPoints, targets);
 }
@@ -240,35 +238,33 @@ Pose ArapSolver::Impl::placement() const {
 void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
     std::fill(right.begin(), right.end(), 0.0);
     const auto add = [&](std::int32_t vertex, Vec2 value) {
-        const std::int32_t row = freeIndex[at(vertex)];
+        const std::int32_t row = freeIndex[vertex];
         if (row < 0) return;
-        right[at(2 * row)] += value.x;
-        right[at(2 * row + 1)] += value.y;
+        right[2 * row] += value.x;
+        right[2 * row + 1] += value.y;
     };
     for (const Coupling& c : similarityKnown) {
-        const Vec2 value = times(c.factor, targets[at(c.column)]);
-        right[at(2 * c.row)] -= value.x;
-        right[at(2 * c.row + 1)] -= value.y;
+        const Vec2 value = times(c.factor, targets[c.column]);
+        right[2 * c.row] -= value.x;
+        right[2 * c.row + 1] -= value.y;
     }
     for (std::size_t k = 0; k < soft.size(); ++k) {
-        const Triangle& t = rest.triangles[at(soft[k].point.triangle)];
+        const Triangle& t = rest.triangles[soft[k].point.triangle];
         for (std::size_t i = 0; i < 3; ++i)
             add(t[i], targets[hard.size() + k] * (soft[k].weight * soft[k].point.weight[i]));
     }
     if (!pulls.empty()) {
         const Pose pose = placement();
-        for (const Pull& pull : pulls)
-            add(pull.vertex, pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
+        for (const Pull& pull : pulls) add(pull.vertex, pose.apply(rest.vertices[pull.vertex]) * pull.weight);
     }
     similarity.solve(right);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const std::int32_t row = freeIndex[v];
-        vertices[v] = row < 0 ? targets[at(-1 - row)] : Vec2{right[at(2 * row)], right[at(2 * row + 1)]};
+        vertices[v] = row < 0 ? targets[-1 - row] : Vec2{right[2 * row], right[2 * row + 1]};
     }
 }
 
-// What the edges of each triangle ask for where the triangle is turned as it fits the first step's shape
-// best.
+// Adds the edges of each triangle, rotated to fit the result of step 1 best.
 void ArapSolver::Impl::addTriangles(const std::vector<Vec2>& vertices) {
     for (std::size_t n = 0; n < rest.triangles.size(); ++n) {
         const Triangle& t = rest.triangles[n];
@@ -277,10 +273,10 @@ void ArapSolver::Impl::addTriangles(const std::vector<Vec2>& vertices) {
         std::array<Vec2, 3> edge;
         for (std::size_t k = 0; k < 3; ++k) edge[k] = times(rotation, triangle.edge[k]);
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t row = freeIndex[at(t[k])];
+            const std::int32_t row = freeIndex[t[k]];
             if (row < 0) continue;
-            Vec2& sum = rightPoints[at(row)];
-            // In the order of edges: the first corner has the edge from it before the one to it.
+            Vec2& sum = rightPoints[row];
+            // Sums are in the order of edges: the first corner has its outgoing edge before its incoming one.
             if (k == 0)
                 sum = (sum - edge[0]) + edge[2];
             else
@@ -292,24 +288,24 @@ void ArapSolver::Impl::addTriangles(const std::vector<Vec2>& vertices) {
 void ArapSolver::Impl::secondStep(std::vector<Vec2>& vertices) {
     std::fill(rightPoints.begin(), rightPoints.end(), Vec2{});
     const auto add = [&](std::int32_t row, Vec2 value) {
-        if (row >= 0) rightPoints[at(row)] += value;
+        if (row >= 0) rightPoints[row] += value;
     };
     addTriangles(vertices);
-    for (const Coupling& c : edgesKnown) add(c.row, targets[at(c.column)] * -c.factor.x);
+    for (const Coupling& c : edgesKnown) add(c.row, targets[c.column] * -c.factor.x);
     for (std::size_t k = 0; k < soft.size(); ++k) {
-        const Triangle& t = rest.triangles[at(soft[k].point.triangle)];
+        const Triangle& t = rest.triangles[soft[k].point.triangle];
         for (std::size_t i = 0; i < 3; ++i)
-            add(freeIndex[at(t[i])], targets[hard.size() + k] * (soft[k].weight * soft[k].point.weight[i]));
+            add(freeIndex[t[i]], targets[hard.size() + k] * (soft[k].weight * soft[k].point.weight[i]));
     }
     if (!pulls.empty()) {
         const Pose pose = placement();
         for (const Pull& pull : pulls)
-            add(freeIndex[at(pull.vertex)], pose.apply(rest.vertices[at(pull.vertex)]) * pull.weight);
+            add(freeIndex[pull.vertex], pose.apply(rest.vertices[pull.vertex]) * pull.weight);
     }
     edges.solve(rightPoints);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const std::int32_t row = freeIndex[v];
-        vertices[v] = row < 0 ? targets[at(-1 - row)] : rightPoints[at(row)];
+        vertices[v] = row < 0 ? targets[-1 - row] : rightPoints[row];
     }
 }
 
@@ -336,7 +332,7 @@ Status ArapSolver::setMesh(const TriangleMesh& rest) {
             {lengthSquared(c[1] - c[0]), lengthSquared(c[2] - c[1]), lengthSquared(c[0] - c[2])});
         if (!(cross(c[1] - c[0], c[2] - c[0]) > 1e-10 * longest))
             return invalidArgument("triangle " + std::to_string(k) + " is degenerate or runs clockwise");
-        for (const std::int32_t v : t) used[at(v)] = 1;
+        for (const std::int32_t v : t) used[v] = 1;
     }
     for (std::size_t v = 0; v < used.size(); ++v)
         if (used[v] == 0) return invalidArgument("vertex " + std::to_string(v) + " belongs to no triangle");
@@ -354,7 +350,7 @@ Status ArapSolver::setMesh(const TriangleMesh& rest) {
 Status ArapSolver::setConstraints(std::span<const std::int32_t> hard, std::span<const SoftConstraint> soft) {
     Impl& s = *impl_;
     if (s.ready && std::equal(hard.begin(), hard.end(), s.hard.begin(), s.hard.end()) &&
-        std::equal(soft.begin(), soft.end(), s.soft.begin(), s.soft.end(), sameSoft))
+        std::equal(soft.begin(), soft.end(), s.soft.begin(), s.soft.end(), isSame))
         return {};
     s.ready = false;
     if (s.rest.triangles.empty()) return invalidArgument("constraints were set before a mesh");
@@ -366,8 +362,8 @@ Status ArapSolver::setConstraints(std::span<const std::int32_t> hard, std::span<
     s.findPulls();
     if (!s.factorise())
         return invalidArgument("the constrained mesh cannot be factorised: its triangles are too thin");
-    s.right.assign(at(2 * s.freeCount), 0.0);
-    s.rightPoints.assign(at(s.freeCount), {});
+    s.right.assign(2 * s.freeCount, 0.0);
+    s.rightPoints.assign(s.freeCount, {});
     s.targets.resize(hard.size() + soft.size());
     s.ready = true;
     return {};
@@ -392,7 +388,7 @@ Status ArapSolver::solve(std::span<const Vec2> hardTargets, std::span<const Vec2
     s.firstStep(vertices);
     s.secondStep(vertices);
     for (Vec2& v : vertices) v += origin;
-    for (std::size_t n = 0; n < hardTargets.size(); ++n) vertices[at(s.hard[n])] = hardTargets[n];
+    for (std::size_t n = 0; n < hardTargets.size(); ++n) vertices[s.hard[n]] = hardTargets[n];
     return {};
 }
 

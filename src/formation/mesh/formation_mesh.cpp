@@ -5,15 +5,16 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "muster/hash.h"
 
 namespace muster {
 namespace {
 
-// Slowest decay of a residual [m/s]: it ends in finite time instead of fading for ever.
+// Slowest decay of a residual [m/s], so that it becomes exactly zero.
 constexpr double kLeastDecay = 0.05;
-constexpr double kFarthest = 1e9;  // Of any vertex that is read [m].
+constexpr double kFarthest = 1e9;  // Bound on coordinates that are loaded [m].
 
 bool goodPose(const Pose& pose) {
     const Rotation& r = pose.rotation;
@@ -25,7 +26,7 @@ Status checkPlaces(const Formation& formation) {
         const MeshPoint& place = formation.places[k];
         const double sum = place.weight[0] + place.weight[1] + place.weight[2];
         const bool good = place.triangle >= 0 &&
-                          static_cast<std::size_t>(place.triangle) < formation.mesh.triangles.size() &&
+                          std::cmp_less(place.triangle, formation.mesh.triangles.size()) &&
                           std::fabs(sum - 1.0) < 1e-6 && std::fabs(place.weight[0]) < 1e3 &&
                           std::fabs(place.weight[1]) < 1e3;
         if (!good) return invalidArgument("place " + std::to_string(k) + " does not lie on the mesh");
@@ -46,7 +47,7 @@ bool FormationMesh::consistent() const {
         return false;
     for (const Triangle& t : formation_.mesh.triangles)
         for (const std::int32_t v : t)
-            if (v < 0 || static_cast<std::size_t>(v) >= n) return false;
+            if (v < 0 || std::cmp_greater_equal(v, n)) return false;
     for (const auto* points : {&formation_.mesh.vertices, &user_, &final_, &displacement_, &residual_})
         for (const Vec2 p : *points)
             if (!(std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest)) return false;
@@ -68,7 +69,7 @@ Status FormationMesh::reset(const Formation& formation, const Pose& pose) {
     final_ = user_;
     displacement_.assign(user_.size(), {});
     residual_.assign(user_.size(), {});
-    constraintKey_ = 0;
+    constraintHash_ = 0;
     return {};
 }
 
@@ -88,32 +89,32 @@ Status FormationMesh::change(const Formation& formation) {
     return {};
 }
 
-void FormationMesh::place(const Pose& pose) {
+void FormationMesh::setPose(const Pose& pose) {
     MUSTER_ASSERT(goodPose(pose));
     const Pose old = pose_;
-    const auto carry = [&](Vec2 p) { return pose.apply(old.applyInverse(p)); };
-    for (Vec2& p : user_) p = carry(p);
-    for (Vec2& p : final_) p = carry(p);
+    const auto move = [&](Vec2 p) { return pose.apply(old.applyInverse(p)); };
+    for (Vec2& p : user_) p = move(p);
+    for (Vec2& p : final_) p = move(p);
     for (Vec2& d : residual_) d = pose.rotation.apply(old.rotation.applyInverse(d));
     for (Vec2& d : displacement_) d = pose.rotation.apply(old.rotation.applyInverse(d));
     pose_ = pose;
 }
 
 // 0 without constraints; never 0 with some.
-std::uint64_t FormationMesh::keyOfConstraints() const {
+std::uint64_t FormationMesh::hashOfConstraints() const {
     if (hard_.empty() && soft_.empty()) return 0;
-    Hash hash;
-    hash.add(static_cast<std::uint32_t>(hard_.size()));
-    for (const std::int32_t v : hard_) hash.add(v);
+    Hash digest;
+    digest.add(static_cast<std::uint32_t>(hard_.size()));
+    for (const std::int32_t v : hard_) digest.add(v);
     for (const SoftConstraint& s : soft_) {
-        hash.add(s.point.triangle);
-        for (const double w : s.point.weight) hash.add(w);
-        hash.add(s.weight);
+        digest.add(s.point.triangle);
+        for (const double w : s.point.weight) digest.add(w);
+        digest.add(s.weight);
     }
-    return hash.value() | 1u;
+    return digest.value() | 1u;
 }
 
-// The shape that the constraints ask for.
+// Computes the goal shape from the constraints.
 Status FormationMesh::findGoal() {
     const std::vector<Vec2>& rest = formation_.mesh.vertices;
     if (hard_.size() + soft_.size() >= 2) {
@@ -128,7 +129,7 @@ Status FormationMesh::findGoal() {
     }
     if (hard_.size() == 1) {
         const std::int32_t v = hard_[0];
-        if (v < 0 || static_cast<std::size_t>(v) >= rest.size())
+        if (v < 0 || std::cmp_greater_equal(v, rest.size()))
             return invalidArgument("a control holds vertex " + std::to_string(v) +
                                    ", which the mesh does not have");
         pose_.position = hardTargets_[0] - pose_.rotation.apply(rest[v]);
@@ -138,7 +139,7 @@ Status FormationMesh::findGoal() {
     return {};
 }
 
-// About 2 % is left after relaxTime; the slowest part has constant speed, so that rest is reached exactly.
+// Exponential decay, of which 2 % are left after relaxTime, between two bounds on the speed.
 void FormationMesh::decayResidual(const FormationMeshDef& def, double dt) {
     const double share = std::min(1.0, 4.0 * dt / std::max(def.relaxTime, 1e-9));
     for (Vec2& r : residual_) {
@@ -152,21 +153,21 @@ void FormationMesh::decayResidual(const FormationMeshDef& def, double dt) {
 Status FormationMesh::deform(const FormationMeshDef& def, const ControlDef& controlDef,
                              const ControlSet& controls, double dt) {
     controls.constraints(controlDef, hard_, hardTargets_, soft_, softTargets_);
-    const std::uint64_t key = keyOfConstraints();
-    // What is let go stays where the mesh stands, in the orientation that fits it best.
-    const bool changed = key != constraintKey_;
+    const std::uint64_t hash = hashOfConstraints();
+    // A released mesh keeps the pose that fits it best.
+    const bool changed = hash != constraintHash_;
     if (changed && hard_.size() + soft_.size() < 2 && !user_.empty())
         pose_ = bestRigidFit(formation_.mesh.vertices, user_);
     const Status status = findGoal();
     if (!status.ok()) return status;
     if (changed) {
         for (std::size_t v = 0; v < goal_.size(); ++v) residual_[v] = user_[v] - goal_[v];
-        // A held vertex follows its control without lag, unless it was taken up elsewhere.
+        // A held vertex follows its control without lag, unless it is too far from it.
         for (const std::int32_t v : hard_) {
             Vec2& r = residual_[v];
             if (length(r) <= def.morphSpeed * dt) r = {};
         }
-        constraintKey_ = key;
+        constraintHash_ = hash;
     }
     decayResidual(def, dt);
     for (std::size_t v = 0; v < goal_.size(); ++v) user_[v] = goal_[v] + residual_[v];
@@ -176,9 +177,10 @@ Status FormationMesh::deform(const FormationMeshDef& def, const ControlDef& cont
 
 namespace {
 
-// Moves a vertex that lies inside obstacles to the nearest surface (SPEC M5). Where pieces overlap the
-// nearest surface of one may lie in the next, so this repeats; a vertex that stays inside is pushed out.
-Vec2 meetContact(const Environment& environment, Vec2 p) {
+// Moves a vertex that lies inside obstacles to the nearest surface (SPEC M5). Where pieces overlap, the
+// nearest surface of one may lie inside another, so this is repeated; a vertex that stays inside is projected
+// onto the free space.
+Vec2 leaveObstacles(const Environment& environment, Vec2 p) {
     if (environment.distanceToObstacle(p, 0.0) >= 0.0) return p;
     struct Deepest {
         Vec2 p;
@@ -201,7 +203,7 @@ Vec2 meetContact(const Environment& environment, Vec2 p) {
 
 }  // namespace
 
-void FormationMesh::meet(const FormationMeshDef& def, const Environment& environment, double dt) {
+void FormationMesh::applyEnvironment(const FormationMeshDef& def, const Environment& environment, double dt) {
     const double rate = std::min(1.0, 12.0 * dt);
     const double most = def.fieldSpeed * dt;
     for (std::size_t v = 0; v < user_.size(); ++v) {
@@ -211,15 +213,15 @@ void FormationMesh::meet(const FormationMeshDef& def, const Environment& environ
             final_[v] = user_[v];
             continue;
         }
-        // The field is read where the vertex is now, so that it slides along walls.
+        // The field is evaluated at the displaced vertex, so that it slides along walls.
         const Vec2 wanted = environment.potentialField(user_[v] + d) * def.fieldGain;
         const Vec2 change = wanted - d;
         const double size = length(change);
-        // Proportional, at least a millimetre so that it comes to rest, at most the bound.
+        // At least a millimetre, so that the vertex comes to rest.
         const double step = std::min({size, std::max(size * rate, 1e-3), most});
         if (size > 0.0) d += change * (step / size);
         if (!isFinite(d)) d = {};
-        final_[v] = meetContact(environment, user_[v] + d);
+        final_[v] = leaveObstacles(environment, user_[v] + d);
     }
 }
 

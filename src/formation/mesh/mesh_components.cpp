@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace muster {
 namespace {
 
-// The root of a triangle's set, halving the way to it.
-std::int32_t rootOf(std::vector<std::int32_t>& parent, std::int32_t i) {
+// The representative of a triangle's set, with path halving (Tarjan and van Leeuwen 1984).
+std::int32_t findSet(std::vector<std::int32_t>& parent, std::int32_t i) {
     while (parent[i] != i) {
         std::int32_t& up = parent[i];
         up = parent[up];
@@ -16,17 +17,17 @@ std::int32_t rootOf(std::vector<std::int32_t>& parent, std::int32_t i) {
     return i;
 }
 
-// What is known of a part's constraints: the first point, and whether another lies elsewhere.
-struct Held {
+// The constraints of a component.
+struct ConstrainedPoints {
     bool any = false;
-    bool enough = false;
+    bool distinct = false;  // True where two distinct points are constrained.
     Vec2 first;
 
     void add(Vec2 p, double apart) {
         if (!any)
             first = p;
         else if (distance(first, p) > apart)
-            enough = true;
+            distinct = true;
         any = true;
     }
 };
@@ -49,41 +50,40 @@ MeshComponents::MeshComponents(const TriangleMesh& mesh) {
     std::sort(sides.begin(), sides.end());
     for (std::size_t k = 1; k < sides.size(); ++k) {
         if (sides[k][0] != sides[k - 1][0] || sides[k][1] != sides[k - 1][1]) continue;
-        const std::int32_t a = rootOf(parent, sides[k - 1][2]);
-        const std::int32_t b = rootOf(parent, sides[k][2]);
+        const std::int32_t a = findSet(parent, sides[k - 1][2]);
+        const std::int32_t b = findSet(parent, sides[k][2]);
         parent[std::max(a, b)] = std::min(a, b);
     }
-    part_.assign(n, -1);
+    component_.assign(n, -1);
     for (std::size_t k = 0; k < n; ++k) {
-        const auto root = static_cast<std::size_t>(rootOf(parent, static_cast<std::int32_t>(k)));
-        part_[k] = root == k ? count_++ : part_[root];
+        const std::int32_t first = findSet(parent, static_cast<std::int32_t>(k));
+        component_[k] = std::cmp_equal(first, k) ? count_++ : component_[first];
     }
 }
 
-std::vector<std::uint8_t> MeshComponents::heldByFewerThanTwo(const TriangleMesh& mesh,
-                                                             std::span<const std::int32_t> hard,
-                                                             std::span<const SoftConstraint> soft) const {
+std::vector<std::uint8_t> MeshComponents::underconstrained(const TriangleMesh& mesh,
+                                                           std::span<const std::int32_t> hard,
+                                                           std::span<const SoftConstraint> soft) const {
     const Box box = boundsOf(mesh.vertices);
     const double apart = 1e-9 * (box.width() + box.height());
-    std::vector<Held> held(static_cast<std::size_t>(count_));
+    std::vector<ConstrainedPoints> constrained(count_);
     std::vector<std::uint8_t> isHard(mesh.vertices.size(), 0);
     for (const std::int32_t v : hard) isHard[v] = 1;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         for (const std::int32_t v : mesh.triangles[k]) {
-            const auto vertex = static_cast<std::size_t>(v);
-            if (isHard[vertex] != 0) held[part_[k]].add(mesh.vertices[vertex], apart);
+            if (isHard[v] != 0) constrained[component_[k]].add(mesh.vertices[v], apart);
         }
     }
     for (const SoftConstraint& s : soft) {
         const Vec2 p = s.point.position(mesh.triangles, mesh.vertices);
-        held[part_[s.point.triangle]].add(p, apart);
+        constrained[component_[s.point.triangle]].add(p, apart);
     }
-    std::vector<std::uint8_t> needy(mesh.vertices.size(), 0);
+    std::vector<std::uint8_t> weak(mesh.vertices.size(), 0);
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-        if (held[part_[k]].enough) continue;
-        for (const std::int32_t v : mesh.triangles[k]) needy[v] = 1;
+        if (constrained[component_[k]].distinct) continue;
+        for (const std::int32_t v : mesh.triangles[k]) weak[v] = 1;
     }
-    return needy;
+    return weak;
 }
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// Which parts of a mesh hang together, and which of them constraints hold.
+// Connected components of a mesh, by union-find over shared edges, and which of them are underconstrained.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,23 @@
 
 namespace muster {
 
-/// Parts of a mesh joined by edges: parts that touch in one vertex only can turn against each other.
+/// Components of a mesh whose triangles are joined by edges. Components that share only a vertex can rotate
+/// against each other.
 class MeshComponents {
 public:
     MeshComponents() = default;
-    /// Finds the parts.
+    /// Finds the components.
     explicit MeshComponents(const TriangleMesh& mesh);
 
-    /// Number of parts.
+    /// Number of components.
     std::int32_t count() const { return count_; }
-    /// 1 for every vertex of a part in which fewer than two distinct points are constrained: such a part
-    /// could still turn and shrink. A vertex shared by two parts counts for both.
-    std::vector<std::uint8_t> heldByFewerThanTwo(const TriangleMesh& mesh, std::span<const std::int32_t> hard,
-                                                 std::span<const SoftConstraint> soft) const;
+    /// 1 for every vertex of a component in which fewer than two distinct points are constrained: such a
+    /// component can rotate and shrink freely. A vertex that two components share counts for both.
+    std::vector<std::uint8_t> underconstrained(const TriangleMesh& mesh, std::span<const std::int32_t> hard,
+                                               std::span<const SoftConstraint> soft) const;
 
 private:
-    std::vector<std::int32_t> part_;  ///< Of each triangle.
+    std::vector<std::int32_t> component_;  // Of each triangle.
     std::int32_t count_ = 0;
 };
 

@@ -8,49 +8,50 @@
 namespace muster {
 namespace {
 
-constexpr double kTurn = 2.0 * kPi;
+constexpr double kFullAngle = 2.0 * kPi;
 
 Vec2 onCircle(double radius, double angle) {
     return {radius * cosine(angle), radius * sine(angle)};
 }
 
-// Turns wishes into whole numbers with the right sum: the largest remainders are rounded up.
-std::vector<std::int32_t> share(const std::vector<double>& wishes, std::int32_t count) {
+// Rounds quotas to whole numbers with the sum `count` (largest remainder method).
+std::vector<std::int32_t> apportion(const std::vector<double>& quotas, std::int32_t count) {
     std::vector<std::int32_t> counts;
-    std::vector<std::pair<double, std::size_t>> rest;
+    std::vector<std::pair<double, std::size_t>> remainders;  // Negative, so that the largest comes first.
     std::int32_t left = count;
-    for (std::size_t k = 0; k < wishes.size(); ++k) {
-        counts.push_back(static_cast<std::int32_t>(std::floor(wishes[k])));
-        rest.emplace_back(counts[k] - wishes[k], k);
+    for (std::size_t k = 0; k < quotas.size(); ++k) {
+        counts.push_back(static_cast<std::int32_t>(std::floor(quotas[k])));
+        remainders.emplace_back(counts[k] - quotas[k], k);
         left -= counts[k];
     }
-    std::sort(rest.begin(), rest.end());
-    for (std::size_t k = 0; left > 0; --left, ++k) ++counts[rest[k % rest.size()].second];
-    for (std::size_t k = 0; left < 0; ++left, ++k) --counts[rest[rest.size() - 1 - k % rest.size()].second];
+    std::sort(remainders.begin(), remainders.end());
+    for (std::size_t k = 0; left > 0; --left, ++k) ++counts[remainders[k % remainders.size()].second];
+    for (std::size_t k = 0; left < 0; ++left, ++k)
+        --counts[remainders[remainders.size() - 1 - k % remainders.size()].second];
     return counts;
 }
 
-// Corners of a circle's or arc's outline from angle `from` to `to`, drawn outside it by the chord's sag.
+// Adds the corners of an arc from angle `from` to `to` [rad].
 void addArc(Polygon& polygon, double radius, double from, double to, bool closed) {
-    const double parts = std::clamp(std::ceil(std::fabs(to - from) / kTurn * 48.0), 3.0, 48.0);
+    const double parts = std::clamp(std::ceil(std::fabs(to - from) / kFullAngle * 48.0), 3.0, 48.0);
     for (double k = 0.0; k < parts + (closed ? 0.0 : 0.5); k += 1.0)
         polygon.push_back(onCircle(radius, from + (to - from) * (k / parts)));
 }
 
-// The farthest that a 48-sided outline cuts inside its circle.
+// Factor by which the corners of a 48-sided polygon lie outside the circle that its sides touch.
 const double kSag = 1.0 / 0.9978589232386035;
 
-// Arcs in units of the spacing: radius first, first + 1...; angle is the full turn for closed circles.
+// Concentric arcs, a spacing apart.
 struct Arcs {
-    double first = 0.0;
-    double angle = kTurn;
-    std::vector<std::int32_t> counts;
+    double first = 0.0;                // Radius of the innermost arc, in spacings.
+    double angle = kFullAngle;         // Of each arc [rad]; circles are closed.
+    std::vector<std::int32_t> counts;  // Places on each arc, from the inside out.
 
     double last() const { return first + static_cast<double>(counts.size()) - 1.0; }
 };
 
-void addPlaces(Layout& layout, const Arcs& arcs, double spacing) {
-    const bool closed = arcs.angle >= kTurn;
+void addPlaces(FormationShape& shape, const Arcs& arcs, double spacing) {
+    const bool closed = arcs.angle >= kFullAngle;
     for (std::size_t a = 0; a < arcs.counts.size(); ++a) {
         const std::int32_t n = arcs.counts[a];
         for (std::int32_t k = 0; k < n; ++k) {
@@ -58,7 +59,7 @@ void addPlaces(Layout& layout, const Arcs& arcs, double spacing) {
                              : n > 1 ? static_cast<double>(k) / (n - 1)
                                      : 0.5;
             const double angle = kPi - 0.5 * arcs.angle + arcs.angle * t + (closed ? kPi : 0.0);
-            layout.places.push_back(onCircle((arcs.first + static_cast<double>(a)) * spacing, angle));
+            shape.places.push_back(onCircle((arcs.first + static_cast<double>(a)) * spacing, angle));
         }
     }
 }
@@ -69,18 +70,18 @@ Arcs ringArcs(std::int32_t count) {
     best.counts = {count};
     best.first = count > 1 ? 0.5 / sine(kPi / count) : 0.0;
     for (std::int32_t n = 2;; ++n) {
-        const double first = (count / kTurn - 0.5 * n * (n - 1)) / n;
+        const double first = (count / kFullAngle - 0.5 * n * (n - 1)) / n;
         if (first < 1.5 * (n - 1)) return best;
-        std::vector<double> wishes;
-        for (std::int32_t k = 0; k < n; ++k) wishes.push_back(kTurn * (first + k));
+        std::vector<double> quotas;
+        for (std::int32_t k = 0; k < n; ++k) quotas.push_back(kFullAngle * (first + k));
         best.first = first;
-        best.counts = share(wishes, count);
+        best.counts = apportion(quotas, count);
     }
 }
 
-// The arc's angle, so that its ends stay a spacing apart on the innermost arc.
+// The angle of the arcs; the ends of the innermost are at least a spacing apart.
 double openAngle(double first, double opening) {
-    return std::min(kTurn - opening, kTurn - 1.1 / std::max(first, 0.3));
+    return std::min(kFullAngle - opening, kFullAngle - 1.1 / std::max(first, 0.3));
 }
 
 // The innermost radius at which `n` open arcs hold `count` places, or a negative number.
@@ -101,54 +102,56 @@ double crescentRadius(std::int32_t count, std::int32_t n, double opening) {
 Arcs crescentArcs(std::int32_t count, double opening) {
     Arcs best;
     best.counts = {count};
-    best.angle = std::min(kTurn - opening, kPi);
-    if (count < 8) {  // Too few to bend far: at most half a circle, neighbours exactly a spacing apart.
+    best.angle = std::min(kFullAngle - opening, kPi);
+    // Few places lie on one arc of at most half a circle, neighbours exactly a spacing apart.
+    if (count < 8) {
         best.first = count > 1 ? 0.5 / sine(0.5 * best.angle / (count - 1)) : 0.0;
         return best;
     }
     for (std::int32_t n = 1;; ++n) {
         const double first = crescentRadius(count, n, opening);
-        // At least three places on the innermost arc, or the horns would be stubs.
+        // The innermost arc holds at least three places.
         const bool good = first >= std::max(1.0, static_cast<double>(n - 1)) &&
                           openAngle(first, opening) * first >= 2.0;
         if (!good && n > 1) return best;
         best.first = first;
         best.angle = openAngle(first, opening);
-        std::vector<double> wishes;
-        for (std::int32_t k = 0; k < n; ++k) wishes.push_back(best.angle * (first + k) + 1.0);
-        best.counts = share(wishes, count);
+        std::vector<double> quotas;
+        for (std::int32_t k = 0; k < n; ++k) quotas.push_back(best.angle * (first + k) + 1.0);
+        best.counts = apportion(quotas, count);
     }
 }
 
 }  // namespace
 
-Layout ringLayout(std::int32_t count, double spacing) {
+FormationShape ringShape(std::int32_t count, double spacing) {
     const Arcs arcs = ringArcs(count);
-    Layout layout;
-    addPlaces(layout, arcs, spacing);
-    addArc(layout.outline.outline, (arcs.last() + 0.5) * spacing * kSag, 0.0, kTurn, true);
+    FormationShape shape;
+    addPlaces(shape, arcs, spacing);
+    addArc(shape.outline.outline, (arcs.last() + 0.5) * spacing * kSag, 0.0, kFullAngle, true);
     if (arcs.first > 0.8) {
         Polygon hole;
-        addArc(hole, (arcs.first - 0.5) * spacing, 0.0, -kTurn, true);
-        layout.outline.holes.push_back(std::move(hole));
+        addArc(hole, (arcs.first - 0.5) * spacing, 0.0, -kFullAngle, true);
+        shape.outline.holes.push_back(std::move(hole));
     }
-    return layout;
+    return shape;
 }
 
-Layout crescentLayout(std::int32_t count, double spacing, double opening) {
+FormationShape crescentShape(std::int32_t count, double spacing, double opening) {
     const Arcs arcs = crescentArcs(count, opening);
-    Layout layout;
-    addPlaces(layout, arcs, spacing);
-    const double gap = kTurn - arcs.angle;
-    if (arcs.first < 0.8 || gap > kPi) {  // Hardly bent: the hull serves as well.
-        layout.outline.outline = grownHull(layout.places, 0.5 * spacing);
-        return layout;
+    FormationShape shape;
+    addPlaces(shape, arcs, spacing);
+    const double gap = kFullAngle - arcs.angle;
+    // A crescent that hardly bends is meshed by its hull.
+    if (arcs.first < 0.8 || gap > kPi) {
+        shape.outline.outline = grownHull(shape.places, 0.5 * spacing);
+        return shape;
     }
     // Half a spacing beyond the end places, but never closing the gap.
     const double half = std::max(0.3 * gap, 0.5 * gap - 0.5 / arcs.first);
-    addArc(layout.outline.outline, (arcs.last() + 0.5) * spacing * kSag, half, kTurn - half, false);
-    addArc(layout.outline.outline, (arcs.first - 0.5) * spacing, kTurn - half, half, false);
-    return layout;
+    addArc(shape.outline.outline, (arcs.last() + 0.5) * spacing * kSag, half, kFullAngle - half, false);
+    addArc(shape.outline.outline, (arcs.first - 0.5) * spacing, kFullAngle - half, half, false);
+    return shape;
 }
 
 }  // namespace muster

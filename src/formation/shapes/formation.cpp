@@ -27,24 +27,24 @@ Status check(const FormationDef& def, std::int32_t count) {
     return {};
 }
 
-Result<Layout> outlineOf(const FormationDef& def, std::int32_t count) {
+Result<FormationShape> outlineOf(const FormationDef& def, std::int32_t count) {
     Result<Polygon> outline = cleanPolygon(def.outline.outline);
     if (!outline.ok()) return outline.status().within("outline");
-    PolygonWithHoles shape{*outline, {}};
+    PolygonWithHoles clean{*outline, {}};
     for (std::size_t k = 0; k < def.outline.holes.size(); ++k) {
         Result<Polygon> hole = cleanPolygon(def.outline.holes[k]);
         if (!hole.ok()) return hole.status().within("hole " + std::to_string(k));
         std::reverse(hole->begin(), hole->end());
-        shape.holes.push_back(*hole);
+        clean.holes.push_back(*hole);
     }
-    // Also says where holes leave the outline or meet each other.
-    const Box box = boundsOf(shape.outline);
-    const Result<TriangleMesh> trial = triangulate(shape, box.width() + box.height());
+    // A trial triangulation reports where holes leave the outline or meet each other.
+    const Box box = boundsOf(clean.outline);
+    const Result<TriangleMesh> trial = triangulate(clean, box.width() + box.height());
     if (!trial.ok()) return trial.status().within("outline");
-    return outlineLayout(count, def.spacing, shape);
+    return outlineShape(count, def.spacing, clean);
 }
 
-Result<Layout> pointsOf(const FormationDef& def, std::int32_t count) {
+Result<FormationShape> pointsOf(const FormationDef& def, std::int32_t count) {
     if (static_cast<std::size_t>(count) > def.points.size())
         return invalidArgument("found " + std::to_string(def.points.size()) + " points for " +
                                std::to_string(count) + " places");
@@ -52,30 +52,30 @@ Result<Layout> pointsOf(const FormationDef& def, std::int32_t count) {
         if (!isFinite(def.points[k]) ||
             std::fmax(std::fabs(def.points[k].x), std::fabs(def.points[k].y)) > 1e7)
             return invalidArgument("point " + std::to_string(k) + " is not finite or farther than 1e7 m");
-    Layout layout;
-    layout.places.assign(def.points.begin(), def.points.begin() + count);
-    layout.outline.outline = grownHull(layout.places, 0.5 * def.spacing);
-    return layout;
+    FormationShape shape;
+    shape.places.assign(def.points.begin(), def.points.begin() + count);
+    shape.outline.outline = grownHull(shape.places, 0.5 * def.spacing);
+    return shape;
 }
 
-Result<Layout> layoutOf(const FormationDef& def, std::int32_t count) {
+Result<FormationShape> shapeOf(const FormationDef& def, std::int32_t count) {
     switch (def.kind) {
         case FormationKind::Square:
-            return squareLayout(count, def.spacing);
+            return squareShape(count, def.spacing);
         case FormationKind::Line:
-            return lineLayout(count, def.spacing);
+            return lineShape(count, def.spacing);
         case FormationKind::Column:
-            return columnLayout(count, def.spacing);
+            return columnShape(count, def.spacing);
         case FormationKind::Wedge:
-            return wedgeLayout(count, def.spacing);
+            return wedgeShape(count, def.spacing);
         case FormationKind::Ring:
-            return ringLayout(count, def.spacing);
+            return ringShape(count, def.spacing);
         case FormationKind::Circle:
-            return circleLayout(count, def.spacing);
+            return circleShape(count, def.spacing);
         case FormationKind::Crescent:
-            return crescentLayout(count, def.spacing, def.opening);
+            return crescentShape(count, def.spacing, def.opening);
         case FormationKind::Pacman:
-            return pacmanLayout(count, def.spacing, def.opening);
+            return pacmanShape(count, def.spacing, def.opening);
         case FormationKind::Outline:
             return outlineOf(def, count);
         case FormationKind::Points:
@@ -84,18 +84,18 @@ Result<Layout> layoutOf(const FormationDef& def, std::int32_t count) {
     return pointsOf(def, count);
 }
 
-// Moves the mean of the places to the origin, and orders them front to back, then right to left.
-void centreAndSort(Layout& layout, double spacing) {
+// Moves the mean of the places to the origin, and orders them from front to back, then by ascending y.
+void centreAndSort(FormationShape& shape, double spacing) {
     Vec2 mean;
-    for (const Vec2 p : layout.places) mean += p;
-    mean = mean / static_cast<double>(layout.places.size());
-    for (Vec2& p : layout.places) p = p - mean;
-    for (Vec2& p : layout.outline.outline) p = p - mean;
-    for (Polygon& hole : layout.outline.holes)
+    for (const Vec2 p : shape.places) mean += p;
+    mean = mean / static_cast<double>(shape.places.size());
+    for (Vec2& p : shape.places) p = p - mean;
+    for (Vec2& p : shape.outline.outline) p = p - mean;
+    for (Polygon& hole : shape.outline.holes)
         for (Vec2& p : hole) p = p - mean;
-    // Rounded to a millionth of the spacing, so that a rank counts as one.
+    // Rounded to a millionth of the spacing, so that places of one rank compare as equal.
     const auto rank = [&](Vec2 p) { return std::floor(p.x / (1e-6 * spacing) + 0.5); };
-    std::sort(layout.places.begin(), layout.places.end(), [&](Vec2 a, Vec2 b) {
+    std::sort(shape.places.begin(), shape.places.end(), [&](Vec2 a, Vec2 b) {
         if (rank(a) != rank(b)) return rank(a) > rank(b);
         return a.y != b.y ? a.y < b.y : a.x > b.x;
     });
@@ -121,15 +121,15 @@ Result<FormationKind> formationKind(std::string_view name) {
 Result<Formation> makeFormation(const FormationDef& def, std::int32_t count) {
     const Status checked = check(def, count);
     if (!checked.ok()) return checked;
-    Result<Layout> layout = layoutOf(def, count);
-    if (!layout.ok()) return layout.status();
-    MUSTER_ASSERT(layout->places.size() == static_cast<std::size_t>(count));
-    if (def.kind != FormationKind::Points) centreAndSort(*layout, def.spacing);
-    Result<TriangleMesh> mesh = meshLayout(*layout, def.spacing);
+    Result<FormationShape> shape = shapeOf(def, count);
+    if (!shape.ok()) return shape.status();
+    MUSTER_ASSERT(shape->places.size() == static_cast<std::size_t>(count));
+    if (def.kind != FormationKind::Points) centreAndSort(*shape, def.spacing);
+    Result<TriangleMesh> mesh = meshShape(*shape, def.spacing);
     if (!mesh.ok()) return mesh.status().within(std::string(formationName(def.kind)));
     Formation formation;
     formation.mesh = std::move(*mesh);
-    for (const Vec2 p : layout->places)
+    for (const Vec2 p : shape->places)
         formation.places.push_back(locate(formation.mesh.triangles, formation.mesh.vertices, p));
     return formation;
 }

@@ -1,4 +1,4 @@
-// Places of the named shapes and the outlines of their meshes, before both are joined.
+// Shapes of formations: places and the outline of the mesh, before the mesh is made.
 #pragma once
 
 #include <vector>
@@ -7,33 +7,33 @@
 
 namespace muster {
 
-/// Where the places lie and what the mesh must cover. A mesh without outline covers the box of the
-/// places with a uniform strip of triangles.
-struct Layout {
-    std::vector<Vec2> places;  ///< [m], any order.
-    PolygonWithHoles outline;  ///< Empty for a rectangle.
+/// Where the places lie and what the mesh covers.
+struct FormationShape {
+    std::vector<Vec2> places;  ///< In any order [m].
+    PolygonWithHoles outline;  ///< Of the mesh [m]; empty for the box of the places.
 };
 
 /// As many files as ranks; a short rear rank is centred.
-Layout squareLayout(std::int32_t count, double spacing);
-Layout lineLayout(std::int32_t count, double spacing);    ///< Two ranks abreast.
-Layout columnLayout(std::int32_t count, double spacing);  ///< Two files along the heading.
-Layout wedgeLayout(std::int32_t count, double spacing);   ///< Filled triangle with its tip in front.
-Layout ringLayout(std::int32_t count, double spacing);    ///< Concentric circles round an open middle.
-Layout circleLayout(std::int32_t count, double spacing);  ///< Filled disc.
+FormationShape squareShape(std::int32_t count, double spacing);
+FormationShape lineShape(std::int32_t count, double spacing);    ///< Two ranks abreast.
+FormationShape columnShape(std::int32_t count, double spacing);  ///< Two files along the heading.
+FormationShape wedgeShape(std::int32_t count, double spacing);   ///< Filled triangle with its tip in front.
+FormationShape ringShape(std::int32_t count, double spacing);    ///< Concentric circles round an open middle.
+FormationShape circleShape(std::int32_t count, double spacing);  ///< Filled disc.
 /// Thick arc, open towards the front by the angle `opening` [rad].
-Layout crescentLayout(std::int32_t count, double spacing, double opening);
+FormationShape crescentShape(std::int32_t count, double spacing, double opening);
 /// Disc with a mouth of the angle `opening` [rad] towards the front.
-Layout pacmanLayout(std::int32_t count, double spacing, double opening);
-/// The clean shape scaled until it holds the count on a triangular lattice. Fails with InvalidArgument
-/// where no scale does.
-Result<Layout> outlineLayout(std::int32_t count, double spacing, const PolygonWithHoles& shape);
+FormationShape pacmanShape(std::int32_t count, double spacing, double opening);
+/// A clean outline scaled until it holds the count on a triangular lattice. Fails with InvalidArgument where
+/// no scale does.
+Result<FormationShape> outlineShape(std::int32_t count, double spacing, const PolygonWithHoles& outline);
 
-/// The convex hull of the points, grown by `margin` [m] (round corners of eight sides).
+/// The convex hull of the points, grown by `margin` [m]; its round corners have eight sides per turn.
 Polygon grownHull(std::span<const Vec2> points, double margin);
 
-/// Meshes the layout with at most about 400 vertices, wherever the places lie; where its outline
-/// leaves a place uncovered or cannot be meshed, the grown hull of the places is meshed instead.
-Result<TriangleMesh> meshLayout(const Layout& layout, double spacing);
+/// Meshes a shape with at most about 400 vertices: a box by a regular grid, another outline by a Delaunay
+/// triangulation. Where an outline leaves a place uncovered or cannot be meshed, the grown hull of the places
+/// is meshed instead.
+Result<TriangleMesh> meshShape(const FormationShape& shape, double spacing);
 
 }  // namespace muster

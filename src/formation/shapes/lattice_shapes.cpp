@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/maths.h"
 #include "formation/shapes/formation_shape.h"
@@ -9,43 +10,44 @@
 namespace muster {
 namespace {
 
-// A lattice point that a shape may take.
-struct Candidate {
-    double key = 0.0;  // Smaller is taken first.
-    Vec2 position;
+// A lattice point that a shape may use.
+struct LatticePoint {
+    double key = 0.0;  // Points with smaller keys are used first.
+    Vec2 position;     // In spacings.
 
-    friend bool operator<(const Candidate& a, const Candidate& b) {
+    friend bool operator<(const LatticePoint& a, const LatticePoint& b) {
         if (a.key != b.key) return a.key < b.key;
         if (a.position.x != b.position.x) return a.position.x > b.position.x;
         return a.position.y < b.position.y;
     }
 };
 
-// Rows of the triangular lattice lie along x, so that ranks are staggered.
+// Distance between rows of the triangular lattice, which lie along x, so that ranks are staggered; in
+// spacings.
 const double kRow = 0.86602540378443865;
 
-// The `count` lattice points nearest to the origin for which `wanted(p)`; in spacings.
-template <class Wanted>
-std::vector<Vec2> nearestLatticePoints(std::int32_t count, double reach, Wanted wanted) {
-    std::vector<Candidate> found;
+// The `count` lattice points nearest to the origin for which `accept(p)`; in spacings.
+template <class Accept>
+std::vector<Vec2> nearestLatticePoints(std::int32_t count, double reach, Accept accept) {
+    std::vector<LatticePoint> found;
     const auto rows = static_cast<std::int32_t>(std::ceil(reach / kRow));
     const auto columns = static_cast<std::int32_t>(std::ceil(reach)) + 1;
     for (std::int32_t j = -rows; j <= rows; ++j) {
         for (std::int32_t i = -columns; i <= columns; ++i) {
             const Vec2 p{i + (j % 2 != 0 ? 0.5 : 0.0), j * kRow};
-            // Rounded, so that points at one distance tie on every machine.
-            if (length(p) <= reach && wanted(p))
+            // Rounded, so that points at equal distances compare as equal on every machine.
+            if (length(p) <= reach && accept(p))
                 found.push_back({std::floor(lengthSquared(p) * 1024.0 + 0.5), p});
         }
     }
     std::sort(found.begin(), found.end());
     std::vector<Vec2> points;
-    for (std::size_t k = 0; k < found.size() && k < static_cast<std::size_t>(count); ++k)
+    for (std::size_t k = 0; k < found.size() && std::cmp_less(k, count); ++k)
         points.push_back(found[k].position);
     return points;
 }
 
-// The radius of a sector of angle `angle` that surely holds `count` lattice points.
+// A radius at which a sector of angle `angle` holds at least `count` lattice points.
 double reachFor(std::int32_t count, double angle) {
     return std::min(std::sqrt(2.0 * count / angle) + 4.0, static_cast<double>(count) + 1.0);
 }
@@ -56,7 +58,7 @@ double farthest(const std::vector<Vec2>& points) {
     return most;
 }
 
-// Interior of a scaled outline, as pieces of horizontal lines.
+// Intersections of a scaled outline with horizontal lines (scanline fill).
 class Scanline {
 public:
     explicit Scanline(const PolygonWithHoles& shape) : shape_(shape) {}
@@ -69,7 +71,7 @@ public:
         std::sort(crossings.begin(), crossings.end());
     }
 
-    // True where x lies inside, at least `margin` from the crossings on its line.
+    // True where `x` lies inside, at least `margin` from the crossings.
     static bool inside(const std::vector<double>& crossings, double x, double margin) {
         for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
             if (x >= crossings[k] + margin && x <= crossings[k + 1] - margin) return true;
@@ -91,7 +93,7 @@ private:
 
 constexpr double kOutlineMargin = 0.35;  // Kept from the outline, in spacings.
 
-// Lattice points inside the shape times `scale`, with a margin in four directions.
+// Lattice points inside the shape times `scale`, with a margin in the four directions of the axes.
 std::vector<Vec2> latticeInside(const PolygonWithHoles& shape, double scale) {
     const Scanline scanline(shape);
     const Box box = boundsOf(shape.outline);
@@ -113,12 +115,12 @@ std::vector<Vec2> latticeInside(const PolygonWithHoles& shape, double scale) {
     return points;
 }
 
-// Lattice points with their neighbours, from which some are taken away.
-class Patchwork {
+// The graph of neighbouring lattice points, from which points are removed.
+class LatticeGraph {
 public:
     // Points come row by row.
-    explicit Patchwork(const std::vector<Vec2>& points)
-        : points_(points), kept_(points.size(), 1), count_(points.size()) {
+    explicit LatticeGraph(const std::vector<Vec2>& points)
+        : points_(points), used_(points.size(), 1), count_(points.size()) {
         neighbours_.resize(points.size());
         for (std::size_t a = 0; a < points.size(); ++a) {
             for (std::size_t b = a + 1; b < points.size() && points[b].y - points[a].y < 1.5 * kRow; ++b) {
@@ -131,96 +133,95 @@ public:
     }
 
     std::size_t count() const { return count_; }
-    bool alone(std::size_t k) const { return degree_[k] == 0; }
+    bool isIsolated(std::size_t k) const { return degree_[k] == 0; }
 
     void remove(std::size_t k) {
-        kept_[k] = 0;
+        used_[k] = 0;
         --count_;
         for (const std::size_t n : neighbours_[k]) --degree_[n];
     }
-    void removeAlone() {
+    void removeIsolated() {
         for (std::size_t k = 0; k < points_.size(); ++k)
-            if (kept_[k] != 0 && alone(k)) remove(k);
+            if (used_[k] != 0 && isIsolated(k)) remove(k);
     }
-    // The point with the fewest neighbours, among these the farthest out, that leaves none alone;
-    // the number of points where there is none.
+    // The point with the fewest neighbours, among these the farthest from the origin, whose removal isolates
+    // no other; the number of points where there is none.
     std::size_t mostExposed() const {
         std::size_t best = points_.size();
         const auto rank = [&](std::size_t k) {
             return -std::floor(lengthSquared(points_[k]) * 1024.0 + 0.5);
         };
         for (std::size_t k = 0; k < points_.size(); ++k) {
-            if (kept_[k] == 0) continue;
+            if (used_[k] == 0) continue;
             const bool better = best == points_.size() || degree_[k] < degree_[best] ||
                                 (degree_[k] == degree_[best] && rank(k) < rank(best));
             if (better && !isolates(k)) best = k;
         }
         return best;
     }
-    std::vector<Vec2> take() const {
+    std::vector<Vec2> used() const {
         std::vector<Vec2> points;
         for (std::size_t k = 0; k < points_.size(); ++k)
-            if (kept_[k] != 0) points.push_back(points_[k]);
+            if (used_[k] != 0) points.push_back(points_[k]);
         return points;
     }
 
 private:
     bool isolates(std::size_t k) const {
         return std::any_of(neighbours_[k].begin(), neighbours_[k].end(),
-                           [&](std::size_t n) { return kept_[n] != 0 && degree_[n] == 1; });
+                           [&](std::size_t n) { return used_[n] != 0 && degree_[n] == 1; });
     }
 
     const std::vector<Vec2>& points_;
-    std::vector<std::uint8_t> kept_;
+    std::vector<std::uint8_t> used_;
     std::size_t count_;
     std::vector<std::vector<std::size_t>> neighbours_;
     std::vector<std::int32_t> degree_;
 };
 
-// Exactly `count` of the lattice points inside the scaled shape, each with a neighbour; empty where
-// these do not exist at this scale.
+// Exactly `count` of the lattice points inside the scaled shape, each with a neighbour; empty where there are
+// none at this scale.
 std::vector<Vec2> fillShape(const PolygonWithHoles& shape, double scale, std::size_t count) {
     std::vector<Vec2> points = latticeInside(shape, scale);
     if (count == 1 || points.size() < count) {
         points.resize(std::min(points.size(), count));
         return points.size() == count ? points : std::vector<Vec2>{};
     }
-    Patchwork patchwork(points);
-    patchwork.removeAlone();
-    while (patchwork.count() > count) {
-        const std::size_t k = patchwork.mostExposed();
+    LatticeGraph graph(points);
+    graph.removeIsolated();
+    while (graph.count() > count) {
+        const std::size_t k = graph.mostExposed();
         if (k == points.size()) return {};
-        patchwork.remove(k);
+        graph.remove(k);
     }
-    return patchwork.count() == count ? patchwork.take() : std::vector<Vec2>{};
+    return graph.count() == count ? graph.used() : std::vector<Vec2>{};
 }
 
 }  // namespace
 
-Layout circleLayout(std::int32_t count, double spacing) {
-    Layout layout;
-    layout.places = nearestLatticePoints(count, reachFor(count, 2.0 * kPi), [](Vec2) { return true; });
-    // An even share round a centre that is not itself a place would be no rounder; the mean becomes the
-    // centre.
+FormationShape circleShape(std::int32_t count, double spacing) {
+    FormationShape shape;
+    shape.places = nearestLatticePoints(count, reachFor(count, 2.0 * kPi), [](Vec2) { return true; });
+    // The outline is a circle about the mean of the places.
     Vec2 mean;
-    for (Vec2& p : layout.places) mean += p = p * spacing;
+    for (Vec2& p : shape.places) mean += p = p * spacing;
     mean = mean / static_cast<double>(count);
-    const double radius = farthest(layout.places) + length(mean) + 0.5 * spacing;
+    const double radius = farthest(shape.places) + length(mean) + 0.5 * spacing;
     const double sides = 36.0;
     for (double k = 0.0; k < sides; k += 1.0) {
         const double angle = 2.0 * kPi * k / sides;
-        layout.outline.outline.push_back(mean +
-                                         Vec2{cosine(angle), sine(angle)} * (radius / cosine(kPi / sides)));
+        shape.outline.outline.push_back(mean +
+                                        Vec2{cosine(angle), sine(angle)} * (radius / cosine(kPi / sides)));
     }
-    return layout;
+    return shape;
 }
 
-Layout pacmanLayout(std::int32_t count, double spacing, double opening) {
-    Layout layout;
+FormationShape pacmanShape(std::int32_t count, double spacing, double opening) {
+    FormationShape shape;
     const Vec2 lip{cosine(0.5 * opening), sine(0.5 * opening)};
     const double angle = 2.0 * kPi - opening;
-    // A place may reach into the mouth by less than a third of a spacing.
-    const auto wanted = [&](Vec2 p) {
+    // A place may lie in the mouth by less than a third of a spacing.
+    const auto accept = [&](Vec2 p) {
         const Vec2 q{p.x, std::fabs(p.y)};
         const double along = dot(q, lip);
         const double inside = cross(lip, q);
@@ -228,61 +229,61 @@ Layout pacmanLayout(std::int32_t count, double spacing, double opening) {
     };
     double reach = reachFor(count, angle);
     do {
-        layout.places = nearestLatticePoints(count, reach, wanted);
+        shape.places = nearestLatticePoints(count, reach, accept);
         reach *= 1.3;
-    } while (layout.places.size() < static_cast<std::size_t>(count));
-    for (Vec2& p : layout.places) p = p * spacing;
-    const double radius = farthest(layout.places) + 0.5 * spacing;
-    // The mesh's mouth keeps half a spacing from the places at the lips.
+    } while (shape.places.size() < static_cast<std::size_t>(count));
+    for (Vec2& p : shape.places) p = p * spacing;
+    const double radius = farthest(shape.places) + 0.5 * spacing;
+    // The mouth of the mesh is half a spacing from the places beside it.
     const double start = opening < kPi ? 0.5 * spacing / lip.y : radius;
     if (opening >= kPi || start > 0.7 * radius) {
-        layout.outline.outline = grownHull(layout.places, 0.5 * spacing);
-        return layout;
+        shape.outline.outline = grownHull(shape.places, 0.5 * spacing);
+        return shape;
     }
     const double half = 0.5 * opening - arcTangent2(0.5 * spacing, radius);
     const double parts = 40.0;
-    layout.outline.outline.push_back({start, 0.0});
+    shape.outline.outline.push_back({start, 0.0});
     for (double k = 0.0; k <= parts; k += 1.0) {
         const double a = half + (2.0 * kPi - 2.0 * half) * (k / parts);
-        layout.outline.outline.push_back(Vec2{cosine(a), sine(a)} * (radius * 1.004));
+        shape.outline.outline.push_back(Vec2{cosine(a), sine(a)} * (radius * 1.004));
     }
-    return layout;
+    return shape;
 }
 
-Result<Layout> outlineLayout(std::int32_t count, double spacing, const PolygonWithHoles& shape) {
-    const Vec2 middle = centroid(shape.outline);
+Result<FormationShape> outlineShape(std::int32_t count, double spacing, const PolygonWithHoles& outline) {
+    const Vec2 middle = centroid(outline.outline);
     PolygonWithHoles unit;
-    double area = signedArea(shape.outline);
-    for (const Polygon& hole : shape.holes) area -= std::fabs(signedArea(hole));
+    double area = signedArea(outline.outline);
+    for (const Polygon& hole : outline.holes) area -= std::fabs(signedArea(hole));
     if (!(area > 1e-9)) return invalidArgument("the outline's holes leave no area");
-    // In spacings, with one square spacing of area per place.
+    // In spacings, with the area of one lattice cell per place.
     const double size = std::sqrt(count * kRow / area);
-    for (const Vec2 p : shape.outline) unit.outline.push_back((p - middle) * size);
-    for (const Polygon& hole : shape.holes) {
+    for (const Vec2 p : outline.outline) unit.outline.push_back((p - middle) * size);
+    for (const Polygon& hole : outline.holes) {
         unit.holes.emplace_back();
         for (const Vec2 p : hole) unit.holes.back().push_back((p - middle) * size);
     }
-    const auto wanted = static_cast<std::size_t>(count);
+
     double high = 1.0;
-    while (high < 60.0 && latticeInside(unit, high).size() < wanted) high *= 1.25;
+    while (high < 60.0 && latticeInside(unit, high).size() < static_cast<std::size_t>(count)) high *= 1.25;
     if (high >= 60.0)
         return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
     double low = high / 1.25;
     for (int k = 0; k < 24; ++k) {
         const double scale = 0.5 * (low + high);
-        (latticeInside(unit, scale).size() >= wanted ? high : low) = scale;
+        (latticeInside(unit, scale).size() >= static_cast<std::size_t>(count) ? high : low) = scale;
     }
-    Layout layout;
-    // The few scales at which no even choice exists are stepped over.
-    while ((layout.places = fillShape(unit, high, wanted)).empty() && high < 60.0) high *= 1.01;
-    if (layout.places.empty())
+    FormationShape shape;
+    // At a few scales there is no such set of points.
+    while ((shape.places = fillShape(unit, high, count)).empty() && high < 60.0) high *= 1.01;
+    if (shape.places.empty())
         return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
-    for (Vec2& p : layout.places) p = p * spacing;
+    for (Vec2& p : shape.places) p = p * spacing;
     for (Vec2& p : unit.outline) p = p * (high * spacing);
     for (Polygon& hole : unit.holes)
         for (Vec2& p : hole) p = p * (high * spacing);
-    layout.outline = std::move(unit);
-    return layout;
+    shape.outline = std::move(unit);
+    return shape;
 }
 
 }  // namespace muster

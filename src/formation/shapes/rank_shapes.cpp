@@ -1,4 +1,4 @@
-// Shapes made of straight ranks.
+// Shapes made of straight ranks: square, line, column and wedge.
 #include <algorithm>
 #include <cmath>
 
@@ -7,46 +7,46 @@
 namespace muster {
 namespace {
 
-// Adds a rank of `size` places at `x`, centred on the axis.
+// Adds a rank of `size` places at `x` [m], centred on the axis.
 void addRank(std::vector<Vec2>& places, std::int32_t size, double x, double spacing) {
     for (std::int32_t k = 0; k < size; ++k) places.push_back({x, (k - 0.5 * (size - 1)) * spacing});
 }
 
-Layout ranks(std::int32_t count, std::int32_t files, double spacing) {
-    Layout layout;
+FormationShape ranks(std::int32_t count, std::int32_t files, double spacing) {
+    FormationShape shape;
     for (std::int32_t done = 0, rank = 0; done < count; done += files, ++rank)
-        addRank(layout.places, std::min(files, count - done), -rank * spacing, spacing);
-    return layout;
+        addRank(shape.places, std::min(files, count - done), -rank * spacing, spacing);
+    return shape;
 }
 
 }  // namespace
 
-Layout squareLayout(std::int32_t count, double spacing) {
+FormationShape squareShape(std::int32_t count, double spacing) {
     auto files = static_cast<std::int32_t>(std::floor(std::sqrt(static_cast<double>(count))));
     while (files * files < count) ++files;
     return ranks(count, files, spacing);
 }
 
-Layout lineLayout(std::int32_t count, double spacing) {
+FormationShape lineShape(std::int32_t count, double spacing) {
     return ranks(count, count < 4 ? count : (count + 1) / 2, spacing);
 }
 
-Layout columnLayout(std::int32_t count, double spacing) {
+FormationShape columnShape(std::int32_t count, double spacing) {
     return ranks(count, count < 4 ? 1 : 2, spacing);
 }
 
-// Rank k holds k + 1 places, as on a triangular lattice. The rest at the rear is centred: its places
-// stand behind gaps or behind places, either way at least 0.86 spacings from all others.
-Layout wedgeLayout(std::int32_t count, double spacing) {
-    Layout layout;
+// Rank k holds k + 1 places, as on a triangular lattice. The last rank is centred; its places are at least
+// 0.86 spacings from all others.
+FormationShape wedgeShape(std::int32_t count, double spacing) {
+    FormationShape shape;
     const double step = std::sqrt(0.75) * spacing;
     std::int32_t left = count;
     for (std::int32_t rank = 0; left > 0; ++rank) {
-        addRank(layout.places, std::min(left, rank + 1), -rank * step, spacing);
+        addRank(shape.places, std::min(left, rank + 1), -rank * step, spacing);
         left -= rank + 1;
     }
-    layout.outline.outline = grownHull(layout.places, 0.5 * spacing);
-    return layout;
+    shape.outline.outline = grownHull(shape.places, 0.5 * spacing);
+    return shape;
 }
 
 }  // namespace muster

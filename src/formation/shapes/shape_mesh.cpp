@@ -1,4 +1,4 @@
-// Meshes over layouts.
+// Meshes of formation shapes.
 #include <algorithm>
 #include <cmath>
 
@@ -7,10 +7,10 @@
 namespace muster {
 namespace {
 
-constexpr double kMostVertices = 400.0;
+constexpr double kMaxVertices = 400.0;
 
-// A rectangle of cells, each cut into two triangles with alternating diagonals.
-TriangleMesh stripMesh(const Box& box, std::int32_t columns, std::int32_t rows) {
+// A regular grid of cells, each cut into two triangles with alternating diagonals.
+TriangleMesh gridMesh(const Box& box, std::int32_t columns, std::int32_t rows) {
     TriangleMesh mesh;
     const auto vertex = [&](std::int32_t i, std::int32_t j) { return j * (columns + 1) + i; };
     for (std::int32_t j = 0; j <= rows; ++j)
@@ -37,12 +37,12 @@ TriangleMesh rectangleMesh(const std::vector<Vec2>& places, double spacing) {
     const double step = std::max(spacing, std::sqrt(box.width() * box.height() / 320.0));
     const double columns = std::max(1.0, std::floor(box.width() / step + 0.5));
     const double rows = std::max(1.0, std::floor(box.height() / step + 0.5));
-    // A long thin rectangle gives up cells along its length.
-    const double mostColumns = std::floor(kMostVertices / (rows + 1.0)) - 1.0;
-    const double mostRows = std::floor(kMostVertices / (columns + 1.0)) - 1.0;
+    // A long thin rectangle gets fewer, longer cells along its length.
+    const double mostColumns = std::floor(kMaxVertices / (rows + 1.0)) - 1.0;
+    const double mostRows = std::floor(kMaxVertices / (columns + 1.0)) - 1.0;
     const bool wide = columns >= rows;
-    return stripMesh(box, static_cast<std::int32_t>(wide ? std::min(columns, mostColumns) : columns),
-                     static_cast<std::int32_t>(wide ? rows : std::min(rows, mostRows)));
+    return gridMesh(box, static_cast<std::int32_t>(wide ? std::min(columns, mostColumns) : columns),
+                    static_cast<std::int32_t>(wide ? rows : std::min(rows, mostRows)));
 }
 
 double perimeter(const Polygon& polygon) {
@@ -67,10 +67,10 @@ Result<TriangleMesh> outlineMesh(const PolygonWithHoles& outline, double spacing
         around += perimeter(hole);
     }
     double step = std::max({spacing, std::sqrt(std::max(0.0, area) / 220.0), around / 180.0});
-    // Detailed outlines need more vertices than the estimate says; coarser steps bring them down.
+    // Detailed outlines need more vertices than estimated, so the step is enlarged up to three times.
     for (int k = 0;; ++k, step *= 1.3) {
         Result<TriangleMesh> mesh = triangulate(outline, step);
-        if (k == 3 || !mesh.ok() || static_cast<double>(mesh->vertices.size()) <= kMostVertices) return mesh;
+        if (k == 3 || !mesh.ok() || static_cast<double>(mesh->vertices.size()) <= kMaxVertices) return mesh;
     }
 }
 
@@ -78,7 +78,7 @@ Result<TriangleMesh> outlineMesh(const PolygonWithHoles& outline, double spacing
 
 Polygon grownHull(std::span<const Vec2> points, double margin) {
     const double c = std::sqrt(0.5);
-    // Corners of an octagon whose sides, not corners, lie at the margin.
+    // Corners of an octagon whose sides lie at the margin.
     const double reach = margin / 0.92387953251128674;
     const Vec2 directions[8] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
     std::vector<Vec2> grown;
@@ -88,11 +88,11 @@ Polygon grownHull(std::span<const Vec2> points, double margin) {
     return convexHull(grown);
 }
 
-Result<TriangleMesh> meshLayout(const Layout& layout, double spacing) {
-    if (layout.outline.outline.empty()) return rectangleMesh(layout.places, spacing);
-    Result<TriangleMesh> mesh = outlineMesh(layout.outline, spacing);
-    if (mesh.ok() && covers(*mesh, layout.places, spacing)) return mesh;
-    return outlineMesh({grownHull(layout.places, 0.5 * spacing), {}}, spacing);
+Result<TriangleMesh> meshShape(const FormationShape& shape, double spacing) {
+    if (shape.outline.outline.empty()) return rectangleMesh(shape.places, spacing);
+    Result<TriangleMesh> mesh = outlineMesh(shape.outline, spacing);
+    if (mesh.ok() && covers(*mesh, shape.places, spacing)) return mesh;
+    return outlineMesh({grownHull(shape.places, 0.5 * spacing), {}}, spacing);
 }
 
 }  // namespace muster

@@ -91,7 +91,7 @@ public:
         Group* group = world_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
         group->controls.clear();
-        group->mesh.place({set.position, {cosine(set.angle), sine(set.angle)}});
+        group->mesh.setPose({set.position, {cosine(set.angle), sine(set.angle)}});
         return {};
     }
     Status operator()(const AddGroup& add) { return world_.addGroup(add.group); }

@@ -63,7 +63,7 @@ void World::Impl::deformMeshes() {
 }
 
 void World::Impl::meetEnvironment() {
-    for (Group& group : groups) group.mesh.meet(meshDef(), environment, parameters.stepTime);
+    for (Group& group : groups) group.mesh.applyEnvironment(meshDef(), environment, parameters.stepTime);
 }
 
 void World::Impl::movePlaces() {

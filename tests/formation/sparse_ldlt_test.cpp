@@ -1,7 +1,7 @@
 #include <doctest.h>
 
 #include "base/random.h"
-#include "formation/mesh/sparse_factor.h"
+#include "formation/mesh/sparse_ldlt.h"
 
 using namespace muster;
 
@@ -27,7 +27,7 @@ TEST_CASE("two right sides solved at once get the bits of each alone, and both s
     Random random(3);
     for (const int size : {1, 2, 7, 40, 120}) {
         const std::vector<SparseEntry> entries = randomMatrix(random, size);
-        SparseFactor factor;
+        SparseLdlt factor;
         REQUIRE(factor.factorise(size, entries));
         std::vector<double> x, y;
         std::vector<Vec2> both;
