@@ -8,7 +8,7 @@ using namespace muster;
 
 namespace {
 
-Environment room(double half) {
+Environment emptyWorld(double half) {
     EnvironmentDef def;
     def.box = {{-half, -half}, {half, half}};
     return Environment::create(def).value();
@@ -16,8 +16,8 @@ Environment room(double half) {
 
 }  // namespace
 
-TEST_CASE("two in one spot part to a diameter, symmetric about it") {
-    Environment environment = room(10);
+TEST_CASE("coincident characters are separated to a diameter, symmetrically") {
+    Environment environment = emptyWorld(10);
     environment.setTime(0.0);
     std::vector<Vec2> positions{{1, 1}, {1, 1}};
     Contacts contacts;
@@ -27,8 +27,8 @@ TEST_CASE("two in one spot part to a diameter, symmetric about it") {
     CHECK(report.overlapPairs == 0);
 }
 
-TEST_CASE("those who do not touch stay where they are, bit for bit") {
-    Environment environment = room(10);
+TEST_CASE("characters that do not touch stay where they are, bit for bit") {
+    Environment environment = emptyWorld(10);
     environment.setTime(0.0);
     std::vector<Vec2> positions{{0, 0}, {0.51, 0}, {3, 3}};
     const std::vector<Vec2> before = positions;
@@ -39,7 +39,7 @@ TEST_CASE("those who do not touch stay where they are, bit for bit") {
 
 TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles") {
     Random random(6);
-    Environment environment = room(12);
+    Environment environment = emptyWorld(12);
     ObstacleDef block;
     block.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
     REQUIRE(environment.addObstacle(block).ok());
@@ -60,8 +60,8 @@ TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles"
     }
 }
 
-TEST_CASE("overlaps are reported when there is no room to part") {
-    Environment environment = room(0.6);
+TEST_CASE("overlaps that cannot be resolved are reported") {
+    Environment environment = emptyWorld(0.6);
     environment.setTime(0.0);
     std::vector<Vec2> positions(12, Vec2{0, 0});
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i].x = 0.01 * static_cast<double>(i);
@@ -72,8 +72,8 @@ TEST_CASE("overlaps are reported when there is no room to part") {
     for (const Vec2 p : positions) CHECK(isFinite(p));
 }
 
-TEST_CASE("who is pushed into one that stood apart is parted from him, and what is left is seen") {
-    Environment environment = room(10);
+TEST_CASE("overlaps caused by corrections are resolved, and reported where they remain") {
+    Environment environment = emptyWorld(10);
     ObstacleDef wall;
     wall.polygon = {{-3, -3}, {0.15, -3}, {0.15, 3}, {-3, 3}};
     REQUIRE(environment.addObstacle(wall).ok());
@@ -84,7 +84,7 @@ TEST_CASE("who is pushed into one that stood apart is parted from him, and what 
     CHECK(distance(positions[0], positions[1]) > 0.495);
     CHECK(parted.overlapPairs == 0);
     positions = {{0.05, 0}, {0.72, 0}};
-    // One round does not part them.
+    // One iteration does not separate them.
     const ContactReport seen = contacts.resolve({0.25, 1}, environment, positions);
     const double share = 1.0 - distance(positions[0], positions[1]) / 0.5;
     REQUIRE(share > 0.1);
@@ -92,8 +92,8 @@ TEST_CASE("who is pushed into one that stood apart is parted from him, and what 
     CHECK(seen.worstPenetration == doctest::Approx(share));
 }
 
-TEST_CASE("contacts are the same for any number of threads, or none") {
-    Environment environment = room(40);
+TEST_CASE("contacts are the same for any number of threads") {
+    Environment environment = emptyWorld(40);
     Random random(9);
     for (int k = 0; k < 30; ++k) {
         ObstacleDef tree;
@@ -111,7 +111,7 @@ TEST_CASE("contacts are the same for any number of threads, or none") {
         ThreadPool pool(threads);
         Contacts contacts;
         std::vector<Vec2> positions = start;
-        const ContactReport same = contacts.resolve({0.25, 8}, environment, positions, {}, &pool);
+        const ContactReport same = contacts.resolve({0.25, 8}, environment, positions, nullptr, &pool);
         CHECK(positions == expected);
         CHECK(same.overlapPairs == report.overlapPairs);
         CHECK(same.worstPenetration == report.worstPenetration);

@@ -96,7 +96,7 @@ TEST_CASE("two overlapping patches of one motion are entered and left once, with
     CHECK(w.count(MotionChange::SingleStep) == 0);
 }
 
-TEST_CASE("a jump happens once per crossing, and stepping to and fro at the edge is still one") {
+TEST_CASE("a jump happens once per crossing, also with steps to and fro at the edge") {
     Walker w;
     w.to(15.5);
     CHECK(w.characters.phase[0] == MotionPhase::Locked);
@@ -112,7 +112,7 @@ TEST_CASE("a jump happens once per crossing, and stepping to and fro at the edge
     CHECK(w.count(MotionChange::SingleStep) == 2);
 }
 
-TEST_CASE("turning back during a transition ends where the ground says") {
+TEST_CASE("a character that comes back during a transition ends with the motion of the ground") {
     Walker w;
     w.to(5.1);
     w.to(4.8);
@@ -169,7 +169,7 @@ std::vector<std::int32_t> transitionsOf(const Walker& w) {
 
 }  // namespace
 
-TEST_CASE("overlapping patches of a jump are one jump, also to and fro at the far edge") {
+TEST_CASE("overlapping patches of a jump are one jump, also with steps to and fro at the far edge") {
     Strip strip({{5, 7, kJump}, {6.5, 9, kJump}});
     Walker& w = strip.walker;
     w.to(9.02);
@@ -187,13 +187,13 @@ TEST_CASE("overlapping patches of a jump are one jump, also to and fro at the fa
     CHECK(w.count(MotionChange::SingleStep) == 2);
 }
 
-TEST_CASE("two patches of a jump that lie apart are two jumps") {
+TEST_CASE("two separate patches of a jump are two jumps") {
     Strip strip({{5, 6, kJump}, {6.2, 7, kJump}});
     strip.walker.to(8.0);
     CHECK(strip.walker.count(MotionChange::SingleStep) == 2);
 }
 
-TEST_CASE("a patch left before its entry has played ends the entry") {
+TEST_CASE("leaving a patch before the entry has played ends the entry") {
     Strip strip({{5, 5.3, kCrawl}});
     strip.walker.to(8.0);
     strip.walker.wait(1.0);
@@ -218,7 +218,7 @@ TEST_CASE("from crawling straight into swimming both transitions play, one after
     CHECK(w.count(MotionChange::LeavePatch) == 2);
 }
 
-TEST_CASE("transitions pair however one walks to and fro") {
+TEST_CASE("every transition that starts ends, on random walks too") {
     Strip strip({{5, 6, kCrawl}, {6, 7, kSwim}, {7, 7.5, kJump}, {7.5, 8, kCrawl}, {9, 9.1, kSwim}});
     Walker& w = strip.walker;
     Random random(4);

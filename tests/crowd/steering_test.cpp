@@ -59,7 +59,7 @@ void walk(Characters& c, const std::vector<Vec2>& places, const Environment& env
 
 }  // namespace
 
-TEST_CASE("a character reaches top speed, arrives without overshoot and turns with its formation") {
+TEST_CASE("a character reaches top speed, arrives without overshoot and faces with its formation") {
     const Environment environment = ground(0.5);
     Characters c;
     add(c, {-10, 0}, {1, 0});
@@ -76,7 +76,7 @@ TEST_CASE("a character reaches top speed, arrives without overshoot and turns wi
     CHECK(c.heading[0].y == doctest::Approx(1.0).epsilon(1e-3));
 }
 
-TEST_CASE("on a patch the top speed is the patch's") {
+TEST_CASE("the ground's travel speed scales the top speed") {
     const Environment environment = ground(0.35);
     Characters c;
     add(c, {6, 0}, {1, 0});
@@ -100,7 +100,7 @@ TEST_CASE("two who meet head on pass each other, each to its right") {
     CHECK(nearest > 0.0);
 }
 
-TEST_CASE("who walk the same way do not keep each other back, who meet do") {
+TEST_CASE("characters that walk together are not separated, those that meet are") {
     const Environment environment = ground(1.0);
     const auto speedAfter = [&](Vec2 ahead, Vec2 direction) {
         Characters c;
@@ -131,7 +131,7 @@ TEST_CASE("the unmatched stand still") {
     CHECK(velocity[0] == Vec2{});
 }
 
-TEST_CASE("within a single-step motion nobody turns away by more than 20 degrees") {
+TEST_CASE("within a single-step motion the direction deviates by at most 20 degrees") {
     const Environment environment = ground(0.5);
     Characters c;
     add(c, {0, 0}, {-1, 0});

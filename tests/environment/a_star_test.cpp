@@ -19,7 +19,7 @@ double lengthOf(const std::vector<Vec2>& path) {
 // Cheapest path on the cells by relaxing until nothing changes; infinity where there is none.
 double relaxedCost(const Grid& grid, std::span<const float> clearance, double radius, std::int32_t start,
                    std::int32_t goal) {
-    std::vector<double> cost(static_cast<std::size_t>(grid.count()), INFINITY);
+    std::vector<double> cost(grid.count(), INFINITY);
     const auto free = [&](std::int32_t x, std::int32_t y) {
         return grid.contains({x, y}) && clearance[grid.index({x, y})] >= radius;
     };

@@ -173,7 +173,7 @@ TEST_CASE(
             speeds.push_back(def.speed < 0 ? environment.def().clips[def.motion].speed : def.speed);
         }
         const Grid& grid = environment.grid();
-        std::vector<float> least(static_cast<std::size_t>(grid.count()), 1e9f);
+        std::vector<float> least(grid.count(), 1e9f);
         for (int i = 0; i < 60000; ++i) {
             const Vec2 p = randomPoint(random);
             double slowest = 1e9;
@@ -227,7 +227,7 @@ TEST_CASE("region labels equal a flood fill in row-major order; nearest cells eq
         }
         const Grid& grid = environment.grid();
         for (const double radius : {0.2, 0.45}) {
-            std::vector<std::int32_t> label(static_cast<std::size_t>(grid.count()), -1);
+            std::vector<std::int32_t> label(grid.count(), -1);
             std::int32_t next = 0;
             for (std::int32_t first = 0; first < grid.count(); ++first) {
                 if (label[first] >= 0 || still.clearance()[first] < radius) continue;

@@ -13,7 +13,7 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
     Environment environment = *Environment::create(world);
     ObstacleDef disc;
     disc.radius = 0.8;
-    disc.centre = {-6.5, 0.2};  // Its field reaches the mesh, but no place needs a way round it.
+    disc.centre = {-6.5, 0.2};  // Its field reaches the mesh, but no place needs a path round it.
     REQUIRE(environment.addObstacle(disc).ok());
     environment.setTime(0.0);
     Stage s(square(100));
@@ -46,7 +46,7 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
     CHECK(before > 0);
 }
 
-TEST_CASE("places that find their ways round a block and through a patch again and again allocate nothing") {
+TEST_CASE("places that search paths round a block and through a patch again and again allocate nothing") {
     Environment environment = *Environment::create({});
     ObstacleDef block;
     block.polygon = {{-1, -5}, {1, -5}, {1, 5}, {-1, 5}};
@@ -65,20 +65,20 @@ TEST_CASE("places that find their ways round a block and through a patch again a
     places.reset({}, targets, environment, -1);
     long counted = 0;
     std::size_t detours = 0;
-    for (int way = 0; way < 8; ++way) {
-        // At once to the other side, so that every place asks for a way, and many at once.
-        aim(way % 2 == 0 ? 8.0 : -8.0);
+    for (int pass = 0; pass < 8; ++pass) {
+        // All targets jump to the other side, so that many places need a path at once.
+        aim(pass % 2 == 0 ? 8.0 : -8.0);
         const long before = allocations;
         for (int k = 0; k < 1500; ++k) {
             places.advance({}, targets, environment, -1, kStep);
             for (const Vec2 p : places.positions()) detours += std::fabs(p.y) > 5.0 ? 1 : 0;
         }
-        if (way >= 4) counted += allocations - before;
+        if (pass >= 4) counted += allocations - before;
         double worst = 0.0;
         for (std::size_t k = 0; k < targets.size(); ++k)
             worst = std::max(worst, distance(places.positions()[k], targets[k]));
         CHECK(worst < 0.1);
     }
-    CHECK(detours > 0);  // They did go round.
+    CHECK(detours > 0);  // Some went round the block.
     CHECK(counted == 0);
 }

@@ -45,7 +45,7 @@ TEST_CASE("later touches, other clients and lifted fingers make controls of thei
     for (const Control& control : s.controls.controls()) CHECK(control.kind == ControlKind::Point);
 }
 
-TEST_CASE("what cannot be is refused") {
+TEST_CASE("invalid touches are refused") {
     Stage s;
     REQUIRE(s.down(1, {3, 3}));
     CHECK_FALSE(s.down(1, {-3, 3}));
@@ -95,7 +95,7 @@ TEST_CASE("a small drag is followed at once, without a jump at touch down") {
     CHECK(distance(s.vertex(s.nearest({3, 3})), before + Vec2{0.01, 0}) < 1e-12);
 }
 
-TEST_CASE("paths are cut into checkpoints of fixed spacing with interpolated times") {
+TEST_CASE("trajectories are cut into checkpoints of fixed spacing with interpolated times") {
     Stage s;
     REQUIRE(s.down(1, {3, 3}));
     s.time = 4.0;
@@ -113,7 +113,7 @@ TEST_CASE("paths are cut into checkpoints of fixed spacing with interpolated tim
     for (std::size_t k = 1; k < path.size(); ++k) CHECK(path[k].time >= path[k - 1].time);
 }
 
-TEST_CASE("control points keep the speed bound, wait at pace 0, and follow the path after lifting") {
+TEST_CASE("control points keep the speed bound, wait at pace 0, and follow the trajectory after lifting") {
     Stage s;
     REQUIRE(s.down(1, {3, 3}));
     s.step();
@@ -181,7 +181,7 @@ TEST_CASE("pauses drawn while the crowd lags are collapsed by the clock rate") {
     CHECK(steps * kStep < 2.0 / 1.6 + 20.0 / 4.0 + 0.2);
 }
 
-TEST_CASE("pinned controls stay, cancelled and removed ones go") {
+TEST_CASE("pinned controls stay, cancelled and removed ones end") {
     Stage s;
     REQUIRE(s.down(1, {3, 3}));
     const ControlId id = s.controls.controls()[0].id;
@@ -205,7 +205,7 @@ TEST_CASE("pinned controls stay, cancelled and removed ones go") {
     CHECK(s.controls.controls().empty());
 }
 
-TEST_CASE("a lifted control on its way gives its vertex to a new finger") {
+TEST_CASE("a lifted control that still follows its trajectory yields its vertex to a new finger") {
     Stage s;
     REQUIRE(s.down(1, {3, 3}));
     s.move(1, {9, 3});
@@ -242,7 +242,7 @@ TEST_CASE("supplementary points reproduce linear maps of the rest shape") {
     }
 }
 
-TEST_CASE("three fingers on one line make a chain, not a fault") {
+TEST_CASE("three fingers on one line make a chain of lines") {
     Stage s;
     REQUIRE(s.down(1, {3, 3}));
     REQUIRE(s.down(2, {3, -3}));
@@ -254,7 +254,7 @@ TEST_CASE("three fingers on one line make a chain, not a fault") {
     s.run(1.0);
 }
 
-TEST_CASE("a line across a ring is sampled only where the mesh is") {
+TEST_CASE("a line across a ring is sampled only where the mesh covers it") {
     FormationDef def;
     def.kind = FormationKind::Ring;
     Stage s(*makeFormation(def, 60));
@@ -266,7 +266,7 @@ TEST_CASE("a line across a ring is sampled only where the mesh is") {
         CHECK(length(p.position(rest.triangles, rest.vertices)) > 2.0);
 }
 
-TEST_CASE("rebinding keeps where points are held and merges those on one vertex") {
+TEST_CASE("binding to another mesh keeps positions and merges points on one vertex") {
     Stage s(square(100));
     for (std::uint32_t t = 0; t < 4; ++t) REQUIRE(s.down(t, kCorners[t]));
     s.run(0.5);
@@ -285,7 +285,7 @@ TEST_CASE("rebinding keeps where points are held and merges those on one vertex"
     s.run(0.5);
 }
 
-TEST_CASE("long drawings stay within the limit and keep their end") {
+TEST_CASE("long trajectories stay within the limit and keep their end") {
     Stage s;
     REQUIRE(s.down(1, {3, 3}));
     Vec2 finger{3, 3};
@@ -294,13 +294,13 @@ TEST_CASE("long drawings stay within the limit and keep their end") {
         finger += Vec2{0.6 * cosine(k * 0.01), 0.6 * sine(k * 0.01)};
         REQUIRE(s.move(1, finger));
     }
-    const auto& path = s.controls.controls()[0].points[0].trajectory;
+    const auto& trajectory = s.controls.controls()[0].points[0].trajectory;
     CHECK(path.size() <= 4096);
     CHECK(distance(path.back().position, finger) < 1e-9);
     for (std::size_t k = 1; k < path.size(); ++k) CHECK(path[k].time >= path[k - 1].time);
 }
 
-TEST_CASE("saved and restored controls go on alike") {
+TEST_CASE("saved and restored controls continue alike") {
     Stage s;
     s.down(1, {3, 3});
     s.down(2, {-3, 3});
@@ -321,7 +321,7 @@ TEST_CASE("saved and restored controls go on alike") {
     CHECK(hashOf(copy) == hashOf(s.controls));
 }
 
-TEST_CASE("random fingers never break anything") {
+TEST_CASE("random touches leave all numbers finite and all limits kept") {
     Random random(99);
     Stage s(square(49));
     for (int k = 0; k < 6000; ++k) {
@@ -356,28 +356,28 @@ TEST_CASE("random fingers never break anything") {
     }
 }
 
-TEST_CASE("stamps decide who joins, however late the touch arrives") {
+TEST_CASE("stamps decide which touches join, however late they arrive") {
     Stage s;
     s.controlDef.window = 0.15;
-    const double began = s.time;
-    REQUIRE(
-        s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, began, s.mesh.formation().mesh, s.mesh.userMesh()));
+    const double startTime = s.time;
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, startTime, s.mesh.formation().mesh,
+                                 s.mesh.userMesh()));
     s.run(0.4);  // The second finger came down 0.14 s after the first, but its message took long.
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, began + 0.14, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, startTime + 0.14, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 1);
     // The third came down later than the window, and arrives in the same step.
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, began + 0.16, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, startTime + 0.16, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 2);
     // Long after, a stamp proves nothing.
     s.run(1.0);
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 4, {3, -3}, began + 0.1, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.controlDef, 1, 4, {3, -3}, startTime + 0.1, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 3);
 }
 
-TEST_CASE("stamps ahead of a paused world tell touches apart, and the drawing begins now") {
+TEST_CASE("stamps ahead of a paused world separate touches, and the drawing begins at the world's time") {
     Stage s;
     const double now = s.time;
     REQUIRE(

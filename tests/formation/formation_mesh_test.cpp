@@ -20,7 +20,7 @@ double dragCorners(int fingersPerControl) {
     }
     for (std::uint32_t t = 0; t < 4; ++t) REQUIRE(s.move(t, corners[t] + moves[t]));
     s.run(6.0);
-    const std::size_t expected = static_cast<std::size_t>(4 / fingersPerControl);
+    const std::size_t expected = 4 / fingersPerControl;
     CHECK(s.controls.controls().size() == expected);
     // Rigidity as a number: how evenly the section follows its corners, that is how far edges of the mesh
     // leave the affine map that the corners' drag asks for.
@@ -43,8 +43,8 @@ double stretch(const Stage& s, Wanted wanted) {
     double worst = 0.0;
     for (const Triangle& t : rest.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto a = static_cast<std::size_t>(t[k]);
-            const auto b = static_cast<std::size_t>(t[(k + 1) % 3]);
+            const std::int32_t a = t[k];
+            const std::int32_t b = t[(k + 1) % 3];
             if (!wanted(rest.vertices[a]) || !wanted(rest.vertices[b])) continue;
             const double before = distance(rest.vertices[a], rest.vertices[b]);
             worst = std::max(worst,
@@ -82,7 +82,7 @@ TEST_CASE("figure 3: a line bends the left half, an area keeps the right half") 
     CHECK(right < left / 3.0);
 }
 
-TEST_CASE("one control translates and keeps the orientation exactly, without lag") {
+TEST_CASE("one control translates the mesh without lag and keeps its orientation exactly") {
     Stage s(square(), poseOf(0.6, {4, 5}));
     const std::vector<Vec2> before = s.mesh.userMesh();
     REQUIRE(s.down(1, before[0]));
@@ -119,14 +119,14 @@ TEST_CASE("after release the mesh recovers its rest shape where it stands") {
     CHECK(worst < 1e-9);
 }
 
-TEST_CASE("vertices never jump when controls come, go and change kind") {
+TEST_CASE("vertices never jump when controls begin, end and change kind") {
     Random random(17);
     Stage s(square(64));
     double fastest = 0.0;
     std::uint32_t touch = 0;
     std::vector<std::uint32_t> down;
     for (int k = 0; k < 150; ++k) {
-        // Drag what is held, and wait until it has got there.
+        // Drag the controls, and wait until they have arrived.
         for (const std::uint32_t t : down)
             for (const Control& control :
                  std::vector<Control>(s.controls.controls().begin(), s.controls.controls().end()))
@@ -135,7 +135,7 @@ TEST_CASE("vertices never jump when controls come, go and change kind") {
                         s.move(t, p.position - p.offset +
                                       Vec2{random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)});
         s.run(0.4 + (random.below(3) == 0 ? 1.0 : 0.1));
-        // Then nothing but the set of controls changes: only the residuals' bounded decay may be seen.
+        // Then only the set of controls changes, so vertices move by the bounded decay of residuals only.
         for (std::uint32_t n = random.below(3); n > 0; --n) {
             const Vec2 p = s.vertex(static_cast<std::int32_t>(
                 random.below(static_cast<std::uint32_t>(s.mesh.userMesh().size()))));
@@ -153,7 +153,7 @@ TEST_CASE("vertices never jump when controls come, go and change kind") {
     CHECK(fastest <= s.meshDef.morphSpeed + 1e-6);
 }
 
-TEST_CASE("held vertices stay on their targets when others are let go") {
+TEST_CASE("held vertices stay on their targets when others are released") {
     Stage s;
     s.controlDef.window = 0.0;
     REQUIRE(s.down(1, {3, 3}));
@@ -168,7 +168,7 @@ TEST_CASE("held vertices stay on their targets when others are let go") {
     }
 }
 
-TEST_CASE("the rest shape does not wear away") {
+TEST_CASE("repeated deformations do not change the rest shape") {
     Stage s;
     for (int k = 0; k < 40; ++k) {
         REQUIRE(s.down(1, s.vertex(0)));
@@ -183,7 +183,7 @@ TEST_CASE("the rest shape does not wear away") {
     CHECK(s.deviation() < 1e-9);
 }
 
-TEST_CASE("a change of formation keeps place and orientation") {
+TEST_CASE("a change of formation keeps position and orientation") {
     Stage s(square(), poseOf(1.0, {7, -2}));
     FormationDef def;
     def.kind = FormationKind::Wedge;
@@ -208,7 +208,7 @@ TEST_CASE("a change of formation keeps place and orientation") {
     CHECK(distance(mean, {1, 1}) < 1e-9);
 }
 
-TEST_CASE("vertices leave obstacles and the displacement is bounded, decays and ends") {
+TEST_CASE("vertices leave obstacles; displacements are bounded, decay and end") {
     EnvironmentDef world;
     Environment environment = *Environment::create(world);
     ObstacleDef disc;
@@ -238,7 +238,7 @@ TEST_CASE("vertices leave obstacles and the displacement is bounded, decays and 
     CHECK(s.mesh.finalMesh() == s.mesh.userMesh());
 }
 
-TEST_CASE("saved in the middle of a deformation and restored, it goes on to the same bits") {
+TEST_CASE("a mesh that is saved in the middle of a deformation and restored continues with the same bits") {
     Stage s;
     s.down(1, {3, 3});
     s.down(2, {-3, 3});

@@ -58,7 +58,7 @@ std::size_t pieces(const TriangleMesh& mesh) {
         }
     }
     std::sort(label.begin(), label.end());
-    return static_cast<std::size_t>(std::unique(label.begin(), label.end()) - label.begin());
+    return std::unique(label.begin(), label.end()) - label.begin();
 }
 
 void checkFormation(const FormationDef& def, std::int32_t count) {
@@ -157,7 +157,7 @@ TEST_CASE("the square of a square number is an exact lattice") {
     CHECK(box.height() == doctest::Approx(6.0));
 }
 
-TEST_CASE("shapes look as they are called") {
+TEST_CASE("shapes have the geometry that their names say") {
     const auto box = [](FormationKind kind, std::int32_t count) {
         FormationDef def;
         def.kind = kind;
@@ -187,7 +187,7 @@ TEST_CASE("shapes look as they are called") {
     CHECK(distance(near.position(pacman.mesh.triangles, pacman.mesh.vertices), mouth) > 0.5);
 }
 
-TEST_CASE("explicit points stay exactly where they are, in order") {
+TEST_CASE("explicit points keep their exact positions and order") {
     Random random(3);
     FormationDef def;
     def.kind = FormationKind::Points;

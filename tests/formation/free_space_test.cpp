@@ -16,9 +16,7 @@ bool isClear(const Environment& environment, const PlaceDef& def, Vec2 p, double
 
 }  // namespace
 
-TEST_CASE(
-    "the free space by raster and bounds equals that by exact distances, in worlds of one region and of "
-    "several") {
+TEST_CASE("the free space by bounds from the raster equals that by exact distances") {
     Random random(11);
     const PlaceDef def;
     for (int round = 0; round < 8; ++round) {

@@ -32,7 +32,7 @@ double closestPair(const PlaceTracker& places) {
 
 }  // namespace
 
-TEST_CASE("in the open places are exactly on their targets, also when these move slowly") {
+TEST_CASE("in the open places are exactly on their targets while these move slowly") {
     Environment environment = emptyWorld();
     environment.setTime(0.0);
     std::vector<Vec2> targets{{0, 0}, {1, 0}, {0, 1}};
@@ -69,7 +69,7 @@ TEST_CASE("fast targets are followed at bounded speed, slower on slow ground") {
     CHECK(steps * kStep == doctest::Approx(6.0).epsilon(0.05));
 }
 
-TEST_CASE("targets in obstacles go to where characters can stand, a diameter apart") {
+TEST_CASE("targets in obstacles get points of the free space, a diameter apart") {
     Environment environment = emptyWorld();
     REQUIRE(environment.addObstacle(box({-2, -2}, {2, 2})).ok());
     environment.setTime(0.0);
@@ -87,7 +87,7 @@ TEST_CASE("targets in obstacles go to where characters can stand, a diameter apa
     CHECK(closestPair(places) >= 2 * def.radius * (1 - 1e-8));
 }
 
-TEST_CASE("coincident targets part; those without room are unfit") {
+TEST_CASE("coincident targets are separated; those without free space are unfit") {
     Environment environment = emptyWorld(1.0);
     environment.setTime(0.0);
     const std::vector<Vec2> targets(60, Vec2{0, 0});
@@ -100,33 +100,34 @@ TEST_CASE("coincident targets part; those without room are unfit") {
     CHECK(closestPair(places) >= 0.5 * (1 - 1e-8));
 }
 
-TEST_CASE("a place goes round a wall that its target jumped across") {
+TEST_CASE("a place goes round a wall to a target on the other side") {
     Environment environment = emptyWorld();
     REQUIRE(environment.addObstacle(box({-0.5, -6}, {0.5, 6})).ok());
     environment.setTime(0.0);
     PlaceDef def;
     PlaceTracker places;
     places.reset(def, std::vector<Vec2>{{-2, 0}}, environment, -1);
-    double way = 0.0;
+    double travelled = 0.0;
     int steps = 0;
     while (distance(places.positions()[0], {2, 0}) > 1e-9 && ++steps < 3000) {
         const Vec2 before = places.positions()[0];
         places.advance(def, std::vector<Vec2>{{2, 0}}, environment, -1, kStep);
         REQUIRE(environment.distanceToObstacle(places.positions()[0]) > def.radius - 2e-3);
-        way += distance(before, places.positions()[0]);
+        travelled += distance(before, places.positions()[0]);
     }
-    // Taut: two tangents to the discs about an end's corners, the arcs on these and the wall's width.
+    // The shortest path: two tangents to the discs about an end's corners, the arcs on these and the wall's
+    // width.
     const double radius = def.radius;
     const double hyp = std::hypot(1.5, 6.0);
-    // Each arc turns from the tangent's direction to that along the wall's end.
+    // Each arc leads from the tangent's direction to that along the wall's end.
     const double arc = radius * (std::atan2(6.0, 1.5) + std::asin(radius / hyp));
-    const double taut = 2 * (std::sqrt(hyp * hyp - radius * radius) + arc) + 1.0;
+    const double shortest = 2 * (std::sqrt(hyp * hyp - radius * radius) + arc) + 1.0;
     CHECK(steps < 3000);
-    CHECK(way > taut * (1 - 1e-3));
-    CHECK(way < 1.06 * taut);
+    CHECK(travelled > shortest * (1 - 1e-3));
+    CHECK(travelled < 1.06 * shortest);
 }
 
-TEST_CASE("a way between free cells that a trunk stands into is walked along the trunk") {
+TEST_CASE("where an obstacle protrudes into the path between free cells a place slides along it") {
     // The cells (2.875, 2.125) and (3.125, 2.125) are free, the line between them comes within 0.245 m of the
     // trunk.
     for (const double trunk : {1.63, 1.64, 1.65, 1.66}) {
@@ -165,7 +166,7 @@ TEST_CASE("places stay in the region of their group") {
     for (const Vec2 p : places.positions()) CHECK(environment.region(p, 0.25) == left);
 }
 
-TEST_CASE("the number of targets may change, and bad targets do no harm") {
+TEST_CASE("the number of targets may change, and targets that are not finite are replaced") {
     Environment environment = emptyWorld();
     environment.setTime(0.0);
     PlaceTracker places;
@@ -181,7 +182,8 @@ TEST_CASE("the number of targets may change, and bad targets do no harm") {
     CHECK(environment.def().box.contains(places.positions()[0]));
 }
 
-TEST_CASE("random scenes: no place crosses an obstacle, all keep the speed bound, fit ones arrive apart") {
+TEST_CASE(
+    "random scenes: no place crosses an obstacle or exceeds the speed bound, and fit places are separated") {
     Random random(2024);
     int arrived = 0, all = 0;
     for (int scene = 0; scene < 12; ++scene) {
@@ -219,28 +221,28 @@ TEST_CASE("random scenes: no place crosses an obstacle, all keep the speed bound
                     REQUIRE(segmentDistance(o.polygon, before[i], now) > def.radius - 3e-3);
             }
         }
-        // Warm, goals are no farther from their targets than those sought anew, but for what being too lazy
-        // to move gains.
+        // Updated reachable targets are hardly farther from their targets than those found from scratch; a
+        // place does not give up its point for a small gain.
         PlaceTracker fresh;
         fresh.reset(def, targetsAt(centre), environment, region);
         CHECK(closestPair(fresh) >= 2 * def.radius * (1 - 1e-8));
         CHECK(closestPair(places) >= 2 * def.radius * (1 - 1e-8));
         const std::vector<Vec2> targets = targetsAt(centre);
-        double warm = 0.0, cold = 0.0;
+        double updated = 0.0, fromScratch = 0.0;
         for (std::size_t i = 0; i < 36; ++i) {
             ++all;
             arrived += distance(places.reachableTargets()[i], places.positions()[i]) < 1e-6 ? 1 : 0;
             CHECK(places.fit()[i] == 1);
-            warm += distance(places.reachableTargets()[i], targets[i]) / 36.0;
-            cold += distance(fresh.reachableTargets()[i], targets[i]) / 36.0;
+            updated += distance(places.reachableTargets()[i], targets[i]) / 36.0;
+            fromScratch += distance(fresh.reachableTargets()[i], targets[i]) / 36.0;
         }
-        CHECK(warm <= cold + 0.5 * 2 * def.radius);
+        CHECK(updated <= fromScratch + 0.5 * 2 * def.radius);
     }
     MESSAGE("places on their reachable targets at the end: " << arrived << " of " << all);
     CHECK(arrived == all);
 }
 
-TEST_CASE("a moving obstacle pushes places out, never through") {
+TEST_CASE("a moving obstacle pushes places out of itself, never through it") {
     Environment environment = emptyWorld();
     ObstacleDef car = box({-9, -1}, {-7, 1});
     car.path.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {16, 0}, 0.0}};
@@ -264,7 +266,8 @@ TEST_CASE("a moving obstacle pushes places out, never through") {
 }
 
 TEST_CASE(
-    "goals squeezed through a gap stay apart and free, glide, and are the same for any number of threads") {
+    "reachable targets in a gap stay separated and free, move continuously, and do not depend on the "
+    "threads") {
     Environment environment = emptyWorld(40.0);
     REQUIRE(environment.addObstacle(box({-3, 4}, {3, 40})).ok());
     REQUIRE(environment.addObstacle(box({-3, -40}, {3, -4})).ok());
@@ -282,19 +285,19 @@ TEST_CASE(
     places.reset(def, targets, environment, region);
     threaded.reset(def, targets, environment, region);
     CHECK(places.reachableTargets() == targets);
-    std::size_t leaps = 0, moves = 0, unfit = 0, displaced = 0;
+    std::size_t jumps = 0, moves = 0, unfit = 0, displaced = 0;
     for (int k = 0; k < 1500; ++k) {
         aim(std::min(-16.0 + 1.4 * k * kStep, 18.0));
         const std::vector<Vec2> before = places.reachableTargets();
         places.advance(def, targets, environment, region, kStep);
         threaded.advance(def, targets, environment, region, kStep, &pool);
         for (std::size_t i = 0; i < targets.size(); ++i) {
-            const Vec2 goal = places.reachableTargets()[i];
+            const Vec2 point = places.reachableTargets()[i];
             if (places.fit()[i] == 0) ++unfit;
             if (places.fit()[i] == 0) continue;
-            REQUIRE(environment.distanceToObstacle(goal) > def.radius);
-            displaced += goal == targets[i] ? 0 : 1;
-            leaps += distance(goal, before[i]) > 0.15 ? 1 : 0;
+            REQUIRE(environment.distanceToObstacle(point) > def.radius);
+            displaced += point == targets[i] ? 0 : 1;
+            jumps += distance(point, before[i]) > 0.15 ? 1 : 0;
             ++moves;
         }
         if (k % 50 != 0) continue;
@@ -303,18 +306,19 @@ TEST_CASE(
         for (std::size_t i = 0; i < targets.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (places.fit()[i] != 0 && places.fit()[j] != 0)
-                    least = std::min(least, distance(places.reachableTargets()[i], places.reachableTargets()[j]));
+                    least = std::min(least,
+                                     distance(places.reachableTargets()[i], places.reachableTargets()[j]));
         CHECK(least >= 2 * def.radius * (1 - 1e-8));
     }
-    MESSAGE("of " << moves << " moves of goals " << leaps << " were leaps, " << displaced
-                  << " beside targets; unfit " << unfit);
-    CHECK(displaced > moves / 20);  // It was a squeeze.
-    CHECK(leaps < moves / 200);
+    MESSAGE("of " << moves << " moves of reachable targets " << jumps << " were jumps, " << displaced
+                  << " off their targets; unfit " << unfit);
+    CHECK(displaced > moves / 20);  // The gap was narrow.
+    CHECK(jumps < moves / 200);
     CHECK(unfit < moves / 20);
-    CHECK(places.reachableTargets() == targets);  // Behind the gap all are where they belong.
+    CHECK(places.reachableTargets() == targets);  // Behind the gap all are on their targets.
 }
 
-TEST_CASE("who loses a seat where there is room has another in the same step") {
+TEST_CASE("a place that loses its point finds another in the same step where there is free space") {
     Environment environment = emptyWorld(24.0);
     REQUIRE(environment.addObstacle(box({-3, -3}, {3, 3})).ok());
     environment.setTime(0.0);
@@ -324,24 +328,24 @@ TEST_CASE("who loses a seat where there is room has another in the same step") {
     places.reset({}, targets, environment, -1);
     int without = 0;
     for (int step = 0; step < 900; ++step) {
-        // Over the block and back, turning all the time.
-        const double way = step < 450 ? 0.03 : -0.03;
+        // Over the block and back, rotating all the time.
+        const double shift = step < 450 ? 0.03 : -0.03;
         const Vec2 middle = targets[210];
-        for (Vec2& t : targets) t = middle + Vec2{way, 0.0} + Rotation{0.99998, 0.0063}.apply(t - middle);
+        for (Vec2& t : targets) t = middle + Vec2{shift, 0.0} + Rotation{0.99998, 0.0063}.apply(t - middle);
         places.advance({}, targets, environment, -1, kStep);
         without += static_cast<int>(std::count(places.fit().begin(), places.fit().end(), std::uint8_t{0}));
     }
     CAPTURE(without);
-    // Of 360,000; few find the seats round them taken and wait a step or two.
+    // Of 360,000; a few find all points near them occupied and wait for a step or two.
     CHECK(without < 40);
 }
 
-TEST_CASE("one target that leaps takes its place along; the others keep their seats") {
+TEST_CASE("a target that jumps takes its place along; the other places keep their points") {
     Environment environment = emptyWorld();
     environment.setTime(0.0);
     std::vector<Vec2> targets;
     for (int k = 0; k < 30; ++k) targets.push_back({k % 6 * 1.0, k / 6 * 1.0});
-    targets[7] = targets[8];  // Two targets in one spot: one of them is seated beside it.
+    targets[7] = targets[8];  // Two targets coincide: one of them gets a point beside it.
     PlaceTracker places;
     places.reset({}, targets, environment, -1);
     for (int k = 0; k < 30; ++k) places.advance({}, targets, environment, -1, kStep);
@@ -357,7 +361,7 @@ TEST_CASE("one target that leaps takes its place along; the others keep their se
     CHECK(distance(places.positions()[20], targets[20]) < 1e-9);
 }
 
-TEST_CASE("saved on the way round and restored, places go on to the same bits") {
+TEST_CASE("places that are saved on a detour and restored continue with the same bits") {
     Environment environment = emptyWorld();
     REQUIRE(environment.addObstacle(box({-0.5, -6}, {0.5, 6})).ok());
     environment.setTime(0.0);
