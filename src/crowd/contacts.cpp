@@ -7,10 +7,10 @@
 namespace muster {
 namespace {
 
-constexpr double kConverged = 1e-4;   // Corrections below this share of a diameter end the iteration.
-constexpr double kPairSkin = 0.2;     // Skin of the pair list, as a share of the diameter.
-constexpr double kReported = 0.1;     // Overlaps above this share of the diameter are counted.
-constexpr std::size_t kChunk = 1024;  // Characters per task.
+constexpr double kConverged = 1e-4;           // Corrections below this share of a diameter end the iteration.
+constexpr double kPairSkin = 0.2;             // Skin of the pair list, as a share of the diameter.
+constexpr double kReported = 0.1;             // Overlaps above this share of the diameter are counted.
+constexpr std::size_t kMarkedPerTask = 1024;  // Characters per task.
 
 }  // namespace
 
@@ -90,8 +90,9 @@ void Contacts::findPairs(double diameter, std::span<const Vec2> positions) {
 void Contacts::findObstacleCandidates(double radius, const Environment& environment,
                                       std::span<const Vec2> positions, ThreadPool* pool) {
     nearObstacle_.resize(positions.size());
-    forChunks(pool, (positions.size() + kChunk - 1) / kChunk, 1, [&](std::size_t chunk) {
-        const std::size_t first = chunk * kChunk, count = std::min(kChunk, positions.size() - first);
+    forChunks(pool, (positions.size() + kMarkedPerTask - 1) / kMarkedPerTask, 1, [&](std::size_t chunk) {
+        const std::size_t first = chunk * kMarkedPerTask,
+                          count = std::min(kMarkedPerTask, positions.size() - first);
         environment.markNearObstacles(positions.subspan(first, count), 3.0 * radius,
                                       std::span(nearObstacle_).subspan(first, count));
     });

@@ -8,15 +8,15 @@ namespace {
 
 // A character within a single-step motion deviates at most 20 degrees from its heading (cosine and sine).
 constexpr Rotation kLockedDeviation{0.93969262078590838405, 0.34202014332566873304};
-constexpr double kLockEnd = 0.6;          // Within this distance of its place the heading is not locked [m].
-constexpr double kHeadingRate = 8.0;      // Gain of the heading [1/s].
-constexpr double kTouchGap = 0.04;        // Two bodies with a smaller gap touch [m].
-constexpr double kBlockedSpeed = 0.15;    // A slower character that touches another is blocked [m/s].
-constexpr double kAheadCosine = 0.5;      // Twice the cosine below which two characters are side by side.
-constexpr double kYieldSpeed = 0.3;       // At which a character steps back from a blocked one [m/s].
-constexpr std::size_t kChunk = 256;       // Characters per task.
-constexpr double kWalkingInCrowd = 0.05;  // A slower character does not walk along with others [m/s].
-constexpr double kWalkingSpeed = 0.15;    // A slower character stands and faces with the formation [m/s].
+constexpr double kLockEnd = 0.6;        // Within this distance of its place the heading is not locked [m].
+constexpr double kHeadingRate = 8.0;    // Gain of the heading [1/s].
+constexpr double kTouchGap = 0.04;      // Two bodies with a smaller gap touch [m].
+constexpr double kBlockedSpeed = 0.15;  // A slower character that touches another is blocked [m/s].
+constexpr double kAheadCosine = 0.5;    // Twice the cosine below which two characters are side by side.
+constexpr double kYieldSpeed = 0.3;     // At which a character steps back from a blocked one [m/s].
+constexpr std::size_t kSteeredPerTask = 256;  // Characters per task.
+constexpr double kWalkingInCrowd = 0.05;      // A slower character does not walk along with others [m/s].
+constexpr double kWalkingSpeed = 0.15;        // A slower character stands and faces with the formation [m/s].
 
 // The direction, or the nearest one that a locked heading allows.
 Vec2 limitDeviation(Vec2 direction, Vec2 heading) {
@@ -125,7 +125,7 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
     preferred_.resize(count);
     topSpeed_.resize(count);
     const bool patches = !environment.patchIds().empty();
-    forChunks(pool, count, kChunk, [&](std::size_t i) {
+    forChunks(pool, count, kSteeredPerTask, [&](std::size_t i) {
         topSpeed_[i] = patches ? def.maxSpeed * environment.ground(now.position[i]).travelSpeed
                                : def.maxSpeed;
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
@@ -135,7 +135,7 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
     yieldToBlocked(def, now);
     const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt,
                             std::min(1.0, kHeadingRate * dt)};
-    forChunks(pool, count, kChunk, [&, bounds](std::size_t i) {
+    forChunks(pool, count, kSteeredPerTask, [&, bounds](std::size_t i) {
         const Vec2 next = nextVelocity(bounds, now.velocity[i], preferred_[i], topSpeed_[i]);
         const double speed = length(next);
         const Vec2 towards = speed > kWalkingSpeed ? next / speed : input.facing[i];

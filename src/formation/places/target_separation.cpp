@@ -10,16 +10,14 @@ namespace muster {
 namespace {
 
 constexpr int kIterations = 8;       // Of pushing targets apart.
-constexpr double kSkin = 0.8;        // Of the neighbour list, as a share of the separation.
 constexpr double kOvershoot = 1.02;  // Pairs are pushed this much too far, so that few iterations suffice.
-constexpr double kTolerance = 1.0 - 1e-9;      // Factor of the separation that still counts as enough.
 constexpr std::int32_t kSearchBudget = 60000;  // Points examined for all relocated targets together.
 
 // One Jacobi iteration: pushes targets closer than `separation` apart, each by half of what is missing.
 // Examines only pairs with a target marked in `moved`, and then marks those that moved. False where no pair
 // was too close.
 bool pushApart(std::vector<Vec2>& targets, double separation, SeparationMemory& memory) {
-    memory.neighbours.update(targets, separation, kSkin);
+    memory.neighbours.update(targets, separation, kTargetSkin);
     memory.push.assign(targets.size(), {});
     bool any = false;
     const double wanted = separation * kOvershoot;
@@ -53,9 +51,9 @@ bool pushApart(std::vector<Vec2>& targets, double separation, SeparationMemory& 
 // Marks with 0 every target that is too close to one of lower index marked with 1.
 void markConflicts(const std::vector<Vec2>& targets, double separation, SeparationMemory& memory,
                    std::vector<std::uint8_t>& fit) {
-    memory.neighbours.update(targets, separation, kSkin);
+    memory.neighbours.update(targets, separation, kTargetSkin);
     memory.conflicts.clear();
-    const double least = separation * kTolerance;
+    const double least = separation * kSeparationTolerance;
     for (const NeighbourPair pair : memory.neighbours.pairs())
         if (lengthSquared(targets[pair.high] - targets[pair.low]) < least * least)
             memory.conflicts.push_back(pair);

@@ -10,6 +10,11 @@
 
 namespace muster {
 
+/// Skin of the neighbour list of reachable targets, as a share of their separation.
+inline constexpr double kTargetSkin = 0.8;
+/// Factor of the separation that still counts as enough, so that touching targets stay so while they move.
+inline constexpr double kSeparationTolerance = 1.0 - 1e-9;
+
 /// Working memory of separateTargets().
 struct SeparationMemory {
     NeighbourList neighbours;              ///< Of the targets while they are pushed apart.

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "formation/places/ring_search.h"
+#include "formation/places/target_separation.h"
 
 namespace muster {
 namespace {
 
-constexpr double kSkin = 0.8;  // Of the neighbour list, as a share of the separation.
 constexpr double
     kMaxStep = 0.3;  // Most that a reachable target moves in a step, as a share of the separation.
-constexpr double kTolerance = 1.0 - 1e-9;  // Factor of the separation that still counts as enough.
 constexpr std::size_t kPlacesPerTask = 256;
 constexpr std::size_t
     kDiscontinuousShare = 8;  // If more than one in so many targets jump, all are separated anew.
@@ -71,7 +70,7 @@ void TargetUpdate::proposeAttracted(std::int32_t k, Vec2 target, Vec2 advected, 
 }
 
 bool TargetUpdate::inConflict(std::int32_t a, std::int32_t b) const {
-    const double least = separation_ * kTolerance;
+    const double least = separation_ * kSeparationTolerance;
     return lengthSquared(m_.next[a] - m_.next[b]) < least * least && s_.fit[a] != 0 && s_.fit[b] != 0;
 }
 
@@ -189,7 +188,7 @@ bool TargetUpdate::run(std::span<const Vec2> targets, ThreadPool* pool) {
         m_.level[k] = Fixed;
         s_.fit[k] = 0;
     }
-    m_.neighbours.updateRows(s_.reachable, m_.next, s_.fit, separation_, kSkin);
+    m_.neighbours.updateRows(s_.reachable, m_.next, s_.fit, separation_, kTargetSkin);
     resolveConflicts();
     s_.reachable.swap(m_.next);
     s_.target.assign(targets.begin(), targets.end());
