@@ -11,8 +11,8 @@
 namespace muster {
 namespace {
 
-constexpr double
-    kFarthest = 1e7;  // Bound on coordinates [m]: beyond, doubles resolve too little of a radius.
+// Bound on coordinates, so that doubles resolve a radius well [m].
+constexpr double kFarthest = 1e7;
 constexpr double kMostCells = 16e6;
 
 bool isInRange(Vec2 p) {

@@ -18,9 +18,8 @@ ClipFacts clip(const char* name, double speed, double metres, double seconds, bo
 }  // namespace
 
 std::vector<ClipFacts> defaultClipFacts() {
-    // Lengths and durations are those of Muster's own clips, whose running goes at 2.6 m/s; so is the speed
-    // of walking. Who asks for standing is not stopped for good: it gets the least speed that a clip may
-    // have.
+    // Lengths, durations and the speed of walking are those of Muster's own clips, which run at 2.6 m/s. A
+    // patch with the clip "idle" does not stop characters for ever, so it has a small speed.
     return {clip("run", 1.0, 1.95, 0.75, true, 0.0),    clip("walk", 0.48, 1.333, 1.067, true, 0.0),
             clip("duck", 0.4, 0.936, 0.9, true, 0.4),   clip("crawl", 0.2, 0.555, 1.067, true, 1.0),
             clip("swim", 0.3, 1.248, 1.6, true, 0.8),   clip("jump", 0.8, 2.1, 1.01, false, 0.0),

@@ -8,21 +8,21 @@
 namespace muster {
 namespace {
 
-// Where on the path a time falls: between waypoint `from` and the next, at `share` of the way.
-struct PathPlace {
-    std::size_t from = 0;
-    double share = 0.0;
-    bool moving = false;  // False before the first and after the last waypoint.
+// A time relative to the waypoints.
+struct Segment {
+    std::size_t from = 0;  // Index of the last waypoint before.
+    double share = 0.0;    // Share of the time to the next waypoint that has passed.
+    bool moving = false;   // False before the first and after the last waypoint.
 };
 
-PathPlace placeAt(const TimedPath& path, double time) {
+Segment segmentAt(const TimedPath& path, double time) {
     const std::vector<Waypoint>& points = path.waypoints;
     const double first = points.front().time;
     const double last = points.back().time;
     if (path.loop && last > first && time >= first) {
         const double period = last - first;
-        const double turns = std::floor((time - first) / period);
-        time = std::clamp(time - turns * period, first, std::nextafter(last, first));
+        const double loops = std::floor((time - first) / period);
+        time = std::clamp(time - loops * period, first, std::nextafter(last, first));
     }
     if (points.size() < 2 || time < first) return {};
     if (time >= last) return {points.size() - 1, 0.0, false};
@@ -36,28 +36,28 @@ PathPlace placeAt(const TimedPath& path, double time) {
 
 Waypoint TimedPath::at(double time) const {
     if (still()) return {time, {}, 0.0};
-    const PathPlace place = placeAt(*this, time);
-    const Waypoint& a = waypoints[place.from];
-    if (!place.moving) return {time, a.position, a.angle};
-    const Waypoint& b = waypoints[place.from + 1];
-    return {time, lerp(a.position, b.position, place.share), a.angle + (b.angle - a.angle) * place.share};
+    const Segment segment = segmentAt(*this, time);
+    const Waypoint& a = waypoints[segment.from];
+    if (!segment.moving) return {time, a.position, a.angle};
+    const Waypoint& b = waypoints[segment.from + 1];
+    return {time, lerp(a.position, b.position, segment.share), a.angle + (b.angle - a.angle) * segment.share};
 }
 
 Vec2 TimedPath::velocity(double time) const {
     if (still()) return {};
-    const PathPlace place = placeAt(*this, time);
-    if (!place.moving) return {};
-    const Waypoint& a = waypoints[place.from];
-    const Waypoint& b = waypoints[place.from + 1];
+    const Segment segment = segmentAt(*this, time);
+    if (!segment.moving) return {};
+    const Waypoint& a = waypoints[segment.from];
+    const Waypoint& b = waypoints[segment.from + 1];
     return (b.position - a.position) / (b.time - a.time);
 }
 
 double TimedPath::angularVelocity(double time) const {
     if (still()) return 0.0;
-    const PathPlace place = placeAt(*this, time);
-    if (!place.moving) return 0.0;
-    const Waypoint& a = waypoints[place.from];
-    const Waypoint& b = waypoints[place.from + 1];
+    const Segment segment = segmentAt(*this, time);
+    if (!segment.moving) return 0.0;
+    const Waypoint& a = waypoints[segment.from];
+    const Waypoint& b = waypoints[segment.from + 1];
     return (b.angle - a.angle) / (b.time - a.time);
 }
 

@@ -55,7 +55,7 @@ bool isSame(const SoftConstraint& a, const SoftConstraint& b) {
 }  // namespace
 
 struct ArapSolver::Impl {
-    // A matrix entry in the column of a hard constraint, which goes to the right side.
+    // A matrix entry in the column of a hard constraint, which is moved to the right side.
     struct Coupling {
         std::int32_t row;     // Index of the free vertex.
         std::int32_t column;  // Index of the hard constraint.

@@ -3,8 +3,8 @@
 namespace muster {
 namespace {
 
-constexpr double
-    kDistanceMargin = 1e-3;  // Distances are evaluated this much beyond the limit of interest [m].
+// Distances are evaluated this much beyond the limit of interest [m].
+constexpr double kDistanceMargin = 1e-3;
 
 }  // namespace
 

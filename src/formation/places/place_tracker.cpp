@@ -13,8 +13,8 @@ constexpr double kMetresPerStep = 12.0;   // Bound on the straight distances of 
 constexpr double kLeastProgress = 0.1;    // A place that moves by less than this share of a step is blocked.
 constexpr double kAttractionSpeed = 2.0;  // Of reachable targets to their targets, in top speeds of places.
 constexpr std::size_t kPlacesPerMove = 256;  // Places per task.
-constexpr double
-    kReplanDistance = 1.0;             // A new path is searched when the goal has moved farther than this [m]
+// A new path is searched when the goal has moved farther than this [m]
+constexpr double kReplanDistance = 1.0;
 constexpr double kReplanShare = 0.25;  // and than this share of the straight distance to it.
 
 }  // namespace
@@ -135,7 +135,7 @@ private:
             ++passed;
         }
         detour.path.erase(detour.path.begin(), detour.path.begin() + static_cast<std::ptrdiff_t>(passed));
-        // Without its goal, the place asks for a new path until one is searched.
+        // An unreachable goal makes the place need a path until one has been searched.
         if (detour.path.empty()) detour.goal = position + Vec2{1e9, 0.0};
         return blocked || detour.path.empty() ? PathNeed::Search : PathNeed::KeepDetour;
     }
@@ -148,7 +148,7 @@ private:
                environment_.clearLine(position, next, radius_);
     }
 
-    // Until a path has been searched, the place goes straight as long as that is free.
+    // Until a path has been searched, the place moves straight as long as that is free.
     void approach(Vec2& position, Vec2 goal, double reach) {
         const Vec2 next = stepTowards(position, goal, reach);
         if (environment_.clearLine(position, next, radius_)) position = next;

@@ -9,15 +9,15 @@
 namespace muster {
 namespace {
 
-constexpr double
-    kMaxStep = 0.3;  // Most that a reachable target moves in a step, as a share of the separation.
+// Most that a reachable target moves in a step, as a share of the separation.
+constexpr double kMaxStep = 0.3;
 constexpr std::size_t kPlacesPerTask = 256;
-constexpr std::size_t
-    kDiscontinuousShare = 8;  // If more than one in so many targets jump, all are separated anew.
+// If more than one in so many targets jump, all are separated anew.
+constexpr std::size_t kDiscontinuousShare = 8;
 constexpr std::int32_t kBaseBudget = 400;   // Points examined per step by places that search,
 constexpr std::size_t kPlacesPerPoint = 5;  // plus one for so many places.
-constexpr std::int32_t
-    kReservedShare = 4;  // One in so many is reserved for places that have a point already.
+// One in so many is reserved for places that have a point already.
+constexpr std::int32_t kReservedShare = 4;
 constexpr std::int32_t kProjectionCost = 8;  // Cost of a projection onto the free space, in examined points.
 constexpr double kLeastGain = 2.0;           // A new point is nearer to the target by this, in separations.
 

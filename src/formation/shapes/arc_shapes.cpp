@@ -147,7 +147,7 @@ FormationShape crescentShape(std::int32_t count, double spacing, double opening)
         shape.outline.outline = grownHull(shape.places, 0.5 * spacing);
         return shape;
     }
-    // Half a spacing beyond the end places, but never closing the gap.
+    // The outline is half a spacing larger than the places, but never closes the gap.
     const double half = std::max(0.3 * gap, 0.5 * gap - 0.5 / arcs.first);
     addArc(shape.outline.outline, (arcs.last() + 0.5) * spacing * kSag, half, kFullAngle - half, false);
     addArc(shape.outline.outline, (arcs.first - 0.5) * spacing, kFullAngle - half, half, false);

@@ -91,7 +91,7 @@ private:
     const PolygonWithHoles& shape_;
 };
 
-constexpr double kOutlineMargin = 0.35;  // Kept from the outline, in spacings.
+constexpr double kOutlineMargin = 0.35;  // Least distance of places from the outline, in spacings.
 
 // Lattice points inside the shape times `scale`, with a margin in the four directions of the axes.
 std::vector<Vec2> latticeInside(const PolygonWithHoles& shape, double scale) {
