@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formation/mesh/arap.h"
+#include "formation/mesh/rigid_fit.h"
 
 namespace muster::test {
 

@@ -295,9 +295,9 @@ TEST_CASE("long trajectories stay within the limit and keep their end") {
         REQUIRE(s.move(1, finger));
     }
     const auto& trajectory = s.controls.controls()[0].points[0].trajectory;
-    CHECK(path.size() <= 4096);
-    CHECK(distance(path.back().position, finger) < 1e-9);
-    for (std::size_t k = 1; k < path.size(); ++k) CHECK(path[k].time >= path[k - 1].time);
+    CHECK(trajectory.size() <= 4096);
+    CHECK(distance(trajectory.back().position, finger) < 1e-9);
+    for (std::size_t k = 1; k < trajectory.size(); ++k) CHECK(trajectory[k].time >= trajectory[k - 1].time);
 }
 
 TEST_CASE("saved and restored controls continue alike") {

@@ -9,6 +9,7 @@
 #include "base/maths.h"
 #include "base/random.h"
 #include "formation/mesh/formation_mesh.h"
+#include "formation/mesh/rigid_fit.h"
 
 namespace muster::test {
 

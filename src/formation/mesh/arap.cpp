@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "formation/mesh/complex.h"
 #include "formation/mesh/mesh_components.h"
+#include "formation/mesh/rigid_fit.h"
 #include "formation/mesh/sparse_ldlt.h"
 
 namespace muster {
@@ -14,14 +16,6 @@ namespace {
 // Weight at which underconstrained components are drawn to the placement of the rest shape that fits all
 // targets best, so that both systems are positive definite.
 constexpr double kWeakPull = 1e-4;
-
-// Complex product.
-constexpr Vec2 times(Vec2 a, Vec2 b) {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-}
-constexpr Vec2 conjugate(Vec2 a) {
-    return {a.x, -a.y};
-}
 
 std::array<Vec2, 3> corners(const Triangle& t, std::span<const Vec2> vertices) {
     return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
@@ -35,7 +29,7 @@ struct RestTriangle {
 
 RestTriangle restTriangle(const std::array<Vec2, 3>& c) {
     const Vec2 mean = (c[0] + c[1] + c[2]) / 3.0;
-    return {{conjugate(c[0] - mean), conjugate(c[1] - mean), conjugate(c[2] - mean)},
+    return {{complexConjugate(c[0] - mean), complexConjugate(c[1] - mean), complexConjugate(c[2] - mean)},
             {c[1] - c[0], c[2] - c[1], c[0] - c[2]}};
 }
 
@@ -43,7 +37,7 @@ RestTriangle restTriangle(const std::array<Vec2, 3>& c) {
 Vec2 bestRotation(const RestTriangle& rest, const std::array<Vec2, 3>& now) {
     const Vec2 mean = (now[0] + now[1] + now[2]) / 3.0;
     Vec2 sum;
-    for (std::size_t k = 0; k < 3; ++k) sum += times(rest.spoke[k], now[k] - mean);
+    for (std::size_t k = 0; k < 3; ++k) sum += complexProduct(rest.spoke[k], now[k] - mean);
     const double l = length(sum);
     return l > 1e-300 ? sum / l : Vec2{1.0, 0.0};
 }
@@ -205,12 +199,12 @@ bool ArapSolver::Impl::factorise() {
             // Corner c relative to the edge a b: c = (1 - z) a + z b, in complex numbers.
             const std::array<std::int32_t, 3> v{t[(k + 1) % 3], t[(k + 2) % 3], t[k]};
             const Vec2 edge = rest.vertices[v[1]] - rest.vertices[v[0]];
-            const Vec2 z = times(conjugate(edge), rest.vertices[v[2]] - rest.vertices[v[0]]) /
+            const Vec2 z = complexProduct(complexConjugate(edge), rest.vertices[v[2]] - rest.vertices[v[0]]) /
                            lengthSquared(edge);
             const std::array<Vec2, 3> row{Vec2{z.x - 1.0, z.y}, -z, Vec2{1.0, 0.0}};
             for (std::size_t i = 0; i < 3; ++i)
                 for (std::size_t j = 0; j < 3; ++j)
-                    addSimilarity(v[i], v[j], times(conjugate(row[i]), row[j]));
+                    addSimilarity(v[i], v[j], complexProduct(complexConjugate(row[i]), row[j]));
         }
     }
     addSoft(true);
@@ -244,7 +238,7 @@ void ArapSolver::Impl::firstStep(std::vector<Vec2>& vertices) {
         right[2 * row + 1] += value.y;
     };
     for (const Coupling& c : similarityKnown) {
-        const Vec2 value = times(c.factor, targets[c.column]);
+        const Vec2 value = complexProduct(c.factor, targets[c.column]);
         right[2 * c.row] -= value.x;
         right[2 * c.row + 1] -= value.y;
     }
@@ -271,7 +265,7 @@ void ArapSolver::Impl::addTriangles(const std::vector<Vec2>& vertices) {
         const RestTriangle& triangle = restTriangles[n];
         const Vec2 rotation = bestRotation(triangle, corners(t, vertices));
         std::array<Vec2, 3> edge;
-        for (std::size_t k = 0; k < 3; ++k) edge[k] = times(rotation, triangle.edge[k]);
+        for (std::size_t k = 0; k < 3; ++k) edge[k] = complexProduct(rotation, triangle.edge[k]);
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int32_t row = freeIndex[t[k]];
             if (row < 0) continue;
@@ -390,25 +384,6 @@ Status ArapSolver::solve(std::span<const Vec2> hardTargets, std::span<const Vec2
     for (Vec2& v : vertices) v += origin;
     for (std::size_t n = 0; n < hardTargets.size(); ++n) vertices[s.hard[n]] = hardTargets[n];
     return {};
-}
-
-Pose bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices) {
-    MUSTER_ASSERT(rest.size() == vertices.size());
-    Pose pose;
-    if (rest.empty()) return pose;
-    Vec2 restMean;
-    Vec2 mean;
-    for (const Vec2 p : rest) restMean += p;
-    for (const Vec2 p : vertices) mean += p;
-    restMean = restMean / static_cast<double>(rest.size());
-    mean = mean / static_cast<double>(rest.size());
-    Vec2 sum;
-    for (std::size_t k = 0; k < rest.size(); ++k)
-        sum += times(conjugate(rest[k] - restMean), vertices[k] - mean);
-    const double l = length(sum);
-    if (l > 1e-300) pose.rotation = {sum.x / l, sum.y / l};
-    pose.position = mean - pose.rotation.apply(restMean);
-    return pose;
 }
 
 }  // namespace muster

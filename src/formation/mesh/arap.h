@@ -47,7 +47,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// The rigid placement of `rest` that best fits `vertices` (least squares, equal weights).
-Pose bestRigidFit(std::span<const Vec2> rest, std::span<const Vec2> vertices);
-
 }  // namespace muster

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "formation/mesh/rigid_fit.h"
 #include "muster/hash.h"
 
 namespace muster {
