@@ -78,8 +78,8 @@ Vec2 nextVelocity(const StepBounds& bounds, Vec2 velocity, Vec2 preferred, doubl
 
 }  // namespace
 
-// Separation (Reynolds 1987), and a sidestep to the right of two who approach each other.
-void Steering::addSeparation(const SteeringDef& def, const Characters& now) {
+// Separation steering (Reynolds 1987), and a sidestep to the right of two who approach each other.
+void Steering::addSeparationSteering(const SteeringDef& def, const Characters& now) {
     if (def.separationGain <= 0.0 || def.separationReach <= 0.0) return;
     const double reach = 2.0 * def.radius + def.separationReach;
     for (const NeighbourPair pair : neighbours_.pairs()) {
@@ -131,7 +131,7 @@ void Steering::run(const SteeringDef& def, const Characters& now, const Steering
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     });
     neighbours_.build(now.position, 2.0 * def.radius + std::max(def.separationReach, kTouchGap));
-    addSeparation(def, now);
+    addSeparationSteering(def, now);
     yieldToBlocked(def, now);
     const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt,
                             std::min(1.0, kHeadingRate * dt)};

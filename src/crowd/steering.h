@@ -45,7 +45,7 @@ public:
     const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
-    void addSeparation(const SteeringDef& def, const Characters& now);
+    void addSeparationSteering(const SteeringDef& def, const Characters& now);
     void yieldToBlocked(const SteeringDef& def, const Characters& now);
 
     NeighbourList neighbours_;

@@ -16,7 +16,7 @@
 #include "cost/unit_cost_builder.h"
 #include "crowd/characters.h"
 #include "crowd/contacts.h"
-#include "crowd/motion.h"
+#include "crowd/motion_state.h"
 #include "crowd/steering.h"
 #include "environment/environment.h"
 #include "formation/mesh/formation_mesh.h"

@@ -1,4 +1,4 @@
-#include "crowd/motion.h"
+#include "crowd/motion_state.h"
 
 #include <span>
 
@@ -6,10 +6,10 @@ namespace muster {
 namespace {
 
 // The finite state machine of one character's motion.
-class MotionUpdate {
+class MotionStateMachine {
 public:
-    MotionUpdate(const Environment& environment, Characters& characters, std::int32_t i,
-                 std::vector<MotionEvent>& events)
+    MotionStateMachine(const Environment& environment, Characters& characters, std::int32_t i,
+                       std::vector<MotionEvent>& events)
         : environment_(environment), characters_(characters), i_(i), events_(events) {}
 
     void run(const GroundSample& ground, double dt) {
@@ -139,7 +139,7 @@ void updateMotions(const Environment& environment, double dt, Characters& charac
         if (steady && ground.patch.value == inPatch[i])
             times[i] += dt;
         else
-            MotionUpdate(environment, characters, i, events).run(ground, dt);
+            MotionStateMachine(environment, characters, i, events).run(ground, dt);
     }
 }
 

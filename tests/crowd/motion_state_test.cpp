@@ -1,4 +1,4 @@
-#include "crowd/motion.h"
+#include "crowd/motion_state.h"
 
 #include <doctest.h>
 
