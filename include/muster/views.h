@@ -69,27 +69,27 @@ struct WalkTotals {
 
 /// What can be read of a group. Text and spans are valid until the world steps or ends.
 struct GroupView {
-    GroupId id;                                 ///< Never used again once the group is gone.
-    std::string_view name;                      ///< Shown on its chip.
-    std::int32_t count = 0;                     ///< Characters and places.
-    FormationKind formation{};                  ///< Shape as it is now; World::groupDef has all of it.
-    std::uint32_t formationVersion = 0;         ///< Grows when the mesh is exchanged.
-    Pose pose;                                  ///< Puts the rest mesh into the world.
-    std::span<const std::int32_t> members;      ///< Indices of its characters, ascending.
-    std::span<const Vec2> restMesh;             ///< Vertices of the rest shape, in the group's axes [m].
-    std::span<const Vec2> userMesh;             ///< Vertices of Vu: as the controls bend it [m].
-    std::span<const Vec2> finalMesh;            ///< Vertices of Vf: as the environment bends Vu [m].
-    std::span<const Triangle> triangles;        ///< Vertex indices, counter-clockwise.
-    std::span<const Control> controls;          ///< In the order they were made.
-    std::span<const MeshPoint> meshPlaces;      ///< Each place as a point of the mesh.
-    std::span<const Vec2> placePositions;       ///< Where each place is now [m].
-    std::span<const Vec2> placeVelocities;      ///< [m/s]
-    std::span<const Vec2> placeGoals;           ///< Where each place travels to [m].
+    GroupId id;                             ///< Never used again once the group is gone.
+    std::string_view name;                  ///< Shown on its chip.
+    std::int32_t count = 0;                 ///< Characters and places.
+    FormationKind formation{};              ///< Shape as it is now; World::groupDef has all of it.
+    std::uint32_t formationVersion = 0;     ///< Grows when the mesh is exchanged.
+    Pose pose;                              ///< Puts the rest mesh into the world.
+    std::span<const std::int32_t> members;  ///< Indices of its characters, ascending.
+    std::span<const Vec2> restMesh;         ///< Vertices of the rest shape, in the group's axes [m].
+    std::span<const Vec2> userMesh;         ///< Vertices of Vu: as the controls bend it [m].
+    std::span<const Vec2> finalMesh;        ///< Vertices of Vf: as the environment bends Vu [m].
+    std::span<const Triangle> triangles;    ///< Vertex indices, counter-clockwise.
+    std::span<const Control> controls;      ///< In the order they were made.
+    std::span<const MeshPoint> meshPlaces;  ///< Each place as a point of the mesh.
+    std::span<const Vec2> placePositions;   ///< Where each place is now [m].
+    std::span<const Vec2> placeVelocities;  ///< [m/s]
+    std::span<const Vec2> placeTargets;     ///< Reachable target of each place, where it is bound for [m].
     std::span<const std::uint8_t> placeUsable;  ///< 0 where nobody can stand, else 1.
     double objective = 0.0;                     ///< Of the last plan [cost^p].
     double gapBound = 0.0;                      ///< Bound on its duality gap [cost^p].
     WalkTotals walk;                            ///< Path costs by the last plan.
-    double meanLag = 0.0;  ///< Mean distance of characters to the goals of their places [m] (SPEC U6).
+    double meanLag = 0.0;  ///< Mean distance of characters to the targets of their places [m] (SPEC U6).
 };
 
 /// An obstacle and where it stands now. Its id is none where the world has no such obstacle.

@@ -65,7 +65,7 @@ GroupView World::group(std::size_t index) const {
     view.meshPlaces = group.mesh.formation().places;
     view.placePositions = group.places.positions();
     view.placeVelocities = group.places.velocities();
-    view.placeGoals = group.places.goals();
+    view.placeTargets = group.places.reachableTargets();
     view.placeUsable = group.places.fit();
     view.objective = group.objective;
     view.gapBound = group.gapBound;

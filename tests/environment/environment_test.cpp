@@ -210,7 +210,7 @@ TEST_CASE("bad definitions are refused with their reason and add nothing") {
     Environment environment = emptyWorld(20.0, 0.5);
     const auto bad = [&](const ObstacleDef& d) { return environment.addObstacle(d).status().message(); };
     CHECK(bad({}) == "the obstacle has neither a polygon nor a positive radius");
-    CHECK(bad(disc({0, NAN}, 1.0)) == "the obstacle's centre is not a finite place");
+    CHECK(bad(disc({0, NAN}, 1.0)) == "the obstacle's centre is not finite or too far away");
     CHECK(bad(disc({0, 0}, INFINITY)) != "");
     CHECK(bad(block({{0, 0}, {1, 1}, {1, 0}, {0, 1}})).find("edges 0 and 2") != std::string::npos);
     ObstacleDef both = block({{0, 0}, {1, 0}, {1, 1}});

@@ -42,7 +42,7 @@ void ChangeWatch::begin(const World& world) {
     running_ = {};
     running_.kind = group.formation;
     running_.time = lastTime_;
-    running_.bottleneck = bottleneckWalk(last_, group.placeGoals);
+    running_.bottleneck = bottleneckWalk(last_, group.placeTargets);
     reachedAt_.assign(last_.size(), kInfinity);
     stoodAt_ = reachedAt_;
     movedAt_.assign(last_.size(), lastTime_);

@@ -109,11 +109,11 @@ public:
 private:
     static bool inPlace(const World& world) {
         const CharactersView characters = world.characters();
-        const std::span<const Vec2> goals = world.group(0).placeGoals;
+        const std::span<const Vec2> targets = world.group(0).placeTargets;
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const std::int32_t place = characters.place[i];
             if (place < 0) return false;
-            if (distance(characters.position[i], goals[place]) > kInPlace) return false;
+            if (distance(characters.position[i], targets[place]) > kInPlace) return false;
         }
         return true;
     }
