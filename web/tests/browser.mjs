@@ -14,20 +14,20 @@ import { startMadeCrowd } from './support/made_crowd.mjs';
 import { startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
-const FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
-const TABLETS = ['desktop', 'landscape', 'portrait'];
+const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
  * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own. */
-const CASES = [
+const kCases = [
   ['latency', session.latency, ['desktop'], {}],
-  ['point', touch.pointDrag, TABLETS, { room: true, shared: true }],
-  ['line', touch.lineDrag, TABLETS, { room: true, shared: true }],
-  ['area', touch.areaDrag, TABLETS, { room: true, shared: true }],
-  ['line and area together', touch.lineAndArea, TABLETS, { room: true, shared: true }],
-  ['drawing ahead and lifting', touch.drawAheadAndLift, TABLETS, { room: true, shared: true }],
-  ['another formation on the way', touch.formationOnTheWay, TABLETS, { room: true, shared: true }],
-  ['pinch on empty ground', touch.pinchOnGround, TABLETS, { room: true, shared: true }],
+  ['point', touch.pointDrag, kTablets, { room: true, shared: true }],
+  ['line', touch.lineDrag, kTablets, { room: true, shared: true }],
+  ['area', touch.areaDrag, kTablets, { room: true, shared: true }],
+  ['line and area together', touch.lineAndArea, kTablets, { room: true, shared: true }],
+  ['drawing ahead and lifting', touch.drawAheadAndLift, kTablets, { room: true, shared: true }],
+  ['another formation on the way', touch.formationOnTheWay, kTablets, { room: true, shared: true }],
+  ['pinch on empty ground', touch.pinchOnGround, kTablets, { room: true, shared: true }],
   ['ten fingers', touch.tenFingers, ['desktop'], { shared: true }],
   ['mouse: point', mouseAndKeys.mousePoint, ['desktop'], { touch: false, room: true, shared: true }],
   ['mouse: line', mouseAndKeys.mouseLine, ['desktop'], { touch: false, room: true, shared: true }],
@@ -50,7 +50,7 @@ const CASES = [
   [
     'demonstration',
     demonstration.demonstration,
-    [...TABLETS, 'phone', 'narrow', 'zoomed', 'wide'],
+    [...kTablets, 'phone', 'narrow', 'zoomed', 'wide'],
     { scenario: 'scenarios/open.json' },
   ],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
@@ -73,9 +73,9 @@ const CASES = [
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
-  ['first visit', look.firstVisit, [...TABLETS, 'phone', 'narrow'], { hint: true }],
-  ['layout', look.layout, [...TABLETS, 'phone', 'narrow', 'zoomed'], {}],
-  ['access', look.accessible, [...TABLETS, 'phone', 'zoomed'], {}],
+  ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true }],
+  ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], {}],
+  ['access', look.accessible, [...kTablets, 'phone', 'zoomed'], {}],
   ['lost and found', session.lostAndFound, ['landscape'], {}],
   ...realMaps.cases(),
 ];
@@ -83,7 +83,7 @@ const CASES = [
 const at = process.argv.indexOf('--only');
 const only = at > 0 ? process.argv[at + 1] : '';
 let server = await startStudio();
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: FLAGS });
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
 let passed = 0;
 const failed = [];
 
@@ -144,9 +144,9 @@ async function runCase({ name, test, size, options }) {
   }
 }
 
-const all = CASES.filter(([name]) => name.includes(only)).flatMap(([name, test, sizes, options]) =>
-  sizes.map((size) => ({ name, test, size, options })),
-);
+const all = kCases
+  .filter(([name]) => name.includes(only))
+  .flatMap(([name, test, sizes, options]) => sizes.map((size) => ({ name, test, size, options })));
 // Those that share a page follow each other.
 const key = ({ size, options }) => `${options.touch === false ? 1 : 0} ${size}`;
 const together = all.filter(({ options }) => options.shared).sort((a, b) => key(a).localeCompare(key(b)));

@@ -4,15 +4,15 @@ import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { startStudio } from './support/server.mjs';
-import { SIZES, StudioPage } from './support/studio_page.mjs';
+import { kSizes, StudioPage } from './support/studio_page.mjs';
 
-const FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 /** A moment as it is drawn, and in the strip [px]. */
-const TAKEN = { width: 592, height: 760 };
-const TILE = { width: 296, height: 380, gap: 4 };
+const kTaken = { width: 592, height: 760 };
+const kTile = { width: 296, height: 380, gap: 4 };
 
 /** When [s], whom to look at (who plays this clip; all where empty), the height of the picture on the ground [m]. */
-const FILMS = [
+const kFilms = [
   {
     name: 'film-x04',
     scenario: 'paper/x04-woodland',
@@ -130,7 +130,7 @@ async function film(browser, one, folder) {
     const studio = await StudioPage.open(browser, `${server.url}?quality=full`, { size: 'film', touch: false });
     const pictures = await shoot(studio, one);
     const blank = await studio.context.newPage();
-    writeFileSync(`${folder}/${one.name}.png`, Buffer.from(await blank.evaluate(joined, [pictures, TILE]), 'base64'));
+    writeFileSync(`${folder}/${one.name}.png`, Buffer.from(await blank.evaluate(joined, [pictures, kTile]), 'base64'));
     await studio.close();
   } finally {
     await server.stop();
@@ -138,10 +138,10 @@ async function film(browser, one, folder) {
 }
 
 const folder = option('out', fileURLToPath(new URL('../../docs/pictures', import.meta.url)));
-SIZES.film = TAKEN;
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: FLAGS });
+kSizes.film = kTaken;
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
 try {
-  for (const one of FILMS) if (one.name.includes(option('only', ''))) await film(browser, one, folder);
+  for (const one of kFilms) if (one.name.includes(option('only', ''))) await film(browser, one, folder);
 } finally {
   await browser.close();
 }

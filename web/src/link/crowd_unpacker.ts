@@ -1,5 +1,5 @@
-// Restores the whole crowd from the changes in a frame. Frames arrive completely and in order, so each holds the differences to
-// the one before; a client's first frame, and the first of another crowd, is whole.
+// Restores the whole crowd from the changes in a frame. Frames arrive completely and in order, so each holds the
+// differences to the one before; a client's first frame, and the first of another crowd, is whole.
 
 import type { CrowdFrame } from '../protocol/messages';
 import { kRowFloats, rowsLength } from '../model/studio_frame';

@@ -1,5 +1,5 @@
-// Unpacks the server's frames, which hold changes only, to whole ones. This runs in the worker, so that the page's thread only
-// hands them on.
+// Unpacks the server's frames, which hold changes only, to whole ones. This runs in the worker, so that the page's
+// thread only hands them on.
 
 import type { Frame, GroupFrame, GroupMesh, Motions } from '../protocol/messages';
 import { clipDuration } from '../model/clip_duration';
@@ -14,8 +14,10 @@ const kUnpacked = 3 + 4 * kJoints;
 const kLargest = Math.SQRT1_2;
 const kUnits = 16383;
 
-/** Unpacks whole poses, three numbers per joint. The largest component of a unit quaternion follows from the other three; the
- * lowest bits of the first two numbers give its index. */
+/**
+ * Unpacks whole poses, three numbers per joint. The largest component of a unit quaternion follows from the other
+ * three; the lowest bits of the first two numbers give its index.
+ */
 export function unpackPoses(packed: Int16Array): Float32Array {
   const count = Math.floor(packed.length / kPacked);
   const poses = new Float32Array(kUnpacked * count);

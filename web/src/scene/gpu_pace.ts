@@ -1,6 +1,6 @@
-// Paces pictures where software renders them: no picture is begun before the last one is finished, as a queue of old pictures
-// only adds latency. After each picture drawing rests as long as the picture took, since the renderer shares its processors
-// with the simulation. The answer to a touch does not wait for the rest.
+// Paces pictures where software renders them: no picture is begun before the last one is finished, as a queue of old
+// pictures only adds latency. After each picture drawing rests as long as the picture took, since the renderer shares
+// its processors with the simulation. The answer to a touch does not wait for the rest.
 
 /** What the pace needs of WebGL 2. */
 export type FenceContext = Pick<

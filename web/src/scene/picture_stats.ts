@@ -5,7 +5,10 @@ export class PictureStats {
   drawCalls = 0;
   /** Of the last picture. */
   triangles = 0;
-  /** JavaScript time of the last picture, and of one frame of the server taken since the picture before, on average [ms]. */
+  /**
+   * JavaScript time of the last picture, and of one frame of the server taken since the picture before, on average
+   * [ms].
+   */
   pictureMs = 0;
   /** Time of the frames taken since the last picture [ms]. */
   framesTakenMs = 0;

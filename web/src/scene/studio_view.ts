@@ -39,7 +39,7 @@ const kRetry = 3;
 const kGlide = 260;
 const kNothingMoves: readonly MovingView[] = [];
 
-/** Draws the world once per refresh of the display: controls and meshes of the newest frame, characters between the last two. */
+/** Draws the world with each refresh: controls and meshes of the newest frame, characters between the last two. */
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
   readonly stats = new PictureStats();
@@ -275,7 +275,7 @@ export class StudioView implements StudioScene {
     this.draw(now);
   }
 
-  /** Where drawing is slow, the picture that answers a finger follows the last picture without waiting for a refresh. */
+  /** Where drawing is slow, the answer to a finger follows the last picture without waiting for a refresh. */
   private drawSoon(): void {
     clearTimeout(this.retry_);
     this.draw(performance.now());

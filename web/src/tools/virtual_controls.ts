@@ -72,7 +72,10 @@ export class VirtualControls {
     return this.controls_.filter((virtual) => virtual.control === 0);
   }
 
-  /** The part of a control that may be grabbed: all of ours and of pinned ones, the handles of others whose fingers lifted. */
+  /**
+   * The part of a control that may be grabbed: all of ours and of pinned ones, the handles of others whose fingers
+   * lifted.
+   */
   grabbable(control: ControlFrame, group: number): Grabbable {
     if (this.holderOf(control, group)) return 'whole';
     if (control.points.some((point) => point.down)) return 'nothing';

@@ -1,5 +1,5 @@
-// Tells the server where this page looks, so that it sends whole poses of the characters nearby. A message is sent when the
-// view has moved, at most four times a second.
+// Tells the server where this page looks, so that it sends whole poses of the characters nearby. A message is sent when
+// the view has moved, at most four times a second.
 
 import type { MessageSender } from '../link/studio_client';
 import type { Attention } from '../scene/studio_scene';

@@ -97,7 +97,10 @@ export class StudioController implements StudioActions {
     this.say_('Our people are back');
   }
 
-  /** Loads the scenario that was steered before the replay; where that is unknown, the one with the take's title, or the first. */
+  /**
+   * Loads the scenario that was steered before the replay; where that is unknown, the one with the take's title, or
+   * the first.
+   */
   leaveReplay(): void {
     const { scenarios, title, lastSteered: lastLive } = this.store_.state;
     const found =

@@ -5,10 +5,10 @@ import { madeCharacter } from '../support/made_glb.mjs';
 
 /** The look promises no more draws and triangles. Calls of WebGL and bytes sent to it stand for the page's own work: a half more
  * than measured. */
-const BUDGET = { draws: 60, triangles: 1400000, near: 150, calls: 310, bytes: 680000 };
+const kBudget = { draws: 60, triangles: 1400000, near: 150, calls: 310, bytes: 680000 };
 
 /** Of ten thousand. */
-const MANY = { draws: 60, triangles: 2000000, calls: 260, bytes: 2300000 };
+const kMany = { draws: 60, triangles: 2000000, calls: 260, bytes: 2300000 };
 
 const drawn = (studio) => studio.page.evaluate(() => globalThis.__muster.view.people.drawn);
 const stats = (studio) => studio.page.evaluate(() => ({ ...globalThis.__muster.view.stats }));
@@ -198,9 +198,9 @@ export async function budgets(studio) {
   await studio.until('bodies from the server', () =>
     globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'),
   );
-  await studio.until('near ones', (most) => globalThis.__muster.frame.near.length === most, BUDGET.near);
+  await studio.until('near ones', (most) => globalThis.__muster.frame.near.length === most, kBudget.near);
   await studio.shot('thousand');
-  await expectBudget(studio, `a thousand people, ${BUDGET.near} with whole poses`, BUDGET);
+  await expectBudget(studio, `a thousand people, ${kBudget.near} with whole poses`, kBudget);
   expect(
     /draws · .* triangles/.test(await studio.page.locator('.stats-readout').textContent()),
     'the address shows the figures',
@@ -231,5 +231,5 @@ export async function budgetsOfMany(studio, server) {
     /^10\D?000/.test(await studio.page.locator('.figure-characters .value').textContent()),
     'the readout counts them',
   );
-  await expectBudget(studio, `ten thousand people, 100 with whole poses, ${bytes.toFixed(2)} bytes each`, MANY);
+  await expectBudget(studio, `ten thousand people, 100 with whole poses, ${bytes.toFixed(2)} bytes each`, kMany);
 }

@@ -16,7 +16,7 @@ const maps = fileURLToPath(new URL('../../../../shared/maps/', import.meta.url))
 const pictures = process.env.MUSTER_PICTURES; // A folder to write the pictures of the README to.
 const run = promisify(execFile);
 
-const MAPS = {
+const kMaps = {
   berlin: {
     file: 'Berlin_0_256.map',
     rows: 256,
@@ -55,9 +55,9 @@ const MAPS = {
     ],
   },
 };
-const STROKE = 34; // Drawn at one go, at most [m].
-const PICTURED = 4; // The stroke after which the picture is taken: across the yard, to the gap.
-const ZOOM = 11; // While steering [px/m].
+const kStroke = 34; // Drawn at one go, at most [m].
+const kPictured = 4; // The stroke after which the picture is taken: across the yard, to the gap.
+const kZoom = 11; // While steering [px/m].
 
 /** The cases, or none and a line that says why. */
 export function cases() {
@@ -76,7 +76,7 @@ export function cases() {
 }
 
 async function throughMap(first, name) {
-  const map = MAPS[name];
+  const map = kMaps[name];
   const folder = mkdtempSync(join(tmpdir(), 'muster-map-'));
   let server = null;
   let studio = null;
@@ -119,7 +119,7 @@ async function steerAndRecord(studio, steering, take, name, server) {
   for (let stroke = 1; !steering.done(); ++stroke) {
     await steering.drawOn();
     await studio.shot(`${name}-stroke-${stroke}`);
-    if (pictures && stroke === PICTURED) await picture(studio, server, `${pictures}/${name}.png`);
+    if (pictures && stroke === kPictured) await picture(studio, server, `${pictures}/${name}.png`);
     // Walking takes long: it is watched at four times the speed, where the machine can.
     await studio.send({ type: 'SetSpeed', factor: 4 });
     await steering.untilNearEnd();
@@ -194,7 +194,7 @@ class Steering {
       (best, v, i) => (distance(v, middle) < distance(vertices[best], middle) ? i : best),
       0,
     );
-    for (let i = 0; i < 6 && (await this.zoom()) > ZOOM; ++i) await this.pinchTogether();
+    for (let i = 0; i < 6 && (await this.zoom()) > kZoom; ++i) await this.pinchTogether();
   }
 
   async crowdNow() {
@@ -261,7 +261,7 @@ class Steering {
     const stroke = [];
     for (let length = 0; !this.done(); ++this.next) {
       const leg = distance(at, this.way[this.next]);
-      if (stroke.length > 0 && length + leg > STROKE) break;
+      if (stroke.length > 0 && length + leg > kStroke) break;
       length += leg;
       at = this.way[this.next];
       stroke.push(at);

@@ -3,7 +3,7 @@ import { expect } from '../support/expect.mjs';
 import { distance, extreme, mean, points, shifted } from '../support/geometry.mjs';
 
 /** The look promises no more draws than this in any scene. */
-const MOST_DRAWS = 60;
+const kMostDraws = 60;
 
 const drawCalls = (studio) => studio.page.evaluate(() => globalThis.__muster.view.stats.drawCalls);
 
@@ -61,7 +61,7 @@ export async function everyScenario(studio) {
     await studio.shot(`scenario-${name.replace('/', '-')}`);
     const calls = await drawCalls(studio);
     console.log(`measured: ${name}: ${calls} draws`);
-    expect(calls > 0 && calls <= MOST_DRAWS, `${name} takes ${calls} draws, at most ${MOST_DRAWS} allowed`);
+    expect(calls > 0 && calls <= kMostDraws, `${name} takes ${calls} draws, at most ${kMostDraws} allowed`);
     const seen = await studio.page.evaluate(() => {
       const { frame, view } = globalThis.__muster;
       const at = Array.from(frame.x, (x, i) => view.worldToScreen({ x, y: frame.y[i] }));

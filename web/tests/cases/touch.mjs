@@ -2,9 +2,9 @@
 import { expect, expectBetween } from '../support/expect.mjs';
 import { crowd, distance, distortion, extreme, mean, points, shifted, toSegment } from '../support/geometry.mjs';
 
-const POINT = 0;
-const LINE = 1;
-const AREA = 2;
+const kPoint = 0;
+const kLine = 1;
+const kArea = 2;
 
 const vertices = (frame) => points(frame.groups[0].vertices);
 const controls = (frame) => frame.groups[0].controls;
@@ -34,7 +34,7 @@ export async function pointDrag(studio) {
   const corner = extreme(vertices(before), 1, 0.3);
   const target = shifted(corner, 4, 2);
   await studio.fingers.down(await fingersOn(studio, [corner]));
-  await untilControl(studio, POINT, 1);
+  await untilControl(studio, kPoint, 1);
   await studio.fingers.move(await fingersOn(studio, [target]), { ms: 500 });
   await untilThere(studio, [target]);
   await studio.shot('point');
@@ -62,13 +62,13 @@ export async function lineDrag(studio) {
   const ends = [extreme(list, 1, 1), extreme(list, 1, -1)];
   const targets = [shifted(ends[0], 4, 0), shifted(ends[1], 2.5, -2.5)];
   await studio.fingers.down(await fingersOn(studio, ends));
-  await untilControl(studio, LINE, 2);
+  await untilControl(studio, kLine, 2);
   await studio.fingers.move(await fingersOn(studio, targets), { ms: 600 });
   await untilThere(studio, targets);
   await studio.eventually(async () => {
     const after = await studio.frame();
     const [line] = controls(after);
-    expect(line.kind === LINE, `the control is a line: ${line.kind}`);
+    expect(line.kind === kLine, `the control is a line: ${line.kind}`);
     const between = points(line.supplementary);
     expect(between.length >= 3, `vertices between the ends are held: ${between.length}`);
     const off = Math.max(...between.map((p) => toSegment(p, line.points[0], line.points[1])));
@@ -87,14 +87,14 @@ export async function areaDrag(studio) {
   const corners = [shifted(middle, 2.5, 2.5), shifted(middle, 3.5, -2.5), shifted(middle, -2.5, 0)];
   const targets = corners.map((corner) => shifted(corner, 5, 2));
   await studio.fingers.down(await fingersOn(studio, corners));
-  await untilControl(studio, AREA, 3);
+  await untilControl(studio, kArea, 3);
   const start = controls(await studio.frame())[0].points;
   await studio.fingers.move(await fingersOn(studio, targets), { ms: 600 });
   await untilThere(studio, targets, 1.1);
   await studio.shot('area');
   const after = await studio.frame();
   const [area] = controls(after);
-  expect(area.kind === AREA, `the control is an area: ${area.kind}`);
+  expect(area.kind === kArea, `the control is an area: ${area.kind}`);
   const change = distortion(start, area.points);
   expect(change < 0.12, `the area keeps its shape: ${change}`);
   const went = distance(mean(vertices(after)), middle);
@@ -109,10 +109,10 @@ export async function lineAndArea(studio) {
   const right = [shifted(middle, 2, 3), shifted(middle, 2, -3), shifted(middle, 4.5, 0)];
   const fingers = await fingersOn(studio, [...left, ...right]);
   await studio.fingers.down({ 1: fingers[1], 2: fingers[2] });
-  await untilControl(studio, LINE, 2);
+  await untilControl(studio, kLine, 2);
   await studio.wait(260);
   await studio.fingers.down({ 3: fingers[3], 4: fingers[4], 5: fingers[5] });
-  await untilControl(studio, AREA, 3);
+  await untilControl(studio, kArea, 3);
   const bent = await fingersOn(studio, [shifted(left[0], 2.5, -1), shifted(left[1], -2.5, -2)]);
   await studio.fingers.move({ 1: bent[1], 2: bent[2] }, { ms: 700 });
   await untilThere(studio, [shifted(left[0], 2.5, -1)], 0.9);
@@ -121,7 +121,7 @@ export async function lineAndArea(studio) {
     const kinds = controls(frame)
       .map((one) => one.kind)
       .sort();
-    expect(kinds.join() === `${LINE},${AREA}`, `a line and an area at once: ${kinds}`);
+    expect(kinds.join() === `${kLine},${kArea}`, `a line and an area at once: ${kinds}`);
     const after = vertices(frame);
     const half = (sign) => before.map((v, i) => i).filter((i) => sign * (before[i].x - middle.x) > 1.5);
     const change = (part) =>

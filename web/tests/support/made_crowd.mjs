@@ -8,9 +8,9 @@ import { build } from 'esbuild';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 const source = fileURLToPath(new URL('../../src/protocol/messages.ts', import.meta.url));
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.woff2': 'font/woff2' };
-const QUANTUM = 1 / 256;
-const FRAME_MS = 1000 / 30;
+const kTypes = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.woff2': 'font/woff2' };
+const kQuantum = 1 / 256;
+const kFrameMs = 1000 / 30;
 
 /** The page's own encoder, so that there is no second one to keep. */
 async function protocol() {
@@ -93,7 +93,7 @@ class Walkers {
 
   packed(k) {
     const from = k === 0 ? this.x : this.y;
-    return Uint16Array.from(from, (one) => Math.round((one + 128) / QUANTUM));
+    return Uint16Array.from(from, (one) => Math.round((one + 128) / kQuantum));
   }
 
   /** The crowd after another thirtieth of a second; whole for a new page. */
@@ -119,7 +119,7 @@ class Walkers {
       count,
       x0: -128,
       y0: -128,
-      quantum: QUANTUM,
+      quantum: kQuantum,
       x: whole ? now[0] : new Uint16Array(0),
       y: whole ? now[1] : new Uint16Array(0),
       stepX: steps[0],
@@ -176,7 +176,7 @@ class Conversation {
     this.send({ type: 'Scene', revision: 1, json: JSON.stringify(sceneOf(this.count)) });
     this.send(motions('Motions'));
     for (const group of [1, 2]) this.send(meshOf(group, this.count / 2));
-    this.timer = setInterval(() => this.tick(), FRAME_MS);
+    this.timer = setInterval(() => this.tick(), kFrameMs);
   }
 
   tick() {
@@ -272,7 +272,7 @@ export async function startMadeCrowd({ count = 10000, near = 100, bodies = '' } 
     const file = `${dist}${path === '/' ? 'index.html' : path.slice(1)}`;
     if (path.includes('..') || !existsSync(file)) return response.writeHead(404).end();
     response
-      .writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' })
+      .writeHead(200, { 'Content-Type': kTypes[extname(file)] ?? 'application/octet-stream' })
       .end(readFileSync(file));
   });
   server.on('upgrade', (request, socket) => {

@@ -1,7 +1,7 @@
 // A small character as a GLB: one box per bone, a skeleton under names of one's choice, and an animation if wanted.
 
 /** Name of ours, parent, place in metres (x to the left, y up, z forward), as glTF has them. */
-const JOINTS = [
+const kJoints = [
   ['Hips', -1, 0, 0.95, 0],
   ['Spine', 0, 0, 1.05, 0],
   ['Chest', 1, 0, 1.22, 0],
@@ -29,8 +29,8 @@ const JOINTS = [
   }),
 ];
 
-const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
-const FACES = [
+const kCorners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
+const kFaces = [
   [0, 2, 3, 1],
   [4, 5, 7, 6],
   [0, 1, 5, 4],
@@ -48,13 +48,13 @@ function boxes(joints, unit) {
     const middle = [x, y, z].map((one, k) => (one + to[k]) / 2);
     const half = [x, y, z].map((one, k) => Math.max(0.03, Math.abs(to[k] - one) / 2));
     const first = positions.length / 3;
-    for (const corner of CORNERS) {
+    for (const corner of kCorners) {
       positions.push(...corner.map((sign, k) => (middle[k] + sign * half[k]) * unit));
       normals.push(...corner.map((sign) => sign / Math.sqrt(3)));
       jointsOf.push(j, 0, 0, 0);
       weights.push(1, 0, 0, 0);
     }
-    for (const [a, b, c, d] of FACES) indices.push(...[a, b, c, a, c, d].map((i) => first + i));
+    for (const [a, b, c, d] of kFaces) indices.push(...[a, b, c, a, c, d].map((i) => first + i));
   });
   return { positions, normals, jointsOf, weights, indices };
 }
@@ -117,7 +117,7 @@ function animation(bytes, name, unit) {
 }
 
 /** One opaque pixel. */
-const PICTURE = Buffer.from(
+const kPicture = Buffer.from(
   'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==',
   'base64',
 );
@@ -129,7 +129,7 @@ function paint(bytes, picture) {
     ...(picture ? { baseColorTexture: { index: 0 } } : {}),
   };
   if (!picture) return { materials: [{ pbrMetallicRoughness }] };
-  const bufferView = bytes.view(Uint8Array.from(PICTURE));
+  const bufferView = bytes.view(Uint8Array.from(kPicture));
   return {
     materials: [{ pbrMetallicRoughness }],
     textures: [{ source: 0 }],
@@ -160,7 +160,7 @@ function container(json, binary) {
  */
 export function madeCharacter({ rename = (name) => name, unit = 1, clip = '', picture = false } = {}) {
   const kept = [];
-  JOINTS.forEach(([name, parent, ...at], j) => {
+  kJoints.forEach(([name, parent, ...at], j) => {
     const above = parent < 0 ? -1 : kept.findIndex((one) => one.from === parent);
     const named = rename(name);
     if (named !== null && (parent < 0 || above >= 0)) kept.push({ from: j, joint: [named, above, ...at] });

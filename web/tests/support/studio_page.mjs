@@ -7,7 +7,7 @@ import { countWebgl } from './webgl_counts.mjs';
 const shots = fileURLToPath(new URL('../../test-results/', import.meta.url));
 mkdirSync(shots, { recursive: true });
 
-export const SIZES = {
+export const kSizes = {
   wide: { width: 1440, height: 900 },
   desktop: { width: 1280, height: 800 },
   landscape: { width: 1180, height: 820 },
@@ -24,7 +24,7 @@ export class StudioPage {
     url,
     { size = 'desktop', touch = true, colorScheme = 'light', hint = false, counts = false } = {},
   ) {
-    const context = await browser.newContext({ viewport: SIZES[size], colorScheme, hasTouch: touch });
+    const context = await browser.newContext({ viewport: kSizes[size], colorScheme, hasTouch: touch });
     const page = await context.newPage();
     const studio = new StudioPage(context, page, size);
     page.on('pageerror', (error) => studio.errors.push(error.message));

@@ -1,4 +1,5 @@
-// The camera's pose, and the projection between screen and ground. It is independent of three.js: the stage copies its pose.
+// The camera's pose, and the projection between screen and ground. It is independent of three.js: the stage copies its
+// pose.
 
 import type { CameraControls, Padding } from './camera_controls';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';

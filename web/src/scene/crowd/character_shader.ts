@@ -1,8 +1,8 @@
 // Shader code that poses a body by linear blending of its joints and places it in the world.
 //
-// Per character: aWho (its number in the crowd; row of a whole pose of its own, or -1). Everything else lies in textures:
-// uFrom and uTo, two frames as StudioFrame.rows has them; uMembers (shirt, and skin, hair and whether it is never greyed as
-// one number; size); uClips (first pose, poses, whether cyclic; disc of shade).
+// Per character: aWho (its number in the crowd; row of a whole pose of its own, or -1). Everything else lies in
+// textures: uFrom and uTo, two frames as StudioFrame.rows has them; uMembers (shirt, and skin, hair and whether it is
+// never greyed as one number; size); uClips (first pose, poses, whether cyclic; disc of shade).
 
 import { kRowsAcross } from '../../model/studio_frame';
 import { kPosesAcross } from './clips/pose_texture';

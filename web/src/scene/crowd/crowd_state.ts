@@ -1,5 +1,5 @@
-// The characters as the picture shows them, between two frames. The graphics card interpolates positions; the page does so
-// only on request, once per picture.
+// The characters as the picture shows them, between two frames. The graphics card interpolates positions; the page does
+// so only on request, once per picture.
 
 import { kRowFloats } from '../../model/studio_frame';
 import { bodyOf, lookOf, sizeOf } from './look';

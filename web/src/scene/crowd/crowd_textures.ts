@@ -1,5 +1,5 @@
-// The crowd as textures: the two frames shown, the look of each character, and where the poses of each clip begin. Each frame
-// is uploaded once; between frames only the share of the newer one changes.
+// The crowd as textures: the two frames shown, the look of each character, and where the poses of each clip begin. Each
+// frame is uploaded once; between frames only the share of the newer one changes.
 
 import { Color, DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 import { kRowFloats, kRowsAcross, rowsLength } from '../../model/studio_frame';

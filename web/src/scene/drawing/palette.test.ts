@@ -1,4 +1,6 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { accentOf } from '../../model/accent';
 import { hexToRgb, srgbToLinear } from './colour';
 import { accentColour, paletteOf } from './palette';
 
@@ -31,5 +33,19 @@ describe('palette', () => {
     const palette = paletteOf('light');
     expect(accentColour(palette, 6)).toBe(accentColour(palette, 0));
     expect(accentColour(palette, -1)).toBe(accentColour(palette, 5));
+  });
+
+  it('has the accents of the style sheet', () => {
+    const sheet = readFileSync(new URL('../../ui/styles/tokens.css', import.meta.url), 'utf8');
+    const [light, dark] = sheet.split(":root[data-theme='dark']");
+    for (const [theme, rules] of [
+      ['light', light],
+      ['dark', dark],
+    ] as const) {
+      for (let colour = 0; colour < 6; ++colour) {
+        const found = new RegExp(`--group-${accentOf(colour)}: (#\\w+);`).exec(rules ?? '')?.[1];
+        expect(found?.toUpperCase()).toBe(accentColour(paletteOf(theme), colour));
+      }
+    }
   });
 });

@@ -6,7 +6,10 @@ import { contourLabels, type ContourLabel, type FieldRaster, makeFieldRaster } f
 
 /** Kind of the overlay that shows one character's cost. */
 const kCost = 2;
-/** Contours are numbered along a ray from the place towards the upper left of the view: its angle to the camera's [rad]. */
+/**
+ * Contours are numbered along a ray from the place towards the upper left of the view: its angle to the camera's
+ * [rad].
+ */
 const kLabelAngle = 2.75;
 
 export class OverlayState {

@@ -1,4 +1,5 @@
-// The ground as software renderers draw it: one flat colour, and its lines as strokes, so that few pixels cost anything.
+// The ground as software renderers draw it: one flat colour, and its lines as strokes, so that few pixels cost
+// anything.
 
 import { Color, Group, LinearSRGBColorSpace, Mesh, PlaneGeometry, ShaderMaterial } from 'three';
 import type { SceneBox } from '../../protocol/scene';

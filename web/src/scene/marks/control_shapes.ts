@@ -52,8 +52,8 @@ function spline([a, b, c, d]: readonly [GroundPoint, GroundPoint, GroundPoint, G
 
 /**
  * Indices of points about `spacing` apart along the path, without the first and the last. Points that were shown
- * `before` stay, so that checkpoints do not jump while a path loses points at its beginning and gains some at its end. Where
- * none is left the spacing counts from the far end.
+ * `before` stay, so that checkpoints do not jump while a path loses points at its beginning and gains some at its
+ * end. Where none is left the spacing counts from the far end. /
  */
 export function thinned(
   points: readonly GroundPoint[],

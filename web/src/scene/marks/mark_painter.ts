@@ -20,7 +20,10 @@ export class MarkPainter {
 
   constructor(private readonly pen_: Pen) {}
 
-  /** Begins a picture: clears the canvas, and sets its transform to CSS px of the screen, of which it covers these bounds. */
+  /**
+   * Begins a picture: clears the canvas, and sets its transform to CSS px of the screen, of which it covers these
+   * bounds.
+   */
   begin(bounds: MarkBounds, ratio: number): void {
     this.pen_.setTransform(ratio, 0, 0, ratio, -bounds.x * ratio, -bounds.y * ratio);
     this.pen_.clearRect(bounds.x, bounds.y, bounds.width, bounds.height);

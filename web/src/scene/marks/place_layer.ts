@@ -1,5 +1,5 @@
-// Places as rings on the ground, in one draw call: whole, dashed while a formation is new, crossed where a character does not
-// fit.
+// Places as rings on the ground, in one draw call: whole, dashed while a formation is new, crossed where a character
+// does not fit.
 
 import {
   BufferAttribute,

@@ -5,7 +5,10 @@ import { boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { addRim, hatchChords, kFloorHeight, type PatchParts, postsAlong } from './patch_parts';
 
-/** Height of the ropes at the posts, and depth to which the mesh sags below them; the backs of crawlers are lower [m]. */
+/**
+ * Height of the ropes at the posts, and depth to which the mesh sags below them; the backs of crawlers are lower
+ * [m].
+ */
 export const kNetHeight = 0.82;
 const kSag = 0.11;
 const kPostSpacing = 1.9;

@@ -1,5 +1,5 @@
-// Shown on the first visit: how to make a point, a line and an area, and how to move the camera. The words follow the last
-// input device.
+// Shown on the first visit: how to make a point, a line and an area, and how to move the camera. The words follow the
+// last input device.
 
 import { element, setText } from '../widgets/dom';
 import type { StudioActions } from '../../model/studio_actions';

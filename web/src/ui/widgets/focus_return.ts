@@ -1,4 +1,5 @@
-// A press by mouse or finger gives the focus back to the scene, or Space would press the same button again. Keys keep it.
+// A press by mouse or finger gives the focus back to the scene, or Space would press the same button again. Keys keep
+// it.
 
 /** Watches the buttons inside `root`. */
 export function returnFocus(root: HTMLElement, scene: HTMLElement): void {
