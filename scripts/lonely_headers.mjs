@@ -20,11 +20,12 @@ function flagsOf(header) {
   return entries[0];
 }
 
-/** The compiler's words are kept up to its outputs; ccache in front of it is not needed. */
+/** The compiler's words up to its outputs, without ccache in front of it and without precompiled headers. */
 function compile(header) {
   const { directory, command } = flagsOf(header);
-  const words = command.split(/\s+/).filter((word) => !/\/ccache$/.test(word));
-  const flags = words.slice(0, words.indexOf('-o'));
+  const all = command.split(/\s+/);
+  const words = all.slice(all.findIndex((word) => /\/ccache$/.test(word)) + 1, all.indexOf('-o'));
+  const flags = words.filter((word, i) => !/cmake_pch/.test(word) && !(word === '-include' && /cmake_pch/.test(words[i + 1])) && word !== '-Winvalid-pch');
   return new Promise((done) => {
     const child = spawn(flags[0], [...flags.slice(1), '-fsyntax-only', '-O0', '-include', resolve(header), '-x', 'c++', '/dev/null'], { cwd: directory });
     let text = '';

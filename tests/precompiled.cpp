@@ -1,0 +1,1 @@
+// Precompiles the headers that all tests include; see CMakeLists.txt.
