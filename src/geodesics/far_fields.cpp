@@ -2,51 +2,54 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
+
+#include "geodesics/infinite_cost.h"
 
 namespace muster {
 namespace {
 
-constexpr std::int32_t kCapacity = 1024;
-constexpr double kLeastSpacing = 4.0;     // Between landmarks [m].
-constexpr double kMostLandmarks = 100.0;  // Over a formation of a metre per place, about.
-// A landmark counts for a place only where the way between them is not much longer than the straight line.
-constexpr double kInLine = 1.15;
-constexpr double kCellsOff = 1.5;  // ... but for so many cells.
+constexpr std::int32_t kCapacity = 1024;  // Fields.
+constexpr double kMinSpacing = 4.0;       // Between landmarks [m].
+constexpr double kMaxLandmarks = 100.0;   // Over a formation of one place per square metre, about.
+// The path from a landmark to a place is nearly straight where it costs at most this times the straight line,
+// and kSlackCells cells more. Only such landmarks are interpolated.
+constexpr double kNearlyStraight = 1.15;
+constexpr double kSlackCells = 1.5;
 
 }  // namespace
 
-FarFields::FarFields() : lattice_(kCapacity) {}
+FarFields::FarFields() : cache_(kCapacity) {}
 
 void FarFields::beginStep(const StaticGround& ground, std::size_t places) {
-    double apart = kLeastSpacing;
-    while (static_cast<double>(places) / (apart * apart) > kMostLandmarks) apart *= 2.0;
+    double metres = kMinSpacing;
+    while (static_cast<double>(places) / (metres * metres) > kMaxLandmarks) metres *= 2.0;
     const Grid& grid = ground.coarse().grid;
-    const auto spacing = std::max(2, static_cast<std::int32_t>(apart / grid.cell + 0.5));
+    const auto spacing = std::max(2, static_cast<std::int32_t>(metres / grid.cell + 0.5));
     const bool anew = ground_ == nullptr || version_ != ground.version() || spacing != spacing_;
     const bool changed = ground_ != nullptr && anew;
     ground_ = &ground;
     version_ = ground.version();
     spacing_ = spacing;
     if (anew) {
-        wide_.reset(grid, spacing);
-        narrow_.reset(grid, std::max(1, spacing / 2));
+        lattice_.reset(grid, spacing);
+        slowLattice_.reset(grid, std::max(1, spacing / 2));
     }
-    if (changed) lattice_.clear();
-    lattice_.beginStep();
+    if (changed) cache_.clear();
+    cache_.beginStep();
 }
 
-void FarFields::Lattice::reset(const Grid& grid, std::int32_t cells) {
+void FarFields::LandmarkLattice::reset(const Grid& grid, std::int32_t cells) {
     spacing = cells;
     width = grid.width / cells + 2;
-    moved.assign(static_cast<std::size_t>(width) * (grid.height / cells + 2), -2);
+    landmark.assign(static_cast<std::size_t>(width) * (grid.height / cells + 2), -2);
 }
 
-// The lattice point's own cell, or the free one nearest to it within a third of the spacing.
-std::int32_t FarFields::freeNear(Cell point, Lattice& lattice) const {
-    std::int32_t& known = lattice.moved[static_cast<std::size_t>(point.y) * lattice.width + point.x];
-    if (known != -2) return known;
-    known = -1;
+// The cell of a lattice point, or the nearest free one within a third of the spacing; -1 for none.
+std::int32_t FarFields::landmarkOf(Cell point, LandmarkLattice& lattice) const {
+    std::int32_t& landmark = lattice.landmark[static_cast<std::size_t>(point.y) * lattice.width + point.x];
+    if (landmark != -2) return landmark;
+    landmark = -1;
     const UnitCost& cost = ground_->coarse();
     const Cell middle{point.x * lattice.spacing, point.y * lattice.spacing};
     const std::int32_t reach = std::max(1, lattice.spacing / 3);
@@ -57,124 +60,132 @@ std::int32_t FarFields::freeNear(Cell point, Lattice& lattice) const {
             if (dx * dx + dy * dy >= nearest || !cost.grid.contains(c) || cost.wall(cost.grid.index(c)))
                 continue;
             nearest = dx * dx + dy * dy;
-            known = cost.grid.index(c);
+            landmark = cost.grid.index(c);
         }
-    return known;
+    return landmark;
 }
 
-FarFields::Corners FarFields::cornersOf(Vec2 place, Lattice& lattice) const {
+LandmarkSquare FarFields::squareRound(Vec2 place, LandmarkLattice& lattice) const {
     const Grid& grid = ground_->coarse().grid;
     const std::int32_t spacing = lattice.spacing;
     const double u = std::clamp((place.x - grid.origin.x) / grid.cell - 0.5, 0.0, grid.width - 1.0);
     const double v = std::clamp((place.y - grid.origin.y) / grid.cell - 0.5, 0.0, grid.height - 1.0);
     const Cell low{static_cast<std::int32_t>(u) / spacing, static_cast<std::int32_t>(v) / spacing};
-    Corners corners{{}, 0, true};
+    LandmarkSquare square{{}, 0, true};
     for (std::int32_t k = 0; k < 4; ++k) {
         const Cell point{low.x + (k & 1), low.y + (k >> 1)};
-        const std::int32_t cell = freeNear(point, lattice);
-        if (cell != grid.index({point.x * spacing, point.y * spacing})) corners.square = false;
-        if (cell >= 0) corners.cell[corners.count++] = cell;
+        const std::int32_t cell = landmarkOf(point, lattice);
+        if (cell != grid.index({point.x * spacing, point.y * spacing})) square.complete = false;
+        if (cell >= 0) square.cell[square.count++] = cell;
     }
-    return corners;
+    return square;
 }
 
-bool FarFields::sees(const CostField& field, Vec2 place, double square) const {
-    const double slack = kCellsOff * field.grid().cell * ground_->unitCost(place);
-    const double line = kInLine * ground_->lineCost(place, field.source()) + slack;
-    return square <= line * line;
+bool FarFields::nearlyStraight(const CostField& field, Vec2 place, double squaredCost) const {
+    const double slack = kSlackCells * field.grid().cell * ground_->unitCost(place);
+    const double limit = kNearlyStraight * ground_->lineCost(place, field.source()) + slack;
+    return squaredCost <= limit * limit;
 }
 
-LandmarkStencil FarFields::stencil(Vec2 place) {
-    const Corners corners = cornersOf(place, slow(place) ? narrow_ : wide_);
+InterpolationStencil FarFields::stencil(Vec2 place) {
+    const LandmarkSquare square = squareRound(place, isSlow(place) ? slowLattice_ : lattice_);
     const Grid& grid = ground_->coarse().grid;
-    Landmark known[4];
-    Landmark unseen[4];
-    std::size_t count = 0;
-    std::size_t others = 0;
-    for (std::int32_t k = 0; k < corners.count; ++k) {
-        const std::int32_t slot = lattice_.use(corners.cell[k]);
+    Landmark straight[4];
+    Landmark bent[4];
+    std::size_t straightCount = 0;
+    std::size_t bentCount = 0;
+    for (std::int32_t k = 0; k < square.count; ++k) {
+        const std::int32_t slot = cache_.use(square.cell[k]);
         if (slot < 0) {
-            lattice_.wish(corners.cell[k]);
+            cache_.request(square.cell[k]);
             continue;
         }
-        const double square = lattice_.field(slot).squaredCost(place);
-        const Landmark landmark{slot, grid.centre(grid.at(corners.cell[k])),
-                                std::sqrt(std::max(0.0, square))};
-        if (sees(lattice_.field(slot), place, square))
-            known[count++] = landmark;
+        const double squared = cache_.field(slot).squaredCost(place);
+        const Landmark landmark{slot, grid.centre(grid.at(square.cell[k])),
+                                std::sqrt(std::max(0.0, squared))};
+        if (nearlyStraight(cache_.field(slot), place, squared))
+            straight[straightCount++] = landmark;
         else
-            unseen[others++] = landmark;
+            bent[bentCount++] = landmark;
     }
-    // Where none sees the place, the one from which the way is shortest must do.
-    const auto nearer = [](const Landmark& a, const Landmark& b) { return a.cost < b.cost; };
-    if (count == 0 && others > 0) {
-        const Landmark& best = *std::min_element(unseen, unseen + others, nearer);
-        if (std::isfinite(best.cost)) known[count++] = best;
+    // Where no path is nearly straight, the landmark of the cheapest path serves.
+    const auto cheaper = [](const Landmark& a, const Landmark& b) { return a.cost < b.cost; };
+    if (straightCount == 0 && bentCount > 0) {
+        const Landmark& best = *std::min_element(bent, bent + bentCount, cheaper);
+        if (std::isfinite(best.cost)) straight[straightCount++] = best;
     }
-    LandmarkStencil stencil = weighLandmarks({known, count}, corners.square, place, ground_->unitCost(place));
-    stencil.unit = slow(place) ? ground_->unitCost(place) : 0.0f;
-    // On uneven ground the others tell how long a way is at least and at most.
+    InterpolationStencil stencil = makeStencil({straight, straightCount}, square.complete, place,
+                                               ground_->unitCost(place));
+    stencil.slowUnitCost = isSlow(place) ? ground_->unitCost(place) : 0.0f;
+    // On ground of several unit costs the other landmarks bound the cost.
     if (!ground_->uniform() && stencil.count > 0)
-        for (std::size_t k = 0; k < others && stencil.count < 4; ++k) stencil.addBound(unseen[k]);
+        for (std::size_t k = 0; k < bentCount && stencil.count < 4; ++k) stencil.addBound(bent[k]);
     return stencil;
 }
 
-double FarFields::square(const LandmarkStencil& stencil, Vec2 from) const {
-    if (!ground_->uniform()) return squareWithin(stencil, from);
-    double sum = stencil.shift;
+double FarFields::squaredCost(const InterpolationStencil& stencil, Vec2 from) const {
+    if (!ground_->uniform()) return boundedSquaredCost(stencil, from);
+    double sum = stencil.offset;
     for (std::int32_t k = 0; k < stencil.count; ++k)
-        sum += static_cast<double>(stencil.weight[k]) * lattice_.field(stencil.slot[k]).squaredCost(from);
-    return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+        sum += static_cast<double>(stencil.weight[k]) * cache_.field(stencil.slot[k]).squaredCost(from);
+    return std::isfinite(sum) ? sum : kInfiniteCost;
 }
 
-// Squared costs bend where ground becomes slow, so that their mean may be far off: but no way is longer than
-// one by a landmark, nor shorter than the ways to a landmark differ. From outside fronts come to places on
-// slow ground almost plane, so that costs themselves are what interpolates well.
-double FarFields::squareWithin(const LandmarkStencil& stencil, Vec2 from) const {
-    const bool plane = stencil.unit != 0.0f && ground_->unitCost(from) != stencil.unit;
-    double sum = plane ? 0.0 : stencil.shift;
-    double least = 0.0;
-    double most = std::numeric_limits<double>::infinity();
+// Squared costs have kinks where the unit cost changes, so that their weighted mean may be far off. The
+// triangle inequality bounds it: |c(x,L) - c(L,y)| <= c(x,y) <= c(x,L) + c(L,y). Fronts from outside reach
+// places on slow ground almost as plane waves, so there costs are interpolated instead of their squares.
+double FarFields::boundedSquaredCost(const InterpolationStencil& stencil, Vec2 from) const {
+    const bool planeWave = stencil.slowUnitCost != 0.0f && ground_->unitCost(from) != stencil.slowUnitCost;
+    double sum = planeWave ? 0.0 : stencil.offset;
+    double lower = 0.0;
+    double upper = kInfiniteCost;
     for (std::int32_t k = 0; k < stencil.count; ++k) {
         const double weight = stencil.weight[k];
-        const double square = lattice_.field(stencil.slot[k]).squaredCost(from);
+        const double square = cache_.field(stencil.slot[k]).squaredCost(from);
         const double cost = std::sqrt(std::max(0.0, square));
-        const double own = stencil.own[k];
-        if (std::isfinite(cost + own)) {
-            sum += weight * (plane ? cost : square);
-            least = std::max(least, std::fabs(cost - own));
-            most = std::min(most, cost + own);
+        const double toPlace = stencil.toPlace[k];
+        if (std::isfinite(cost + toPlace)) {
+            sum += weight * (planeWave ? cost : square);
+            lower = std::max(lower, std::fabs(cost - toPlace));
+            upper = std::min(upper, cost + toPlace);
         } else if (weight != 0.0) {
-            return std::numeric_limits<double>::infinity();
+            return kInfiniteCost;
         }
     }
-    const double cost = plane ? sum : std::sqrt(std::max(0.0, sum));
-    // One alone may lie on the other side of slow ground.
-    const double between = stencil.weight[0] == 1.0f ? std::max(cost, static_cast<double>(stencil.own[0]))
-                                                     : cost;
-    const double within = std::max(least, std::min(between, most));
-    return within * within;
+    const double cost = planeWave ? sum : std::sqrt(std::max(0.0, sum));
+    // A single landmark may lie on the other side of slow ground.
+    const double raised = stencil.weight[0] == 1.0f ? std::max(cost, static_cast<double>(stencil.toPlace[0]))
+                                                    : cost;
+    const double bounded = std::max(lower, std::min(raised, upper));
+    return bounded * bounded;
 }
 
-std::int32_t FarFields::build(std::int32_t most, ThreadPool& pool) {
-    if (static_cast<std::int32_t>(solvers_.size()) < pool.threads()) solvers_.resize(pool.threads());
-    return lattice_.build(most, pool, [&](std::int32_t landmark, CostField& field, std::int32_t worker) {
+void FarFields::growSolvers(const ThreadPool& pool) {
+    if (std::cmp_less(solvers_.size(), pool.threads())) solvers_.resize(pool.threads());
+}
+
+std::int32_t FarFields::solveRequested(std::int32_t most, ThreadPool& pool) {
+    growSolvers(pool);
+    return cache_.solveRequested(most, pool,
+                                 [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
+                                     solve(landmark, field, solvers_[worker]);
+                                 });
+}
+
+void FarFields::solveAll(ThreadPool& pool) {
+    growSolvers(pool);
+    cache_.solveAll(pool, [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
         solve(landmark, field, solvers_[worker]);
     });
 }
 
+// Fast marching does not reach partially blocked cells, or only around the wall; they get the cost across
+// their free side.
 void FarFields::solve(std::int32_t landmark, CostField& field, EikonalSolver& solver) const {
     const UnitCost& cost = ground_->coarse();
     solver.solve(cost, cost.grid.centre(cost.grid.at(landmark)), {}, field);
-    for (const StaticGround::PartiallyBlockedCell& beside : ground_->partiallyBlockedCells())
-        field.lowerValue(beside.cell, field.value(beside.neighbour) + beside.cost);
-}
-
-void FarFields::rebuild(ThreadPool& pool) {
-    if (static_cast<std::int32_t>(solvers_.size()) < pool.threads()) solvers_.resize(pool.threads());
-    lattice_.rebuild(pool, [&](std::int32_t landmark, CostField& field, std::int32_t worker) {
-        solve(landmark, field, solvers_[worker]);
-    });
+    for (const StaticGround::PartiallyBlockedCell& partial : ground_->partiallyBlockedCells())
+        field.lowerValue(partial.cell, field.value(partial.neighbour) + partial.cost);
 }
 
 }  // namespace muster

@@ -1,72 +1,70 @@
-// Cost fields of landmarks on the coarse ground, for ways that leave the windows.
+// Far fields: cost fields of landmarks over all coarse ground, for paths that leave the local fields
+// (landmarks and triangle inequality: Goldberg and Harrelson 2005).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "cost/static_ground.h"
-#include "geodesics/field_lattice.h"
-#include "geodesics/landmark_stencil.h"
+#include "eikonal/eikonal_solver.h"
+#include "geodesics/field_cache.h"
+#include "geodesics/interpolation_stencil.h"
 
 namespace muster {
 
-/// Landmarks lie on a square lattice, 4, 8, 16 or 32 m apart and for places on slow ground half as far, or on
-/// the free cells next to it.
+/// Landmarks lie on a square lattice of 4, 8, 16 or 32 m, half as far apart for places on slow ground, or on
+/// the nearest free cell.
 class FarFields {
 public:
-    FarFields();  ///< None.
+    FarFields();  ///< Has no fields yet.
 
-    /// Begins a step on this ground for so many places; forgets all where the ground or the spacing has
-    /// changed.
+    /// Begins a step on this ground for so many places; drops all fields where the ground's version or the
+    /// lattice has changed. The ground must outlive the next call.
     void beginStep(const StaticGround& ground, std::size_t places);
-    /// Makes at most `most` of those asked for; true where any was made.
-    std::int32_t build(std::int32_t most, ThreadPool& pool);
-    /// Makes those named by an archive.
-    void rebuild(ThreadPool& pool);
-    /// The stencil of a place from the fields there are; asks for those that are missing.
-    LandmarkStencil stencil(Vec2 place);
-    /// The squared cost by a stencil; infinite where `from` cannot be reached.
-    double square(const LandmarkStencil& stencil, Vec2 from) const;
+    /// Solves at most `most` of the requested fields; returns their number.
+    std::int32_t solveRequested(std::int32_t most, ThreadPool& pool);
+    /// Solves the fields that an archive named.
+    void solveAll(ThreadPool& pool);
+    /// The stencil of a place from the fields there are; requests those that are missing.
+    InterpolationStencil stencil(Vec2 place);
+    /// The squared cost from `from` by a stencil [m^2]; infinite where the place cannot be reached.
+    double squaredCost(const InterpolationStencil& stencil, Vec2 from) const;
     /// The field in a slot.
-    const CostField& field(std::int32_t slot) const { return lattice_.field(slot); }
-    /// Fields kept.
-    std::int32_t count() const { return lattice_.count(); }
+    const CostField& field(std::int32_t slot) const { return cache_.field(slot); }
+    /// Number of fields.
+    std::int32_t count() const { return cache_.count(); }
 
     /// Lets an archive read or write which fields there are.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(lattice_, spacing_);
+        archive(cache_, spacing_);
     }
 
 private:
-    struct Corners {
-        std::int32_t cell[4];
-        std::int32_t count;
-        bool square;
-    };
-    /// Points so many coarse cells apart.
-    struct Lattice {
-        std::int32_t spacing = 0;
-        std::int32_t width = 0;
-        // Landmark of each point: a coarse cell, -1 for none, -2 not looked for.
-        std::vector<std::int32_t> moved;
+    /// Points of the coarse grid at a spacing.
+    struct LandmarkLattice {
+        std::int32_t spacing = 0;  // [cells]
+        std::int32_t width = 0;    // Points in a row.
+        // The landmark of each point: a coarse cell, -1 for none, -2 for not searched yet.
+        std::vector<std::int32_t> landmark;
 
         void reset(const Grid& grid, std::int32_t cells);
     };
-    bool slow(Vec2 place) const { return ground_->unitCost(place) > ground_->fine().lowest; }
-    Corners cornersOf(Vec2 place, Lattice& lattice) const;
-    std::int32_t freeNear(Cell point, Lattice& lattice) const;
+    bool isSlow(Vec2 place) const { return ground_->unitCost(place) > ground_->fine().lowest; }
+    LandmarkSquare squareRound(Vec2 place, LandmarkLattice& lattice) const;
+    std::int32_t landmarkOf(Cell point, LandmarkLattice& lattice) const;
+    void growSolvers(const ThreadPool& pool);
     void solve(std::int32_t landmark, CostField& field, EikonalSolver& solver) const;
-    double squareWithin(const LandmarkStencil& stencil, Vec2 from) const;
-    bool sees(const CostField& field, Vec2 place, double square) const;
+    double boundedSquaredCost(const InterpolationStencil& stencil, Vec2 from) const;
+    bool nearlyStraight(const CostField& field, Vec2 place, double squaredCost) const;
 
-    FieldLattice lattice_;
+    FieldCache cache_;
     const StaticGround* ground_ = nullptr;
-    std::uint32_t version_ = 0;
-    std::int32_t spacing_ = 0;  // [coarse cells]
-    Lattice wide_;
-    Lattice narrow_;  // For places on slow ground.
-    std::vector<EikonalSolver> solvers_;
+    std::uint32_t version_ = 0;  // Of the ground.
+    std::int32_t spacing_ = 0;   // Of lattice_ [cells].
+    LandmarkLattice lattice_;
+    LandmarkLattice slowLattice_;         // For places on slow ground.
+    std::vector<EikonalSolver> solvers_;  // One per thread.
 };
 
 }  // namespace muster

@@ -1,5 +1,4 @@
-// Far fields by themselves: what a stencil says of ways, against the field of the coarse ground from the
-// place itself.
+// Far fields by themselves: costs by a stencil, against the cost field of the place itself.
 #include <doctest.h>
 
 #include <algorithm>
@@ -25,14 +24,14 @@ struct Far {
         ground.update(environment, 1.0, 0.25);
         fields.beginStep(ground, 400);
     }
-    // The stencil once all its fields are there.
-    LandmarkStencil stencil(Vec2 place) {
+    // The stencil after all its fields were solved.
+    InterpolationStencil stencil(Vec2 place) {
         (void)fields.stencil(place);
-        (void)fields.build(100, pool);
+        (void)fields.solveRequested(100, pool);
         return fields.stencil(place);
     }
-    double cost(const LandmarkStencil& stencil, Vec2 from) const {
-        return std::sqrt(std::max(0.0, fields.square(stencil, from)));
+    double cost(const InterpolationStencil& stencil, Vec2 from) const {
+        return std::sqrt(std::max(0.0, fields.squaredCost(stencil, from)));
     }
 };
 
@@ -46,9 +45,9 @@ Environment twoPools() {
 
 }  // namespace
 
-TEST_CASE("on plain ground a stencil is exact from anywhere") {
+TEST_CASE("on uniform ground a stencil is exact from anywhere") {
     Far far(squareWorld(30.0));
-    // A tree far away, so that there are far fields at all.
+    // A tree far away, since open ground needs no far fields.
     ObstacleDef tree;
     tree.centre = {28, 28};
     tree.radius = 0.4;
@@ -58,25 +57,25 @@ TEST_CASE("on plain ground a stencil is exact from anywhere") {
     Random random(3);
     for (int k = 0; k < 20; ++k) {
         const Vec2 place{random.uniform(-20, 20), random.uniform(-20, 20)};
-        const LandmarkStencil stencil = far.stencil(place);
+        const InterpolationStencil stencil = far.stencil(place);
         REQUIRE(stencil.count == 4);
         double sum = 0.0;
         for (std::int32_t n = 0; n < 4; ++n) sum += stencil.weight[n];
         CHECK(sum == doctest::Approx(1.0));
         const Grid& grid = far.ground.coarse().grid;
-        // At centres of cells, where nothing is read between values.
+        // At cell centres, where reading does not interpolate.
         const Vec2 from = grid.centre(grid.nearestCell({random.uniform(-28, 20), random.uniform(-28, 20)}));
         CHECK(far.cost(stencil, from) == doctest::Approx(distance(from, place)).epsilon(0.02));
     }
 }
 
-TEST_CASE("landmarks are closer together on slow ground, and tell what a way costs at least and at most") {
+TEST_CASE("landmarks lie closer on slow ground, and bound the cost by the triangle inequality") {
     Far far(twoPools());
-    const LandmarkStencil slow = far.stencil({9.0, 0.0});
-    const LandmarkStencil fast = far.stencil({20.0, 0.0});
-    CHECK(slow.unit == doctest::Approx(4.0));
-    CHECK(fast.unit == 0.0f);
-    const auto apart = [&](const LandmarkStencil& stencil) {
+    const InterpolationStencil slow = far.stencil({9.0, 0.0});
+    const InterpolationStencil fast = far.stencil({20.0, 0.0});
+    CHECK(slow.slowUnitCost == doctest::Approx(4.0));
+    CHECK(fast.slowUnitCost == 0.0f);
+    const auto spacing = [&](const InterpolationStencil& stencil) {
         double least = 1e9;
         for (std::int32_t a = 0; a < stencil.count; ++a)
             for (std::int32_t b = 0; b < a; ++b)
@@ -84,23 +83,23 @@ TEST_CASE("landmarks are closer together on slow ground, and tell what a way cos
                                                  far.fields.field(stencil.slot[b]).source()));
         return least;
     };
-    CHECK(apart(slow) < 0.6 * apart(fast));
+    CHECK(spacing(slow) < 0.6 * spacing(fast));
     Random random(5);
     for (int k = 0; k < 40; ++k) {
         const Vec2 place = freeSpot(far.environment, random, 24.0);
         const Vec2 from = freeSpot(far.environment, random, 28.0);
-        const LandmarkStencil stencil = far.stencil(place);
+        const InterpolationStencil stencil = far.stencil(place);
         if (stencil.count == 0) continue;
         const double cost = far.cost(stencil, from);
         for (std::int32_t n = 0; n < stencil.count; ++n) {
             const double there = std::sqrt(far.fields.field(stencil.slot[n]).squaredCost(from));
-            CHECK(cost <= there + stencil.own[n] + 1e-5);
-            CHECK(cost >= std::fabs(there - stencil.own[n]) - 1e-5);
+            CHECK(cost <= there + stencil.toPlace[n] + 1e-5);
+            CHECK(cost >= std::fabs(there - stencil.toPlace[n]) - 1e-5);
         }
     }
 }
 
-TEST_CASE("ways to slow places are near those of a field from the place itself") {
+TEST_CASE("costs to places on slow ground are near those of the place's own field") {
     Far far(twoPools());
     EikonalSolver solver;
     CostField field;
@@ -108,7 +107,7 @@ TEST_CASE("ways to slow places are near those of a field from the place itself")
     std::vector<double> errors;
     for (int k = 0; k < 25; ++k) {
         const Vec2 place{random.uniform(4.5, 13.5), random.uniform(-7.5, 7.5)};
-        const LandmarkStencil stencil = far.stencil(place);
+        const InterpolationStencil stencil = far.stencil(place);
         REQUIRE(stencil.count > 0);
         solver.solve(far.ground.fine(), place, {}, field);
         for (int n = 0; n < 20; ++n) {
@@ -125,9 +124,9 @@ TEST_CASE("ways to slow places are near those of a field from the place itself")
     CHECK(errors.back() < 0.2);
 }
 
-TEST_CASE("a restored set of fields answers as before") {
+TEST_CASE("far fields restored from an archive give the same costs") {
     Far far(twoPools());
-    const LandmarkStencil stencil = far.stencil({9.0, 2.0});
+    const InterpolationStencil stencil = far.stencil({9.0, 2.0});
     const double cost = far.cost(stencil, {-15.0, -3.0});
     Writer writer;
     far.fields.visit(writer);
@@ -135,7 +134,7 @@ TEST_CASE("a restored set of fields answers as before") {
     Reader reader(writer.bytes());
     other.fields.visit(reader);
     REQUIRE(reader.ok());
-    other.fields.rebuild(other.pool);
+    other.fields.solveAll(other.pool);
     CHECK(other.fields.count() == far.fields.count());
     CHECK(other.cost(other.fields.stencil({9.0, 2.0}), {-15.0, -3.0}) == cost);
 }

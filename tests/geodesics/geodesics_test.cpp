@@ -15,11 +15,11 @@ using namespace muster::test;
 
 namespace {
 
-// A ground with places, asked often enough that all fields are there.
+// A ground with places; warm() queries until all requested fields are solved.
 struct Scene {
     Environment environment;
     StaticGround ground;
-    DynamicCost excess;
+    DynamicCost dynamicCost;
     DensityField density;
     std::vector<Vec2> places;
     Geodesics geodesics;
@@ -29,9 +29,9 @@ struct Scene {
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
         density = DensityField(environment.def().box, {});
-        excess.update({}, environment, density, 0.25);
+        dynamicCost.update({}, environment, density, 0.25);
     }
-    void step() { geodesics.update(ground, excess, places, pool); }
+    void step() { geodesics.update(ground, dynamicCost, places, pool); }
     void warm(const std::vector<std::vector<Vec2>>& from) {
         for (int round = 0; round < 1500; ++round) {
             step();
@@ -51,7 +51,7 @@ struct Errors {
     }
 };
 
-// Walkers within `reach` of each place; relative errors of those whose way is bent.
+// Relative errors of points within `reach` of each place and not in line of sight of it.
 Errors errorsOf(Scene& scene, std::size_t count, double half, double reach, std::uint64_t seed) {
     Random random(seed);
     for (std::size_t j = 0; j < count; ++j) scene.places.push_back(freeSpot(scene.environment, random, half));
@@ -75,7 +75,7 @@ Errors errorsOf(Scene& scene, std::size_t count, double half, double reach, std:
             const double truth = field.cost(p);
             const double known = scene.geodesics.cost(p, place);
             if (scene.geodesics.lineOfSight(p, place)) {
-                // The field is a discretisation too.
+                // The reference field is a discretisation too.
                 REQUIRE(known == doctest::Approx(truth).epsilon(0.02).scale(1.0));
                 continue;
             }
@@ -96,24 +96,24 @@ TEST_CASE("in the open costs are straight lines") {
     scene.step();
     CHECK(scene.geodesics.cost({3, 4}, 0) == doctest::Approx(5.0));
     CHECK(scene.geodesics.cost({-30, 30}, 1) == doctest::Approx(std::hypot(60.0, 60.0)));
-    SteeringTarget memory;
-    const Guidance way = scene.geodesics.guidance({3, 4}, 0, memory);
-    CHECK(distance(way.direction, {-0.6, -0.8}) < 1e-9);
+    SteeringTarget target;
+    const Guidance guidance = scene.geodesics.guidance({3, 4}, 0, target);
+    CHECK(distance(guidance.direction, {-0.6, -0.8}) < 1e-9);
     CHECK(scene.geodesics.cost({0, 0}, 0) == 0.0f);
 }
 
-TEST_CASE("near ways round a block are those of the fine field") {
+TEST_CASE("near costs around a block are those of the fine cost field") {
     Environment environment = squareWorld(20.0);
     REQUIRE(environment.addObstacle(rectangle(-4, -5, 4, 5)).ok());
     Scene scene(std::move(environment));
     Errors errors = errorsOf(scene, 250, 9.0, 4.5, 1);
-    MESSAGE("block: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 "
+    MESSAGE("block: " << errors.all.size() << " hidden, median " << errors.at(0.5) << ", p95 "
                       << errors.at(0.95));
     CHECK(errors.at(0.5) < 0.01);
     CHECK(errors.at(0.95) < 0.06);
 }
 
-TEST_CASE("near ways among trees are those of the fine field") {
+TEST_CASE("near costs among trees are those of the fine cost field") {
     Environment environment = squareWorld(16.0);
     Random random(9);
     for (int k = 0; k < 60; ++k) {
@@ -124,13 +124,13 @@ TEST_CASE("near ways among trees are those of the fine field") {
     }
     Scene scene(std::move(environment));
     Errors errors = errorsOf(scene, 200, 12.0, 3.5, 2);
-    MESSAGE("trees: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p95 "
+    MESSAGE("trees: " << errors.all.size() << " hidden, median " << errors.at(0.5) << ", p95 "
                       << errors.at(0.95));
     CHECK(errors.at(0.5) < 0.01);
     CHECK(errors.at(0.95) < 0.05);
 }
 
-TEST_CASE("far ways round a block and through a corridor are near the exact ones") {
+TEST_CASE("far costs around a block and through a corridor are near the exact ones") {
     Environment environment = squareWorld(48.0);
     REQUIRE(environment.addObstacle(rectangle(-6, -48, 6, -3)).ok());
     REQUIRE(environment.addObstacle(rectangle(-6, 3, 6, 48)).ok());
@@ -158,7 +158,7 @@ TEST_CASE("far ways round a block and through a corridor are near the exact ones
     CHECK(worst < 0.06);
 }
 
-TEST_CASE("ways to slow ground between walls are near those of the fine field, however far") {
+TEST_CASE("costs to slow ground between walls are near those of the fine cost field at all distances") {
     Environment environment = squareWorld(32.0);
     REQUIRE(environment.addObstacle(rectangle(-8, 2.6, 8, 3.4)).ok());
     REQUIRE(environment.addObstacle(rectangle(-8, 8.6, 8, 32)).ok());
@@ -168,18 +168,18 @@ TEST_CASE("ways to slow ground between walls are near those of the fine field, h
     REQUIRE(environment.addPatch(slowBox(-4.5, -8.6, 4.5, -3.4, 0.2)).ok());
     Scene scene(std::move(environment));
     Errors errors = errorsOf(scene, 220, 12.0, 16.0, 4);
-    MESSAGE("slow ground: " << errors.all.size() << " bent, median " << errors.at(0.5) << ", p99 "
+    MESSAGE("slow ground: " << errors.all.size() << " hidden, median " << errors.at(0.5) << ", p99 "
                             << errors.at(0.99) << ", worst " << errors.at(1.0));
     CHECK(errors.at(0.5) < 0.04);
     CHECK(errors.at(0.99) < 0.12);
 }
 
-TEST_CASE("a way round mud is found, whether windows reach so far or not") {
+TEST_CASE("a path around slow ground is found, inside and outside local fields") {
     Environment environment = squareWorld(32.0);
     REQUIRE(environment.addPatch(slowBox(-3, -2.5, 3, 2.5, 0.1)).ok());
     Scene scene(std::move(environment));
     scene.places = {{3.7, 0.4}, {2.2, -0.3}};
-    // The second place is in the mud itself, near its far side.
+    // The second place lies on the slow ground, near its far side.
     const std::vector<Vec2> from = {{-3.6, 0.2}, {-3.9, -1.0}, {-4.1, 1.2}, {-3.4, -1.9}, {3.9, 1.0}};
     scene.warm({from, from});
     EikonalSolver solver;
@@ -193,7 +193,7 @@ TEST_CASE("a way round mud is found, whether windows reach so far or not") {
     }
 }
 
-TEST_CASE("no way costs less than its bound, which knows the slow ground at both ends") {
+TEST_CASE("no cost is below its lower bound, which includes the slow ground at both ends") {
     Environment environment = squareWorld(24.0);
     REQUIRE(environment.addPatch(slowBox(-9, -8, -1, 8, 0.3)).ok());
     REQUIRE(environment.addPatch(slowBox(2, -8, 8, 8, 0.5)).ok());
@@ -217,10 +217,10 @@ TEST_CASE("no way costs less than its bound, which knows the slow ground at both
             closer += bound > 1.2 * line ? 1 : 0;
         }
     }
-    CHECK(closer > 400);  // Of 1,600: more than half have an end in slow ground.
+    CHECK(closer > 400);  // Of 1,600, of which more than half have an end on slow ground.
 }
 
-TEST_CASE("a far way that begins beside a cart costs what it takes to get away from it") {
+TEST_CASE("a far path that begins beside a cart includes the cost of leaving it") {
     Environment environment = squareWorld(16.0);
     REQUIRE(environment.addObstacle(rectangle(-1, -9, 1, 9)).ok());
     ObstacleDef cart;
@@ -230,30 +230,30 @@ TEST_CASE("a far way that begins beside a cart costs what it takes to get away f
     REQUIRE(environment.addObstacle(cart).ok());
     Scene scene(std::move(environment));
     scene.environment.setTime(1.0);
-    scene.excess.update({}, scene.environment, scene.density, 0.25);
+    scene.dynamicCost.update({}, scene.environment, scene.density, 0.25);
     scene.places = {{3, 0}, {3, 2}, {5, -2}};
-    // Before the cart, and where it drives nobody in the way.
-    const Vec2 before{-4.2, 0.2};
-    const Vec2 aside{-9, 0.2};
-    scene.warm({{before, aside}, {before, aside}, {before, aside}});
+    // In front of the cart, and away from its path.
+    const Vec2 inFront{-4.2, 0.2};
+    const Vec2 away{-9, 0.2};
+    scene.warm({{inFront, away}, {inFront, away}, {inFront, away}});
     UnitCostBuilder builder;
     UnitCost cost;
     builder.build({}, scene.environment, scene.density, 0.25, cost);
     EikonalSolver solver;
     CostField field;
-    CHECK(scene.geodesics.hasMovingCost(before));
-    CHECK_FALSE(scene.geodesics.hasMovingCost(aside));
+    CHECK(scene.geodesics.hasMovingCost(inFront));
+    CHECK_FALSE(scene.geodesics.hasMovingCost(away));
     for (std::int32_t j = 0; j < 3; ++j) {
         solver.solve(cost, scene.places[j], {}, field);
-        const double exact = field.cost(before);
-        CHECK(scene.geodesics.cost(aside, j) == doctest::Approx(field.cost(aside)).epsilon(0.04));
-        CHECK(scene.geodesics.cost(before, j) == doctest::Approx(exact).epsilon(0.12));
+        const double exact = field.cost(inFront);
+        CHECK(scene.geodesics.cost(away, j) == doctest::Approx(field.cost(away)).epsilon(0.04));
+        CHECK(scene.geodesics.cost(inFront, j) == doctest::Approx(exact).epsilon(0.12));
         solver.solve(scene.ground.fine(), scene.places[j], {}, field);
-        CHECK(exact > 1.15 * field.cost(before));
+        CHECK(exact > 1.15 * field.cost(inFront));
     }
 }
 
-TEST_CASE("who follows the direction step by step comes to the place by nearly the shortest way") {
+TEST_CASE("following the guidance leads to the place by nearly the shortest path") {
     Environment environment = squareWorld(32.0);
     REQUIRE(environment.addObstacle(rectangle(-3, -12, 3, 10)).ok());
     const std::vector<Shape> walls = {{{{-3, -12}, {3, -12}, {3, 10}, {-3, 10}}}};
@@ -261,14 +261,14 @@ TEST_CASE("who follows the direction step by step comes to the place by nearly t
     scene.places = {{20, -4}, {6, 2}, {4.5, -11.5}};
     for (std::int32_t j = 0; j < 3; ++j) {
         Vec2 at{-20, 3};
-        SteeringTarget memory;
+        SteeringTarget target;
         double walked = 0.0;
         const GeodesicOracle oracle(walls, 0.25, scene.places[j]);
         const double truth = oracle.cost(at);
         for (int k = 0; k < 4000 && distance(at, scene.places[j]) > 0.1; ++k) {
             scene.step();
-            const Guidance way = scene.geodesics.guidance(at, j, memory);
-            const Vec2 next = scene.environment.projectToFreeSpace(at + way.direction * 0.05, 0.25);
+            const Guidance guidance = scene.geodesics.guidance(at, j, target);
+            const Vec2 next = scene.environment.projectToFreeSpace(at + guidance.direction * 0.05, 0.25);
             walked += distance(at, next);
             at = next;
         }
@@ -277,7 +277,7 @@ TEST_CASE("who follows the direction step by step comes to the place by nearly t
     }
 }
 
-TEST_CASE("what was saved goes on bit for bit") {
+TEST_CASE("a saved oracle continues bit for bit") {
     Environment environment = squareWorld(20.0);
     REQUIRE(environment.addObstacle(rectangle(-4, -5, 4, 5)).ok());
     Scene scene(std::move(environment));
@@ -287,7 +287,7 @@ TEST_CASE("what was saved goes on bit for bit") {
         scene.places.push_back(freeSpot(scene.environment, random, 9.0));
         from.push_back(freeSpot(scene.environment, random, 15.0));
     }
-    const auto ask = [&](const Geodesics& geodesics) {
+    const auto query = [&](const Geodesics& geodesics) {
         std::vector<float> costs;
         for (std::size_t j = 0; j < scene.places.size(); ++j)
             for (const Vec2 p : from) costs.push_back(geodesics.cost(p, static_cast<std::int32_t>(j)));
@@ -295,7 +295,7 @@ TEST_CASE("what was saved goes on bit for bit") {
     };
     for (int k = 0; k < 25; ++k) {
         scene.step();
-        (void)ask(scene.geodesics);
+        (void)query(scene.geodesics);
     }
     Writer writer;
     scene.geodesics.save(writer);
@@ -305,8 +305,8 @@ TEST_CASE("what was saved goes on bit for bit") {
     for (int k = 0; k < 30; ++k) {
         for (Vec2& place : scene.places) place += Vec2{0.01, 0.005};
         scene.step();
-        copy.update(scene.ground, scene.excess, scene.places, scene.pool);
-        REQUIRE(ask(copy) == ask(scene.geodesics));
+        copy.update(scene.ground, scene.dynamicCost, scene.places, scene.pool);
+        REQUIRE(query(copy) == query(scene.geodesics));
     }
     Reader cut(std::span(writer.bytes()).first(writer.bytes().size() / 2));
     CHECK_FALSE(Geodesics().load(cut));

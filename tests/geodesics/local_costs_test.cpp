@@ -1,4 +1,4 @@
-// Costs read from windows.
+// Costs read from local fields, against the visibility graph.
 #include <doctest.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "cost/ground_scene.h"
 #include "eikonal/geodesic_oracle.h"
-#include "geodesics/window_costs.h"
+#include "geodesics/local_costs.h"
 
 using namespace muster;
 using namespace muster::test;
@@ -17,7 +17,7 @@ namespace {
 struct Scene {
     Environment environment = squareWorld(16.0);
     StaticGround ground;
-    DynamicCost excess;
+    DynamicCost dynamicCost;
     ThreadPool pool{1};
     std::vector<Vec2> places;
 
@@ -26,7 +26,7 @@ struct Scene {
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
         DensityField density(environment.def().box, {});
-        excess.update({}, environment, density, 0.25);
+        dynamicCost.update({}, environment, density, 0.25);
     }
     const GroundLevel& level(bool wide) const { return wide ? ground.middle() : ground.fineLevel(); }
 };
@@ -35,19 +35,19 @@ const std::vector<Shape> kBlock = {{{{-3, -4}, {3, -4}, {3, 4}, {-3, 4}}}};
 
 }  // namespace
 
-TEST_CASE("ways round a block, by windows of either size, are the exact ones") {
+TEST_CASE("costs around a block, by local fields of either size, are nearly exact") {
     for (const bool wide : {false, true}) {
         CAPTURE(wide);
         Scene scene;
         Random random(3);
         const double reach = wide ? 6.0 : 2.5;
         for (int j = 0; j < 60; ++j) scene.places.push_back(freeSpot(scene.environment, random, 6.0));
-        WindowCosts costs({512, wide ? 18 : 16});
-        costs.beginStep(scene.ground, scene.level(wide), scene.excess, scene.places);
-        for (int j = 0; j < 60; ++j) costs.ask(j, false);
-        costs.findStencils(false);
-        costs.build(512, scene.pool);
-        costs.findStencils(true);
+        LocalCosts costs({512, wide ? 18 : 16});
+        costs.beginStep(scene.ground, scene.level(wide), scene.dynamicCost, scene.places);
+        for (int j = 0; j < 60; ++j) costs.request(j, false);
+        costs.updateLandmarks(false);
+        costs.solveRequested(512, scene.pool);
+        costs.updateLandmarks(true);
         std::vector<double> errors;
         for (int j = 0; j < 60; ++j) {
             REQUIRE(costs.known(j));
@@ -58,41 +58,41 @@ TEST_CASE("ways round a block, by windows of either size, are the exact ones") {
                 if (!(scene.environment.distanceToObstacle(p) >= 0.27) ||
                     scene.ground.lineOfSight(p, scene.places[j]))
                     continue;
-                REQUIRE(costs.reaches(p, j));
+                REQUIRE(costs.covers(p, j));
                 const double line = distance(p, scene.places[j]);
                 const double known = costs.cost(p, j, line);
-                if (!std::isfinite(known)) continue;  // The way leaves the window.
+                if (!std::isfinite(known)) continue;  // The path leaves the local field.
                 REQUIRE(known >= line);
                 errors.push_back(std::fabs(known - oracle.cost(p)) / oracle.cost(p));
             }
         }
         REQUIRE(errors.size() > 20);
         std::sort(errors.begin(), errors.end());
-        MESSAGE("bent: " << errors.size() << ", median " << errors[errors.size() / 2] << ", worst "
-                         << errors.back());
+        MESSAGE("hidden: " << errors.size() << ", median " << errors[errors.size() / 2] << ", worst "
+                           << errors.back());
         CHECK(errors[errors.size() / 2] < (wide ? 0.02 : 0.01));
         CHECK(errors.back() < 0.06);
     }
 }
 
-TEST_CASE("what was not asked for is not known, and owners are served first") {
+TEST_CASE("places without a request are unknown, and requests for assignees are served first") {
     Scene scene;
     scene.places = {{-5.0, 0.0}, {5.0, 0.0}};
-    WindowCosts costs({64, 16});
-    costs.beginStep(scene.ground, scene.level(false), scene.excess, scene.places);
+    LocalCosts costs({64, 16});
+    costs.beginStep(scene.ground, scene.level(false), scene.dynamicCost, scene.places);
     CHECK(std::isinf(costs.cost({-5.0, 2.0}, 0, 2.0)));
-    costs.ask(0, false);
-    costs.ask(1, true);
-    costs.findStencils(false);
-    costs.build(1, scene.pool);
-    costs.findStencils(true);
+    costs.request(0, false);
+    costs.request(1, true);
+    costs.updateLandmarks(false);
+    costs.solveRequested(1, scene.pool);
+    costs.updateLandmarks(true);
     CHECK_FALSE(costs.known(0));
     CHECK(costs.known(1));
-    costs.build(1, scene.pool);
-    costs.findStencils(true);
+    costs.solveRequested(1, scene.pool);
+    costs.updateLandmarks(true);
     CHECK(costs.known(0));
-    // Nobody asks any more: after a while the windows are not looked for.
-    for (int k = 0; k < 70; ++k) costs.findStencils(true);
-    CHECK_FALSE(costs.asked(0));
+    // A request that is not repeated expires.
+    for (int k = 0; k < 70; ++k) costs.updateLandmarks(true);
+    CHECK_FALSE(costs.requested(0));
     CHECK_FALSE(costs.known(0));
 }

@@ -1,5 +1,5 @@
-// Ways over ground of two speeds, against the law of refraction.
-#include "geodesics/slow_way.h"
+// Refracted paths over ground of two unit costs, against the law of refraction.
+#include "geodesics/refracted_path.h"
 
 #include <doctest.h>
 
@@ -13,8 +13,8 @@ using namespace muster::test;
 
 namespace {
 
-// The cheapest way from (x < 0, unit 1) to (x > 0, `unit` a metre) over the line x = 0: the best of fine
-// steps along it.
+// Cost of the cheapest path from x < 0 with unit cost 1 to x > 0 with unit cost `unit`, by sampling the
+// border x = 0.
 double refracted(Vec2 a, Vec2 b, double unit) {
     double best = 1e300;
     const double low = std::min(a.y, b.y) - 1.0;
@@ -26,48 +26,48 @@ double refracted(Vec2 a, Vec2 b, double unit) {
 
 }  // namespace
 
-TEST_CASE("ways into slow ground are refracted where it begins") {
+TEST_CASE("paths into slow ground are refracted at its border") {
     Environment environment = squareWorld(16.0);
     REQUIRE(environment.addPatch(slowBox(0.0, -16.0, 16.0, 16.0, 0.25)).ok());
     const StaticGround ground = groundOf(environment);
     Random random(5);
-    double off = 0.0;
-    double straightOff = 0.0;
-    double whole = 0.0;
+    double error = 0.0;
+    double straightError = 0.0;
+    double total = 0.0;
     for (int k = 0; k < 600; ++k) {
         const Vec2 a{random.uniform(-3.0, -0.1), random.uniform(-3, 3)};
         const Vec2 b{random.uniform(0.1, 3.0), random.uniform(-3, 3)};
         const double exact = refracted(a, b, 4.0);
-        const SlowWay way = slowWay(ground, a, b);
-        // Cells tell the border to within half of theirs.
-        REQUIRE(way.cost > exact - 0.5);
-        off += std::fabs(way.cost - exact);
-        straightOff += std::fabs(ground.lineCost(a, b) - exact);
-        whole += exact;
-        // Back it is the same way.
-        REQUIRE(slowWay(ground, b, a).cost == doctest::Approx(way.cost).epsilon(0.08));
+        const RefractedPath path = refractedPath(ground, a, b);
+        // Cells locate the border to within half a cell.
+        REQUIRE(path.cost > exact - 0.5);
+        error += std::fabs(path.cost - exact);
+        straightError += std::fabs(ground.lineCost(a, b) - exact);
+        total += exact;
+        // The path back costs the same.
+        REQUIRE(refractedPath(ground, b, a).cost == doctest::Approx(path.cost).epsilon(0.08));
     }
-    CAPTURE(off / whole);
-    CAPTURE(straightOff / whole);
-    CHECK(off < 0.04 * whole);
-    CHECK(off < 0.4 * straightOff);
+    CAPTURE(error / total);
+    CAPTURE(straightError / total);
+    CHECK(error < 0.04 * total);
+    CHECK(error < 0.4 * straightError);
 }
 
-TEST_CASE("on ground of one speed the way is the line") {
+TEST_CASE("on uniform ground the path is the straight line") {
     Environment environment = squareWorld(16.0);
     REQUIRE(environment.addPatch(slowBox(0.0, -16.0, 16.0, 16.0, 0.25)).ok());
     const StaticGround ground = groundOf(environment);
-    const SlowWay fast = slowWay(ground, {-5, -2}, {-1, 1});
+    const RefractedPath fast = refractedPath(ground, {-5, -2}, {-1, 1});
     CHECK(fast.cost == doctest::Approx(5.0));
-    CHECK(fast.aim == Vec2{-1, 1});
-    const SlowWay slow = slowWay(ground, {5, -2}, {1, 1});
+    CHECK(fast.firstVertex == Vec2{-1, 1});
+    const RefractedPath slow = refractedPath(ground, {5, -2}, {1, 1});
     CHECK(slow.cost == doctest::Approx(20.0));
-    CHECK(slow.aim == Vec2{1, 1});
+    CHECK(slow.firstVertex == Vec2{1, 1});
 }
 
-TEST_CASE("no way over slow ground is bent through a wall") {
+TEST_CASE("no refracted path leads through a wall") {
     Environment environment = squareWorld(16.0);
-    // The slow lane lies between walls.
+    // The slow corridor lies between walls.
     REQUIRE(environment.addPatch(slowBox(0.0, -1.0, 8.0, 1.0, 0.2)).ok());
     REQUIRE(environment.addObstacle(rectangle(-4, 1, 12, 2)).ok());
     REQUIRE(environment.addObstacle(rectangle(-4, -2, 12, -1)).ok());
@@ -75,10 +75,10 @@ TEST_CASE("no way over slow ground is bent through a wall") {
     CHECK(ground.collisionFree({-3, 0}, {6, 0}));
     CHECK_FALSE(ground.lineOfSight({-3, 0}, {6, 0}));
     CHECK_FALSE(ground.collisionFree({-3, 0}, {-3, 3}));
-    CHECK(slowWay(ground, {-3, 0}, {6, 0}).cost > 3.0 + 5.0 * 6.0 - 1.5);
+    CHECK(refractedPath(ground, {-3, 0}, {6, 0}).cost > 3.0 + 5.0 * 6.0 - 1.5);
 }
 
-TEST_CASE("clear lines are those without a wall, whatever the ground") {
+TEST_CASE("collision-free lines are those without a wall, whatever the ground costs") {
     Environment bare = squareWorld(16.0);
     Environment patched = squareWorld(16.0);
     Random random(5);
