@@ -4,7 +4,7 @@
 
 #include "base/maths.h"
 #include "eikonal/eikonal_solver.h"
-#include "planning/exact/ground_regions.h"
+#include "planning/exact/connected_regions.h"
 #include "scale/judge.h"
 #include "scale/sparse_assignment.h"
 
@@ -46,7 +46,7 @@ private:
     const Committed& plan_;
     ThreadPool& pool_;
     std::vector<Worker> workers_;
-    GroundRegions regions_;
+    ConnectedRegions regions_;
     std::vector<Vec2> standing_;
     std::vector<std::int32_t> region_;    // Of characters.
     std::vector<std::int32_t> byX_;       // Characters from left to right.
@@ -61,7 +61,7 @@ private:
 void Judgement::prepare() {
     regions_.label(cost_);
     for (std::size_t i = 0; i < plan_.characters.size(); ++i) {
-        standing_.push_back(regions_.standing(plan_.characters[i]));
+        standing_.push_back(regions_.nearestFreePoint(plan_.characters[i]));
         region_.push_back(regions_.at(standing_.back()));
         byX_.push_back(static_cast<std::int32_t>(i));
         if (plan_.placeOf[i] < 0) continue;

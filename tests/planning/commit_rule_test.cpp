@@ -17,13 +17,13 @@ std::vector<Flow> flowsOf(const std::vector<std::int32_t>& places) {
     return flows;
 }
 
-std::vector<std::int32_t> chosen(const PlanDef& def, std::int32_t places, const std::vector<double>& cost,
+std::vector<std::int32_t> commit(const PlanDef& def, std::int32_t places, const std::vector<double>& cost,
                                  const std::vector<std::int32_t>& incumbent,
-                                 const std::vector<std::int32_t>& best) {
+                                 const std::vector<std::int32_t>& optimal) {
     CommitRule rule;
     std::vector<Flow> committed;
     const auto characters = static_cast<std::int32_t>(incumbent.size());
-    rule.choose(def, characters, places, cost, flowsOf(incumbent), flowsOf(best), committed);
+    rule.choose(def, characters, places, cost, flowsOf(incumbent), flowsOf(optimal), committed);
     std::vector<std::int32_t> result(incumbent.size(), -1);
     for (const Flow& flow : committed) result[flow.character] = flow.place;
     return result;
@@ -40,48 +40,48 @@ using Places = std::vector<std::int32_t>;
 
 }  // namespace
 
-TEST_CASE("each cycle is taken or left on its own gain") {
+TEST_CASE("each cycle is committed by its own gain") {
     // Characters 0 and 1 gain 4 by exchanging, characters 2 and 3 gain 0.05.
     const std::vector<double> cost = {3, 1, 9, 9, 1, 3, 9, 9, 9, 9, 1.025, 1, 9, 9, 1, 1.025};
     const Places incumbent = {0, 1, 2, 3};
     const Places best = {1, 0, 3, 2};
-    CHECK(chosen(withThreshold(0.1, 0.0), 4, cost, incumbent, best) == Places{1, 0, 2, 3});
-    CHECK(chosen(withThreshold(0.0, 0.0), 4, cost, incumbent, best) == best);
-    CHECK(chosen(withThreshold(5.0, 0.0), 4, cost, incumbent, best) == incumbent);
+    CHECK(commit(withThreshold(0.1, 0.0), 4, cost, incumbent, best) == Places{1, 0, 2, 3});
+    CHECK(commit(withThreshold(0.0, 0.0), 4, cost, incumbent, best) == best);
+    CHECK(commit(withThreshold(5.0, 0.0), 4, cost, incumbent, best) == incumbent);
 }
 
-TEST_CASE("the share is of the objective of those concerned") {
+TEST_CASE("the threshold share is of the objective of the characters concerned") {
     // The exchange takes the pair from 6 to 2: two thirds.
     const std::vector<double> cost = {3, 1, 99, 1, 3, 99, 99, 99, 50};
     const Places incumbent = {0, 1, 2};
     const Places best = {1, 0, 2};
-    CHECK(chosen(withThreshold(0.0, 0.6), 3, cost, incumbent, best) == best);
-    CHECK(chosen(withThreshold(0.0, 0.7), 3, cost, incumbent, best) == incumbent);
+    CHECK(commit(withThreshold(0.0, 0.6), 3, cost, incumbent, best) == best);
+    CHECK(commit(withThreshold(0.0, 0.7), 3, cost, incumbent, best) == incumbent);
 }
 
 TEST_CASE("a tie keeps the incumbents") {
     const std::vector<double> cost = {1, 1, 1, 1};
-    CHECK(chosen(withThreshold(0.0, 0.0), 2, cost, {1, 0}, {0, 1}) == Places{1, 0});
+    CHECK(commit(withThreshold(0.0, 0.0), 2, cost, {1, 0}, {0, 1}) == Places{1, 0});
 }
 
-TEST_CASE("what matches one more is always taken") {
-    // A chain: character 2 has no place, character 1 must give way and move on to place 2.
+TEST_CASE("an exchange that matches one more is always committed") {
+    // A path: character 2 has no place, character 1 must make room for it and move to place 2.
     const std::vector<double> cost = {1, 99, 99, 99, 1, 50, 99, 1, 99};
-    CHECK(chosen(withThreshold(1e6, 1.0), 3, cost, {0, 1, -1}, {0, 2, 1}) == Places{0, 2, 1});
+    CHECK(commit(withThreshold(1e6, 1.0), 3, cost, {0, 1, -1}, {0, 2, 1}) == Places{0, 2, 1});
 }
 
-TEST_CASE("chains without one more are taken for their gain only") {
-    // Character 0 changes to the unused place 1.
+TEST_CASE("paths that match no more are committed for their gain only") {
+    // Character 0 moves to the unused place 1.
     const std::vector<double> move = {5, 3};
-    CHECK(chosen(withThreshold(1.0, 0.0), 2, move, {0}, {1}) == Places{1});
-    CHECK(chosen(withThreshold(3.0, 0.0), 2, move, {0}, {1}) == Places{0});
+    CHECK(commit(withThreshold(1.0, 0.0), 2, move, {0}, {1}) == Places{1});
+    CHECK(commit(withThreshold(3.0, 0.0), 2, move, {0}, {1}) == Places{0});
     // Character 1, unmatched, would take over the place of character 0.
     const std::vector<double> takeOver = {5, 3};
-    CHECK(chosen(withThreshold(1.0, 0.0), 1, takeOver, {0, -1}, {-1, 0}) == Places{-1, 0});
-    CHECK(chosen(withThreshold(3.0, 0.0), 1, takeOver, {0, -1}, {-1, 0}) == Places{0, -1});
+    CHECK(commit(withThreshold(1.0, 0.0), 1, takeOver, {0, -1}, {-1, 0}) == Places{-1, 0});
+    CHECK(commit(withThreshold(3.0, 0.0), 1, takeOver, {0, -1}, {-1, 0}) == Places{0, -1});
 }
 
-TEST_CASE("fractional flows: pieces that touch stay together") {
+TEST_CASE("fractional flows that share a character or place are one exchange") {
     const std::vector<Flow> incumbent = {{0, 0, 1.0}, {1, 1, 1.0}};
     const std::vector<Flow> best = {{0, 0, 0.5}, {0, 1, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}};
     const std::vector<double> cost = {4, 2, 2, 4};
@@ -124,7 +124,7 @@ TEST_CASE(
         }
         CHECK(amount == solution.amount);
         CHECK(cost >= solution.cost);
-        // At most half as many pieces as characters and places were left, each for no more than the
+        // At most half as many exchanges as characters and places were dropped, each for no more than the
         // threshold.
         CHECK(cost - solution.cost <= threshold * 0.5 * (rows + columns));
         if (threshold == 0.0) CHECK(cost == solution.cost);

@@ -31,7 +31,7 @@ PlanDef definition(double exponent, double threshold) {
 OwnedInput onLine(const std::vector<double>& characters, const std::vector<double>& places,
                   const Places& incumbent) {
     OwnedInput input;
-    input.cost = muster_test::evenGround({{-8, -2}, {8, 2}}, 0.25);
+    input.cost = muster_test::uniformGround({{-8, -2}, {8, 2}}, 0.25);
     for (const double x : characters) input.characters.push_back({x, 0.0});
     for (const double x : places) input.places.push_back({x, 0.0});
     input.incumbent = incumbent;
@@ -42,7 +42,7 @@ OwnedInput onLine(const std::vector<double>& characters, const std::vector<doubl
 double bestByHand(const OwnedInput& input, double exponent) {
     std::vector<std::size_t> order(input.places.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    double best = muster_test::kNoWay;
+    double best = muster_test::kUnreachable;
     do {
         double sum = 0.0;
         for (std::size_t i = 0; i < order.size(); ++i)
@@ -54,9 +54,9 @@ double bestByHand(const OwnedInput& input, double exponent) {
 
 }  // namespace
 
-TEST_CASE("open ground: the plan is the best of all permutations of straight ways") {
+TEST_CASE("on open ground the plan is the best of all permutations of straight lines") {
     muster::Random random(2);
-    const auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    const auto ground = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
     for (const double exponent : {1.0, 2.0}) {
         for (int k = 0; k < 5; ++k) {
             const OwnedInput input = muster_test::randomInput(random, ground, 6, {{-7, -7}, {-1, 7}},
@@ -75,9 +75,9 @@ TEST_CASE("open ground: the plan is the best of all permutations of straight way
     }
 }
 
-TEST_CASE("a late arrival makes others shift inward when far ways count more") {
-    // Places from the inside to the outside; the inner one is free, the late one comes from outside (SPEC
-    // A7).
+TEST_CASE("a late arrival makes others shift inward when the exponent is above 1") {
+    // Places are numbered from the inside outward. The inner one is free; the late character comes from
+    // outside (SPEC A7).
     const OwnedInput input = onLine({1, 2, 3, 6}, {0, 1, 2, 3}, {1, 2, 3, -1});
     PlanResult result;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
@@ -86,8 +86,8 @@ TEST_CASE("a late arrival makes others shift inward when far ways count more") {
     CHECK(result.reassigned == 4);
 }
 
-TEST_CASE("a shift inward is not made for less than the threshold") {
-    // The late one already walks to the inner place: 36 against 12.
+TEST_CASE("a shift inward is not committed for less than the threshold") {
+    // The late character already walks to the inner place: 36 against 12.
     const OwnedInput input = onLine({1, 2, 3, 6}, {0, 1, 2, 3}, {1, 2, 3, 0});
     PlanResult result;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 30.0), input, result).ok());
@@ -99,11 +99,11 @@ TEST_CASE("a shift inward is not made for less than the threshold") {
     CHECK(result.gapBound == 0.0);
 }
 
-TEST_CASE("a wall makes the near place far") {
+TEST_CASE("a wall makes a near place dear") {
     OwnedInput input;
-    input.cost = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    input.cost = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
     muster_test::addWall(input.cost, {{-0.3, -6}, {0.3, 8}});
-    // Character 0 stands right across the wall from place 0, character 1 near the way round.
+    // Character 0 stands across the wall from place 0, character 1 near the end of the wall.
     input.characters = {{-1.5, 5}, {-1.5, -5}};
     input.places = {{1.5, 5}, {-1.5, 1}};
     input.noIncumbents();
@@ -111,7 +111,7 @@ TEST_CASE("a wall makes the near place far") {
     PlanDef def = definition(1.0, 0.0);
     REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, result).ok());
     CHECK(placesOf(result, 2) == Places{1, 0});
-    // Round both lower corners of the wall, which blocked cells put at (-+0.25, -6).
+    // Around both lower corners of the wall, which blocked cells put at (-+0.25, -6).
     const Vec2 left{-0.25, -6}, right{0.25, -6};
     const double expected = distance({-1.5, -5}, left) + distance(left, right) + distance(right, {1.5, 5});
     CHECK(result.cost[1] == doctest::Approx(expected).epsilon(0.03));
@@ -128,7 +128,7 @@ TEST_CASE("more characters than places, more places than characters") {
                        onLine({5, 1, 3}, {0, 2.5}, {-1, -1, -1}), result)
                 .ok());
     CHECK(placesOf(result, 3) == Places{-1, 0, 1});
-    CHECK(result.cost[0] == muster_test::kNoWay);
+    CHECK(result.cost[0] == muster_test::kUnreachable);
     REQUIRE(
         planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), onLine({1}, {0, 2.5, 1.25}, {-1}), result)
             .ok());
@@ -140,12 +140,12 @@ TEST_CASE("more characters than places, more places than characters") {
     }
 }
 
-TEST_CASE("an unusable place is given up, one that cannot be reached too") {
+TEST_CASE("unusable and unreachable places are given up") {
     OwnedInput input = onLine({1, 2}, {1, 2, 5}, {0, 1});
     input.usable = {0, 1, 1};
     PlanResult result;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 1e6), input, result).ok());
-    // Squared, two short steps beat a long one; the piece matches one more, so no threshold holds it back.
+    // Squared, two short steps beat a long one; the exchange matches one more, so that no threshold applies.
     CHECK(placesOf(result, 2) == Places{1, 2});
     CHECK(result.gapBound == 0.0);
 
@@ -158,7 +158,7 @@ TEST_CASE("an unusable place is given up, one that cannot be reached too") {
     CHECK(placesOf(result, 2) == Places{-1, 1});
 }
 
-TEST_CASE("kept places stay, however dear") {
+TEST_CASE("without reassignment places stay, however dear") {
     OwnedInput input = onLine({1, 2, 4}, {2, 1}, {0, 1, -1});
     PlanDef def = definition(2.0, 0.0);
     def.reassign = false;
@@ -184,9 +184,9 @@ TEST_CASE("supplies other than one are split over places") {
     CHECK(placesOf(result, 2) == Places{0, 1});
 }
 
-TEST_CASE("fronts that stop early give the same optimum as fronts over all the ground") {
+TEST_CASE("limited fronts give the same optimum as unlimited ones") {
     muster::Random random(77);
-    auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    auto ground = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
     muster_test::addWall(ground, {{-0.5, -5}, {0.5, 6}});
     int changes = 0;
     for (int k = 0; k < 40; ++k) {
@@ -194,9 +194,9 @@ TEST_CASE("fronts that stop early give the same optimum as fronts over all the g
                                                     {{-7, -7}, {7, 7}});
         PlanResult wide, narrow;
         const PlanDef def = definition(k % 2 ? 2.0 : 1.0, 0.0);
-        // Without incumbents every front goes to everybody.
+        // Without incumbents every front is unlimited.
         REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
-        // Incumbents: the optimum of a moment ago, after everybody has moved a little, or anything.
+        // Incumbents are the optimum before everybody moved a little, or random.
         input.incumbent = placesOf(wide, 14);
         if (k % 4 == 0)
             std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
@@ -214,7 +214,7 @@ TEST_CASE("fronts that stop early give the same optimum as fronts over all the g
 
 TEST_CASE("slices and threads change nothing") {
     muster::Random random(8);
-    auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    auto ground = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
     muster_test::addWall(ground, {{-1, -6}, {1, 6}});
     const OwnedInput input = muster_test::randomInput(random, ground, 12, {{-7, -7}, {-2, 7}},
                                                       {{2, -7}, {7, 7}});
@@ -245,10 +245,10 @@ TEST_CASE("inputs are frozen by start") {
     muster::ThreadPool pool(1);
     REQUIRE(plan->finish(pool, result).ok());
     CHECK(placesOf(result, 2) == Places{1, 0});
-    // The front stops soon after it has met both characters.
-    CHECK(plan->costAt(0, {-6, 0}) == muster_test::kNoWay);
+    // The front stops soon after it has reached both characters.
+    CHECK(plan->costAt(0, {-6, 0}) == muster_test::kUnreachable);
     CHECK(plan->costAt(0, {1.5, 0}) == doctest::Approx(0.5).epsilon(0.02));
-    CHECK(plan->costAt(7, {1.5, 0}) == muster_test::kNoWay);
+    CHECK(plan->costAt(7, {1.5, 0}) == muster_test::kUnreachable);
 }
 
 TEST_CASE("bad input is refused by name and changes nothing") {
@@ -286,17 +286,17 @@ TEST_CASE("bad input is refused by name and changes nothing") {
     CHECK(plan->finish(pool, result).message() == "no plan is under way");
 }
 
-TEST_CASE("a place whose holder is cut off goes to somebody else at once") {
-    // The holder is a step away behind a wall, the other far off.
+TEST_CASE("a place whose incumbent is cut off goes to another character at once") {
+    // The incumbent is near but behind a wall, the other character far away.
     OwnedInput input = onLine({-2.5, 14}, {1}, {0, -1});
-    input.cost = muster_test::evenGround({{-16, -2}, {16, 2}}, 0.25);
+    input.cost = muster_test::uniformGround({{-16, -2}, {16, 2}}, 0.25);
     muster_test::addWall(input.cost, {{-1.5, -2}, {-0.5, 2}});
     PlanResult result;
     REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
     CHECK(placesOf(result, 2) == Places{-1, 0});
 }
 
-TEST_CASE("kept places that nobody may take are not kept") {
+TEST_CASE("without reassignment unusable places are given up") {
     OwnedInput input = onLine({1, 2}, {1, 2}, {0, 1});
     input.usable = {0, 1};
     PlanDef def = definition(2.0, 0.0);
@@ -306,10 +306,10 @@ TEST_CASE("kept places that nobody may take are not kept") {
     CHECK(placesOf(result, 2) == Places{-1, 1});
 }
 
-TEST_CASE("the unmatched wait at the nearest place they can come to, and its field reaches them") {
+TEST_CASE("the unmatched wait at the nearest place in their region, and its field reaches them") {
     OwnedInput input = onLine({1, 2, 12, -6}, {1, 2, 4}, {0, 1, -1, -1});
     input.usable = {1, 1, 0};
-    input.cost = muster_test::evenGround({{-16, -2}, {16, 2}}, 0.25);
+    input.cost = muster_test::uniformGround({{-16, -2}, {16, 2}}, 0.25);
     muster_test::addWall(input.cost, {{-3.5, -2}, {-2.5, 2}});
     const auto plan = muster::makeExactPlan();
     PlanResult result;

@@ -17,12 +17,11 @@ using namespace muster::test;
 
 namespace {
 
-// A crowd that walks to places that move, round a block; no density, so that the exact plan has the same
-// costs.
+// A crowd walks around a block to places that move. Without density the exact plan has the same costs.
 struct Walk {
     Environment environment = squareWorld(24.0);
     StaticGround ground;
-    DynamicCost excess;
+    DynamicCost dynamicCost;
     DensityField density;
     UnitCost cost;
     std::vector<Vec2> characters;
@@ -36,7 +35,7 @@ struct Walk {
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
         density = DensityField(environment.def().box, {});
-        excess.update({}, environment, density, 0.25);
+        dynamicCost.update({}, environment, density, 0.25);
         UnitCostBuilder builder;
         builder.build({}, environment, density, 0.25, cost);
         Random random(seed);
@@ -56,7 +55,7 @@ struct Walk {
         in.incumbent = incumbent;
         in.unitCost = &cost;
         in.ground = &ground;
-        in.dynamicCost = &excess;
+        in.dynamicCost = &dynamicCost;
         return in;
     }
     PlanResult plan(Plan& plan, ThreadPool& pool) const {
@@ -69,17 +68,17 @@ struct Walk {
         std::fill(incumbent.begin(), incumbent.end(), -1);
         for (const Flow& flow : result.flows) incumbent[flow.character] = flow.place;
     }
-    // Everybody goes `step` metres by the plan, and is kept out of the block.
+    // Moves everybody `step` metres by the plan's guidance, outside the block.
     void walk(Plan& plan, ThreadPool& pool, double step) {
         std::vector<Vec2> direction(characters.size());
         std::vector<double> left(characters.size());
-        plan.guide({characters, incumbent, places, &environment, 1.5, &ground, &excess}, pool, direction,
+        plan.guide({characters, incumbent, places, &environment, 1.5, &ground, &dynamicCost}, pool, direction,
                    left);
         for (std::size_t i = 0; i < characters.size(); ++i)
             characters[i] = environment.projectToFreeSpace(
                 characters[i] + direction[i] * std::min(step, left[i]), 0.25);
     }
-    // Objective of what is held, and the optimum, both by the exact plan.
+    // Duality gap of the incumbents, relative to the optimum, by the exact plan.
     double gap(ThreadPool& pool) const {
         const auto judge = makeExactPlan();
         PlanDef keep = def;
@@ -94,13 +93,13 @@ struct Walk {
 
 }  // namespace
 
-TEST_CASE("the fast plan stays near the optimum while a crowd walks round a block") {
+TEST_CASE("the fast plan stays near the optimum while a crowd walks around a block") {
     Walk scene(144, {-12, -1}, {11, 2}, 3);
     const auto plan = makeFastPlan();
     ThreadPool pool(2);
     double worst = 0.0;
     double sum = 0.0;
-    int looks = 0;
+    int samples = 0;
     for (int step = 0; step < 600; ++step) {
         scene.take(scene.plan(*plan, pool));
         scene.walk(*plan, pool, 0.05);
@@ -109,18 +108,18 @@ TEST_CASE("the fast plan stays near the optimum while a crowd walks round a bloc
         const double gap = scene.gap(pool);
         worst = std::max(worst, gap);
         sum += gap;
-        ++looks;
+        ++samples;
     }
-    MESSAGE("gap mean " << sum / looks << ", worst " << worst);
+    MESSAGE("gap mean " << sum / samples << ", worst " << worst);
     CHECK(worst < 0.01);
-    CHECK(sum / looks < 0.005);
-    double left = 0.0;
+    CHECK(sum / samples < 0.005);
+    double farthest = 0.0;
     for (std::size_t i = 0; i < scene.characters.size(); ++i)
-        left = std::max(left, distance(scene.characters[i], scene.places[scene.incumbent[i]]));
-    CHECK(left < 0.6);
+        farthest = std::max(farthest, distance(scene.characters[i], scene.places[scene.incumbent[i]]));
+    CHECK(farthest < 0.6);
 }
 
-TEST_CASE("the first plan takes every place once and reports what it costs") {
+TEST_CASE("the first plan takes every place once and reports its costs") {
     Walk scene(100, {-12, 0}, {12, 0}, 5);
     const auto fast = makeFastPlan();
     const auto exact = makeExactPlan();
@@ -135,8 +134,8 @@ TEST_CASE("the first plan takes every place once and reports what it costs") {
     for (const double c : a.cost) sum += c * c;
     CHECK(a.objective == doctest::Approx(sum));
     CHECK(a.reassigned == 100);
-    // By the exact costs what it took is near the optimum; its own are longer by what the coarse ground adds
-    // at corners.
+    // By exact costs the assignment is near the optimum. The plan's own costs are higher by what the coarse
+    // ground adds at corners.
     scene.take(a);
     CHECK(scene.gap(pool) < 0.01);
     CHECK(a.objective == doctest::Approx(b.objective * (1.0 + scene.gap(pool))).epsilon(0.02));
@@ -162,54 +161,54 @@ TEST_CASE("the number of threads changes nothing") {
     }
 }
 
-TEST_CASE("room made ahead changes no plan") {
+TEST_CASE("reserved memory changes no plan") {
     Walk scene(90, {-12, 0}, {10, 3}, 5);
-    const auto roomy = makeFastPlan();
+    const auto reserved = makeFastPlan();
     const auto bare = makeFastPlan();
-    roomy->reserve(scene.characters.size(), scene.places.size(), scene.ground);
+    reserved->reserve(scene.characters.size(), scene.places.size(), scene.ground);
     ThreadPool pool(2);
-    CHECK_FALSE(roomy->pending());
-    CHECK(roomy->suits(7, 3, scene.cost.grid));  // It plans for nobody yet.
+    CHECK_FALSE(reserved->pending());
+    CHECK(reserved->suits(7, 3, scene.cost.grid));  // It has no plan yet.
     for (int step = 0; step < 40; ++step) {
         const PlanResult expected = scene.plan(*bare, pool);
-        const PlanResult result = scene.plan(*roomy, pool);
+        const PlanResult result = scene.plan(*reserved, pool);
         REQUIRE(result.cost == expected.cost);
         scene.take(expected);
         const std::vector<Vec2> before = scene.characters;
-        scene.walk(*roomy, pool, 0.05);
+        scene.walk(*reserved, pool, 0.05);
         const std::vector<Vec2> after = std::exchange(scene.characters, before);
         scene.walk(*bare, pool, 0.05);
         REQUIRE(scene.characters == after);
         Hasher one;
         Hasher other;
-        roomy->hash(one);
+        reserved->hash(one);
         bare->hash(other);
         REQUIRE(one.value() == other.value());
     }
 }
 
-TEST_CASE("work aside, with steering beside it, comes to what finish alone does") {
+TEST_CASE("background work during guidance gives the same plan as finish alone") {
     Walk scene(80, {-12, 0}, {10, 3}, 12);
-    const auto aside = makeFastPlan();
+    const auto background = makeFastPlan();
     const auto whole = makeFastPlan();
     ThreadPool pool(2);
     std::vector<Vec2> direction(80);
     std::vector<double> left(80);
     for (int step = 0; step < 60; ++step) {
         const PlanResult expected = scene.plan(*whole, pool);
-        REQUIRE(aside->start(scene.def, scene.input()).ok());
-        CHECK(aside->worksInBackground());
-        aside->advance(0, 1, pool);
-        std::thread worker([&] { aside->workInBackground(); });
-        const GuidanceInput input{scene.characters, scene.incumbent, scene.places, &scene.environment, 1.5,
-                                  &scene.ground,    &scene.excess};
-        aside->guide(input, pool, direction, left);
-        CHECK(aside->pending());
-        CHECK(aside->waitingPlace(0) >= -1);
+        REQUIRE(background->start(scene.def, scene.input()).ok());
+        CHECK(background->worksInBackground());
+        background->advance(0, 1, pool);
+        std::thread worker([&] { background->workInBackground(); });
+        const GuidanceInput input{scene.characters, scene.incumbent,   scene.places, &scene.environment, 1.5,
+                                  &scene.ground,    &scene.dynamicCost};
+        background->guide(input, pool, direction, left);
+        CHECK(background->pending());
+        CHECK(background->waitingPlace(0) >= -1);
         worker.join();
         PlanResult result;
-        REQUIRE(aside->finish(pool, result).ok());
-        CHECK_FALSE(aside->pending());
+        REQUIRE(background->finish(pool, result).ok());
+        CHECK_FALSE(background->pending());
         CHECK(result.objective == expected.objective);
         CHECK(result.cost == expected.cost);
         REQUIRE(result.flows.size() == expected.flows.size());
@@ -219,11 +218,11 @@ TEST_CASE("work aside, with steering beside it, comes to what finish alone does"
         scene.take(expected);
         scene.walk(*whole, pool, 0.05);
     }
-    aside->workInBackground();  // Nothing to do.
-    CHECK_FALSE(aside->pending());
+    background->workInBackground();  // Has nothing to do.
+    CHECK_FALSE(background->pending());
 }
 
-TEST_CASE("a saved fast plan goes on bit for bit, a broken one is refused") {
+TEST_CASE("a saved fast plan continues bit for bit, a damaged one is refused") {
     Walk scene(60, {-12, 0}, {10, 3}, 8);
     const auto plan = makeFastPlan();
     ThreadPool pool;
@@ -255,7 +254,7 @@ TEST_CASE("a saved fast plan goes on bit for bit, a broken one is refused") {
     }
 }
 
-TEST_CASE("fixed places are kept, and who has none waits beside one") {
+TEST_CASE("fixed places are kept, and the unmatched wait near a usable place") {
     Walk scene(40, {-12, 0}, {10, 3}, 9);
     for (std::size_t i = 0; i < 40; ++i) scene.incumbent[i] = static_cast<std::int32_t>(39 - i);
     scene.def.reassign = false;
@@ -282,7 +281,7 @@ TEST_CASE("fixed places are kept, and who has none waits beside one") {
     CHECK(waiting == 12);
 }
 
-TEST_CASE("what a fast plan cannot do is told") {
+TEST_CASE("inputs that a fast plan cannot serve are refused") {
     const Walk scene(20, {-12, 0}, {10, 3}, 10);
     const auto plan = makeFastPlan();
     PlanInput input = scene.input();

@@ -1,4 +1,4 @@
-// Saving in the middle of work: the restored plan goes on bit for bit.
+// Saving a pending plan: the restored plan continues bit for bit.
 #include <doctest.h>
 
 #include "environment/environment.h"
@@ -33,7 +33,7 @@ bool restore(Plan& plan, const std::vector<std::uint8_t>& bytes) {
 
 OwnedInput scene(std::uint64_t seed) {
     muster::Random random(seed);
-    auto ground = muster_test::evenGround({{-8, -8}, {8, 8}}, 0.25);
+    auto ground = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
     muster_test::addWall(ground, {{-1, -6}, {1, 6}});
     OwnedInput input = muster_test::randomInput(random, ground, 9, {{-7, -7}, {-2, 7}}, {{2, -7}, {7, 7}});
     for (std::size_t i = 0; i < input.incumbent.size(); ++i)
@@ -61,7 +61,7 @@ void checkSame(Plan& a, Plan& b, const OwnedInput& input) {
 
 }  // namespace
 
-TEST_CASE("save in the middle of pending work, load, go on: equal") {
+TEST_CASE("a plan saved in the middle of its work continues equally") {
     muster::ThreadPool pool(1);
     for (std::int32_t stop = 0; stop <= kSlices; ++stop) {
         CAPTURE(stop);
@@ -97,7 +97,7 @@ TEST_CASE("save in the middle of pending work, load, go on: equal") {
     }
 }
 
-TEST_CASE("an empty plan saves and loads; a used one becomes empty by it") {
+TEST_CASE("an empty plan saves and loads, and loading it empties a used plan") {
     const auto empty = muster::makeExactPlan();
     const auto used = muster::makeExactPlan();
     PlanResult result;
@@ -105,7 +105,7 @@ TEST_CASE("an empty plan saves and loads; a used one becomes empty by it") {
     CHECK(hashed(*used) != hashed(*empty));
     REQUIRE(restore(*used, saved(*empty)));
     CHECK(hashed(*used) == hashed(*empty));
-    CHECK(used->costAt(0, {3, 3}) == muster_test::kNoWay);
+    CHECK(used->costAt(0, {3, 3}) == muster_test::kUnreachable);
 }
 
 TEST_CASE("the hash follows inputs and progress") {
@@ -126,13 +126,13 @@ TEST_CASE("the hash follows inputs and progress") {
     CHECK(hashed(*a) != hashed(*b));
 }
 
-TEST_CASE("torn and damaged snapshots are refused") {
+TEST_CASE("truncated and damaged snapshots are refused") {
     const auto plan = muster::makeExactPlan();
     PlanResult result;
     REQUIRE(muster_test::planAtOnce(*plan, {}, scene(1), result).ok());
     REQUIRE(plan->start({}, scene(2).view()).ok());
     const std::vector<std::uint8_t> bytes = saved(*plan);
-    // A fifth of the raw size of two grids: runs of equal cells are packed.
+    // A fifth of the raw size of two grids, since runs of equal cells are packed.
     CHECK(bytes.size() < 2 * 64 * 64 * 16 / 5);
     const auto other = muster::makeExactPlan();
     for (std::size_t size = 0; size < bytes.size(); size += 97)
@@ -143,7 +143,7 @@ TEST_CASE("torn and damaged snapshots are refused") {
         std::vector<std::uint8_t> damaged = bytes;
         damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] ^= static_cast<std::uint8_t>(
             1u << random.below(8));
-        // Never a crash; where the damage is a plausible value it is the checksum's business.
+        // Damage never crashes; plausible damaged values are left to the snapshot's checksum.
         restore(*other, damaged);
     }
 }

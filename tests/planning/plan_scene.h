@@ -11,10 +11,10 @@
 
 namespace muster_test {
 
-inline constexpr double kNoWay = std::numeric_limits<double>::infinity();
+inline constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
-/// Even ground: cost 1 per metre, no walls.
-inline muster::UnitCost evenGround(muster::Box box, double cell) {
+/// Uniform ground: unit cost 1, no walls.
+inline muster::UnitCost uniformGround(muster::Box box, double cell) {
     muster::UnitCost cost;
     cost.grid = muster::Grid::covering(box, cell);
     cost.cells.assign(static_cast<std::size_t>(cost.grid.count()), {});
@@ -36,7 +36,7 @@ inline void addWall(muster::UnitCost& cost, muster::Box box) {
     }
 }
 
-/// Inputs that own their numbers.
+/// Plan inputs that own their data.
 struct OwnedInput {
     std::vector<muster::Vec2> characters;
     std::vector<double> supply;
@@ -47,7 +47,7 @@ struct OwnedInput {
     muster::UnitCost cost;
 
     muster::PlanInput view() const { return {characters, supply, places, demand, usable, incumbent, &cost}; }
-    /// Nobody has a place yet.
+    /// Makes everybody unmatched.
     void noIncumbents() { incumbent.assign(characters.size(), -1); }
 };
 

@@ -5,82 +5,84 @@
 
 namespace muster {
 
+// With path halving.
 std::int32_t CommitRule::find(std::int32_t node) {
     while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
     return node;
 }
 
-void CommitRule::join(std::int32_t a, std::int32_t b) {
+void CommitRule::unite(std::int32_t a, std::int32_t b) {
     a = find(a);
     b = find(b);
     if (a != b) parent_[std::max(a, b)] = std::min(a, b);
 }
 
-// Calls visit(flow, incumbent amount, best amount) for every pair in either list, in order.
+// Merges the lists: calls visit(flow, incumbent amount, optimal amount) for every pair in either, in order.
 template <class Visit>
-void CommitRule::merge(std::span<const Flow> incumbent, std::span<const Flow> best, Visit visit) const {
+void CommitRule::forEachPair(std::span<const Flow> incumbent, std::span<const Flow> optimal,
+                             Visit visit) const {
     const auto before = [](const Flow& a, const Flow& b) {
         return a.character != b.character ? a.character < b.character : a.place < b.place;
     };
     std::size_t a = 0;
     std::size_t b = 0;
-    while (a < incumbent.size() || b < best.size()) {
-        if (b == best.size() || (a < incumbent.size() && before(incumbent[a], best[b]))) {
+    while (a < incumbent.size() || b < optimal.size()) {
+        if (b == optimal.size() || (a < incumbent.size() && before(incumbent[a], optimal[b]))) {
             visit(incumbent[a], incumbent[a].amount, 0.0);
             ++a;
-        } else if (a == incumbent.size() || before(best[b], incumbent[a])) {
-            visit(best[b], 0.0, best[b].amount);
+        } else if (a == incumbent.size() || before(optimal[b], incumbent[a])) {
+            visit(optimal[b], 0.0, optimal[b].amount);
             ++b;
         } else {
-            visit(best[b], incumbent[a].amount, best[b].amount);
+            visit(optimal[b], incumbent[a].amount, optimal[b].amount);
             ++a;
             ++b;
         }
     }
 }
 
-// Where the longest walk counts first, a piece also changes for shortening it, from its own dearest pair to
-// the dearest of the best flows.
-bool CommitRule::worthwhile(const PlanDef& def, const Piece& piece, double dearest) const {
-    const auto least = [&](double cost) {
+// With the bottleneck objective an exchange is also worthwhile for lowering its own dearest pair to the
+// bottleneck of the optimal flows.
+bool CommitRule::isWorthwhile(const PlanDef& def, const Exchange& exchange, double bottleneck) const {
+    const auto threshold = [&](double cost) {
         return std::max(def.commitThreshold, def.commitThresholdShare * cost);
     };
-    if (piece.moreMatched > dust_) return true;
-    if (def.bottleneck && piece.incumbentDearest - dearest > least(piece.incumbentDearest)) return true;
-    return piece.incumbentCost - piece.bestCost > least(piece.incumbentCost);
+    if (exchange.moreMatched > tolerance_) return true;
+    if (def.bottleneck && exchange.incumbentDearest - bottleneck > threshold(exchange.incumbentDearest))
+        return true;
+    return exchange.incumbentCost - exchange.optimalCost > threshold(exchange.incumbentCost);
 }
 
 void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_t places,
                         std::span<const double> cost, std::span<const Flow> incumbent,
-                        std::span<const Flow> best, std::vector<Flow>& committed) {
-    const auto nodes = static_cast<std::size_t>(characters) + static_cast<std::size_t>(places);
+                        std::span<const Flow> optimal, std::vector<Flow>& committed) {
+    const std::int32_t nodes = characters + places;
     parent_.resize(nodes);
-    for (std::size_t k = 0; k < nodes; ++k) parent_[k] = static_cast<std::int32_t>(k);
-    pieces_.assign(nodes, {});
-    dust_ = 0.0;
-    for (const Flow& flow : best) dust_ = std::max(dust_, 1e-9 * flow.amount);
-    const auto differ = [this](double before, double after) { return std::abs(after - before) > dust_; };
+    for (std::int32_t k = 0; k < nodes; ++k) parent_[k] = k;
+    exchanges_.assign(nodes, {});
+    tolerance_ = 0.0;
+    for (const Flow& flow : optimal) tolerance_ = std::max(tolerance_, 1e-9 * flow.amount);
+    const auto differ = [this](double before, double after) { return std::abs(after - before) > tolerance_; };
 
-    merge(incumbent, best, [&](const Flow& flow, double before, double after) {
-        if (differ(before, after)) join(flow.character, characters + flow.place);
+    forEachPair(incumbent, optimal, [&](const Flow& flow, double before, double after) {
+        if (differ(before, after)) unite(flow.character, characters + flow.place);
     });
-    double dearest = 0.0;  // Of the best flows.
-    merge(incumbent, best, [&](const Flow& flow, double before, double after) {
-        const double c = cost[static_cast<std::size_t>(flow.character) * static_cast<std::size_t>(places) +
-                              static_cast<std::size_t>(flow.place)];
-        if (after > dust_) dearest = std::max(dearest, c);
+    double bottleneck = 0.0;  // Cost of the dearest pair of the optimal flows.
+    forEachPair(incumbent, optimal, [&](const Flow& flow, double before, double after) {
+        const double c = cost[static_cast<std::size_t>(flow.character) * places + flow.place];
+        if (after > tolerance_) bottleneck = std::max(bottleneck, c);
         if (!differ(before, after)) return;
-        Piece& piece = pieces_[find(flow.character)];
-        if (before > dust_) piece.incumbentDearest = std::max(piece.incumbentDearest, c);
-        piece.moreMatched += after - before;
-        piece.incumbentCost += c * before;
-        piece.bestCost += c * after;
+        Exchange& exchange = exchanges_[find(flow.character)];
+        if (before > tolerance_) exchange.incumbentDearest = std::max(exchange.incumbentDearest, c);
+        exchange.moreMatched += after - before;
+        exchange.incumbentCost += c * before;
+        exchange.optimalCost += c * after;
     });
-    for (Piece& piece : pieces_) piece.take = worthwhile(def, piece, dearest);
+    for (Exchange& exchange : exchanges_) exchange.commit = isWorthwhile(def, exchange, bottleneck);
     committed.clear();
-    merge(incumbent, best, [&](const Flow& flow, double before, double after) {
-        const bool take = !differ(before, after) || pieces_[find(flow.character)].take;
-        const double amount = take ? after : before;
+    forEachPair(incumbent, optimal, [&](const Flow& flow, double before, double after) {
+        const bool commit = !differ(before, after) || exchanges_[find(flow.character)].commit;
+        const double amount = commit ? after : before;
         if (amount > 0.0) committed.push_back({flow.character, flow.place, amount});
     });
 }

@@ -1,4 +1,5 @@
-// Which changes of places are worth making (SPEC A1: a threshold against endless swapping).
+// Commit rule: which exchanges between the incumbent and the optimal flows are made (SPEC A1: a threshold
+// against endless swapping).
 #pragma once
 
 #include <cstdint>
@@ -9,36 +10,37 @@
 
 namespace muster {
 
-/// Compares the best flows with those of the incumbents. Where they differ, the difference falls into pieces
-/// that touch no common character or place (with units: cycles of exchanges, and chains that begin or end at
-/// an unmatched character or an unused place); each piece is taken or left as a whole. Owns its working
-/// memory.
+/// The difference between the two lists of flows falls into exchanges that share no character and no place:
+/// the connected components of the symmetric difference, found by union-find (with unit amounts: cycles, and
+/// paths that end at an unmatched character or an unused place). Each exchange is committed or dropped as a
+/// whole, so that any choice is feasible. Owns its working memory.
 class CommitRule {
 public:
     /// `cost` is characters x places, row-major, to the power of the objective, finite wherever something
     /// flows. Both lists of flows are ordered by character, then place. Writes the flows to be committed in
     /// the same order.
     void choose(const PlanDef& def, std::int32_t characters, std::int32_t places,
-                std::span<const double> cost, std::span<const Flow> incumbent, std::span<const Flow> best,
+                std::span<const double> cost, std::span<const Flow> incumbent, std::span<const Flow> optimal,
                 std::vector<Flow>& committed);
 
 private:
-    struct Piece {
-        double moreMatched = 0.0;  // Amount that the best flows send beyond the incumbents.
-        double incumbentCost = 0.0;
-        double bestCost = 0.0;
-        double incumbentDearest = 0.0;
-        bool take = false;
+    /// One component of the difference. Costs are to the power of the objective.
+    struct Exchange {
+        double moreMatched = 0.0;       // Amount that the optimal flows send beyond the incumbent ones.
+        double incumbentCost = 0.0;     // Sum over its incumbent flows.
+        double optimalCost = 0.0;       // Sum over its optimal flows.
+        double incumbentDearest = 0.0;  // Of its incumbent pairs.
+        bool commit = false;
     };
-    bool worthwhile(const PlanDef& def, const Piece& piece, double dearest) const;
+    bool isWorthwhile(const PlanDef& def, const Exchange& exchange, double bottleneck) const;
     std::int32_t find(std::int32_t node);
-    void join(std::int32_t a, std::int32_t b);
+    void unite(std::int32_t a, std::int32_t b);
     template <class Visit>
-    void merge(std::span<const Flow> incumbent, std::span<const Flow> best, Visit visit) const;
+    void forEachPair(std::span<const Flow> incumbent, std::span<const Flow> optimal, Visit visit) const;
 
-    double dust_ = 0.0;                 // Amounts that do not count.
-    std::vector<std::int32_t> parent_;  // Characters, then places.
-    std::vector<Piece> pieces_;         // At the root of each.
+    double tolerance_ = 0.0;            // Amounts up to this count as zero.
+    std::vector<std::int32_t> parent_;  // Union-find forest: characters, then places.
+    std::vector<Exchange> exchanges_;   // At the representative of each component.
 };
 
 }  // namespace muster

@@ -1,4 +1,5 @@
-// The reference plan: one cost field per place, exact assignment (SPEC A1, A2).
+// The reference plan: one cost field per place by fast marching, exact assignment (SPEC A1, A2; paper eqs. 2
+// and 5).
 #pragma once
 
 #include <cstdint>
@@ -7,12 +8,12 @@
 
 #include "assignment/dense/bottleneck_assignment.h"
 #include "planning/exact/commit_rule.h"
-#include "planning/exact/plan_generation.h"
+#include "planning/exact/frozen_plan.h"
 #include "planning/plan.h"
 
 namespace muster {
 
-/// Two generations: the pending one is being solved, the finished one steers.
+/// Double-buffered: the pending plan is being solved, the finished one guides.
 class ExactPlan final : public Plan {
 public:
     const char* name() const override { return "exact"; }
@@ -36,38 +37,44 @@ public:
     void hash(Hasher& archive) const override;
 
 private:
-    struct Heading {
-        Vec2 direction;
-        double cost;
+    /// As geodesics' Guidance, in double precision.
+    struct FieldGuidance {
+        Vec2 direction;  // Unit vector; zero where no path is known.
+        double cost;     // [m]; infinite where no path is known.
     };
 
-    Status assign(ThreadPool& pool, PlanResult& result);
-    Status solveProven(ThreadPool& pool);
-    Status solveOnce();
+    std::size_t pairIndex(std::int32_t character, std::int32_t place) const {
+        return static_cast<std::size_t>(character) * pending_.places() + place;
+    }
+    Status reassign(ThreadPool& pool, PlanResult& result);
+    Status solveProvenAssignment(ThreadPool& pool);
+    Status solveAssignment();
     void keepIncumbents(PlanResult& result);
-    void fillCosts(std::int32_t place);
+    void readCosts(std::int32_t place);
     void collectIncumbents();
     void report(PlanResult& result);
-    Heading head(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment,
-                 double direct) const;
-    Heading headUnknown(Vec2 p, const CostField* field, Vec2 placeNow, const Environment& environment) const;
-    double steerRadius() const;
+    FieldGuidance guideOne(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment,
+                           double directReach) const;
+    FieldGuidance guideOffField(Vec2 p, const CostField* field, Vec2 placeNow,
+                                const Environment& environment) const;
+    double lineRadius() const;
 
-    PlanGeneration pending_;
-    PlanGeneration finished_;
+    FrozenPlan pending_;
+    FrozenPlan finished_;
     // Working memory.
     std::vector<FieldWorker> workers_;
     TransportationSolver solver_;
     BottleneckSolver bottleneck_;
     TransportationSolution solution_;
-    CommitRule rule_;
-    std::vector<double> cost_;     // Characters x places.
-    std::vector<double> powered_;  // The same to the power of the objective.
-    std::vector<double> allowed_;  // ... where no pair may be dearer than the longest walk must be.
-    std::vector<double> demand_;
-    std::vector<double> left_;  // Demand not taken by incumbents.
-    std::vector<Flow> incumbents_;
-    std::vector<std::int32_t> unproven_;  // Places that were given to characters their fronts have not met.
+    CommitRule commitRule_;
+    std::vector<double> cost_;             // Characters x places [m].
+    std::vector<double> powered_;          // The same to the power of the objective.
+    std::vector<double> allowed_;          // The same, infinite for pairs dearer than the bottleneck.
+    std::vector<double> demand_;           // Per place.
+    std::vector<double> unclaimedDemand_;  // Per place: what incumbents do not claim.
+    std::vector<Flow> incumbents_;         // What the incumbents hold, ordered by character.
+    std::vector<std::int32_t>
+        unproven_;  // Places whose optimal flow uses a pair of which only a bound is known.
 };
 
 }  // namespace muster

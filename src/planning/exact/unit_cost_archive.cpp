@@ -6,10 +6,10 @@
 namespace muster {
 namespace {
 
-constexpr std::int64_t kMostCells = 16'000'000;  // As Environment.
-// Far beyond any real unit cost; damaged numbers outside could keep fast marching busy for ever.
-constexpr float kLeast = 1e-6f;
-constexpr float kMost = 1e9f;
+constexpr std::int64_t kMaxCells = 16'000'000;  // The limit of Environment.
+// Bounds far beyond any real unit cost; damaged values outside could keep fast marching from ending.
+constexpr float kMinCost = 1e-6f;
+constexpr float kMaxCost = 1e9f;
 
 bool sameBits(const CellCost& a, const CellCost& b) {
     return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
@@ -17,15 +17,15 @@ bool sameBits(const CellCost& a, const CellCost& b) {
 
 bool plausible(const Grid& grid) {
     return grid.width > 0 && grid.height > 0 &&
-           static_cast<std::int64_t>(grid.width) * grid.height <= kMostCells && grid.cell > 1e-4 &&
+           static_cast<std::int64_t>(grid.width) * grid.height <= kMaxCells && grid.cell > 1e-4 &&
            grid.cell < 1e4 && isFinite(grid.origin);
 }
 
-// Wall nodes must ascend and lie inside, as solvers index cells with them.
-bool plausible(const std::vector<WallNode>& nodes, std::size_t cells) {
+// Wall nodes must ascend and lie inside the grid, since solvers index cells with them.
+bool plausible(const std::vector<WallNode>& nodes, std::int64_t cells) {
     std::int64_t before = -1;
     for (const WallNode& node : nodes) {
-        if (node.cell <= before || static_cast<std::size_t>(node.cell) >= cells) return false;
+        if (node.cell <= before || node.cell >= cells) return false;
         if (!(std::fabs(node.x) <= 1.0f && std::fabs(node.y) <= 1.0f)) return false;
         if (!(std::fabs(node.normalX) <= 1.01f && std::fabs(node.normalY) <= 1.01f &&
               std::isfinite(node.unit)))
@@ -36,7 +36,7 @@ bool plausible(const std::vector<WallNode>& nodes, std::size_t cells) {
 }
 
 bool plausible(float cost) {
-    return cost >= kLeast && (cost <= kMost || std::isinf(cost));
+    return cost >= kMinCost && (cost <= kMaxCost || std::isinf(cost));
 }
 
 }  // namespace
@@ -63,8 +63,8 @@ bool loadUnitCost(Reader& archive, UnitCost& cost) {
     if (!archive.ok() || !plausible(cost.grid) || values.size() != 4 * lengths.size()) return false;
     for (const float value : values)
         if (!plausible(value)) return false;
-    const auto count = static_cast<std::size_t>(cost.grid.count());
-    std::size_t total = 0;
+    const std::int64_t count = cost.grid.count();
+    std::int64_t total = 0;
     for (const std::uint32_t length : lengths) total += length;
     if (total != count || !std::isfinite(cost.radius) || !plausible(cost.lowest)) return false;
     if (!plausible(cost.nodes, count)) return false;

@@ -1,4 +1,4 @@
-// The fast plan: near-optimal places at a cost that hardly grows with the crowd (SPEC B1).
+// The fast plan: near-optimal assignment at a cost that grows about linearly with the crowd (SPEC B1).
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 #include "assignment/dynamic/dynamic_assignment.h"
 #include "eikonal/eikonal_solver.h"
 #include "geodesics/geodesics.h"
-#include "planning/fast/fast_costs.h"
+#include "planning/fast/geodesic_cost_oracle.h"
 #include "planning/plan.h"
 
 namespace muster {
 
-/// From the positions given to start() advance() works out the costs and ways of all to their own places,
-/// which guide() uses, and workInBackground() the matching; finish() does what of these is left.
+/// advance() evaluates the guidance of all characters to their incumbent places, which guide() returns;
+/// workInBackground() updates the assignment; finish() does what of these is left.
 class FastPlan final : public Plan {
 public:
     const char* name() const override { return "fast"; }
@@ -36,58 +36,63 @@ public:
     void hash(Hasher& archive) const override;
 
 private:
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(def_, characters_, places_, usable_, incumbent_, present_, own_, way_, ownPlace_, round_,
-                pending_, matched_, assignment_, walkers_, waiting_, turn_, planned_);
+    template <class Self, class Archive>
+    static void visit(Self& self, Archive& archive) {
+        archive(self.def_, self.characters_, self.places_, self.usable_, self.incumbent_, self.connected_,
+                self.incumbentCost_, self.guidance_, self.guidedPlace_, self.guidanceRound_, self.pending_,
+                self.assigned_, self.assignment_, self.targets_, self.waitingPlace_, self.waitingCursor_,
+                self.everFinished_);
     }
     bool consistent() const;
-    bool consistentWays() const;
-    void update(ThreadPool& pool, const StaticGround& ground, const DynamicCost& excess,
-                std::span<const Vec2> places);
-    void measureOwn(ThreadPool& pool);
-    void match(ThreadPool& pool);
+    bool guidanceConsistent() const;
+    void updateGeodesics(ThreadPool& pool, const StaticGround& ground, const DynamicCost& dynamicCost,
+                         std::span<const Vec2> places);
+    void evaluateGuidance(ThreadPool& pool);
     void assign(ThreadPool& pool);
+    void assignFirst(const AssignmentInput& input, ThreadPool& pool);
+    void updateAssignment(ThreadPool& pool);
+    std::span<const std::int32_t> placeOf() const;
     void report(PlanResult& result) const;
-    void seekWaitingPlaces();
-    bool sameAsMatched() const;
+    void findWaitingPlaces();
+    std::int32_t nearestUsablePlace(Vec2 p) const;
+    bool incumbentsAreAssigned() const;
     DynamicAssignmentDef assignmentDef(std::size_t characters) const;
 
     PlanDef def_;
-    std::vector<Vec2> characters_;
-    std::vector<Vec2> places_;
-    std::vector<std::uint8_t> usable_;
-    std::vector<std::int32_t> incumbent_;
-    std::vector<std::uint8_t> present_;   // Per character: in the places' region.
-    std::vector<float> own_;              // Per character: cost to its place.
-    std::vector<Guidance> way_;           // Per character, to ownPlace_.
-    std::vector<std::int32_t> ownPlace_;  // Its place when that was worked out.
-    std::uint32_t round_ = 0;             // Of working it out.
+    std::vector<Vec2> characters_;           // Positions [m].
+    std::vector<Vec2> places_;               // Positions [m].
+    std::vector<std::uint8_t> usable_;       // Per place; empty for all.
+    std::vector<std::int32_t> incumbent_;    // Per character, -1 for none.
+    std::vector<std::uint8_t> connected_;    // Per character, as in PlanInput.
+    std::vector<float> incumbentCost_;       // Per character: cost to its incumbent place [m].
+    std::vector<Guidance> guidance_;         // Per character, to guidedPlace_.
+    std::vector<std::int32_t> guidedPlace_;  // Per character: its incumbent when its guidance was evaluated.
+    std::uint32_t guidanceRound_ = 0;        // Number of evaluations.
     bool pending_ = false;
-    // The pending plan knows the costs and ways of all to their own places.
-    bool measured_ = false;
-    // Its matching is done. Work aside writes this, others read it when that is over.
-    bool matched_ = false;
-    bool planned_ = false;  // A plan was finished.
+    bool guided_ = false;  // The guidance of the pending plan is evaluated.
+    // The assignment of the pending plan is done. Background work writes this; others read it after it has
+    // ended.
+    bool assigned_ = false;
+    bool everFinished_ = false;
     DynamicAssignment assignment_;
     Geodesics geodesics_;
-    std::vector<SteeringTarget> walkers_;
-    std::vector<std::int32_t> waiting_;  // Per character: place beside which it waits, -1.
-    std::uint32_t turn_ = 0;             // Of the search for these.
+    std::vector<SteeringTarget> targets_;     // Per character.
+    std::vector<std::int32_t> waitingPlace_;  // Per character, -1 for none.
+    std::uint32_t waitingCursor_ = 0;  // The character with whom the next search for waiting places begins.
     // Of this step only.
     const StaticGround* ground_ = nullptr;
-    const DynamicCost* excess_ = nullptr;
-    bool updated_ = false;  // The geodesics know this step's places.
-    FastCosts costs_;
-    ThreadPool alone_;  // For work aside, which has one thread.
-    // For pictures: the field of one place on the still ground.
-    struct Picture {
-        Vec2 place;
-        std::uint32_t ground = 0;
+    const DynamicCost* dynamicCost_ = nullptr;
+    bool geodesicsUpdated_ = false;  // They have this step's places.
+    GeodesicCostOracle costs_;
+    ThreadPool backgroundPool_;  // Of one thread.
+    /// The cost field of one place on the static ground, for pictures.
+    struct PictureField {
+        Vec2 place;                // [m]
+        std::uint32_t ground = 0;  // Version of the ground.
         CostField field;
         EikonalSolver solver;
     };
-    mutable Picture picture_;
+    mutable PictureField picture_;
 };
 
 }  // namespace muster

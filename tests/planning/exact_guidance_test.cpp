@@ -31,14 +31,14 @@ muster::UnitCost groundOf(const muster::Environment& environment) {
     return cost;
 }
 
-struct Steered {
+struct Guided {
     Vec2 direction;
     double cost;
 };
 
-Steered steer(muster::Plan& plan, const muster::Environment& environment, Vec2 p, std::int32_t place,
-              const std::vector<Vec2>& placesNow, double direct = 1.5) {
-    Steered out{};
+Guided guide(muster::Plan& plan, const muster::Environment& environment, Vec2 p, std::int32_t place,
+             const std::vector<Vec2>& placesNow, double direct = 1.5) {
+    Guided out{};
     muster::ThreadPool pool;
     plan.guide({{&p, 1}, {&place, 1}, placesNow, &environment, direct}, pool, {&out.direction, 1},
                {&out.cost, 1});
@@ -47,7 +47,7 @@ Steered steer(muster::Plan& plan, const muster::Environment& environment, Vec2 p
 
 }  // namespace
 
-TEST_CASE("steering: straight when near and clear, else down the field") {
+TEST_CASE("guidance: straight when near and clear, else down the field") {
     const muster::Environment environment = blocked();
     OwnedInput input;
     input.cost = groundOf(environment);
@@ -56,36 +56,36 @@ TEST_CASE("steering: straight when near and clear, else down the field") {
     input.incumbent = {0, 1};
     const auto plan = muster::makeExactPlan();
     muster::PlanResult result;
-    // Before any plan: straight where the line is clear, else nothing.
-    CHECK(steer(*plan, environment, {5, 5}, 1, input.places).direction == Vec2{0, 1});
-    CHECK(steer(*plan, environment, {-3, 0}, 0, input.places).direction == Vec2{});
+    // Before any plan: straight where the line is clear, else no direction.
+    CHECK(guide(*plan, environment, {5, 5}, 1, input.places).direction == Vec2{0, 1});
+    CHECK(guide(*plan, environment, {-3, 0}, 0, input.places).direction == Vec2{});
     REQUIRE(muster_test::planAtOnce(*plan, {}, input, result).ok());
 
-    const Steered near = steer(*plan, environment, {5, 5}, 1, input.places);
+    const Guided near = guide(*plan, environment, {5, 5}, 1, input.places);
     CHECK(near.direction == Vec2{0, 1});
     CHECK(near.cost == 1.0);
-    // Round the block by its upper corner, which is the nearer, a radius away from it.
-    const Steered far = steer(*plan, environment, {-3, 0.5}, 0, input.places);
+    // Around the upper corner of the block, which is the nearer, a radius away from it.
+    const Guided far = guide(*plan, environment, {-3, 0.5}, 0, input.places);
     CHECK(length(far.direction) == doctest::Approx(1.0).epsilon(1e-9));
     const Vec2 corner{-1.25, 4.25};
     CHECK(dot(far.direction, normalized(corner - Vec2{-3, 0.5})) > 0.98);
     CHECK(far.cost == doctest::Approx(result.cost[0]).epsilon(1e-6));
-    // Near in a straight line but across the block: by the field still.
-    const Steered across = steer(*plan, environment, {-1.4, 1}, 0, {{1.4, 1}, {5, 6}}, 5.0);
+    // Near, but behind the block: down the field.
+    const Guided across = guide(*plan, environment, {-1.4, 1}, 0, {{1.4, 1}, {5, 6}}, 5.0);
     CHECK(across.direction.y > 0.7);
-    // The place has moved within reach: straight to where it is today.
-    const Steered moved = steer(*plan, environment, {5, 5}, 1, {{3, 0}, {6, 5}});
+    // The place has moved within reach: straight to its current position.
+    const Guided moved = guide(*plan, environment, {5, 5}, 1, {{3, 0}, {6, 5}});
     CHECK(moved.direction == Vec2{1, 0});
-    // Nobody's place.
-    const Steered none = steer(*plan, environment, {5, 5}, -1, input.places);
+    // An unmatched character.
+    const Guided none = guide(*plan, environment, {5, 5}, -1, input.places);
     CHECK(none.direction == Vec2{});
-    CHECK(none.cost == muster_test::kNoWay);
-    // A place that came after the plan was made.
-    const Steered fresh = steer(*plan, environment, {5, 5}, 2, {{3, 0}, {5, 6}, {5, -5}});
+    CHECK(none.cost == muster_test::kUnreachable);
+    // A place that was added after the plan was made.
+    const Guided fresh = guide(*plan, environment, {5, 5}, 2, {{3, 0}, {5, 6}, {5, -5}});
     CHECK(fresh.direction == Vec2{0, -1});
 }
 
-TEST_CASE("following the steering reaches the place round the block") {
+TEST_CASE("following the guidance leads to the place around the block") {
     const muster::Environment environment = blocked();
     OwnedInput input;
     input.cost = groundOf(environment);
@@ -103,13 +103,13 @@ TEST_CASE("following the steering reaches the place round the block") {
         Vec2 p = input.characters[i];
         double walked = 0.0;
         for (int step = 0; step < 2000 && distance(p, input.places[place[i]]) > 0.05; ++step) {
-            const Steered s = steer(*plan, environment, p, place[i], input.places);
+            const Guided s = guide(*plan, environment, p, place[i], input.places);
             p += s.direction * 0.03;
             walked += 0.03;
             REQUIRE(environment.distanceToObstacle(p) > 0.0);
         }
         CHECK(distance(p, input.places[place[i]]) <= 0.05);
-        // The field promised this way, within 5 % and the last steps.
+        // The walked length is that of the field within 5 %, but for the last steps.
         CHECK(walked <= 1.05 * result.cost[i] + 0.1);
     }
 }

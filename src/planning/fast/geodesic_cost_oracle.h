@@ -1,4 +1,4 @@
-// Costs of pairs for the fast plan.
+// The cost oracle of the fast plan: pair costs by geodesics or by straight lines.
 #pragma once
 
 #include <span>
@@ -9,23 +9,23 @@
 
 namespace muster {
 
-/// By geodesics, or by straight lines where these are asked for; what was worked out for the walkers
-/// themselves is not worked out again.
-class FastCosts final : public CostOracle {
+/// Costs of the characters to their incumbent places are given, since their guidance has evaluated them
+/// already.
+class GeodesicCostOracle final : public CostOracle {
 public:
-    /// Takes what holds in this step. `own` is the cost of each character to its place in `ownPlace`, -1 for
-    /// none.
+    /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
+    /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
     void set(const Geodesics& geodesics, bool geodesic, std::span<const Vec2> characters,
-             std::span<const Vec2> places, std::span<const std::int32_t> ownPlace,
-             std::span<const float> own) {
+             std::span<const Vec2> places, std::span<const std::int32_t> incumbent,
+             std::span<const float> incumbentCost) {
         geodesics_ = &geodesics;
         geodesic_ = geodesic;
         characters_ = characters;
         places_ = places;
-        ownPlace_ = ownPlace;
-        own_ = own;
+        incumbent_ = incumbent;
+        incumbentCost_ = incumbentCost;
     }
-    float cost(std::int32_t character, std::int32_t place) override { return price(character, place); }
+    float cost(std::int32_t character, std::int32_t place) override { return pairCost(character, place); }
     double leastUnitCost() const override { return geodesic_ ? geodesics_->leastUnitCost() : 1.0; }
     double lowerBound(std::int32_t character, std::int32_t place) const override {
         return geodesic_ ? geodesics_->lowerBound(characters_[character], place) : 0.0;
@@ -37,22 +37,22 @@ public:
     void evaluate(std::span<const AssignmentPair> pairs, std::span<float> cost, ThreadPool& pool) override {
         constexpr std::size_t kChunk = 256;
         forChunks(&pool, pairs.size(), kChunk,
-                  [&](std::size_t k) { cost[k] = price(pairs[k].character, pairs[k].place); });
+                  [&](std::size_t k) { cost[k] = pairCost(pairs[k].character, pairs[k].place); });
     }
 
 private:
-    float price(std::int32_t character, std::int32_t place) const {
-        if (ownPlace_[character] == place) return own_[character];
+    float pairCost(std::int32_t character, std::int32_t place) const {
+        if (incumbent_[character] == place) return incumbentCost_[character];
         if (!geodesic_) return static_cast<float>(distance(characters_[character], places_[place]));
         return geodesics_->cost(characters_[character], place);
     }
 
     const Geodesics* geodesics_ = nullptr;
     bool geodesic_ = true;
-    std::span<const Vec2> characters_;
-    std::span<const Vec2> places_;
-    std::span<const std::int32_t> ownPlace_;
-    std::span<const float> own_;
+    std::span<const Vec2> characters_;         // Positions [m].
+    std::span<const Vec2> places_;             // Positions [m].
+    std::span<const std::int32_t> incumbent_;  // Per character, -1 for none.
+    std::span<const float> incumbentCost_;     // Per character [m].
 };
 
 }  // namespace muster
