@@ -7,8 +7,8 @@ namespace {
 
 // Relative dynamic cost along the straight line from which a detour is sought [m].
 constexpr double kDetourThreshold = 0.25;
-constexpr double kOffsets[] = {0.4, 0.8, 1.2,
-                               1.7, 2.3, 3.0};  // Of the vertex from the line, to either side [m].
+constexpr double kDetourOffsets[] = {0.4, 0.8, 1.2,
+                                     1.7, 2.3, 3.0};  // Of the vertex from the line, to either side [m].
 
 /// A path over one vertex.
 struct Detour {
@@ -23,7 +23,7 @@ Detour bestDetour(const DynamicCost& dynamicCost, Vec2 a, Vec2 b, double line, d
     const Vec2 normal = perpendicular((b - a) / line);
     double least = straight;
     Detour best{middle};
-    for (const double offset : kOffsets) {
+    for (const double offset : kDetourOffsets) {
         const double extra = length({fraction * line, offset}) + length({(1.0 - fraction) * line, offset}) -
                              line;
         if (extra >= least) break;

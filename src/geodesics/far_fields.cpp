@@ -91,9 +91,9 @@ InterpolationStencil FarFields::stencil(Vec2 place) {
     const LandmarkSquare square = squareRound(place, isSlow(place) ? slowLattice_ : lattice_);
     const Grid& grid = ground_->coarse().grid;
     Landmark straight[4];
-    Landmark bent[4];
+    Landmark indirect[4];
     std::size_t straightCount = 0;
-    std::size_t bentCount = 0;
+    std::size_t indirectCount = 0;
     for (std::int32_t k = 0; k < square.count; ++k) {
         const std::int32_t slot = cache_.use(square.cell[k]);
         if (slot < 0) {
@@ -106,12 +106,12 @@ InterpolationStencil FarFields::stencil(Vec2 place) {
         if (nearlyStraight(cache_.field(slot), place, squared))
             straight[straightCount++] = landmark;
         else
-            bent[bentCount++] = landmark;
+            indirect[indirectCount++] = landmark;
     }
     // Where no path is nearly straight, the landmark of the cheapest path serves.
     const auto cheaper = [](const Landmark& a, const Landmark& b) { return a.cost < b.cost; };
-    if (straightCount == 0 && bentCount > 0) {
-        const Landmark& best = *std::min_element(bent, bent + bentCount, cheaper);
+    if (straightCount == 0 && indirectCount > 0) {
+        const Landmark& best = *std::min_element(indirect, indirect + indirectCount, cheaper);
         if (std::isfinite(best.cost)) straight[straightCount++] = best;
     }
     InterpolationStencil stencil = makeStencil({straight, straightCount}, square.complete, place,
@@ -119,7 +119,7 @@ InterpolationStencil FarFields::stencil(Vec2 place) {
     stencil.slowUnitCost = isSlow(place) ? ground_->unitCost(place) : 0.0f;
     // On ground of several unit costs the other landmarks bound the cost.
     if (!ground_->uniform() && stencil.count > 0)
-        for (std::size_t k = 0; k < bentCount && stencil.count < 4; ++k) stencil.addBound(bent[k]);
+        for (std::size_t k = 0; k < indirectCount && stencil.count < 4; ++k) stencil.addBound(indirect[k]);
     return stencil;
 }
 

@@ -14,7 +14,7 @@
 
 namespace muster {
 
-/// What told a cost.
+/// Where a cost comes from.
 enum class CostSource {
     FineFields,     ///< Local fields on the ground cells.
     MiddleFields,   ///< Local fields on cells twice as wide.
@@ -23,10 +23,10 @@ enum class CostSource {
     Guess,          ///< A multiple of the straight line's cost, until fields are there.
 };
 
-/// A cost, what told it, and where its path leads first.
+/// A cost with its source, and where its path leads first.
 struct CostEstimate {
     double cost;         ///< [m]; infinite where the source does not know.
-    CostSource source;   ///< What told it.
+    CostSource source;   ///< Where the cost comes from.
     Vec2 firstVertex{};  ///< First vertex of a RefractedPath [m].
 };
 
@@ -34,7 +34,7 @@ struct Geodesics::Impl {
     /// From this many places on the budgets of fields hold for each kind, and grow in proportion to the
     /// places.
     static constexpr std::int64_t kManyPlaces = 2500;
-    /// From this distance on far fields are asked first, whether or not there is a line of sight [m].
+    /// From this distance on far fields are read first, whether or not there is a line of sight [m].
     static constexpr double kFarDistance = 20.0;
 
     GeodesicsDef def;

@@ -39,7 +39,7 @@ public:
     /// Begins a step on this level of the ground, which must outlive the next call; drops all fields where
     /// the ground's version has changed.
     void beginStep(const GroundLevel& level, std::uint32_t version);
-    /// Allocates memory for the fields that so many places may need on their way.
+    /// Allocates memory for the fields that so many places may need while they move.
     void reserve(std::size_t places);
     /// Solves at most `most` of the requested fields; returns their number.
     std::int32_t solveRequested(std::int32_t most, ThreadPool& pool);

@@ -8,10 +8,11 @@
 namespace muster {
 namespace {
 
-constexpr double kSampleSpacing = 0.25;              // Between two samples of the ground along a line [m].
-constexpr std::int32_t kMaxSamples = 32;             // Of one line.
-constexpr std::int32_t kBisections = 3;              // Locate a change of the ground between two samples.
-constexpr double kOffsets[] = {0.3, 0.7, 1.3, 2.2};  // Of the vertex from the line, to either side [m].
+constexpr double kSampleSpacing = 0.25;   // Between two samples of the ground along a line [m].
+constexpr std::int32_t kMaxSamples = 32;  // Of one line.
+constexpr std::int32_t kBisections = 3;   // Locate a change of the ground between two samples.
+constexpr double kRefractionOffsets[] = {0.3, 0.7, 1.3,
+                                         2.2};  // Of the vertex from the line, to either side [m].
 
 /// The cost along a line, and where the ground changes.
 struct LineCost {
@@ -63,7 +64,7 @@ RefractedPath refractedPath(const StaticGround& ground, Vec2 from, Vec2 to) {
     const Vec2 change = lerp(from, to, straight.largestChange);
     const Vec2 normal = perpendicular((to - from) / whole);
     const double lowest = ground.fine().lowest;
-    for (const double offset : kOffsets) {
+    for (const double offset : kRefractionOffsets) {
         const double length1 = length({straight.largestChange * whole, offset});
         const double length2 = length({(1.0 - straight.largestChange) * whole, offset});
         if (lowest * (length1 + length2) >= best.cost) break;

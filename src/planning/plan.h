@@ -75,7 +75,7 @@ struct PlanResult {
     std::vector<double> cost;  ///< Cost of each character to its place [m]; infinite for the unmatched.
     double objective = 0.0;    ///< Objective of the committed flows [cost^p].
     /// Upper bound of the duality gap, the objective less a proven lower bound [cost^p]: what the commit
-    /// threshold held back. It is the whole objective where PlanDef::reassign is false.
+    /// threshold dropped. It is the whole objective where PlanDef::reassign is false.
     double gapBound = 0.0;
     /// Number of characters whose place (that of the largest flow) differs from the incumbent.
     std::int32_t reassigned = 0;

@@ -142,7 +142,7 @@ TEST_CASE("the first plan takes every place once and reports its costs") {
 }
 
 TEST_CASE("the number of threads changes nothing") {
-    std::vector<std::vector<std::int32_t>> held;
+    std::vector<std::vector<std::int32_t>> outcomes;
     for (const std::int32_t threads : {1, 2, 3, 8}) {
         Walk scene(80, {-12, 0}, {10, 3}, 7);
         const auto plan = makeFastPlan();
@@ -153,11 +153,11 @@ TEST_CASE("the number of threads changes nothing") {
         }
         Hasher hasher;
         plan->hash(hasher);
-        held.push_back(scene.incumbent);
+        outcomes.push_back(scene.incumbent);
         const std::uint64_t value = hasher.value();
-        held.back().push_back(static_cast<std::int32_t>(value));
-        held.back().push_back(static_cast<std::int32_t>(value >> 32));
-        CHECK(held.back() == held.front());
+        outcomes.back().push_back(static_cast<std::int32_t>(value));
+        outcomes.back().push_back(static_cast<std::int32_t>(value >> 32));
+        CHECK(outcomes.back() == outcomes.front());
     }
 }
 
@@ -260,10 +260,10 @@ TEST_CASE("fixed places are kept, and the unmatched wait near a usable place") {
     scene.def.reassign = false;
     const auto plan = makeFastPlan();
     ThreadPool pool;
-    const PlanResult kept = scene.plan(*plan, pool);
-    REQUIRE(kept.flows.size() == 40);
-    for (const Flow& flow : kept.flows) CHECK(flow.place == 39 - flow.character);
-    CHECK(kept.reassigned == 0);
+    const PlanResult fixed = scene.plan(*plan, pool);
+    REQUIRE(fixed.flows.size() == 40);
+    for (const Flow& flow : fixed.flows) CHECK(flow.place == 39 - flow.character);
+    CHECK(fixed.reassigned == 0);
 
     scene.def.reassign = true;
     scene.usable.assign(40, 1);
