@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/infinite_cost.h"
 #include "geodesics/dynamic_detour.h"
 #include "geodesics/geodesics_impl.h"
-#include "geodesics/infinite_cost.h"
 #include "geodesics/refracted_path.h"
 
 namespace muster {

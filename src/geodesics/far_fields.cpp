@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geodesics/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {
@@ -47,7 +47,7 @@ void FarFields::LandmarkLattice::reset(const Grid& grid, std::int32_t cells) {
 
 // The cell of a lattice point, or the nearest free one within a third of the spacing; -1 for none.
 std::int32_t FarFields::landmarkOf(Cell point, LandmarkLattice& lattice) const {
-    std::int32_t& landmark = lattice.landmark[static_cast<std::size_t>(point.y) * lattice.width + point.x];
+    std::int32_t& landmark = lattice.landmark[point.y * lattice.width + point.x];
     if (landmark != -2) return landmark;
     landmark = -1;
     const UnitCost& cost = ground_->coarse();

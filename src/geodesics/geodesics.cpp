@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "geodesics/geodesics_impl.h"
 
@@ -57,7 +58,7 @@ void Geodesics::update(const StaticGround& ground, const DynamicCost& dynamicCos
 // Returns true where a far field was solved. A field takes a good part of the step of a small crowd, so few
 // are solved in one: odd steps begin with far fields, even ones with the finest.
 bool Geodesics::Impl::solveRequested(ThreadPool& pool) {
-    if (places.size() >= static_cast<std::size_t>(kManyPlaces)) {
+    if (std::cmp_greater_equal(places.size(), kManyPlaces)) {
         fine.solveRequested(scaledBudget(def.finePerStep), pool);
         middle.solveRequested(scaledBudget(def.middlePerStep), pool);
         return far.solveRequested(def.farPerStep, pool) > 0;

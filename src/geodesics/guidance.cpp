@@ -2,8 +2,8 @@
 // path far away (SPEC A6).
 #include <algorithm>
 
+#include "base/infinite_cost.h"
 #include "geodesics/geodesics_impl.h"
-#include "geodesics/infinite_cost.h"
 
 namespace muster {
 namespace {

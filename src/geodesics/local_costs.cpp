@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/infinite_cost.h"
 #include "geodesics/dynamic_detour.h"
-#include "geodesics/infinite_cost.h"
 
 namespace muster {
 namespace {

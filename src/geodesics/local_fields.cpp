@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "geodesics/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {
@@ -178,7 +178,7 @@ void LocalFields::cropUnitCost(std::int32_t landmark, UnitCost& crop) const {
     crop.grid = {grid.origin + Vec2{low.x * grid.cell, low.y * grid.cell}, grid.cell, size, size};
     crop.radius = whole.radius;
     crop.lowest = whole.lowest;
-    crop.cells.assign(static_cast<std::size_t>(size) * size, {kWall, kWall, kWall, kWall});
+    crop.cells.assign(size * size, {kWall, kWall, kWall, kWall});
     crop.nodes.clear();
     const std::int32_t left = std::max(0, low.x);
     const std::int32_t right = std::min(grid.width - 1, low.x + size - 1);

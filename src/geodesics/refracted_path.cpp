@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geodesics/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {

@@ -17,7 +17,7 @@ inline constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 inline muster::UnitCost uniformGround(muster::Box box, double cell) {
     muster::UnitCost cost;
     cost.grid = muster::Grid::covering(box, cell);
-    cost.cells.assign(static_cast<std::size_t>(cost.grid.count()), {});
+    cost.cells.assign(cost.grid.count(), {});
     cost.lowest = 1.0f;
     return cost;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "assignment/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {

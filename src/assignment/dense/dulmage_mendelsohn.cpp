@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "assignment/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "assignment/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 

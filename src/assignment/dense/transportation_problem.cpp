@@ -10,7 +10,7 @@
 #include "assignment/dense/dulmage_mendelsohn.h"
 #include "assignment/dense/jonker_volgenant.h"
 #include "assignment/dense/successive_shortest_paths.h"
-#include "assignment/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {

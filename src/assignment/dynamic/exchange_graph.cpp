@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "assignment/dynamic/initial_assignment.h"
-#include "assignment/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {

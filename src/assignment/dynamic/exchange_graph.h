@@ -11,7 +11,7 @@
 #include "assignment/dynamic/assignment_step.h"
 #include "assignment/dynamic/exchange_arcs.h"
 #include "assignment/dynamic/refresh_schedule.h"
-#include "assignment/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 

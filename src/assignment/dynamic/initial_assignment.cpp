@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "assignment/dynamic/kd_partition.h"
-#include "assignment/infinite_cost.h"
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {

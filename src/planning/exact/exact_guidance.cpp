@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geodesics/infinite_cost.h"
+#include "base/infinite_cost.h"
 #include "planning/exact/exact_plan.h"
 
 namespace muster {

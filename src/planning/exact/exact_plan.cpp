@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/infinite_cost.h"
 #include "base/maths.h"
-#include "geodesics/infinite_cost.h"
 #include "planning/plan_validation.h"
 
 namespace muster {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "geodesics/infinite_cost.h"
+#include "base/infinite_cost.h"
 #include "planning/copy_span.h"
 #include "planning/exact/unit_cost_archive.h"
 #include "planning/plan_validation.h"

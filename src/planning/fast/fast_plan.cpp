@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/infinite_cost.h"
 #include "base/maths.h"
-#include "geodesics/infinite_cost.h"
 #include "planning/copy_span.h"
 #include "planning/plan_validation.h"
 
