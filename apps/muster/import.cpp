@@ -63,7 +63,7 @@ Result<Spot> roomiestSpot(const WorldDef& def) {
     }
     environment->setTime(0.0);
     const Grid& grid = environment->grid();
-    const double radius = def.parameters.radius;
+    const double radius = def.parameters.character.radius;
     std::vector<std::int32_t> labels(static_cast<std::size_t>(grid.count()));
     std::vector<std::int32_t> sizes;
     for (std::int32_t i = 0; i < grid.count(); ++i) {

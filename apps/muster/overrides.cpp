@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "muster/parameter_table.h"
 #include "world/commands/validation.h"
 
 namespace muster {
@@ -19,8 +20,7 @@ Status Overrides::apply(WorldDef& def) const {
     Parameters& parameters = def.parameters;
     if (!preset.empty())
         if (Status s = usePreset(parameters, preset); !s.ok()) return s.within("--preset");
-    if (!plan.empty())
-        parameters.planSolver = static_cast<double>(plan == "fast" ? PlanSolver::Fast : PlanSolver::Exact);
+    if (!plan.empty()) parameters.plan.solver = plan == "fast" ? PlanSolver::Fast : PlanSolver::Exact;
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
         const char* text = equals == std::string::npos ? "" : setting.c_str() + equals + 1;

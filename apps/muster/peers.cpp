@@ -100,13 +100,13 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     scene.def.name = name;
     scene.def.groups.push_back(std::move(group));
     scene.def.parameters.stepTime = 1.0 / 60.0;
-    scene.def.parameters.radius = 0.25;
-    scene.def.parameters.maxSpeed = 2.0;
-    scene.def.parameters.environmentField = 0.0;
+    scene.def.parameters.character.radius = 0.25;
+    scene.def.parameters.character.maxSpeed = 2.0;
+    scene.def.parameters.field.enabled = false;
     if (!options.inertia) {
         // From one velocity to any other in a step.
-        scene.def.parameters.velocityGain = 60.0;
-        scene.def.parameters.acceleration = 1000.0;
+        scene.def.parameters.character.velocityGain = 60.0;
+        scene.def.parameters.character.acceleration = 1000.0;
     }
     if (Status s = validateWorld(scene.def); !s.ok()) return s.within(sceneName(options.file, name));
     if (Status s = options.overrides.apply(scene.def); !s.ok()) return s;
@@ -131,7 +131,7 @@ Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
         auto scene = readScene(name, body, options);
         if (!scene.ok()) return scene.status();
         const WorldDef& def = scene->def;
-        const bool exact = def.parameters.planSolver == static_cast<double>(PlanSolver::Exact);
+        const bool exact = def.parameters.plan.solver == PlanSolver::Exact;
         if (options.scene.empty() && exact && countOf(def) > kLargestExact) {
             std::fprintf(stderr,
                          "muster: %s is left out: %zu characters are too many for the exact plan; --plan "

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "folders.h"
+#include "muster/parameter_table.h"
 #include "report.h"
 #include "reproduce/reproduce.h"
 

@@ -1,6 +1,7 @@
 #include "scale/fine_ground.h"
 #include "environment/environment.h"
 #include "world/inspect.h"
+#include "world/state/derived_defs.h"
 
 namespace muster::scale {
 
@@ -18,14 +19,15 @@ Result<FineGround> FineGround::create(const World& world, double factor) {
     FineGround ground;
     ground.environment_ = *std::move(environment);
     const Parameters& parameters = world.parameters();
-    ground.density_ = DensityField(def.box, {parameters.densityCell, parameters.densityLambda});
+    ground.density_ = DensityField(def.box, parameters.density);
     return ground;
 }
 
 const UnitCost& FineGround::update(const World& world) {
     environment_.setTime(inspect::environment(world).time());
     density_.splat(world.characters().position, world.characters().velocity);
-    builder_.build(unitCostDef(world.parameters()), environment_, density_, world.parameters().radius, cost_);
+    builder_.build(unitCostDef(world.parameters()), environment_, density_,
+                   world.parameters().character.radius, cost_);
     return cost_;
 }
 

@@ -1,4 +1,5 @@
 #include "scale/options.h"
+#include "muster/parameter_table.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -19,7 +19,7 @@ Committed committedBy(const World& world) {
     plan.placeOf.assign(characters.place.begin(), characters.place.end());
     const std::span<const Vec2> places = world.group(0).placePositions;
     plan.places.assign(places.begin(), places.end());
-    plan.exponent = world.parameters().exponent;
+    plan.exponent = world.parameters().plan.exponent;
     return plan;
 }
 

@@ -3,6 +3,7 @@
 #include <ctime>
 
 #include "base/stopwatch.h"
+#include "muster/parameter_table.h"
 #include "scale/case.h"
 #include "scale/drag.h"
 #include "scale/meter.h"

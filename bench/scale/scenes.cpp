@@ -94,8 +94,8 @@ Vec2 behind(const CoursePose& formation) {
 
 // With its own 2 m/s the crowd would hang on its places; so it stays behind, and the mesh waits for it.
 void letLag(Parameters& parameters) {
-    parameters.maxSpeed = 1.2;
-    parameters.opposingGain = 0.15;
+    parameters.character.maxSpeed = 1.2;
+    parameters.opposing.gain = 0.15;
 }
 
 const char* regimeName(Regime regime) {

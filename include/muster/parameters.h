@@ -1,118 +1,141 @@
-// Every number that researchers and users may change, with name, unit, range and default.
+// Parameters of a world: every number that researchers and users may change.
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <string_view>
-
-#include "muster/status.h"
 
 namespace muster {
 
-struct UnitCostDef;
-
-/// Parameters of a world. Switches are 0 or 1. The defaults are the preset `muster`.
-struct Parameters {
-    double stepTime = 1.0 / 60.0;
-    // Input layer (SPEC U1-U6).
-    double touchWindow = 0.15;
-    double touchReach = 1.5;
-    double checkpointSpacing = 0.5;
-    double controlSpeed = 1.6;
-    double clockRate = 4.0;
-    double softWeight = 6.0;
-    double opposingForce = 1.0;
-    double opposingGain = 0.35;
-    // Mesh layer (SPEC M2-M5).
-    double relaxTime = 1.0;
-    double environmentField = 1.0;
-    double fieldRange = 1.5;
-    double fieldStrength = 1.0;
-    double fieldGain = 1.0;
-    double fieldSpeed = 1.5;
-    double morphSpeed = 3.0;
-    double placeSpeed = 2.0;
-    double placeClearance = 0.02;
-    // Cost (SPEC A3-A5).
-    double alpha = 0.5;
-    double beta = 0.5;
-    double gamma = 1.0;
-    double density = 1.0;
-    double densityCell = 1.0;
-    double densityLambda = 1.0;
-    double densityMin = 1.3;
-    double densityMax = 3.5;
-    double densityLookAhead = 0.5;
-    double minSpeed = 0.05;
-    double discomfort = 1.0;
-    double discomfortTime = 1.5;
-    double discomfortRange = 1.0;
-    double discomfortGain = 8.0;
-    // Plan (SPEC A1).
-    double planMode = 0.0;
-    double planSolver = 1.0;
-    double objective = 0.0;
-    double planPeriod = 0.0;
-    double exponent = 2.0;
-    double threshold = 0.02;
-    double thresholdShare = 0.003;
-    double geodesic = 1.0;
-    // Characters (SPEC A6).
-    double radius = 0.25;
-    double maxSpeed = 2.0;
-    double acceleration = 10.0;
-    double velocityGain = 12.0;
-    double positionGain = 3.0;
-    double directReach = 1.5;
-    double separationGain = 1.0;
-    double separationReach = 0.15;
-    double contactIterations = 8.0;
+/// How often characters get places anew.
+enum class PlanMode : std::uint8_t {
+    Transport = 0,     ///< In every period.
+    AssignedOnce = 1,  ///< At the start and after each change of formation.
+    Fixed = 2,         ///< Never: character i keeps place i.
 };
 
-/// What is known of one parameter.
-struct ParameterInfo {
-    std::string_view name;         ///< As files and messages spell it: "plan.exponent".
-    std::string_view unit;         ///< "m", "s", "m/s", "1", "switch"...
-    double minimum;                ///< Smallest allowed value.
-    double maximum;                ///< Largest allowed value.
-    std::string_view description;  ///< One sentence.
-    double Parameters::*member;    ///< Where it stands.
+/// Which method makes plans.
+enum class PlanSolver : std::uint8_t {
+    Exact = 0,  ///< The reference: one cost field per place and an exact assignment.
+    Fast = 1,   ///< Near-optimal, for large crowds: landmark fields and a dynamic assignment.
 };
 
-/// Plans a world can follow; the values of `plan.mode`.
-enum class PlanMode {
-    Transport = 0,     ///< Re-planned every period.
-    AssignedOnce = 1,  ///< Assigned at the start and after each formation change, then kept.
-    Fixed = 2,         ///< Character i keeps place i.
-};
-
-/// Who makes the plans; the values of `plan.solver`.
-enum class PlanSolver {
-    Exact = 0,  ///< The reference: one cost field per place.
-    Fast = 1,   ///< The same answer nearly, for large crowds.
-};
-
-/// What a plan makes least; the values of `plan.objective`.
-enum class PlanObjective {
-    Power = 0,        ///< The sum of cost^p, p by `plan.exponent`: 1 least sum, 2 least squares.
+/// What a plan minimises.
+enum class PlanObjective : std::uint8_t {
+    Power = 0,        ///< The sum of cost^p, p by Parameters::Plan::exponent.
     LongestWalk = 1,  ///< The cost of the dearest pair, and then that sum.
 };
 
-/// Steps from plan to plan: `plan.period`, or where that is 0 what suits the solver.
-std::uint32_t planPeriodOf(const Parameters& parameters);
+/// The definition of a world's behaviour. The defaults are the preset `muster`. Ranges are those of
+/// parameterTable(), which also has the name of each field in files and messages: "plan.exponent".
+struct Parameters {
+    /// Touches and drawn trajectories (SPEC U1 to U3).
+    struct Input {
+        double window = 0.15;            ///< Touches that begin within it form one control [s], 0 to 2.
+        double reach = 1.5;              ///< A touch farther from every mesh holds nothing [m], 0 to 100.
+        double checkpointSpacing = 0.5;  ///< Between checkpoints of a trajectory [m], 0.01 to 100.
+    };
 
-/// Weights and thresholds of the unit cost as the parameters say.
-UnitCostDef unitCostDef(const Parameters& parameters);
+    /// Control points (SPEC U4, U5).
+    struct Control {
+        double speed = 1.6;       ///< Top speed of control points [m/s], 0.01 to 100.
+        double clockRate = 4.0;   ///< Most drawing seconds followed per second to catch up, 1 to 100.
+        double softWeight = 6.0;  ///< Weight of supplementary points against stiffness, 1e-6 to 1e6.
+    };
 
-/// All parameters, in a fixed order.
-std::span<const ParameterInfo> parameterTable();
-/// Sets one by name. Fails with NotFound, or InvalidArgument naming name, value and range (numbers that stand
-/// for switches or whole numbers must be such).
-Status setParameter(Parameters& parameters, std::string_view name, double value);
-/// "muster" (the defaults) or "paper" (p = 1, threshold 0, a plan every step). Fails with NotFound.
-Result<Parameters> parameterPreset(std::string_view name);
-/// Sets what the presets differ in as that preset has it; all else stays. Fails, changing nothing, with
-/// NotFound.
-Status usePreset(Parameters& parameters, std::string_view name);
+    /// The opposing force: the mesh waits for a crowd that falls behind (SPEC U6).
+    struct Opposing {
+        bool enabled = true;  ///< False where the mesh waits for nobody.
+        double gain = 0.35;   ///< Share of control speed lost per metre of mean lag [1/m], 0 to 100.
+    };
+
+    /// The deformable mesh (SPEC M2, M4).
+    struct Mesh {
+        double relaxTime = 1.0;   ///< Time to return to the rest shape without controls [s], 0.01 to 60.
+        double morphSpeed = 3.0;  ///< Top vertex speed while it relaxes or changes [m/s], 0.01 to 100.
+    };
+
+    /// The potential field by which obstacles bend meshes (SPEC M5; paper eq. 1).
+    struct Field {
+        bool enabled = true;    ///< False where obstacles do not push vertices away and out.
+        double range = 1.5;     ///< Of obstacles that give none [m], 0 to 100.
+        double strength = 1.0;  ///< Of obstacles that give none, 0 to 100.
+        double gain = 1.0;      ///< Displacement of a vertex per unit of field [m], 0 to 100.
+        double speed = 1.5;     ///< Top rate of change of a vertex's displacement [m/s], 0.01 to 100.
+    };
+
+    /// Travelling places (SPEC M5).
+    struct Place {
+        double speed = 2.0;       ///< Top speed in the open [m/s], 0.01 to 100.
+        double clearance = 0.02;  ///< Kept to obstacles beyond the characters' radius [m], 0 to 1.5.
+    };
+
+    /// The unit cost (SPEC A3; paper eq. 7).
+    struct Cost {
+        double alpha = 0.5;      ///< Weight of path length, 0 to 1000; alpha + beta is at least 0.01.
+        double beta = 0.5;       ///< Weight of time, 0 to 1000.
+        double gamma = 1.0;      ///< Weight of discomfort, 0 to 1000.
+        double minSpeed = 0.05;  ///< Floor of the speed in a crowd, relative to the free speed, 0.001 to 1.
+    };
+
+    /// What the density of the crowd adds to the unit cost (SPEC A4).
+    struct Density {
+        bool enabled = true;     ///< False where crowded ground costs no more.
+        double cell = 1.0;       ///< Edge of a density cell [m], 0.1 to 100.
+        double lambda = 1.0;     ///< Exponent of the shares that a character gives to cells, 0.1 to 10.
+        double min = 1.3;        ///< Density below which nobody is slowed [1/m^2], 0 to 100.
+        double max = 3.5;        ///< Density above which one moves with the flow [1/m^2], above `min`.
+        double lookAhead = 0.5;  ///< How far ahead density is read [m], 0 to 10.
+    };
+
+    /// What moving obstacles add to the unit cost (SPEC A5).
+    struct Discomfort {
+        bool enabled = true;  ///< False where ground ahead of moving obstacles costs no more.
+        double time = 1.5;    ///< How far ahead obstacles are predicted [s], 0 to 60.
+        double range = 1.0;   ///< How far it reaches beyond the swept surface [m], 0.01 to 100.
+        double gain = 8.0;    ///< Discomfort on the obstacle's own track, 0 to 1000.
+    };
+
+    /// The plan (SPEC A1).
+    struct Plan {
+        PlanMode mode = PlanMode::Transport;             ///< How often places are assigned anew.
+        PlanSolver solver = PlanSolver::Fast;            ///< Which method makes plans.
+        PlanObjective objective = PlanObjective::Power;  ///< What they minimise.
+        std::int32_t period = 0;        ///< Steps from plan to plan, 1 to 600; 0 for what suits the solver.
+        double exponent = 2.0;          ///< Exponent p: 1 least sum, 2 least squares; 1 to 8.
+        double threshold = 0.02;        ///< An exchange must gain more than this [cost^p], 0 to 1e9.
+        double thresholdShare = 0.003;  ///< It must gain more than this share of what it concerns, 0 to 1.
+        bool geodesic = true;           ///< False for straight-line distances as costs.
+    };
+
+    /// The characters (SPEC A6).
+    struct Character {
+        double radius = 0.25;           ///< [m], 0.05 to 1.5.
+        double maxSpeed = 2.0;          ///< Top speed in the open [m/s], 0.01 to 50.
+        double acceleration = 10.0;     ///< Top acceleration [m/s^2], 0.01 to 1000.
+        double velocityGain = 12.0;     ///< Gain of the PD controller on velocity [1/s], 0 to 60.
+        double positionGain = 3.0;      ///< Gain of the PD controller on distance [1/s], 0 to 60.
+        double directReach = 1.5;       ///< Within this clear line it heads for its place [m], 0 to 100.
+        double separationGain = 1.0;    ///< Speed at which close neighbours part [m/s], 0 to 100.
+        double separationReach = 0.15;  ///< Gap below which neighbours part [m], 0 to 10.
+    };
+
+    /// Contacts between characters (SPEC A6).
+    struct Contact {
+        std::int32_t iterations = 8;  ///< Rounds that resolve contacts in a step, 1 to 100.
+    };
+
+    double stepTime = 1.0 / 60.0;  ///< Simulated time of one step [s], 1/240 to 1/20; "time.step".
+    Input input;                   ///< Touches and drawn trajectories.
+    Control control;               ///< Control points.
+    Opposing opposing;             ///< The mesh waits for the crowd.
+    Mesh mesh;                     ///< The deformable mesh.
+    Field field;                   ///< Obstacles bend meshes.
+    Place place;                   ///< Travelling places.
+    Cost cost;                     ///< The unit cost.
+    Density density;               ///< Crowded ground costs more.
+    Discomfort discomfort;         ///< Ground ahead of moving obstacles costs more.
+    Plan plan;                     ///< Who goes where.
+    Character character;           ///< How characters move.
+    Contact contact;               ///< How overlaps are resolved.
+};
 
 }  // namespace muster

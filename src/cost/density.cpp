@@ -20,7 +20,7 @@ Shares raised(Shares shares, double exponent) {
 
 }  // namespace
 
-DensityField::DensityField(const Box& box, const DensityDef& def)
+DensityField::DensityField(const Box& box, const Parameters::Density& def)
     : def_(def), grid_(Grid::covering(box, def.cell)) {
     MUSTER_ASSERT(def.cell > 0.0 && def.lambda > 0.0);
     const std::int32_t count = grid_.count();

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
 /// Parameters of the splat.
-struct DensityDef {
+struct Parameters::Density {
     double cell = 1.0;    ///< Edge of a density cell [m], > 0.
     double lambda = 1.0;  ///< Exponent of the shares, > 0.
 };
@@ -21,7 +22,7 @@ class DensityField {
 public:
     DensityField() = default;  ///< Empty.
     /// An empty field over `box`.
-    DensityField(const Box& box, const DensityDef& def);
+    DensityField(const Box& box, const Parameters::Density& def);
 
     /// Replaces the contents by these characters. Each gives the four cells around it shares in the
     /// proportion min(1-dx,1-dy)^l : min(dx,1-dy)^l : min(dx,dy)^l : min(1-dx,dy)^l, with l = lambda, that
@@ -55,7 +56,7 @@ private:
     void add(const SplatStencil& stencil, Vec2 velocity);
     void listOccupied(Cell first, Cell last, std::span<const Vec2> positions);
 
-    DensityDef def_;
+    Parameters::Density def_;
     Grid grid_;
     std::vector<float> density_;
     std::vector<float> velocityX_;

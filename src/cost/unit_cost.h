@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
@@ -16,19 +17,32 @@ inline constexpr float kUnreachableCost = std::numeric_limits<float>::infinity()
 /// to the free speed, the discomfort g and the travel speed T of the ground. With alpha + beta = 1 open
 /// ground costs 1 per metre, so that costs are lengths in metres.
 struct UnitCostDef {
-    double alpha = 0.5;            ///< Weight of path length [1/m], >= 0.
-    double beta = 0.5;             ///< Weight of travel time [1/m], >= 0; alpha + beta > 0.
-    double gamma = 1.0;            ///< Weight of discomfort, >= 0.
-    bool density = true;           ///< Whether a dense crowd lowers the speed f.
-    bool discomfort = true;        ///< Whether moving obstacles cause discomfort.
-    double freeSpeed = 2.0;        ///< Speed of a character on open ground [m/s], > 0.
-    double densityMin = 1.3;       ///< Density up to which f = 1 [1/m^2], >= 0.
-    double densityMax = 3.5;       ///< Density from which on f is the flow speed [1/m^2], > densityMin.
-    double lookAhead = 0.5;        ///< Distance ahead at which the density is read [m], >= 0.
-    double minSpeed = 0.05;        ///< Lower bound of f, > 0.
-    double discomfortTime = 1.5;   ///< Time for which moving obstacles are predicted [s], >= 0.
-    double discomfortRange = 1.0;  ///< Distance from the predicted obstacle at which g falls to 0 [m], > 0.
-    double discomfortGain = 8.0;   ///< Value of g on the obstacle itself, now; >= 0.
+    /// Weight of path length [1/m], >= 0.
+    double alpha = Parameters::Cost{}.alpha;
+    /// Weight of travel time [1/m], >= 0; alpha + beta > 0.
+    double beta = Parameters::Cost{}.beta;
+    /// Weight of discomfort, >= 0.
+    double gamma = Parameters::Cost{}.gamma;
+    /// Whether a dense crowd lowers the speed f.
+    bool density = Parameters::Density{}.enabled;
+    /// Whether moving obstacles cause discomfort.
+    bool discomfort = Parameters::Discomfort{}.enabled;
+    /// Speed of a character on open ground [m/s], > 0.
+    double freeSpeed = Parameters::Character{}.maxSpeed;
+    /// Density up to which f = 1 [1/m^2], >= 0.
+    double densityMin = Parameters::Density{}.min;
+    /// Density from which on f is the flow speed [1/m^2], > densityMin.
+    double densityMax = Parameters::Density{}.max;
+    /// Distance ahead at which the density is read [m], >= 0.
+    double lookAhead = Parameters::Density{}.lookAhead;
+    /// Lower bound of f, > 0.
+    double minSpeed = Parameters::Cost{}.minSpeed;
+    /// Time for which moving obstacles are predicted [s], >= 0.
+    double discomfortTime = Parameters::Discomfort{}.time;
+    /// Distance from the predicted obstacle at which g falls to 0 [m], > 0.
+    double discomfortRange = Parameters::Discomfort{}.range;
+    /// Value of g on the obstacle itself, now; >= 0.
+    double discomfortGain = Parameters::Discomfort{}.gain;
 };
 
 /// Unit cost of leaving a cell in each of the four directions [cost per metre]; infinite in walls and towards

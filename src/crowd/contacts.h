@@ -11,13 +11,16 @@
 #include "base/parallel.h"
 #include "environment/environment.h"
 #include "muster/characters.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
 /// How contacts are resolved.
 struct ContactDef {
-    double radius = 0.25;         ///< Of a character [m], above 0.
-    std::int32_t iterations = 8;  ///< Most Gauss-Seidel iterations over all contacts, 1 or more.
+    /// Of a character [m], above 0.
+    double radius = Parameters::Character{}.radius;
+    /// Most Gauss-Seidel iterations over all contacts, 1 or more.
+    std::int32_t iterations = Parameters::Contact{}.iterations;
 };
 
 /// Corrects positions in place: in each iteration first pairs, by halves and in the order of the neighbour

@@ -47,7 +47,7 @@ bool isAhead(const Characters& now, std::int32_t a, std::int32_t b) {
 }
 
 // The velocity towards the place: along the planned path, or straight where the place is near.
-Vec2 preferredVelocity(const SteeringDef& def, const Characters& now, const SteeringInput& input,
+Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, const SteeringInput& input,
                        std::size_t i, double topSpeed) {
     const Vec2 direction = now.direction[i];
     const bool placed = now.place[i] >= 0;
@@ -79,7 +79,7 @@ Vec2 nextVelocity(const StepBounds& bounds, Vec2 velocity, Vec2 preferred, doubl
 }  // namespace
 
 // Separation steering (Reynolds 1987), and a sidestep to the right of two who approach each other.
-void Steering::addSeparationSteering(const SteeringDef& def, const Characters& now) {
+void Steering::addSeparationSteering(const Parameters::Character& def, const Characters& now) {
     if (def.separationGain <= 0.0 || def.separationReach <= 0.0) return;
     const double reach = 2.0 * def.radius + def.separationReach;
     for (const NeighbourPair pair : neighbours_.pairs()) {
@@ -102,7 +102,7 @@ void Steering::addSeparationSteering(const SteeringDef& def, const Characters& n
 
 // Of two who touch and walk in the same direction, the one behind steps back from a blocked one ahead.
 // Otherwise crowds would form stable arches before doors.
-void Steering::yieldToBlocked(const SteeringDef& def, const Characters& now) {
+void Steering::yieldToBlocked(const Parameters::Character& def, const Characters& now) {
     const double touching = 2.0 * def.radius + kTouchGap;
     for (const NeighbourPair pair : neighbours_.pairs()) {
         std::int32_t front = pair.low, back = pair.high;
@@ -118,7 +118,7 @@ void Steering::yieldToBlocked(const SteeringDef& def, const Characters& now) {
     }
 }
 
-void Steering::run(const SteeringDef& def, const Characters& now, const SteeringInput& input,
+void Steering::run(const Parameters::Character& def, const Characters& now, const SteeringInput& input,
                    const Environment& environment, double dt, std::span<Vec2> velocity,
                    std::span<Vec2> heading, ThreadPool* pool) {
     const std::size_t count = now.size();

@@ -10,16 +10,19 @@
 #include "base/cell_rect.h"
 #include "base/grid.h"
 #include "environment/obstacle_piece.h"
+#include "muster/parameters.h"
 #include "muster/patch.h"
 
 namespace muster {
 
 /// What never changes about an environment.
 struct EnvironmentDef {
-    Box box{{-16, -16}, {16, 16}};                      ///< The world [m]; characters and places stay inside.
-    double cell = 0.25;                                 ///< Edge of a ground cell [m], above 0.
-    double defaultRange = 1.5;                          ///< Range of obstacles that give none [m], 0 or more.
-    double defaultStrength = 1.0;                       ///< Strength of obstacles that give none, 0 or more.
+    Box box{{-16, -16}, {16, 16}};  ///< The world [m]; characters and places stay inside.
+    double cell = 0.25;             ///< Edge of a ground cell [m], above 0.
+    /// Range of obstacles that give none [m], 0 or more.
+    double defaultRange = Parameters::Field{}.range;
+    /// Strength of obstacles that give none, 0 or more.
+    double defaultStrength = Parameters::Field{}.strength;
     std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
 
     /// Lets an archive read or write the definition.

@@ -111,15 +111,14 @@ void drawPaths(const Pen& pen) {
 
 void drawControls(const Pen& pen) {
     for (std::size_t g = 0; g < pen.world.groupCount(); ++g) {
-        for (const Control& control : pen.world.group(g).controls)
-            drawControl(pen, control, pen.accent(g));
+        for (const Control& control : pen.world.group(g).controls) drawControl(pen, control, pen.accent(g));
     }
 }
 
 void drawCharacters(const Pen& pen) {
     const CharactersView characters = pen.world.characters();
     // Seen from far they are drawn larger than they are.
-    const double radius = std::max(pen.world.parameters().radius, pen.metres(3.5));
+    const double radius = std::max(pen.world.parameters().character.radius, pen.metres(3.5));
     for (std::size_t i = 0; i < characters.size(); ++i) {
         pen.draw.disc(characters.position[i] + Vec2{0.4, -0.28} * radius, radius, pen.theme.shadow, {});
     }

@@ -118,7 +118,8 @@ UnitCost costNow(const World& world) {
     if (inspect::unitCost(world) != nullptr) return *inspect::unitCost(world);
     UnitCost cost;
     UnitCostBuilder builder;
-    builder.build({}, inspect::environment(world), inspect::density(world), world.parameters().radius, cost);
+    builder.build({}, inspect::environment(world), inspect::density(world),
+                  world.parameters().character.radius, cost);
     return cost;
 }
 

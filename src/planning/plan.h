@@ -14,23 +14,25 @@
 #include "cost/static_ground.h"
 #include "cost/unit_cost.h"
 #include "environment/environment.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
 /// The objective of a plan, and which exchanges are committed.
 struct PlanDef {
-    double exponent = 2.0;  ///< Exponent p of the objective sum c^p f, in [1, 16].
+    /// Exponent p of the objective sum c^p f, in [1, 16].
+    double exponent = Parameters::Plan{}.exponent;
     /// An exchange (a cycle or a path of moves) is committed only where it lowers the objective by more than
     /// this [cost^p] >= 0.
-    double commitThreshold = 0.02;
+    double commitThreshold = Parameters::Plan{}.threshold;
     /// The gain of an exchange must also exceed this share of the objective of the characters that it moves
     /// >= 0.
-    double commitThresholdShare = 0.003;
+    double commitThresholdShare = Parameters::Plan{}.thresholdShare;
     /// Lexicographic objective: the least bottleneck (cost of the dearest pair) comes first, then the sum
     /// above among the matchings that attain it.
     bool bottleneck = false;
     /// True for geodesic costs; false for straight-line distances (paths still follow the cost field).
-    bool geodesic = true;
+    bool geodesic = Parameters::Plan{}.geodesic;
     /// False keeps every incumbent place that is usable (assigned once, fixed places): only paths are
     /// planned.
     bool reassign = true;

@@ -5,6 +5,7 @@
 #include "environment/environment.h"
 #include "muster/formation.h"
 #include "muster/hash.h"
+#include "muster/parameter_table.h"
 #include "world/inspect.h"
 
 namespace muster {
@@ -105,7 +106,7 @@ Json parameters(const World& world) {
                             {"minimum", info.minimum},
                             {"maximum", info.maximum},
                             {"description", info.description},
-                            {"value", world.parameters().*(info.member)}});
+                            {"value", info.get(world.parameters())}});
     }
     return list;
 }
@@ -123,7 +124,7 @@ std::string buildSceneJson(const std::string& name, const WorldDef& def, const W
     scene["demonstration"] = demonstration;
     scene["box"] = Json{{"min", point(environment.def().box.min)}, {"max", point(environment.def().box.max)}};
     scene["cell"] = environment.def().cell;
-    scene["radius"] = world.parameters().radius;
+    scene["radius"] = world.parameters().character.radius;
     scene["obstacles"] = obstacles(environment);
     scene["patches"] = patches(environment);
     scene["clips"] = clips(environment);
@@ -143,7 +144,7 @@ std::uint64_t sceneSignature(const World& world) {
         hash.add(view.id.value);
         hash.add(view.count);
     }
-    for (const ParameterInfo& info : parameterTable()) hash.add(world.parameters().*(info.member));
+    for (const ParameterInfo& info : parameterTable()) hash.add(info.get(world.parameters()));
     return hash.value();
 }
 

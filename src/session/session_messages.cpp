@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "environment/environment.h"
+#include "muster/parameter_table.h"
 #include "session/notice_place.h"
 #include "session/session_state.h"
 #include "world/commands/validation.h"

@@ -138,7 +138,7 @@ double RunMetrics::pathRatio(const World& world) const {
         for (std::size_t i = 0; i < ids_.size(); ++i) {
             if (world.characters().group[i] == g) starts.push_back(start_[i]);
         }
-        const double sum = leastWalk(inspect::environment(world), world.parameters().radius, starts,
+        const double sum = leastWalk(inspect::environment(world), world.parameters().character.radius, starts,
                                      world.group(g).placePositions);
         if (sum < 0.0) return -1.0;
         least += sum;

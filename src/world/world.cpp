@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "muster/parameter_table.h"
 #include "world/commands/command_archive.h"
 #include "world/commands/validation.h"
 #include "world/state/world_state.h"
@@ -21,6 +22,20 @@ void archive(Hasher& hasher, Environment& environment) {
 }
 void archive(Reader& reader, Environment& environment) {
     if (!environment.load(reader)) reader.fail();
+}
+
+// All parameters are numbers in archives, in the order of the table.
+void archive(auto& ar, Parameters& parameters) {
+    for (const ParameterInfo& info : parameterTable()) {
+        double value = info.get(parameters);
+        ar(value);
+        if constexpr (std::decay_t<decltype(ar)>::kReading) {
+            if (info.valid(value))
+                info.set(parameters, value);
+            else
+                ar.fail();
+        }
+    }
 }
 
 void archive(Writer& writer, std::vector<Command>& queue) {
@@ -113,7 +128,7 @@ Status addGround(World::Impl& world, const WorldDef& def) {
 
 template <class Archive>
 void World::Impl::visit(Archive& ar) {
-    for (const ParameterInfo& info : parameterTable()) ar(parameters.*(info.member));
+    archive(ar, parameters);
     archive(ar, environment);
     ar(characters);
     archive(ar, queue);
@@ -143,8 +158,8 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     EnvironmentDef ground;
     ground.box = def.box;
     ground.cell = def.cell;
-    ground.defaultRange = def.parameters.fieldRange;
-    ground.defaultStrength = def.parameters.fieldStrength;
+    ground.defaultRange = def.parameters.field.range;
+    ground.defaultStrength = def.parameters.field.strength;
     ground.clips = def.clips;
     Result<Environment> environment = Environment::create(ground);
     if (!environment.ok()) return environment.status();
@@ -157,7 +172,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     const Status grounded = addGround(*impl, def);
     if (!grounded.ok()) return grounded;
     impl->environment.setTime(0.0);
-    impl->makeDensity();
+    impl->density = DensityField(impl->environment.def().box, impl->parameters.density);
     impl->checkpoints = def.checkpoints;
     // Groups are numbered from 1 in this order.
     for (const FormationCheckpointDef& checkpoint : def.checkpoints)
@@ -224,7 +239,7 @@ Result<World> World::restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const
     if (const Status fits = impl->checkState(); !fits.ok())
         return Status(StatusCode::ParseError,
                       "snapshot: " + fits.message() + ", expected a world as it was saved");
-    impl->makeDensity();
+    impl->density = DensityField(impl->environment.def().box, impl->parameters.density);
     impl->prepareGround();
     return World(std::move(impl));
 }

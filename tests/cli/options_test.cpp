@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/program.h"
-#include "muster/parameters.h"
+#include "muster/parameter_table.h"
 
 using muster::testing::Outcome;
 using muster::testing::put;
@@ -67,7 +67,7 @@ TEST_CASE("every parameter can be set to its default by name, which changes noth
     for (const muster::ParameterInfo& info : muster::parameterTable()) {
         std::stringstream value;
         value.precision(17);
-        value << defaults.*info.member;
+        value << info.get(defaults);
         all += " --set " + std::string(info.name) + "=" + value.str();
     }
     CHECK(hashOf(all) == hashOf(""));

@@ -43,7 +43,7 @@ void add(Characters& c, Vec2 position, Vec2 direction) {
 // Runs towards fixed places, straight, without contacts.
 void walk(Characters& c, const std::vector<Vec2>& places, const Environment& environment, int steps) {
     Steering steering;
-    const SteeringDef def;
+    const Parameters::Character def;
     std::vector<Vec2> still(c.size());
     std::vector<Vec2> facing(c.size(), Vec2{0, 1});
     std::vector<Vec2> velocity(c.size());

@@ -22,7 +22,7 @@ int fail(const muster::Status& status) {
 int play(const std::filesystem::path& path, muster::PlanSolver solver, double seconds, int threads) {
     auto def = muster::loadScenario(path.string());
     if (!def.ok()) return fail(def.status());
-    def->parameters.planSolver = static_cast<double>(solver);
+    def->parameters.plan.solver = solver;
     const char* plan = solver == muster::PlanSolver::Fast ? "fast" : "exact";
     auto world = muster::World::create(*def, threads);
     if (!world.ok()) return fail(world.status());

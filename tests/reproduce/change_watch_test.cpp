@@ -67,7 +67,7 @@ TEST_CASE("each change is judged when the next one comes") {
 
 TEST_CASE("one who hardly moves and is not there is stuck after five seconds") {
     WorldDef def = oneWhoGoes();
-    def.parameters.maxSpeed = 0.01;
+    def.parameters.character.maxSpeed = 0.01;
     CHECK(watch(def, {changeAt(60, {4.0, 0.0})}, 60 + 240).changes()[0].stuck == 0);
     const auto changes = watch(def, {changeAt(60, {4.0, 0.0})}, 60 + 330).changes();
     CHECK(changes[0].stuck == 1);

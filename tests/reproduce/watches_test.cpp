@@ -114,8 +114,8 @@ TEST_CASE("the gap to a passing car, and a mesh that gives way to it") {
             watch.observe(world);
         }
         if (strength == 0.0) {
-            CHECK(watch.smallest() == doctest::Approx(1.0 - def.parameters.radius));
-            CHECK(watch.meanSmallest() == doctest::Approx(1.0 - def.parameters.radius));
+            CHECK(watch.smallest() == doctest::Approx(1.0 - def.parameters.character.radius));
+            CHECK(watch.meanSmallest() == doctest::Approx(1.0 - def.parameters.character.radius));
             CHECK(std::isnan(watch.givesWayFrom()));
         } else {
             CHECK(watch.smallest() > 1.0);
@@ -129,8 +129,8 @@ TEST_CASE("the gap to a passing car, and a mesh that gives way to it") {
 
 TEST_CASE("a contact leaves no gap") {
     WorldDef def = onePerson({0, 0});
-    def.parameters.environmentField = 0.0;
-    def.parameters.maxSpeed = 0.01;  // Cannot get away.
+    def.parameters.field.enabled = false;
+    def.parameters.character.maxSpeed = 0.01;  // Cannot get away.
     ObstacleDef car;
     car.polygon = rectangle({-2, -0.5}, {2, 0.7});
     car.path.waypoints = {{0.0, {-6, 0}, 0.0}, {6.0, {6, 0}, 0.0}};

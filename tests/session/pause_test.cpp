@@ -45,5 +45,5 @@ TEST_CASE("Parameters that contradict each other are refused with a notice") {
     client.send(protocol::SetParameter{"cost.beta", 0.0});
     run(session, 0.1, {&client});
     CHECK(client.noticed("SetParameter").find("cost.beta") != std::string::npos);
-    CHECK(session.world()->parameters().beta == 0.5);
+    CHECK(session.world()->parameters().cost.beta == 0.5);
 }

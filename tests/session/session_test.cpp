@@ -5,6 +5,7 @@
 
 #include "environment/environment.h"
 #include "muster/control.h"
+#include "muster/parameter_table.h"
 #include "muster/take.h"
 #include "world/inspect.h"
 
@@ -201,7 +202,7 @@ TEST_CASE("Formation, count and parameters change the world and the scene") {
     run(session, 0.2, {&client});
     CHECK(client.meshes.back().formation == "wedge");
     CHECK(client.frames.back().crowd.count == 20);
-    CHECK(session.world()->parameters().exponent == 1.0);
+    CHECK(session.world()->parameters().plan.exponent == 1.0);
     const auto scene = nlohmann::json::parse(client.scenes.back().json);
     CHECK(scene["groups"][0]["count"] == 20);
     CHECK(client.scenes.back().revision == client.frames.back().sceneRevision);

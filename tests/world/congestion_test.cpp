@@ -11,9 +11,9 @@ using namespace muster::testing;
 // Fast plans see a crowd along the ways they know, not that another way has become cheaper.
 TEST_CASE("two ways, one jammed: with density the exact plan avoids the crowd, without it does not") {
     // A wall with two doors at the same distance; a standing crowd of another group fills the upper one.
-    const auto goesLow = [](double density) {
+    const auto goesLow = [](bool density) {
         WorldDef def = openFloor(1);
-        def.parameters.planSolver = static_cast<double>(PlanSolver::Exact);
+        def.parameters.plan.solver = PlanSolver::Exact;
         def.obstacles = {block(-0.5, -12, 0.5, -5), block(-0.5, -2.5, 0.5, 2.5), block(-0.5, 5, 0.5, 12)};
         def.groups[0].starts = {{-6, 0.05}};  // A little nearer to the upper door.
         def.groups[0].position = {6, 0.05};
@@ -22,7 +22,7 @@ TEST_CASE("two ways, one jammed: with density the exact plan avoids the crowd, w
         jam.position = {0, 3.75};
         jam.formation.spacing = 0.55;
         def.groups.push_back(jam);
-        def.parameters.density = density;
+        def.parameters.density.enabled = density;
         World world = World::create(def).value();
         bool lower = false;
         for (int s = 0; s < 15 * 60; ++s) {
@@ -33,6 +33,6 @@ TEST_CASE("two ways, one jammed: with density the exact plan avoids the crowd, w
         CHECK(world.characters().position[0].x > 3.0);
         return lower;
     };
-    CHECK(goesLow(1));
-    CHECK_FALSE(goesLow(0));
+    CHECK(goesLow(true));
+    CHECK_FALSE(goesLow(false));
 }

@@ -21,8 +21,8 @@ WorldDef hall(double width, std::uint64_t seed) {
     for (int i = 0; i < 36; ++i) group.starts.push_back({-1.5 - 0.6 * (i / 6), 0.6 * (i % 6 - 2.5)});
     def.groups.push_back(group);
     // By costs alone they would wait for each other; here they press.
-    def.parameters.density = 0.0;
-    def.parameters.environmentField = 0.0;
+    def.parameters.density.enabled = false;
+    def.parameters.field.enabled = false;
     return def;
 }
 

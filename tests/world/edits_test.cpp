@@ -211,7 +211,7 @@ TEST_CASE("time.step stands, other parameters take hold in the step of their com
     REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, 0}, 0}).ok());
     world.step();
     CHECK(world.parameters().stepTime == 1.0 / 60.0);
-    CHECK(world.parameters().maxSpeed == 0.5);
+    CHECK(world.parameters().character.maxSpeed == 0.5);
     double fastest = 0.0;
     for (int s = 0; s < 120; ++s) {
         world.step();

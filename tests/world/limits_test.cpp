@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cost/density.h"
+#include "muster/parameter_table.h"
 #include "world/commands/validation.h"
 #include "world/inspect.h"
 #include "world/scenes.h"
@@ -30,17 +31,17 @@ bool holds(const std::string& text, const char* part) {
 
 TEST_CASE("a world is checked whole before it is made") {
     WorldDef def = openFloor(4);
-    def.parameters.planPeriod = -1.0;
+    def.parameters.plan.period = -1;
     const auto still = World::create(def);
     REQUIRE_FALSE(still.ok());
     CHECK(holds(still.status().message(), "plan.period"));
     def = openFloor(4);
-    def.parameters.alpha = def.parameters.beta = 0.0;
+    def.parameters.cost.alpha = def.parameters.cost.beta = 0.0;
     const auto free = World::create(def);
     REQUIRE_FALSE(free.ok());
     CHECK(holds(free.status().message(), "cost.alpha and cost.beta"));
     def = openFloor(4);
-    def.parameters.densityCell = 0.1;
+    def.parameters.density.cell = 0.1;
     def.box = {{-4000, -4000}, {4000, 4000}};
     def.cell = 50.0;
     const auto fine = World::create(def);
@@ -53,9 +54,9 @@ TEST_CASE("parameters that contradict each other are refused while the world run
     std::uint32_t sequence = 0;
     CHECK(refusalOf(world, sequence, SetParameter{"cost.alpha", 0.0}).empty());
     CHECK(holds(refusalOf(world, sequence, SetParameter{"cost.beta", 0.0}), "cost.beta"));
-    CHECK(world.parameters().beta == 0.5);
+    CHECK(world.parameters().cost.beta == 0.5);
     CHECK(holds(refusalOf(world, sequence, SetParameter{"density.min", 50.0}), "density.max"));
-    CHECK(world.parameters().densityMin == Parameters{}.densityMin);
+    CHECK(world.parameters().density.min == Parameters{}.density.min);
     // What a metre may cost has a bound that snapshots keep to.
     CHECK(refusalOf(world, sequence, SetParameter{"discomfort.gain", 1000.0}).empty());
     CHECK(refusalOf(world, sequence, SetParameter{"cost.minSpeed", 0.002}).empty());
@@ -88,7 +89,7 @@ TEST_CASE("one limit on characters, for scenarios, groups that join, and counts"
         const std::int32_t most = exact ? kMaxExact : kMaxCharacters;
         const std::string told = "at most " + std::to_string(most);
         WorldDef def = openFloor(4);
-        def.parameters.planSolver = static_cast<double>(exact ? PlanSolver::Exact : PlanSolver::Fast);
+        def.parameters.plan.solver = exact ? PlanSolver::Exact : PlanSolver::Fast;
         WorldDef full = def;
         full.groups.push_back(def.groups[0]);
         full.groups[1].count = most - 3;
@@ -112,14 +113,14 @@ TEST_CASE("a crowd too large for exact plans stays with fast ones, and says so")
     WorldDef def = openFloor(kMaxExact + 1);
     def.box = {{-60, -60}, {60, 60}};
     def.groups[0].position = {};
-    def.parameters.planSolver = static_cast<double>(PlanSolver::Exact);
+    def.parameters.plan.solver = PlanSolver::Exact;
     CHECK(holds(World::create(def).status().message(), "exact plans (plan.solver 0) serve at most 5000"));
-    def.parameters.planSolver = static_cast<double>(PlanSolver::Fast);
+    def.parameters.plan.solver = PlanSolver::Fast;
     Result<World> world = World::create(def);
     REQUIRE(world.ok());
     std::uint32_t sequence = 0;
     CHECK(holds(refusalOf(*world, sequence, SetParameter{"plan.solver", 0.0}), "serve at most 5000"));
-    CHECK(world->parameters().planSolver == static_cast<double>(PlanSolver::Fast));
+    CHECK(world->parameters().plan.solver == PlanSolver::Fast);
     CHECK(world->characters().size() == static_cast<std::size_t>(kMaxExact) + 1);
 }
 
@@ -134,8 +135,8 @@ TEST_CASE("the widest characters that may be still find room in the open") {
     WorldDef def;
     def.box = {{-60, -60}, {60, 60}};
     def.cell = 1.0;
-    def.parameters.radius = widest;
-    def.parameters.placeClearance = clearest;
+    def.parameters.character.radius = widest;
+    def.parameters.place.clearance = clearest;
     def.groups.emplace_back().count = 4;
     def.groups[0].formation.spacing = 10.0;
     World world = World::create(def).value();

@@ -20,7 +20,7 @@ WorldDef walkDef(double side = 0.0) {
     group.formation.points = {{5, side}, {5, side + 2}, {5, side - 2}};
     group.starts = {{-5, side}, {-5, side + 2}, {-5, side - 2}};
     def.groups = {group};
-    def.parameters.environmentField = 0.0;
+    def.parameters.field.enabled = false;
     return def;
 }
 

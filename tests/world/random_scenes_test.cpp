@@ -23,7 +23,7 @@ TEST_CASE("random scenes under random fingers keep every invariant") {
                 RC_ASSERT(isFinite(c.position[i]) && isFinite(c.velocity[i]) && isFinite(c.heading[i]));
                 RC_ASSERT(inspect::environment(world).def().box.contains(c.position[i]));
                 RC_ASSERT(inspect::environment(world).distanceToObstacle(c.position[i]) >
-                          world.parameters().radius - 1e-3);
+                          world.parameters().character.radius - 1e-3);
             }
             for (std::size_t g = 0; g < world.groupCount(); ++g)
                 for (const Vec2 v : world.group(g).finalMesh) RC_ASSERT(isFinite(v));

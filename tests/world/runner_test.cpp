@@ -40,7 +40,7 @@ void threadsOfItsOwn(void* context, std::int32_t count, Task task, void* taskCon
 // Fast plans hand out work in pieces of a hundred characters and more, so they get more of them.
 WorldDef floorBy(PlanSolver solver, std::uint64_t seed) {
     WorldDef def = testing::busyFloor(seed);
-    def.parameters.planSolver = static_cast<double>(solver);
+    def.parameters.plan.solver = solver;
     if (solver == PlanSolver::Fast) def.groups[0].count = 300, def.groups[0].formation.spacing = 0.6;
     return def;
 }

@@ -10,8 +10,8 @@ using namespace muster::testing;
 
 TEST_CASE("a world saved at each slice of a plan goes on bit for bit") {
     WorldDef def = busyFloor(5);
-    def.parameters.planSolver = static_cast<double>(PlanSolver::Exact);  // Fast plans are made in one step.
-    def.parameters.planPeriod = 7;
+    def.parameters.plan.solver = PlanSolver::Exact;  // Fast plans are made in one step.
+    def.parameters.plan.period = 7;
     World world = World::create(def).value();
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, -6}, 0.5}).ok());

@@ -28,7 +28,7 @@ void stepBy(World& world, int steps) {
 
 TEST_CASE("changing plan.solver exchanges the plan of every group in that step, and nobody loses a place") {
     WorldDef def = busyFloor(5);
-    def.parameters.planSolver = static_cast<double>(PlanSolver::Exact);
+    def.parameters.plan.solver = PlanSolver::Exact;
     World world = World::create(def).value();
     stepBy(world, 20);
     std::uint32_t sequence = 0;
@@ -54,7 +54,7 @@ TEST_CASE("changing plan.solver exchanges the plan of every group in that step, 
 TEST_CASE("setting the solver that is at work changes nothing") {
     for (const PlanSolver solver : {PlanSolver::Exact, PlanSolver::Fast}) {
         WorldDef def = busyFloor(6);
-        def.parameters.planSolver = static_cast<double>(solver);
+        def.parameters.plan.solver = solver;
         World touched = World::create(def).value(), left = World::create(def).value();
         std::uint32_t sequence = 0;
         for (int i = 0; i < 24; ++i) {
@@ -68,7 +68,7 @@ TEST_CASE("setting the solver that is at work changes nothing") {
 
 TEST_CASE("a world whose solver was exchanged goes on from its snapshot bit for bit") {
     WorldDef def = busyFloor(7);
-    def.parameters.planSolver = static_cast<double>(PlanSolver::Exact);
+    def.parameters.plan.solver = PlanSolver::Exact;
     World world = World::create(def).value();
     stepBy(world, 10);
     std::uint32_t sequence = 0;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "cost/unit_cost.h"
+#include "muster/parameter_table.h"
 #include "world/inspect.h"
 #include "world/scenes.h"
 
@@ -73,14 +74,14 @@ double displacement(const World& world) {
 }  // namespace
 
 TEST_CASE("field.enabled: off, the mesh is what the user made of it, even inside an obstacle") {
-    for (const double enabled : {0.0, 1.0}) {
+    for (const bool enabled : {false, true}) {
         WorldDef def = openFloor(25);
         def.obstacles.push_back(tree({-6, 2.2}, 0.8));
-        def.parameters.environmentField = enabled;
+        def.parameters.field.enabled = enabled;
         World world = World::create(def).value();
         for (int s = 0; s < 120; ++s) world.step();
         CAPTURE(enabled);
-        if (enabled == 0.0)
+        if (!enabled)
             CHECK(displacement(world) == 0.0);
         else
             CHECK(displacement(world) > 0.1);
@@ -122,8 +123,8 @@ TEST_CASE("density.enabled: crowded ground costs more, a sparse crowd changes no
     dense.groups[0].formation.spacing = 0.55;
     WorldDef sparse = openFloor(9);
     sparse.groups[0].formation.spacing = 2.5;
-    const auto dearest = [](WorldDef def, double enabled) {
-        def.parameters.density = enabled;
+    const auto dearest = [](WorldDef def, bool enabled) {
+        def.parameters.density.enabled = enabled;
         World world = World::create(def).value();
         for (int s = 0; s < 8; ++s) world.step();
         REQUIRE(inspect::unitCost(world) != nullptr);
@@ -136,24 +137,24 @@ TEST_CASE("density.enabled: crowded ground costs more, a sparse crowd changes no
         }
         return most;
     };
-    CHECK(dearest(dense, 1) > 1.2f);
-    CHECK(dearest(dense, 0) == doctest::Approx(1.0));
-    CHECK(dearest(sparse, 1) == doctest::Approx(1.0));
+    CHECK(dearest(dense, true) > 1.2f);
+    CHECK(dearest(dense, false) == doctest::Approx(1.0));
+    CHECK(dearest(sparse, true) == doctest::Approx(1.0));
     const Director draw = drawing({-6, 0}, {8, 1});
     CHECK(trackOf(sparse, "density.enabled", 0, draw) == trackOf(sparse, "density.enabled", 1, draw));
 }
 
 TEST_CASE("discomfort.enabled: the ground ahead of a car costs more, that behind it does not") {
-    for (const double enabled : {0.0, 1.0}) {
+    for (const bool enabled : {false, true}) {
         WorldDef def = openFloor(9);
         def.obstacles.push_back(carFrom({0, -6}, {0, 6}, 12.0));  // Upwards at 1 m/s.
-        def.parameters.discomfort = enabled;
+        def.parameters.discomfort.enabled = enabled;
         World world = World::create(def).value();
         for (int s = 0; s < 6 * 60 + 5; ++s) world.step();
         const UnitCost& cost = *inspect::unitCost(world);
         const auto at = [&](Vec2 p) { return cost.cells[cost.grid.index(cost.grid.cellOf(p))].east; };
         CAPTURE(enabled);
-        if (enabled == 1.0)
+        if (enabled)
             CHECK(at({0.1, 1.2}) > 1.5f);
         else
             CHECK(at({0.1, 1.2}) == doctest::Approx(1.0));
@@ -168,13 +169,13 @@ TEST_CASE("discomfort.enabled: the ground ahead of a car costs more, that behind
 
 TEST_CASE("plan.geodesic: a wall between near things makes them far; straight lines do not see it") {
     // Two characters, left and right of a long wall; both places left of it, the second just behind the wall.
-    for (const double geodesic : {0.0, 1.0}) {
+    for (const bool geodesic : {false, true}) {
         WorldDef def = openFloor(2);
         def.obstacles.push_back(block(-0.2, -11, 0.2, 9));
         def.groups[0].position = {-4.0, 0};
         def.groups[0].formation.spacing = 1.0;
         def.groups[0].starts = {{-8.0, 0}, {0.8, 0}};
-        def.parameters.geodesic = geodesic;
+        def.parameters.plan.geodesic = geodesic;
         World world = World::create(def).value();
         world.step();
         CAPTURE(geodesic);
@@ -182,7 +183,7 @@ TEST_CASE("plan.geodesic: a wall between near things makes them far; straight li
         REQUIRE(c.place[1] >= 0);
         // The cost left is that of the way round the wall, or of the straight line through it.
         const double straight = distance(c.position[1], world.group(0).placePositions[c.place[1]]);
-        if (geodesic == 1.0)
+        if (geodesic)
             CHECK(world.group(0).objective > 18.0 * 18.0);
         else
             CHECK(world.group(0).objective < 2.0 * (straight + 1.5) * (straight + 1.5) + 60.0);
@@ -195,9 +196,9 @@ TEST_CASE("plan.geodesic: a wall between near things makes them far; straight li
 }
 
 TEST_CASE("plan.mode after a change of formation: assigned anew, or by number") {
-    for (const double mode : {0.0, 1.0, 2.0}) {
+    for (const PlanMode mode : {PlanMode::Transport, PlanMode::AssignedOnce, PlanMode::Fixed}) {
         WorldDef def = openFloor(16);
-        def.parameters.planMode = mode;
+        def.parameters.plan.mode = mode;
         World world = World::create(def).value();
         world.step();
         std::uint32_t sequence = 0;
@@ -214,6 +215,6 @@ TEST_CASE("plan.mode after a change of formation: assigned anew, or by number") 
             counted = counted && place[i] == i;
         }
         CAPTURE(mode);
-        CHECK(counted == (mode == 2.0));
+        CHECK(counted == (mode == PlanMode::Fixed));
     }
 }

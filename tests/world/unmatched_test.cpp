@@ -32,11 +32,11 @@ TEST_CASE("one who finds no place and stands behind a wall comes round it to the
 }
 
 TEST_CASE("kept places that do not fit are nobody's, and their holders' again when they fit") {
-    for (const double mode : {1.0, 2.0}) {
+    for (const PlanMode mode : {PlanMode::AssignedOnce, PlanMode::Fixed}) {
         CAPTURE(mode);
         WorldDef def;
         def.box = {{-4, -2}, {4, 2}};
-        def.parameters.planMode = mode;
+        def.parameters.plan.mode = mode;
         GroupDef group;
         group.count = 12;
         group.formation.spacing = 0.9;

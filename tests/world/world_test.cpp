@@ -102,17 +102,17 @@ TEST_CASE("the crowd parts round a block and is whole again behind it") {
 }
 
 TEST_CASE("with the opposing force the mesh waits for a crowd held up, without it it does not") {
-    const auto lagAfter = [](double enabled) {
+    const auto lagAfter = [](bool enabled) {
         WorldDef def = openFloor(25);
         def.patches.push_back(rectangle(-3.5, -10, 10, 10, 3));
-        def.parameters.opposingForce = enabled;
+        def.parameters.opposing.enabled = enabled;
         World world = World::create(def).value();
         std::uint32_t sequence = 0;
         drag(world, sequence, {12, 0});
         run(world, 1.0);
         return world.group(0).meanLag;
     };
-    CHECK(lagAfter(1.0) < 0.6 * lagAfter(0.0));
+    CHECK(lagAfter(true) < 0.6 * lagAfter(false));
 }
 
 TEST_CASE("every formation is taken up and nobody is left over") {
@@ -171,7 +171,8 @@ TEST_CASE("patches slow, are reported as events, and set the motion id") {
     }
     CHECK(entered >= 16);
     CHECK(left >= 16);
-    const double speed = inspect::environment(world).def().clips[3].speed * world.parameters().maxSpeed;
+    const double speed = inspect::environment(world).def().clips[3].speed *
+                         world.parameters().character.maxSpeed;
     CHECK(fastest <= speed * 1.0001);
     CHECK(fastest > speed * 0.9);
     CHECK(worstDistanceToPlace(world) < 0.25);
@@ -224,9 +225,9 @@ TEST_CASE("bad commands are refused with a sentence and change nothing") {
 }
 
 TEST_CASE("plan modes: fixed keeps places, assigned once keeps the first assignment") {
-    for (const double mode : {1.0, 2.0}) {
+    for (const PlanMode mode : {PlanMode::AssignedOnce, PlanMode::Fixed}) {
         WorldDef def = openFloor(25);
-        def.parameters.planMode = mode;
+        def.parameters.plan.mode = mode;
         World world = World::create(def).value();
         std::uint32_t sequence = 0;
         world.step();

@@ -20,7 +20,7 @@ CarWatch::CarWatch(const World& world)
 
 void CarWatch::observe(const World& world) {
     const std::span<const Vec2> positions = world.characters().position;
-    const double radius = world.parameters().radius;
+    const double radius = world.parameters().character.radius;
     for (const ObstaclePiece& piece : inspect::environment(world).pieces()) {
         if (!piece.moving) continue;
         // Displacement of the car until the next step. In the axes of the car, people move the opposite way.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "muster/gestures.h"
+#include "muster/parameter_table.h"
 #include "muster/scenario.h"
 
 namespace muster {

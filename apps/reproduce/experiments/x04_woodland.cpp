@@ -128,7 +128,7 @@ Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
     sample.figures["openSpeed"] = between.metres / between.seconds;
     sample.figures["crossing"] = crossing.ends < 0.0 ? std::nan("") : crossing.ends - crossing.begins;
     if (bare) return sample;
-    const double limit = trial->def().clips[kDuck].speed * trial->world().parameters().maxSpeed;
+    const double limit = trial->def().clips[kDuck].speed * trial->world().parameters().character.maxSpeed;
     sample.figures["duckers"] = ground.visitors(kDuck);
     sample.figures["speed"] = ground.speed(kDuck);
     sample.figures["ratio"] = ground.speed(kDuck) / limit;

@@ -75,7 +75,7 @@ Result<RunSample> runOpen(const RunRequest& request) {
     RunSample sample;
     double worst = 0.0, strict = 0.0;
     std::int32_t stuck = 0;
-    const double speed = trial->world().parameters().maxSpeed;
+    const double speed = trial->world().parameters().character.maxSpeed;
     for (const FormationChangeRecord& change : watch.changes()) {
         reportChange(change, speed, sample);
         worst = worse(worst, change.ratio(speed));
@@ -169,7 +169,7 @@ Result<RunSample> runCorridor(const RunRequest& request) {
     trial->report(sample);
     const auto changes = watch.changes();
     if (changes.size() == 2) {
-        reportChange(changes[1], trial->world().parameters().maxSpeed, sample);
+        reportChange(changes[1], trial->world().parameters().character.maxSpeed, sample);
         sample.figures["stuck"] = changes[0].stuck + changes[1].stuck;
     }
     sample.figures["width_before"] = crowd.before;

@@ -101,8 +101,8 @@ void CrowdMotion::update(const World& world) {
     crowd.environment = &inspect::environment(world);
     crowd.places = impl_->places;
     crowd.stepTime = world.parameters().stepTime;
-    crowd.maxSpeed = world.parameters().maxSpeed;
-    crowd.directReach = world.parameters().directReach;
+    crowd.maxSpeed = world.parameters().character.maxSpeed;
+    crowd.directReach = world.parameters().character.directReach;
     update(crowd);
 }
 

@@ -15,7 +15,7 @@ constexpr float kGoingReach = 0.3f;     // ... nor who will be so far away in a 
 constexpr float kStandingSpeed = 0.1f;  // Slower than this one stands, if one stays [m/s].
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-// Steering's own gains, so that what is foretold comes true (SteeringDef).
+// Steering's own gains, so that what is foretold comes true (Parameters::Character).
 constexpr double kVelocityGain = 12.0, kAcceleration = 10.0, kPositionGain = 3.0, kTurnRate = 8.0;
 
 float unevenness(std::uint32_t id, std::size_t feature) {

@@ -7,16 +7,22 @@
 
 #include "formation/mesh/arap.h"
 #include "muster/control.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
 /// How touches become controls, and how controls move.
 struct ControlDef {
-    double window = 0.15;            ///< Touches that begin within it form one control [s], 0 or more.
-    double checkpointSpacing = 0.5;  ///< Distance between checkpoints of a trajectory [m], above 0.
-    double maxSpeed = 1.6;           ///< Bound on the speed of control points [m/s], above 0.
-    double clockRate = 4.0;          ///< Most drawing seconds per second when catching up, 1 or more.
-    double softWeight = 6.0;  ///< Weight of supplementary points against the mesh's own stiffness, above 0.
+    /// Touches that begin within it form one control [s], 0 or more.
+    double window = Parameters::Input{}.window;
+    /// Distance between checkpoints of a trajectory [m], above 0.
+    double checkpointSpacing = Parameters::Input{}.checkpointSpacing;
+    /// Bound on the speed of control points [m/s], above 0.
+    double maxSpeed = Parameters::Control{}.speed;
+    /// Most drawing seconds per second when catching up, 1 or more.
+    double clockRate = Parameters::Control{}.clockRate;
+    /// Weight of supplementary points against the mesh's own stiffness, above 0.
+    double softWeight = Parameters::Control{}.softWeight;
     double sampleSpacing = 1.0;  ///< Distance between supplementary points [m], above 0.
 };
 

@@ -9,16 +9,22 @@
 #include "formation/control/control_set.h"
 #include "formation/mesh/arap.h"
 #include "formation/shapes/formation.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
 /// How the mesh deforms and relaxes.
 struct FormationMeshDef {
-    double relaxTime = 1.0;        ///< To return to the rest shape after the last control [s], above 0.
-    bool environmentField = true;  ///< If false, the environment displaces no vertex.
-    double fieldGain = 1.0;        ///< Displacement per unit of field [m], 0 or more.
-    double fieldSpeed = 1.5;       ///< Bound on the change of a vertex's displacement [m/s], above 0.
-    double morphSpeed = 3.0;       ///< Bound on vertex speed while residuals decay [m/s], above 0.
+    /// To return to the rest shape after the last control [s], above 0.
+    double relaxTime = Parameters::Mesh{}.relaxTime;
+    /// If false, the environment displaces no vertex.
+    bool environmentField = Parameters::Field{}.enabled;
+    /// Displacement per unit of field [m], 0 or more.
+    double fieldGain = Parameters::Field{}.gain;
+    /// Bound on the change of a vertex's displacement [m/s], above 0.
+    double fieldSpeed = Parameters::Field{}.speed;
+    /// Bound on vertex speed while residuals decay [m/s], above 0.
+    double morphSpeed = Parameters::Mesh{}.morphSpeed;
 };
 
 /// The rest shape is the registered formation, never a deformed mesh. Vu is a goal shape, which the controls

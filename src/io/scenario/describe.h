@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/scenario/fields.h"
+#include "muster/parameter_table.h"
 #include "muster/world_def.h"
 #include "world/commands/validation.h"
 
@@ -160,10 +161,9 @@ void describeItem(Visitor& v, ItemDef& item) {
 template <class Visitor>
 void describeParameters(Visitor& v, Parameters& parameters) {
     for (const ParameterInfo& info : parameterTable()) {
-        const bool isSwitch = info.unit == "switch";
-        const bool whole = isSwitch || info.unit == "mode" || info.unit == "steps" || info.unit == "count";
-        v.number(info.name, parameters.*info.member, {info.minimum, info.maximum, info.unit, whole},
-                 info.description);
+        double value = info.get(parameters);
+        v.number(info.name, value, {info.minimum, info.maximum, info.unit, info.whole()}, info.description);
+        if constexpr (Visitor::kReading) info.set(parameters, value);
     }
 }
 

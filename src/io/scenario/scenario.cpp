@@ -4,6 +4,7 @@
 #include "io/scenario/describe.h"
 #include "io/scenario/gestures_field.h"
 #include "io/scenario/map_field.h"
+#include "muster/parameter_table.h"
 
 namespace muster {
 namespace {

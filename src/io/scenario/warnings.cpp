@@ -18,7 +18,7 @@ std::string at(Vec2 p) {
 
 /// The definition's ground as it stands at the start.
 Result<Environment> groundOf(const WorldDef& def) {
-    EnvironmentDef ground{def.box, def.cell, def.parameters.fieldRange, def.parameters.fieldStrength,
+    EnvironmentDef ground{def.box, def.cell, def.parameters.field.range, def.parameters.field.strength,
                           def.clips};
     auto environment = Environment::create(ground);
     if (!environment.ok()) return environment;
@@ -49,7 +49,7 @@ std::string placeOf(const Environment& environment, const NarrowGap& gap) {
 
 void warnOfGaps(const WorldDef& def, const Environment& environment, std::size_t most,
                 std::vector<std::string>& warnings) {
-    const double diameter = 2.0 * def.parameters.radius;
+    const double diameter = 2.0 * def.parameters.character.radius;
     for (const NarrowGap& gap : environment.narrowGaps(diameter, static_cast<std::int32_t>(most))) {
         if (warnings.size() >= most) return;
         char width[32];
@@ -94,7 +94,8 @@ void warnOfStarts(const WorldDef& def, const Environment& environment, std::size
         std::int32_t blocked = 0;
         Vec2 example;
         for (Vec2 p : group.starts) {
-            if (def.box.contains(p) && environment.distanceToObstacle(p) >= def.parameters.radius) continue;
+            if (def.box.contains(p) && environment.distanceToObstacle(p) >= def.parameters.character.radius)
+                continue;
             if (blocked++ == 0) example = p;
         }
         if (group.starts.empty() && !def.box.contains(group.position)) {

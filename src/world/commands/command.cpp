@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "muster/parameter_table.h"
 #include "world/commands/command_archive.h"
 #include "world/commands/validation.h"
 

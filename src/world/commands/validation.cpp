@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "muster/parameter_table.h"
 #include "world/state/number_text.h"
 
 namespace muster {
@@ -122,12 +123,13 @@ Status each(const char* name, const List& list, std::size_t most, Check check) {
 /// running.
 Status isCost(const Parameters& p) {
     constexpr double kLeastCost = 0.01, kMostCost = 1e8, kSlowest = 0.01;
-    if (p.alpha + p.beta < kLeastCost) {
+    if (p.cost.alpha + p.cost.beta < kLeastCost) {
         return invalidArgument("parameters cost.alpha and cost.beta add up to " +
-                               numberText(p.alpha + p.beta) + ", expected at least " +
+                               numberText(p.cost.alpha + p.cost.beta) + ", expected at least " +
                                numberText(kLeastCost));
     }
-    const double most = (p.alpha + p.beta + p.gamma * p.discomfortGain) / (p.minSpeed * kSlowest);
+    const double most = (p.cost.alpha + p.cost.beta + p.cost.gamma * p.discomfort.gain) /
+                        (p.cost.minSpeed * kSlowest);
     if (most <= kMostCost) return {};
     return invalidArgument(
         "parameters cost.alpha, cost.beta, cost.gamma, discomfort.gain and cost.minSpeed let a metre cost " +
@@ -139,14 +141,15 @@ Status isCost(const Parameters& p) {
 Status validateParameters(const Parameters& parameters, const Box& box) {
     Parameters scratch;
     for (const ParameterInfo& info : parameterTable()) {
-        if (Status s = setParameter(scratch, info.name, parameters.*info.member); !s.ok()) return s;
+        if (Status s = setParameter(scratch, info.name, info.get(parameters)); !s.ok()) return s;
     }
-    if (parameters.densityMax <= parameters.densityMin) {
-        return invalidArgument("parameter density.max is " + numberText(parameters.densityMax) +
-                               ", expected a number above density.min, " + numberText(parameters.densityMin));
+    if (parameters.density.max <= parameters.density.min) {
+        return invalidArgument("parameter density.max is " + numberText(parameters.density.max) +
+                               ", expected a number above density.min, " +
+                               numberText(parameters.density.min));
     }
-    const double cells = (box.width() / parameters.densityCell + 1.0) *
-                         (box.height() / parameters.densityCell + 1.0);
+    const double cells = (box.width() / parameters.density.cell + 1.0) *
+                         (box.height() / parameters.density.cell + 1.0);
     if (!(cells <= kMostCells)) {
         return {StatusCode::LimitExceeded, "parameter density.cell makes " + numberText(cells) +
                                                " density cells, at most 16 million are allowed"};
@@ -175,7 +178,7 @@ Status validateTotal(std::int64_t characters, const Parameters& parameters) {
     const std::string found = "the groups would hold " + std::to_string(characters) + " characters, ";
     if (characters > kMaxCharacters)
         return {StatusCode::LimitExceeded, found + "a world holds at most " + std::to_string(kMaxCharacters)};
-    if (characters > kMaxExact && parameters.planSolver == static_cast<double>(PlanSolver::Exact))
+    if (characters > kMaxExact && parameters.plan.solver == PlanSolver::Exact)
         return {StatusCode::LimitExceeded,
                 found + "exact plans (plan.solver 0) serve at most " + std::to_string(kMaxExact)};
     return {};

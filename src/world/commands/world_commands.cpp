@@ -4,7 +4,9 @@
 #include <string>
 
 #include "base/maths.h"
+#include "muster/parameter_table.h"
 #include "world/commands/validation.h"
+#include "world/state/derived_defs.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -28,14 +30,14 @@ public:
         if (touch.group && group == nullptr) return notFound("group", touch.group.value);
         if (group == nullptr)
             return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
-        return refused(group->controls.touchDown(world_.controlDef(), command_.client, touch.touch,
+        return refused(group->controls.touchDown(controlDef(world_.parameters), command_.client, touch.touch,
                                                  touch.position, touch.time, group->mesh.formation().mesh,
                                                  group->mesh.finalMesh(), group->mesh.userMesh()),
                        "touch " + std::to_string(touch.touch) + " is down already, or its vertex is held");
     }
     Status operator()(const TouchMove& touch) {
         return eachSet(touch.touch, [&](ControlSet& set) {
-            return set.touchMove(world_.controlDef(), command_.client, touch.touch, touch.position,
+            return set.touchMove(controlDef(world_.parameters), command_.client, touch.touch, touch.position,
                                  stamp(touch.time));
         });
     }
@@ -51,7 +53,7 @@ public:
         Group* group = world_.findGroup(add.group);
         if (group == nullptr) return notFound("group", add.group.value);
         return refused(
-            group->controls.addControl(world_.controlDef(), command_.client, add.kind, add.touches,
+            group->controls.addControl(controlDef(world_.parameters), command_.client, add.kind, add.touches,
                                        add.positions, stamp(add.time), group->mesh.formation().mesh,
                                        group->mesh.finalMesh(), group->mesh.userMesh()),
             "the control's points do not suit its kind, or share a vertex that is held");
@@ -121,11 +123,12 @@ public:
         if (status.ok()) status = validateParameters(next, world_.environment.def().box);
         if (status.ok()) status = validateTotal(static_cast<std::int64_t>(world_.characters.size()), next);
         if (!status.ok()) return status;
-        const bool exchanged = next.planSolver != world_.parameters.planSolver;
+        const bool exchanged = next.plan.solver != world_.parameters.plan.solver;
         world_.parameters = next;
         if (exchanged) world_.exchangePlans();
-        world_.environment.setFieldDefaults(next.fieldRange, next.fieldStrength);
-        if (set.name == "density.cell" || set.name == "density.lambda") world_.makeDensity();
+        world_.environment.setFieldDefaults(next.field.range, next.field.strength);
+        if (set.name == "density.cell" || set.name == "density.lambda")
+            world_.density = DensityField(world_.environment.def().box, next.density);
         return status;
     }
 
@@ -137,7 +140,7 @@ private:
     // The group whose final mesh lies nearest within reach; ties go to the lower id.
     Group* nearestGroup(Vec2 p) {
         Group* best = nullptr;
-        double nearest = world_.parameters.touchReach;
+        double nearest = world_.parameters.input.reach;
         for (Group& group : world_.groups) {
             const auto& triangles = group.mesh.formation().mesh.triangles;
             const MeshPoint point = locate(triangles, group.mesh.finalMesh(), p);

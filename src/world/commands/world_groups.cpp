@@ -4,6 +4,7 @@
 
 #include "base/maths.h"
 #include "world/commands/validation.h"
+#include "world/state/derived_defs.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -31,7 +32,7 @@ void World::Impl::addCharacter(const Group& group, std::uint32_t groupIndex, Vec
     Characters& c = characters;
     c.id.push_back(nextCharacter++);
     c.group.push_back(groupIndex);
-    c.position.push_back(environment.projectToFreeSpace(position, parameters.radius));
+    c.position.push_back(environment.projectToFreeSpace(position, parameters.character.radius));
     c.velocity.push_back({});
     c.heading.push_back(group.mesh.pose().rotation.apply({1.0, 0.0}));
     c.place.push_back(-1);
@@ -69,9 +70,9 @@ std::int32_t World::Impl::regionOf(const Group& group) {
     std::vector<std::int32_t>& counts = memory.regionCounts;
     counts.clear();
     std::int32_t best = -1;
-    const bool only = environment.regionCount(parameters.radius) <= 1;
+    const bool only = environment.regionCount(parameters.character.radius) <= 1;
     for (const std::int32_t i : group.members) {
-        const std::int32_t label = environment.region(characters.position[i], parameters.radius);
+        const std::int32_t label = environment.region(characters.position[i], parameters.character.radius);
         if (label < 0) continue;
         if (only) return label;
         const auto at = static_cast<std::size_t>(label);
@@ -85,7 +86,7 @@ std::int32_t World::Impl::regionOf(const Group& group) {
 
 // By `plan.solver`; the only place that knows which solvers there are.
 std::unique_ptr<Plan> World::Impl::makePlan() const {
-    return parameters.planSolver == static_cast<double>(PlanSolver::Fast) ? makeFastPlan() : makeExactPlan();
+    return parameters.plan.solver == PlanSolver::Fast ? makeFastPlan() : makeExactPlan();
 }
 
 // Another solver takes over: every group is planned anew in this step, from the places that its characters
@@ -137,8 +138,8 @@ Status World::Impl::addGroup(const GroupDef& def) {
     refreshMembers();
     Group& added = groups.back();
     // Characters that begin in each other or in a wall part before anything is planned.
-    contactSolver.resolve({parameters.radius, 64}, environment, characters.position);
-    added.places.reset(placeDef(), memory.targets, environment, regionOf(added));
+    contactSolver.resolve({parameters.character.radius, 64}, environment, characters.position);
+    added.places.reset(placeDef(parameters), memory.targets, environment, regionOf(added));
     return {};
 }
 
@@ -164,9 +165,9 @@ Status World::Impl::changeFormation(Group& group, const FormationDef& def, std::
     if (!changed.ok()) return changed.within("group '" + group.def.name + "'");
     group.def.formation = def;
     group.def.count = count;
-    group.controls.rebind(controlDef(), group.mesh.formation().mesh, group.mesh.userMesh());
+    group.controls.rebind(controlDef(parameters), group.mesh.formation().mesh, group.mesh.userMesh());
     group.mesh.placePositions(memory.targets);
-    group.places.reset(placeDef(), memory.targets, environment, regionOf(group));
+    group.places.reset(placeDef(parameters), memory.targets, environment, regionOf(group));
     group.planNow = true;
     group.assigned = false;
     group.kept.clear();
@@ -181,7 +182,7 @@ void World::Impl::setCount(Group& group, std::int32_t count) {
     double reach = 0.0;
     for (const Vec2 v : group.mesh.formation().mesh.vertices) reach = std::max(reach, length(v));
     const std::int32_t now = static_cast<std::int32_t>(group.members.size());
-    const double step = std::max(group.def.formation.spacing, 2.2 * parameters.radius);
+    const double step = std::max(group.def.formation.spacing, 2.2 * parameters.character.radius);
     // New ones come in ranks of ten behind the mesh.
     for (std::int32_t k = now; k < count; ++k) {
         const std::int32_t n = k - now;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/stopwatch.h"
+#include "world/state/derived_defs.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -47,23 +48,24 @@ void World::step() {
 // SPEC U6: the mesh waits for a crowd that falls behind.
 void World::Impl::moveControls() {
     for (Group& group : groups) {
-        const double pace = parameters.opposingForce != 0.0
-                                ? std::max(0.0, 1.0 - parameters.opposingGain * group.meanLag)
+        const double pace = parameters.opposing.enabled
+                                ? std::max(0.0, 1.0 - parameters.opposing.gain * group.meanLag)
                                 : 1.0;
-        group.controls.advance(controlDef(), parameters.stepTime, time(), pace);
+        group.controls.advance(controlDef(parameters), parameters.stepTime, time(), pace);
     }
 }
 
 void World::Impl::deformMeshes() {
     for (Group& group : groups) {
-        const Status status = group.mesh.deform(meshDef(), controlDef(), group.controls, parameters.stepTime);
+        const Status status = group.mesh.deform(meshDef(parameters), controlDef(parameters), group.controls,
+                                                parameters.stepTime);
         MUSTER_ASSERT(status.ok());
         (void)status;
     }
 }
 
 void World::Impl::meetEnvironment() {
-    for (Group& group : groups) group.mesh.applyEnvironment(meshDef(), environment, parameters.stepTime);
+    for (Group& group : groups) group.mesh.meet(meshDef(parameters), environment, parameters.stepTime);
 }
 
 void World::Impl::movePlaces() {
@@ -72,14 +74,14 @@ void World::Impl::movePlaces() {
         group.region = regionOf(group);
         const auto standsIn = [](std::int32_t count) { return count > 0; };
         group.apart = std::count_if(memory.regionCounts.begin(), memory.regionCounts.end(), standsIn) > 1;
-        group.places.advance(placeDef(), memory.targets, environment, group.region, parameters.stepTime,
-                             pool.get());
+        group.places.advance(placeDef(parameters), memory.targets, environment, group.region,
+                             parameters.stepTime, pool.get());
     }
 }
 
 // Groups take turns within the period, so that their plans do not fall on one step.
 bool World::Impl::plansThisStep(const Group& group, std::size_t index) const {
-    const std::uint32_t period = planPeriodOf(parameters);
+    const auto period = static_cast<std::uint32_t>(planPeriod(parameters));
     return group.planNow || (!group.plan->pending() && (stepCount + index) % period == 0);
 }
 
@@ -87,7 +89,8 @@ void World::Impl::buildDensityAndCost() {
     density.splat(characters.position, characters.velocity);
     const auto reads = [](const Group& group) { return group.plan->readsUnitCost(); };
     costBuilt = std::any_of(groups.begin(), groups.end(), reads);
-    if (costBuilt) costBuilder.update(unitCostDef(parameters), environment, density, parameters.radius);
+    if (costBuilt)
+        costBuilder.update(unitCostDef(parameters), environment, density, parameters.character.radius);
 }
 
 bool World::Impl::plansReadGround() const {
@@ -98,7 +101,7 @@ bool World::Impl::plansReadGround() const {
 // The still ground as plans read it; a new world has it made before its first step.
 void World::Impl::prepareGround() {
     const UnitCostDef def = unitCostDef(parameters);
-    if (plansReadGround()) ground.update(environment, def.alpha + def.beta, parameters.radius);
+    if (plansReadGround()) ground.update(environment, def.alpha + def.beta, parameters.character.radius);
 }
 
 // Memory for the first step, which makes the first plans, besides.
@@ -112,13 +115,14 @@ void World::Impl::makeRoom() {
 void World::Impl::updateGround() {
     if (!plansReadGround()) return;
     prepareGround();
-    excess.update(unitCostDef(parameters), environment, density, parameters.radius);
+    excess.update(unitCostDef(parameters), environment, density, parameters.character.radius);
 }
 
 // Only the exact plan needs it for the step, but pictures and reports may ask.
 const UnitCost* World::Impl::unitCostNow() {
     if (stepCount == 0) return nullptr;
-    if (!costBuilt) costBuilder.update(unitCostDef(parameters), environment, density, parameters.radius);
+    if (!costBuilt)
+        costBuilder.update(unitCostDef(parameters), environment, density, parameters.character.radius);
     costBuilt = true;
     return &costBuilder.cost();
 }
@@ -128,7 +132,7 @@ void World::Impl::findPresent(const Group& group, std::span<const Vec2> position
     memory.groupPresent.clear();
     if (!group.apart) return;
     for (const Vec2 p : positions) {
-        const std::int32_t label = environment.region(p, parameters.radius);
+        const std::int32_t label = environment.region(p, parameters.character.radius);
         memory.groupPresent.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
     }
 }
@@ -152,10 +156,10 @@ std::span<const Vec2> World::Impl::gather(const Group& group) {
 }
 
 void World::Impl::startPlan(Group& group) {
-    const PlanMode mode = planMode();
+    const PlanMode mode = parameters.plan.mode;
     PlanInput input;
     input.characters = gather(group);
-    PlanDef def = planDef();
+    PlanDef def = planDef(parameters);
     group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
     def.reassign = group.reassigns;
     // Who lost a kept place because it did not fit has a claim to it.
@@ -176,7 +180,7 @@ void World::Impl::startPlan(Group& group) {
         input.dynamicCost = &excess;
     }
     const bool whole = group.planNow || !group.plan->readsUnitCost();
-    group.slices = whole ? 1 : static_cast<std::int32_t>(planPeriodOf(parameters));
+    group.slices = whole ? 1 : planPeriod(parameters);
     group.slice = 0;
     const Status status = group.plan->start(def, input);
     MUSTER_ASSERT(status.ok());
@@ -253,8 +257,12 @@ void World::Impl::steerGroup(Group& group) {
     memory.groupDirections.resize(count);
     memory.groupCosts.resize(count);
     directTheUnmatched(group, positions);
-    const GuidanceInput input{positions,    memory.groupPlaces,     group.places.positions(),
-                              &environment, parameters.directReach, &ground,
+    const GuidanceInput input{positions,
+                              memory.groupPlaces,
+                              group.places.positions(),
+                              &environment,
+                              parameters.character.directReach,
+                              &ground,
                               &excess};
     group.plan->guide(input, *pool, memory.groupDirections, memory.groupCosts);
     const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
@@ -294,15 +302,16 @@ void World::Impl::steer() {
     memory.nextPosition.resize(count);
     for (Group& group : groups) steerGroup(group);
     const SteeringInput input{memory.placePosition, memory.placeVelocity, memory.facing};
-    steering.run(steeringDef(), characters, input, environment, parameters.stepTime, memory.nextVelocity,
-                 memory.nextHeading, pool.get());
+    steering.run(parameters.character, characters, input, environment, parameters.stepTime,
+                 memory.nextVelocity, memory.nextHeading, pool.get());
     for (std::size_t i = 0; i < count; ++i)
         memory.nextPosition[i] = characters.position[i] + memory.nextVelocity[i] * parameters.stepTime;
 }
 
 void World::Impl::resolveContacts() {
-    const ContactDef def{parameters.radius, static_cast<std::int32_t>(parameters.contactIterations)};
-    contacts = contactSolver.resolve(def, environment, memory.nextPosition, &steering.neighbours(), pool.get());
+    const KnownPairs known{steering.pairs(), characters.position, steering.reach()};
+    contacts = contactSolver.resolve(contactDef(parameters), environment, memory.nextPosition, known,
+                                     pool.get());
     // What contacts took away is not speed any more; what they pushed adds none.
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 moved = (memory.nextPosition[i] - characters.position[i]) / parameters.stepTime;
@@ -371,7 +380,7 @@ void World::Impl::measureLag() {
         for (const std::int32_t member : group.members) {
             const auto i = static_cast<std::size_t>(member);
             if (characters.place[i] < 0) continue;
-            sum += distance(characters.position[i], group.places.reachableTargets()[characters.place[i]]);
+            sum += distance(characters.position[i], group.places.goals()[characters.place[i]]);
             ++matched;
         }
         group.meanLag = matched > 0 ? sum / matched : 0.0;

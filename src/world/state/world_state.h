@@ -170,21 +170,10 @@ struct World::Impl {
     void meetCheckpoints();
     void measureLag();
 
-    // What follows from parameters alone (world_parameters.cpp).
-    void makeDensity();
-
     // Whether what was read from a snapshot can go on; brings the lists of members up to date
     // (world_restore.cpp).
     Status checkState();
     Status checkQueueAndMarks() const;
-
-    // Views of the parameters.
-    ControlDef controlDef() const;
-    FormationMeshDef meshDef() const;
-    PlaceDef placeDef() const;
-    PlanDef planDef() const;
-    PlanMode planMode() const;
-    SteeringDef steeringDef() const;
 
     /// All state, for saving, loading and hashing alike.
     template <class Archive>

@@ -10,6 +10,7 @@
 #include "base/archive.h"
 #include "base/random.h"
 #include "muster/gestures.h"
+#include "muster/parameter_table.h"
 
 using namespace muster;
 
@@ -22,7 +23,10 @@ std::vector<std::uint8_t> bytesOf(WorldDef def) {
     Writer w;
     w(def.name, def.description, def.credit, def.gestures, def.box.min, def.box.max, def.cell, def.seed,
       def.clips, def.obstacles, def.patches, def.map, def.groups, def.checkpoints, def.items);
-    for (const ParameterInfo& info : parameterTable()) w(def.parameters.*info.member);
+    for (const ParameterInfo& info : parameterTable()) {
+        double value = info.get(def.parameters);
+        w(value);
+    }
     return w.take();
 }
 
@@ -77,8 +81,8 @@ WorldDef richDef() {
     checkpoint.once = false;
     def.checkpoints = {checkpoint};
     def.items = {{{3, 3}, 0.4}};
-    def.parameters.exponent = 1.7;
-    def.parameters.planMode = 2.0;
+    def.parameters.plan.exponent = 1.7;
+    def.parameters.plan.mode = PlanMode::Fixed;
     return def;
 }
 
@@ -208,8 +212,8 @@ TEST_CASE("defaults stand where a file says nothing, and an embedded map gives t
 TEST_CASE("a preset is where parameters start from") {
     const auto def = parseScenario(minimal(R"("preset":"paper","parameters":{"plan.period":3})"), "F", "");
     REQUIRE(def.ok());
-    CHECK(def->parameters.exponent == 1.0);
-    CHECK(def->parameters.planPeriod == 3.0);
+    CHECK(def->parameters.plan.exponent == 1.0);
+    CHECK(def->parameters.plan.period == 3);
 }
 
 TEST_CASE("every failure names file, path, what was found and what was expected") {

@@ -7,6 +7,7 @@
 #include "folders.h"
 #include "io/scenario/json.h"
 #include "io/scenario/schema_validator.h"
+#include "muster/parameter_table.h"
 #include "muster/scenario.h"
 
 using namespace muster;
@@ -50,7 +51,7 @@ TEST_CASE("every parameter stands in the schema with its default, range and unit
         CAPTURE(info.name);
         const auto entry = parameters.find(std::string(info.name));
         REQUIRE(entry != parameters.end());
-        CHECK((*entry)["default"].get<double>() == defaults.*info.member);
+        CHECK((*entry)["default"].get<double>() == info.get(defaults));
         CHECK((*entry)["minimum"].get<double>() == info.minimum);
         CHECK((*entry)["maximum"].get<double>() == info.maximum);
         const auto about = (*entry)["description"].get<std::string>();

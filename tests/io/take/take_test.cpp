@@ -122,7 +122,7 @@ TEST_CASE("commands matter: a replay with one changed is not reproduced, and the
     CHECK(report.status().code() == StatusCode::Corrupt);
     CHECK(report.status().message().find("step 120:") == 0);
     take = parseTake(recorded(), "T");
-    take->def.parameters.maxSpeed = 1.9;
+    take->def.parameters.character.maxSpeed = 1.9;
     CHECK(replayTake(*take).status().message().find("step 60:") == 0);
 }
 
