@@ -9,7 +9,7 @@
 #include "muster/scenario.h"
 #include "options.h"
 #include "report.h"
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 namespace muster {
 namespace {

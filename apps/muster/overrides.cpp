@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "muster/parameter_table.h"
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 namespace muster {
 

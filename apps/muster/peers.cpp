@@ -11,7 +11,7 @@
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 namespace muster {
 namespace {

@@ -12,7 +12,7 @@
 #include "picture/picture.h"
 #include "report.h"
 #include "touches.h"
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 namespace muster {
 namespace {

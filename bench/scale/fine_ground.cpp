@@ -1,7 +1,7 @@
 #include "scale/fine_ground.h"
 #include "environment/environment.h"
 #include "world/inspect.h"
-#include "world/state/derived_defs.h"
+#include "world/state/layer_defs.h"
 
 namespace muster::scale {
 

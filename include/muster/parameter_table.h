@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "muster/parameter_table.h"
+#include "muster/parameters.h"
 #include "muster/status.h"
 
 namespace muster {

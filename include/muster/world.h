@@ -16,6 +16,7 @@
 namespace muster {
 
 class ThreadPool;
+struct WorldEngine;
 
 /// Deterministic simulation at a fixed time step. Not thread-safe; threads inside never change results.
 class World {
@@ -68,14 +69,12 @@ public:
     /// All state as bytes.
     std::vector<std::uint8_t> snapshot() const;
 
-    struct Impl;  ///< Private.
-
 private:
     friend struct WorldAccess;
     static Result<World> createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& def);
     static Result<World> restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const std::uint8_t> snapshot);
-    explicit World(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
+    explicit World(std::unique_ptr<WorldEngine> engine);
+    std::unique_ptr<WorldEngine> engine_;
 };
 
 }  // namespace muster

@@ -11,12 +11,6 @@
 
 namespace muster {
 
-/// Parameters of the splat.
-struct Parameters::Density {
-    double cell = 1.0;    ///< Edge of a density cell [m], > 0.
-    double lambda = 1.0;  ///< Exponent of the shares, > 0.
-};
-
 /// Density [characters per m^2] and average velocity of the crowd on a grid of its own.
 class DensityField {
 public:

@@ -6,8 +6,8 @@
 #include "muster/parameter_table.h"
 #include "session/notice_place.h"
 #include "session/session_state.h"
-#include "world/commands/validation.h"
 #include "world/inspect.h"
+#include "world/validation.h"
 
 namespace muster {
 namespace {

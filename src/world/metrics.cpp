@@ -8,7 +8,7 @@
 #include "formation/places/place_tracker.h"
 #include "muster/control.h"
 #include "world/inspect.h"
-#include "world/stages/least_walk.h"
+#include "world/least_walk.h"
 
 namespace muster {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "muster/world.h"
 #include "world/inspect.h"
-#include "world/state/world_state.h"
+#include "world/world_engine.h"
 
 namespace muster {
 
@@ -31,23 +31,23 @@ void WalkTotals::add(const WalkTotals& others) {
 }
 
 std::uint32_t World::stepCount() const {
-    return impl_->stepCount;
+    return engine_->state.stepCount;
 }
 double World::time() const {
-    return impl_->time();
+    return engine_->state.time();
 }
 const Parameters& World::parameters() const {
-    return impl_->parameters;
+    return engine_->state.parameters;
 }
 CharactersView World::characters() const {
-    return impl_->characters.view();
+    return engine_->state.characters.view();
 }
 std::size_t World::groupCount() const {
-    return impl_->groups.size();
+    return engine_->state.groups.size();
 }
 
 GroupView World::group(std::size_t index) const {
-    const Group& group = impl_->groups[index];
+    const Group& group = engine_->state.groups[index];
     const TriangleMesh& rest = group.mesh.formation().mesh;
     GroupView view;
     view.id = group.id;
@@ -75,79 +75,81 @@ GroupView World::group(std::size_t index) const {
 }
 
 GroupDef World::groupDef(std::size_t index) const {
-    return impl_->groups[index].def;
+    return engine_->state.groups[index].def;
 }
 
 std::span<const ObstacleId> World::obstacleIds() const {
-    return impl_->environment.obstacleIds();
+    return engine_->state.environment.obstacleIds();
 }
 
 ObstacleView World::obstacle(ObstacleId id) const {
-    const ObstacleDef* def = impl_->environment.obstacle(id);
+    const ObstacleDef* def = engine_->state.environment.obstacle(id);
     if (def == nullptr) return {};
-    return {id, *def, impl_->environment.obstaclePolygon(id), impl_->environment.obstacleCentre(id)};
+    return {id, *def, engine_->state.environment.obstaclePolygon(id),
+            engine_->state.environment.obstacleCentre(id)};
 }
 
 std::span<const PatchId> World::patchIds() const {
-    return impl_->environment.patchIds();
+    return engine_->state.environment.patchIds();
 }
 
 PatchView World::patch(PatchId id) const {
-    const PatchDef* def = impl_->environment.patch(id);
+    const PatchDef* def = engine_->state.environment.patch(id);
     if (def == nullptr) return {};
-    return {id, *def, impl_->environment.patchPolygon(id)};
+    return {id, *def, engine_->state.environment.patchPolygon(id)};
 }
 
 std::span<const ItemDef> World::items() const {
-    return impl_->items;
+    return engine_->state.items;
 }
 std::span<const std::uint8_t> World::collected() const {
-    return impl_->collected;
+    return engine_->state.collected;
 }
 std::span<const FormationCheckpointDef> World::checkpoints() const {
-    return impl_->checkpoints;
+    return engine_->state.checkpoints;
 }
 std::span<const Event> World::events() const {
-    return impl_->events;
+    return engine_->events;
 }
 std::span<const Rejection> World::rejections() const {
-    return impl_->rejections;
+    return engine_->rejections;
 }
 StageTimes World::stageTimes() const {
-    return impl_->times;
+    return engine_->times;
 }
 ContactReport World::contacts() const {
-    return impl_->contacts;
+    return engine_->contactReport;
 }
 std::uint32_t World::lastCommandStep() const {
-    return impl_->lastCommandStep;
+    return engine_->state.lastCommandStep;
 }
 
 namespace inspect {
 
 const Environment& environment(const World& world) {
-    return WorldAccess::of(world).environment;
+    return WorldAccess::of(world).state.environment;
 }
 const Characters& characters(const World& world) {
-    return WorldAccess::of(world).characters;
+    return WorldAccess::of(world).state.characters;
 }
 const DensityField& density(const World& world) {
-    return WorldAccess::of(world).density;
+    return WorldAccess::of(world).cost.density();
 }
 const UnitCost* unitCost(const World& world) {
-    return WorldAccess::of(world).unitCostNow();
+    WorldEngine& engine = WorldAccess::of(world);
+    return engine.state.stepCount == 0 ? nullptr : &engine.cost.unitCost(engine.state);
 }
 const GroupDef& groupDef(const World& world, std::size_t group) {
-    return WorldAccess::of(world).groups[group].def;
+    return WorldAccess::of(world).state.groups[group].def;
 }
 const FormationMesh& mesh(const World& world, std::size_t group) {
-    return WorldAccess::of(world).groups[group].mesh;
+    return WorldAccess::of(world).state.groups[group].mesh;
 }
 const PlaceTracker& places(const World& world, std::size_t group) {
-    return WorldAccess::of(world).groups[group].places;
+    return WorldAccess::of(world).state.groups[group].places;
 }
 const Plan& plan(const World& world, std::size_t group) {
-    return *WorldAccess::of(world).groups[group].plan;
+    return *WorldAccess::of(world).state.groups[group].plan;
 }
 
 }  // namespace inspect

@@ -1,98 +1,19 @@
 #include "muster/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
-#include "muster/parameter_table.h"
-#include "world/commands/command_archive.h"
-#include "world/commands/validation.h"
-#include "world/state/world_state.h"
+#include "muster/map_import.h"
+#include "world/state/check_state.h"
+#include "world/state/group_edits.h"
+#include "world/state/world_archive.h"
+#include "world/validation.h"
+#include "world/world_engine.h"
 
 namespace muster {
 namespace {
 
 constexpr std::uint32_t kSnapshotMagic = 0x4d535032;  // "MSP2"
-
-void archive(Writer& writer, Environment& environment) {
-    environment.save(writer);
-}
-void archive(Hasher& hasher, Environment& environment) {
-    environment.hash(hasher);
-}
-void archive(Reader& reader, Environment& environment) {
-    if (!environment.load(reader)) reader.fail();
-}
-
-// All parameters are numbers in archives, in the order of the table.
-void archive(auto& ar, Parameters& parameters) {
-    for (const ParameterInfo& info : parameterTable()) {
-        double value = info.get(parameters);
-        ar(value);
-        if constexpr (std::decay_t<decltype(ar)>::kReading) {
-            if (info.valid(value))
-                info.set(parameters, value);
-            else
-                ar.fail();
-        }
-    }
-}
-
-void archive(Writer& writer, std::vector<Command>& queue) {
-    auto count = static_cast<std::uint32_t>(queue.size());
-    writer(count);
-    for (const Command& command : queue) encodeCommand(writer, command);
-}
-void archive(Reader& reader, std::vector<Command>& queue) {
-    std::uint32_t count = 0;
-    reader(count);
-    queue.clear();
-    for (std::uint32_t i = 0; i < count && reader.ok(); ++i) {
-        Result<Command> command = decodeCommand(reader);
-        if (!command.ok()) {
-            reader.fail();
-            return;
-        }
-        queue.push_back(*std::move(command));
-    }
-}
-void archive(Hasher& hasher, std::vector<Command>& queue) {
-    for (const Command& command : queue) {
-        Writer writer;
-        encodeCommand(writer, command);
-        auto bytes = writer.take();
-        hasher(bytes);
-    }
-}
-
-void archivePlan(Writer& writer, World::Impl&, Group& group) {
-    group.plan->save(writer);
-}
-void archivePlan(Hasher& hasher, World::Impl&, Group& group) {
-    group.plan->hash(hasher);
-}
-void archivePlan(Reader& reader, World::Impl& world, Group& group) {
-    group.plan = world.makePlan();
-    if (reader.ok() && !group.plan->load(reader, *world.pool)) reader.fail();
-}
-
-void archiveGroups(auto& ar, World::Impl& world) {
-    std::vector<Group>& groups = world.groups;
-    auto count = static_cast<std::uint32_t>(groups.size());
-    ar(count);
-    if constexpr (std::decay_t<decltype(ar)>::kReading) {
-        groups.clear();
-        for (std::uint32_t i = 0; i < count && ar.ok(); ++i) {
-            ar(groups.emplace_back());
-            archivePlan(ar, world, groups.back());
-        }
-    } else {
-        for (Group& group : groups) {
-            ar(group);
-            archivePlan(ar, world, group);
-        }
-    }
-}
 
 Status checkRunner(const TaskRunner& runner) {
     if (runner.run == nullptr)
@@ -103,22 +24,22 @@ Status checkRunner(const TaskRunner& runner) {
     return {};
 }
 
-Status addGround(World::Impl& world, const WorldDef& def) {
+Status addGround(Environment& environment, const WorldDef& def) {
     for (std::size_t i = 0; i < def.obstacles.size(); ++i) {
-        const auto added = world.environment.addObstacle(def.obstacles[i]);
+        const auto added = environment.addObstacle(def.obstacles[i]);
         if (!added.ok()) return added.status().within("obstacles[" + std::to_string(i) + "]");
     }
     for (std::size_t i = 0; i < def.patches.size(); ++i) {
-        const auto added = world.environment.addPatch(def.patches[i]);
+        const auto added = environment.addPatch(def.patches[i]);
         if (!added.ok()) return added.status().within("patches[" + std::to_string(i) + "]");
     }
     if (!def.map) return {};
     for (const ObstacleDef& obstacle : mapObstacles(def.map->grid, def.map->def)) {
-        const auto added = world.environment.addObstacle(obstacle);
+        const auto added = environment.addObstacle(obstacle);
         if (!added.ok()) return added.status().within("map");
     }
     for (const PatchDef& patch : mapPatches(def.map->grid, def.map->def, 1)) {
-        const auto added = world.environment.addPatch(patch);
+        const auto added = environment.addPatch(patch);
         if (!added.ok()) return added.status().within("map");
     }
     return {};
@@ -126,20 +47,7 @@ Status addGround(World::Impl& world, const WorldDef& def) {
 
 }  // namespace
 
-template <class Archive>
-void World::Impl::visit(Archive& ar) {
-    archive(ar, parameters);
-    archive(ar, environment);
-    ar(characters);
-    archive(ar, queue);
-    ar(checkpoints, checkpointGroups, checkpointState, items, collected, random, stepCount, lastCommandStep,
-       nextCharacter, nextGroup);
-    if constexpr (Archive::kReading)
-        if (!ar.ok()) return;
-    archiveGroups(ar, *this);
-}
-
-World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::World(std::unique_ptr<WorldEngine> engine) : engine_(std::move(engine)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -164,46 +72,50 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     Result<Environment> environment = Environment::create(ground);
     if (!environment.ok()) return environment.status();
 
-    auto impl = std::make_unique<Impl>();
-    impl->pool = std::move(pool);
-    impl->parameters = def.parameters;
-    impl->environment = *std::move(environment);
-    impl->random = Random(def.seed);
-    const Status grounded = addGround(*impl, def);
-    if (!grounded.ok()) return grounded;
-    impl->environment.setTime(0.0);
-    impl->density = DensityField(impl->environment.def().box, impl->parameters.density);
-    impl->checkpoints = def.checkpoints;
+    auto engine = std::make_unique<WorldEngine>();
+    engine->pool = std::move(pool);
+    WorldState& state = engine->state;
+    state.parameters = def.parameters;
+    state.environment = *std::move(environment);
+    state.random = Random(def.seed);
+    if (const Status added = addGround(state.environment, def); !added.ok()) return added;
+    state.environment.setTime(0.0);
+    state.checkpoints = def.checkpoints;
     // Groups are numbered from 1 in this order.
     for (const FormationCheckpointDef& checkpoint : def.checkpoints)
-        impl->checkpointGroups.push_back(GroupId{static_cast<std::uint32_t>(checkpoint.group + 1)});
-    impl->items = def.items;
-    impl->collected.assign(def.items.size(), 0);
+        state.checkpointGroups.push_back(GroupId{static_cast<std::uint32_t>(checkpoint.group + 1)});
+    state.items = def.items;
+    state.collected.assign(def.items.size(), 0);
     for (std::size_t i = 0; i < def.groups.size(); ++i) {
-        const Status added = impl->addGroup(def.groups[i]);
+        const Status added = addGroup(state, def.groups[i]);
         if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");
     }
-    impl->prepareGround();
-    impl->makeRoom();
-    return World(std::move(impl));
+    engine->cost.reset(state);
+    engine->plans.prepare(state);
+    engine->plans.reserve(state, engine->cost.density());
+    return World(std::move(engine));
 }
 
 Status World::submit(const Command& command) {
     const Status valid = validateCommand(command);
     if (!valid.ok()) return valid;
-    if (command.step < impl_->stepCount)
+    if (command.step < engine_->state.stepCount)
         return invalidArgument(std::string(commandName(command)) + ": found step " +
                                std::to_string(command.step) + ", expected " +
-                               std::to_string(impl_->stepCount) + " or later");
-    const auto at = std::upper_bound(impl_->queue.begin(), impl_->queue.end(), command, comesBefore);
-    impl_->queue.insert(at, command);
+                               std::to_string(engine_->state.stepCount) + " or later");
+    std::vector<Command>& queue = engine_->state.queue;
+    queue.insert(std::upper_bound(queue.begin(), queue.end(), command, comesBefore), command);
     return {};
+}
+
+void World::step() {
+    engine_->step();
 }
 
 std::uint64_t World::hash() const {
     Hasher hasher;
-    impl_->settlePlans();
-    impl_->visit(hasher);
+    engine_->finishBackgroundWork();
+    hashState(hasher, engine_->state);
     return hasher.value();
 }
 
@@ -211,8 +123,8 @@ std::vector<std::uint8_t> World::snapshot() const {
     Writer writer;
     std::uint32_t magic = kSnapshotMagic;
     writer(magic);
-    impl_->settlePlans();
-    impl_->visit(writer);
+    engine_->finishBackgroundWork();
+    saveState(writer, engine_->state);
     return writer.take();
 }
 
@@ -231,17 +143,17 @@ Result<World> World::restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const
     reader(magic);
     if (magic != kSnapshotMagic)
         return Status(StatusCode::ParseError, "snapshot: found another kind of file, expected a world");
-    auto impl = std::make_unique<Impl>();
-    impl->pool = std::move(pool);
-    impl->visit(reader);
+    auto engine = std::make_unique<WorldEngine>();
+    engine->pool = std::move(pool);
+    loadState(reader, engine->state, *engine->pool);
     if (!reader.ok() || reader.remaining() != 0)
         return Status(StatusCode::ParseError, "snapshot: found torn or foreign data, expected a whole world");
-    if (const Status fits = impl->checkState(); !fits.ok())
+    if (const Status fits = checkState(engine->state); !fits.ok())
         return Status(StatusCode::ParseError,
                       "snapshot: " + fits.message() + ", expected a world as it was saved");
-    impl->density = DensityField(impl->environment.def().box, impl->parameters.density);
-    impl->prepareGround();
-    return World(std::move(impl));
+    engine->cost.reset(engine->state);
+    engine->plans.prepare(engine->state);
+    return World(std::move(engine));
 }
 
 }  // namespace muster

@@ -8,7 +8,7 @@
 #include "scale/options.h"
 #include "scale/quality.h"
 #include "scale/report.h"
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 using namespace muster;
 using namespace muster::scale;

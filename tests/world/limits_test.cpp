@@ -6,9 +6,9 @@
 
 #include "cost/density.h"
 #include "muster/parameter_table.h"
-#include "world/commands/validation.h"
 #include "world/inspect.h"
 #include "world/scenes.h"
+#include "world/validation.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "world/stages/least_walk.h"
+#include "world/least_walk.h"
 
 using namespace muster;
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "world/state/derived_defs.h"
+#include "world/state/layer_defs.h"
 
 using namespace muster;
 

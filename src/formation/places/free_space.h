@@ -6,14 +6,18 @@
 #include <span>
 
 #include "environment/environment.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
 /// How places travel.
 struct PlaceDef {
-    double radius = 0.25;     ///< Of the characters [m], above 0.
-    double clearance = 0.02;  ///< Distance kept from obstacles beyond the radius [m], 0 or more.
-    double maxSpeed = 2.0;    ///< Of places [m/s], above 0; multiplied by the ground's travel speed.
+    /// Of the characters [m], above 0.
+    double radius = Parameters::Character{}.radius;
+    /// Distance kept from obstacles beyond the radius [m], 0 or more.
+    double clearance = Parameters::Place{}.clearance;
+    /// Of places [m/s], above 0; multiplied by the ground's travel speed.
+    double maxSpeed = Parameters::Place{}.speed;
 };
 
 /// The free space of one kind of character in one region of an environment.

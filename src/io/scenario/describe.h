@@ -7,7 +7,7 @@
 #include "io/scenario/fields.h"
 #include "muster/parameter_table.h"
 #include "muster/world_def.h"
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 namespace muster {
 

@@ -6,7 +6,7 @@
 
 #include "muster/parameter_table.h"
 #include "world/commands/command_archive.h"
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 namespace muster {
 namespace {

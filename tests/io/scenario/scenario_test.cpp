@@ -120,10 +120,11 @@ TEST_CASE("random doubles survive bit for bit") {
         }
         // Those that may not contradict each other.
         Parameters& p = def.parameters;
-        p.densityMax = p.densityMin + 1.0 / 3.0;
-        p.alpha = 0.1 + random.uniform(), p.beta = random.uniform(), p.gamma = random.uniform() / 3.0;
-        p.minSpeed = 0.01 + random.uniform() / 3.0, p.discomfortGain = random.uniform() * 7.0;
-        if (p.densityMax > 100.0) continue;
+        p.density.max = p.density.min + 1.0 / 3.0;
+        p.cost.alpha = 0.1 + random.uniform(), p.cost.beta = random.uniform(),
+        p.cost.gamma = random.uniform() / 3.0;
+        p.cost.minSpeed = 0.01 + random.uniform() / 3.0, p.discomfort.gain = random.uniform() * 7.0;
+        if (p.density.max > 100.0) continue;
         const auto back = parseScenario(writeScenario(def), "random", "");
         REQUIRE_MESSAGE(back.ok(), back.status().message());
         CHECK(bytesOf(*back) == bytesOf(def));

@@ -1,10 +1,10 @@
-// What a snapshot must satisfy before a world goes on from it.
+#include "world/state/check_state.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "world/commands/validation.h"
-#include "world/state/world_state.h"
+#include "world/validation.h"
 
 namespace muster {
 namespace {
@@ -80,8 +80,8 @@ bool isOnMesh(const MeshPoint& point, const TriangleMesh& mesh) {
 }
 
 bool isControl(const Control& control, const TriangleMesh& mesh) {
-    if (control.kind > ControlKind::Area || control.points.empty() || !(std::fabs(control.startTime) <= 1e9) ||
-        !(std::fabs(control.clock) <= 1e9) ||
+    if (control.kind > ControlKind::Area || control.points.empty() ||
+        !(std::fabs(control.startTime) <= 1e9) || !(std::fabs(control.clock) <= 1e9) ||
         control.weights.size() != control.supplementary.size() * control.points.size())
         return false;
     for (const ControlPoint& point : control.points)
@@ -123,54 +123,58 @@ Status checkGroup(const Group& group, const Grid& grid) {
         return wrong("a lag out of range");
     if (group.slice < 0 || group.slices < 1 || group.slice > group.slices)
         return wrong("shares of a plan out of range");
-    if (!group.kept.empty() && group.kept.size() != count)
-        return wrong("kept places that do not suit their group");
-    for (const std::int32_t place : group.kept)
-        if (place < -1 || place >= def.count) return wrong("kept places that do not suit their group");
+    if (!group.lastAssignment.empty() && group.lastAssignment.size() != count)
+        return wrong("last places that do not suit their group");
+    for (const std::int32_t place : group.lastAssignment)
+        if (place < -1 || place >= def.count) return wrong("last places that do not suit their group");
     if (!group.plan->suits(count, count, grid)) return wrong("a plan for another group");
     return checkControls(group.controls, formation.mesh);
 }
 
-}  // namespace
-
-Status World::Impl::checkState() {
-    if (Status s = validateParameters(parameters, environment.def().box); !s.ok()) return s;
-    if (Status s = checkGround(environment); !s.ok()) return s;
-    if (Status s = checkArrays(characters); !s.ok()) return s;
-    if (Status s = validateTotal(static_cast<std::int64_t>(characters.size()), parameters); !s.ok()) return s;
-    if (groups.size() > kMaxGroups || !ascending(characters.id, nextCharacter))
-        return wrong("numbers out of order");
-    const std::size_t motions = environment.def().clips.size();
-    for (std::size_t i = 0; i < characters.size(); ++i)
-        if (characters.group[i] >= groups.size() || characters.motion[i] < 0 ||
-            static_cast<std::size_t>(characters.motion[i]) >= motions)
-            return wrong("a character of no group or motion");
-    refreshMembers();
-    std::vector<std::uint32_t> ids;
-    for (const Group& group : groups) {
-        if (Status s = checkGroup(group, environment.grid()); !s.ok()) return s;
-        ids.push_back(group.id.value);
-    }
-    if (!ascending(ids, nextGroup)) return wrong("numbers out of order");
-    for (std::size_t i = 0; i < characters.size(); ++i)
-        if (characters.place[i] < -1 || characters.place[i] >= groups[characters.group[i]].def.count)
-            return wrong("a character with a place that is none");
-    return checkQueueAndMarks();
-}
-
-Status World::Impl::checkQueueAndMarks() const {
-    if (lastCommandStep > stepCount || collected.size() != items.size() ||
-        checkpointState.size() != groups.size() * checkpoints.size() ||
-        checkpointGroups.size() != checkpoints.size())
+Status checkQueueAndMarks(const WorldState& state) {
+    if (state.lastCommandStep > state.stepCount || state.collected.size() != state.items.size() ||
+        state.checkpointState.size() != state.groups.size() * state.checkpoints.size() ||
+        state.checkpointGroups.size() != state.checkpoints.size())
         return wrong("lists of different lengths");
-    for (const ItemDef& item : items)
+    for (const ItemDef& item : state.items)
         if (Status s = validateItem(item); !s.ok()) return s;
-    for (const FormationCheckpointDef& checkpoint : checkpoints)
+    for (const FormationCheckpointDef& checkpoint : state.checkpoints)
         if (Status s = validateCheckpoint(checkpoint, kMaxGroups); !s.ok()) return s;
-    for (std::size_t k = 0; k < queue.size(); ++k)
-        if (queue[k].step < stepCount || (k > 0 && comesBefore(queue[k], queue[k - 1])))
+    for (std::size_t k = 0; k < state.queue.size(); ++k)
+        if (state.queue[k].step < state.stepCount ||
+            (k > 0 && comesBefore(state.queue[k], state.queue[k - 1])))
             return wrong("commands out of order");
     return {};
+}
+
+}  // namespace
+
+Status checkState(WorldState& state) {
+    if (Status s = validateParameters(state.parameters, state.environment.def().box); !s.ok()) return s;
+    if (Status s = checkGround(state.environment); !s.ok()) return s;
+    if (Status s = checkArrays(state.characters); !s.ok()) return s;
+    if (Status s = validateTotal(static_cast<std::int64_t>(state.characters.size()), state.parameters);
+        !s.ok())
+        return s;
+    if (state.groups.size() > kMaxGroups || !ascending(state.characters.id, state.nextCharacter))
+        return wrong("numbers out of order");
+    const std::size_t motions = state.environment.def().clips.size();
+    for (std::size_t i = 0; i < state.characters.size(); ++i)
+        if (state.characters.group[i] >= state.groups.size() || state.characters.motion[i] < 0 ||
+            static_cast<std::size_t>(state.characters.motion[i]) >= motions)
+            return wrong("a character of no group or motion");
+    state.refreshMembers();
+    std::vector<std::uint32_t> ids;
+    for (const Group& group : state.groups) {
+        if (Status s = checkGroup(group, state.environment.grid()); !s.ok()) return s;
+        ids.push_back(group.id.value);
+    }
+    if (!ascending(ids, state.nextGroup)) return wrong("numbers out of order");
+    for (std::size_t i = 0; i < state.characters.size(); ++i)
+        if (state.characters.place[i] < -1 ||
+            state.characters.place[i] >= state.groups[state.characters.group[i]].def.count)
+            return wrong("a character with a place that is none");
+    return checkQueueAndMarks(state);
 }
 
 }  // namespace muster

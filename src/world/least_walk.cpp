@@ -1,4 +1,4 @@
-#include "world/stages/least_walk.h"
+#include "world/least_walk.h"
 
 #include <cmath>
 #include <vector>

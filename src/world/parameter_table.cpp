@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "environment/environment.h"
-#include "world/state/number_text.h"
+#include "world/number_text.h"
 
 namespace muster {
 namespace {

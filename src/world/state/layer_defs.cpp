@@ -1,4 +1,4 @@
-#include "world/state/derived_defs.h"
+#include "world/state/layer_defs.h"
 
 namespace muster {
 namespace {

@@ -1,9 +1,9 @@
-#include "world/commands/validation.h"
+#include "world/validation.h"
 
 #include <cmath>
 
 #include "muster/parameter_table.h"
-#include "world/state/number_text.h"
+#include "world/number_text.h"
 
 namespace muster {
 namespace {

@@ -1,0 +1,68 @@
+#include "world/stages/steering_stage.h"
+
+#include <limits>
+
+namespace muster {
+namespace {
+
+constexpr double kWaitingDistance = 2.0;  // The unmatched stop this far from the nearest place [m].
+
+}  // namespace
+
+// The unmatched come as near as the nearest usable place, and wait there in sight of it.
+void SteeringStage::directUnmatched(const WorldState& state, const Group& group) {
+    const std::span<const Vec2> positions = members_.positions();
+    std::vector<std::int32_t>& places = members_.places();
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        if (places[k] >= 0) continue;
+        const std::int32_t place = group.plan->waitingPlace(static_cast<std::int32_t>(k));
+        if (place < 0) continue;
+        const Vec2 target = group.places.positions()[place];
+        const bool arrived = distance(positions[k], target) < kWaitingDistance &&
+                             state.environment.clearLine(positions[k], target, 0.0);
+        if (!arrived) places[k] = place;
+    }
+}
+
+void SteeringStage::guide(WorldState& state, Group& group, const PlanStage& plans, ThreadPool& pool) {
+    const std::size_t count = group.members.size();
+    members_.gather(state.characters, group);
+    directions_.resize(count);
+    costs_.resize(count);
+    directUnmatched(state, group);
+    const GuidanceInput input{members_.positions(),
+                              members_.places(),
+                              group.places.positions(),
+                              &state.environment,
+                              state.parameters.character.directReach,
+                              &plans.ground(),
+                              &plans.dynamicCost()};
+    group.plan->guide(input, pool, directions_, costs_);
+    const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
+    Characters& characters = state.characters;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::int32_t i = group.members[k];
+        const std::int32_t place = characters.place[i];
+        characters.direction[i] = directions_[k];
+        facing_[i] = facing;
+        characters.cost[i] = place >= 0 ? costs_[k] : std::numeric_limits<double>::infinity();
+        placePosition_[i] = place >= 0 ? group.places.positions()[place] : characters.position[i];
+        placeVelocity_[i] = place >= 0 ? group.places.velocities()[place] : Vec2{};
+    }
+}
+
+void SteeringStage::run(WorldState& state, const PlanStage& plans, ThreadPool& pool) {
+    const std::size_t count = state.characters.size();
+    for (auto* array :
+         {&placePosition_, &placeVelocity_, &facing_, &next_.position, &next_.velocity, &next_.heading})
+        array->resize(count);
+    for (Group& group : state.groups) guide(state, group, plans, pool);
+    const double dt = state.parameters.stepTime;
+    const SteeringInput input{placePosition_, placeVelocity_, facing_};
+    steering_.run(state.parameters.character, state.characters, input, state.environment, dt, next_.velocity,
+                  next_.heading, &pool);
+    for (std::size_t i = 0; i < count; ++i)
+        next_.position[i] = state.characters.position[i] + next_.velocity[i] * dt;
+}
+
+}  // namespace muster

@@ -1,0 +1,45 @@
+// The stage of steering: from the guidance of plans to the next velocities (SPEC A6).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "crowd/steering.h"
+#include "world/stages/member_arrays.h"
+#include "world/stages/plan_stage.h"
+#include "world/state/world_state.h"
+
+namespace muster {
+
+/// Where every character would be after the step, if nobody were in its way. One entry per character.
+struct NextMotion {
+    std::vector<Vec2> position;  ///< [m]
+    std::vector<Vec2> velocity;  ///< [m/s]
+    std::vector<Vec2> heading;   ///< Unit vector that it faces.
+};
+
+/// Steers the characters of all groups.
+class SteeringStage {
+public:
+    /// Writes directions and costs of characters, and the next motion.
+    void run(WorldState& state, const PlanStage& plans, ThreadPool& pool);
+
+    NextMotion& next() { return next_; }  ///< By the last run; contacts correct it.
+    const NeighbourList& neighbours() const { return steering_.neighbours(); }  ///< Of the last run.
+
+private:
+    void guide(WorldState& state, Group& group, const PlanStage& plans, ThreadPool& pool);
+    void directUnmatched(const WorldState& state, const Group& group);
+
+    Steering steering_;
+    MemberArrays members_;
+    std::vector<Vec2> directions_;  // Of one group's members.
+    std::vector<double> costs_;
+    std::vector<Vec2> placePosition_;  // Of all characters.
+    std::vector<Vec2> placeVelocity_;
+    std::vector<Vec2> facing_;
+    NextMotion next_;
+};
+
+}  // namespace muster

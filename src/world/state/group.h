@@ -1,0 +1,50 @@
+// A group of characters, as a world's state holds it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "formation/control/control_set.h"
+#include "formation/mesh/formation_mesh.h"
+#include "formation/places/place_tracker.h"
+#include "muster/views.h"
+#include "muster/world_def.h"
+#include "planning/plan.h"
+
+namespace muster {
+
+/// A group: its mesh, the controls on it, its places and its plan.
+struct Group {
+    GroupId id;                                ///< Never used again.
+    GroupDef def;                              ///< Name, count and formation as they are now.
+    FormationMesh mesh;                        ///< Rest shape, Vu and Vf.
+    ControlSet controls;                       ///< What fingers hold of the mesh.
+    PlaceTracker places;                       ///< One per character.
+    std::unique_ptr<Plan> plan;                ///< Who goes to which place; never null.
+    double objective = 0.0;                    ///< Of the last finished plan [cost^p].
+    double gapBound = 0.0;                     ///< Bound on its duality gap [cost^p].
+    WalkTotals walk;                           ///< Path costs by the last finished plan.
+    double meanLag = 0.0;                      ///< Mean distance to the goals of places [m] (SPEC U6).
+    std::uint32_t formationVersion = 1;        ///< Grows when the mesh is exchanged.
+    bool planNow = true;                       ///< The next plan is made whole in one step, at once.
+    bool assigned = false;                     ///< True once a plan was finished for this formation.
+    bool reassigns = true;                     ///< The pending plan may change places.
+    std::vector<std::int32_t> lastAssignment;  ///< Place of each member by the last plan that reassigned.
+    std::int32_t slice = 0;                    ///< Shares of the pending plan that are done.
+    std::int32_t slices = 1;                   ///< Shares into which it was cut.
+
+    // Caches of a step.
+    std::int32_t region = -1;           ///< Region in which most of its characters stand; -1 for none.
+    bool split = false;                 ///< True where they stand in several regions.
+    std::vector<std::int32_t> members;  ///< Indices of its characters, ascending.
+
+    /// Lets an archive read or write everything but the plan and the caches.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
+                planNow, assigned, reassigns, lastAssignment, slice, slices);
+    }
+};
+
+}  // namespace muster

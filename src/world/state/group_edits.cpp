@@ -1,0 +1,167 @@
+#include "world/state/group_edits.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/maths.h"
+#include "crowd/contacts.h"
+#include "formation/shapes/formation.h"
+#include "world/state/layer_defs.h"
+#include "world/validation.h"
+
+namespace muster {
+namespace {
+
+constexpr std::int32_t kStartIterations = 64;  // Rounds of contacts that part characters at their starts.
+constexpr std::int32_t kRank = 10;             // Characters that join come in ranks of so many.
+
+Pose poseOf(Vec2 position, double angle) {
+    return {position, {cosine(angle), sine(angle)}};
+}
+
+void addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position) {
+    Characters& c = state.characters;
+    c.id.push_back(state.nextCharacter++);
+    c.group.push_back(groupIndex);
+    c.position.push_back(state.environment.projectToFreeSpace(position, state.parameters.character.radius));
+    c.velocity.push_back({});
+    c.heading.push_back(group.mesh.pose().rotation.apply({1.0, 0.0}));
+    c.place.push_back(-1);
+    c.direction.push_back({});
+    c.cost.push_back(0.0);
+    c.motion.push_back(0);
+    c.phase.push_back(MotionPhase::Steady);
+    c.motionTime.push_back(0.0);
+    c.patch.push_back(0);
+    c.lastSingle.push_back(0);
+}
+
+void removeCharacter(Characters& c, std::ptrdiff_t index) {
+    const auto erase = [index](auto&... arrays) { (arrays.erase(arrays.begin() + index), ...); };
+    erase(c.id, c.group, c.position, c.velocity, c.heading, c.place, c.direction, c.cost, c.motion, c.phase,
+          c.motionTime, c.patch, c.lastSingle);
+}
+
+Status checkNewGroup(const WorldState& state, const GroupDef& def) {
+    if (state.groups.size() >= kMaxGroups)
+        return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(kMaxGroups) + " groups"};
+    const std::string name = "group '" + def.name + "'";
+    const auto total = static_cast<std::int64_t>(state.characters.size()) + def.count;
+    if (const Status fits = validateTotal(total, state.parameters); !fits.ok()) return fits.within(name);
+    if (def.count < 1)
+        return invalidArgument(name + ": found count " + std::to_string(def.count) + ", expected at least 1");
+    if (!def.starts.empty() && std::cmp_not_equal(def.starts.size(), def.count))
+        return invalidArgument(name + ": found " + std::to_string(def.starts.size()) +
+                               " starts, expected one for each of its " + std::to_string(def.count) +
+                               " characters");
+    return {};
+}
+
+/// Where a character of a new group starts, before it leaves walls and others.
+Vec2 startOf(const GroupDef& def, std::int32_t index, const std::vector<Vec2>& places, Random& random) {
+    Vec2 start = def.starts.empty() ? places[std::min<std::size_t>(index, places.size() - 1)]
+                                    : def.starts[index];
+    if (def.jitter > 0.0) {
+        const double x = random.uniform(-def.jitter, def.jitter);
+        const double y = random.uniform(-def.jitter, def.jitter);
+        start += Vec2{x, y};
+    }
+    return start;
+}
+
+/// Puts the places of a group on their reachable targets.
+void resetPlaces(const WorldState& state, Group& group, const std::vector<Vec2>& targets) {
+    std::vector<std::int32_t> counts;
+    group.places.reset(placeDef(state.parameters), targets, state.environment,
+                       mainRegion(state, group, counts));
+}
+
+}  // namespace
+
+std::unique_ptr<Plan> makePlan(const Parameters& parameters) {
+    return parameters.plan.solver == PlanSolver::Fast ? makeFastPlan() : makeExactPlan();
+}
+
+void exchangePlans(WorldState& state) {
+    for (Group& group : state.groups) {
+        group.plan = makePlan(state.parameters);
+        group.planNow = true;
+    }
+}
+
+Status addGroup(WorldState& state, const GroupDef& def) {
+    if (const Status valid = checkNewGroup(state, def); !valid.ok()) return valid;
+    const Result<Formation> formation = makeFormation(def.formation, def.count);
+    if (!formation.ok()) return formation.status().within("group '" + def.name + "'");
+    Group group;
+    group.def = def;
+    const Status placed = group.mesh.reset(*formation, poseOf(def.position, def.angle));
+    if (!placed.ok()) return placed.within("group '" + def.name + "'");
+    group.id = GroupId{state.nextGroup++};
+    group.plan = makePlan(state.parameters);
+    std::vector<Vec2> targets;
+    group.mesh.placePositions(targets);
+    const auto index = static_cast<std::uint32_t>(state.groups.size());
+    for (std::int32_t i = 0; i < def.count; ++i)
+        addCharacter(state, group, index, startOf(def, i, targets, state.random));
+    state.groups.push_back(std::move(group));
+    state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
+    state.refreshMembers();
+    // Characters that start in each other or in a wall part before anything is planned.
+    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
+                       state.characters.position);
+    resetPlaces(state, state.groups.back(), targets);
+    return {};
+}
+
+void removeGroup(WorldState& state, std::size_t index) {
+    Characters& characters = state.characters;
+    for (std::size_t i = characters.size(); i-- > 0;) {
+        if (characters.group[i] == index)
+            removeCharacter(characters, static_cast<std::ptrdiff_t>(i));
+        else if (characters.group[i] > index)
+            --characters.group[i];
+    }
+    state.groups.erase(state.groups.begin() + static_cast<std::ptrdiff_t>(index));
+    const auto count = static_cast<std::ptrdiff_t>(state.checkpoints.size());
+    const auto first = state.checkpointState.begin() + static_cast<std::ptrdiff_t>(index) * count;
+    state.checkpointState.erase(first, first + count);
+    state.refreshMembers();
+}
+
+Status changeFormation(WorldState& state, Group& group, const FormationDef& def, std::int32_t count) {
+    const Result<Formation> formation = makeFormation(def, count);
+    if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");
+    const Status changed = group.mesh.change(*formation);
+    if (!changed.ok()) return changed.within("group '" + group.def.name + "'");
+    group.def.formation = def;
+    group.def.count = count;
+    group.controls.rebind(controlDef(state.parameters), group.mesh.formation().mesh, group.mesh.userMesh());
+    std::vector<Vec2> targets;
+    group.mesh.placePositions(targets);
+    resetPlaces(state, group, targets);
+    group.planNow = true;
+    group.assigned = false;
+    group.lastAssignment.clear();
+    ++group.formationVersion;
+    for (const std::int32_t i : group.members) state.characters.place[i] = -1;
+    return {};
+}
+
+void setCount(WorldState& state, Group& group, std::int32_t count) {
+    const auto index = static_cast<std::uint32_t>(&group - state.groups.data());
+    const Pose& pose = group.mesh.pose();
+    double reach = 0.0;
+    for (const Vec2 v : group.mesh.formation().mesh.vertices) reach = std::max(reach, length(v));
+    const auto now = static_cast<std::int32_t>(group.members.size());
+    const double spacing = std::max(group.def.formation.spacing, 2.2 * state.parameters.character.radius);
+    for (std::int32_t k = now; k < count; ++k) {
+        const std::int32_t n = k - now;
+        const Vec2 local{-(reach + spacing * (1 + n / kRank)), spacing * (n % kRank - 4.5)};
+        addCharacter(state, group, index, pose.apply(local));
+    }
+    for (std::int32_t k = now; k-- > count;) removeCharacter(state.characters, group.members[k]);
+    state.refreshMembers();
+}
+
+}  // namespace muster

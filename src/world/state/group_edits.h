@@ -1,0 +1,29 @@
+// Changes of groups and of their characters: joining, leaving, another formation.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "muster/status.h"
+#include "world/state/world_state.h"
+
+namespace muster {
+
+/// A plan by `plan.solver`; the only place that knows which solvers there are.
+std::unique_ptr<Plan> makePlan(const Parameters& parameters);
+/// Gives every group a new plan, for another solver: all are planned anew in the next step, with the places
+/// that characters have as incumbents. No background work may be running.
+void exchangePlans(WorldState& state);
+
+/// Adds a group and its characters. Fails, changing nothing, where the definition is bad or the world would
+/// hold too many groups or characters.
+Status addGroup(WorldState& state, const GroupDef& def);
+/// Removes a group and its characters. No background work may be running.
+void removeGroup(WorldState& state, std::size_t index);
+/// Gives a group another formation with `count` places. New places appear at once where they can be reached;
+/// they are assigned afresh. Fails, changing nothing, where the formation cannot be made.
+Status changeFormation(WorldState& state, Group& group, const FormationDef& def, std::int32_t count);
+/// Adds characters behind the mesh, or removes those with the highest ids, until the group has `count`.
+void setCount(WorldState& state, Group& group, std::int32_t count);
+
+}  // namespace muster

@@ -1,0 +1,45 @@
+// The step of a world: a table of stages, each of which reads what the stages before it have written.
+#include <iterator>
+
+#include "base/stopwatch.h"
+#include "world/commands/apply_commands.h"
+#include "world/stages/event_stage.h"
+#include "world/stages/mesh_stages.h"
+#include "world/world_engine.h"
+
+namespace muster {
+namespace {
+
+using StageFunction = void (*)(WorldEngine&);
+
+// In the order of Stage.
+constexpr StageFunction kStages[] = {
+    [](WorldEngine& w) { applyCommands(w.state, *w.pool, w.events, w.rejections); },
+    [](WorldEngine& w) { advanceControls(w.state); },
+    [](WorldEngine& w) { deformUserMeshes(w.state); },
+    [](WorldEngine& w) { deformFinalMeshes(w.state); },
+    [](WorldEngine& w) { w.places.run(w.state, *w.pool); },
+    [](WorldEngine& w) { w.cost.run(w.state); },
+    [](WorldEngine& w) { w.plans.run(w.state, w.cost, *w.pool, w.events); },
+    [](WorldEngine& w) { w.steering.run(w.state, w.plans, *w.pool); },
+    [](WorldEngine& w) { w.contactReport = w.contacts.run(w.state, w.steering, *w.pool); },
+    [](WorldEngine& w) { w.patches.run(w.state); },
+    [](WorldEngine& w) { raiseEvents(w.state, w.patches.events(), w.events); },
+};
+static_assert(std::size(kStages) == static_cast<std::size_t>(Stage::Count));
+
+}  // namespace
+
+void WorldEngine::step() {
+    const Stopwatch whole;
+    Stopwatch watch;
+    for (std::size_t i = 0; i < std::size(kStages); ++i) {
+        watch.restart();
+        kStages[i](*this);
+        times.milliseconds[i] = watch.milliseconds();
+    }
+    ++state.stepCount;
+    times.total = whole.milliseconds();
+}
+
+}  // namespace muster

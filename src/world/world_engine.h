@@ -1,0 +1,49 @@
+// What stands behind World: its state, the memory of each stage, and the reports of the last step.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/parallel.h"
+#include "muster/world.h"
+#include "world/stages/contact_stage.h"
+#include "world/stages/cost_stage.h"
+#include "world/stages/patch_stage.h"
+#include "world/stages/place_stage.h"
+#include "world/stages/plan_stage.h"
+#include "world/stages/steering_stage.h"
+#include "world/state/world_state.h"
+
+namespace muster {
+
+/// A world. Everything but `state` can be dropped without changing a later bit.
+struct WorldEngine {
+    WorldState state;
+
+    std::vector<Event> events;          ///< Of the last step.
+    std::vector<Rejection> rejections;  ///< Of the last step.
+    ContactReport contactReport;        ///< After the last step.
+    StageTimes times;                   ///< Of the last step.
+
+    PlaceStage places;
+    CostStage cost;
+    PlanStage plans;
+    SteeringStage steering;
+    ContactStage contacts;
+    PatchStage patches;
+
+    /// Declared last: its destructor waits for background work, which reads the members above.
+    std::unique_ptr<ThreadPool> pool;
+
+    /// One time step (step.cpp).
+    void step();
+    /// Waits for background work, which writes parts of the state.
+    void finishBackgroundWork() const { pool->wait(); }
+};
+
+/// Lets Muster's own code into a world.
+struct WorldAccess {
+    static WorldEngine& of(const World& world) { return *world.engine_; }  ///< All of it.
+};
+
+}  // namespace muster
