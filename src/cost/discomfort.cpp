@@ -36,12 +36,12 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
     const auto count = static_cast<std::int32_t>(piece.corners.size());
     for (std::int32_t k = 0; k < count; ++k) {
         const Vec2 a = piece.corners[k];
-        const Vec2 way = piece.corners[k + 1 < count ? k + 1 : 0] - a;
+        const Vec2 edge = piece.corners[k + 1 < count ? k + 1 : 0] - a;
         const Vec2 off = p - a;
-        const double beyond = -cross(way, off);  // Times the side's length; positive outside.
+        const double beyond = -cross(edge, off);  // Times the side's length; positive outside.
         if (beyond > 0.0) best.inside = false;
-        const double along = dot(off, way);
-        const double squared = lengthSquared(way);
+        const double along = dot(off, edge);
+        const double squared = lengthSquared(edge);
         // The end of a side is the start of the next.
         if (along >= squared) continue;
         const bool isSide = along > 0.0 && beyond > 0.0;
@@ -50,7 +50,7 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
         least = here;
         best.isSide = isSide;
         best.index = k;
-        best.normal = Vec2{way.y, -way.x};
+        best.normal = Vec2{edge.y, -edge.x};
         best.corner = a;
     }
     best.distance = best.inside ? 0.0 : std::sqrt(least);

@@ -67,7 +67,6 @@ void UnitCostBuilder::updateGround(const UnitCostDef& def, const Environment& en
     }
     instance_ = environment.instance();
     environmentVersion_ = environment.groundVersion();
-    if (!changes_.empty()) ++groundVersion_;
 }
 
 void UnitCostBuilder::computeAll(const Environment& environment) {

@@ -28,8 +28,6 @@ public:
     const UnitCost& cost() const { return cost_; }
     /// The ground cost: the same without crowd and discomfort. Differs from cost() in dynamicCells() only.
     const std::vector<CellCost>& groundCost() const { return ground_; }
-    /// Grows whenever groundCost() changes.
-    std::uint64_t groundVersion() const { return groundVersion_; }
     /// The cells whose ground cost the last call computed anew, ascending.
     std::span<const std::int32_t> groundChanges() const { return changes_; }
     /// The cells whose cost the crowd or discomfort changed in the last call, each once.
@@ -69,7 +67,6 @@ private:
     std::vector<float> unit_;         // Cost of a true metre per cell; infinite in walls.
     std::int32_t lowestCount_ = 0;    // Number of cells with the lowest unit cost.
     double openCost_ = -1.0;          // Unit cost of open ground, alpha + beta.
-    std::uint64_t groundVersion_ = 0;
     // Environment and its version that the rasters were read from.
     std::uint64_t instance_ = 0;
     std::uint64_t environmentVersion_ = 0;

@@ -32,7 +32,7 @@ struct FrontNode {
     std::int32_t occluded = 0;
 };
 
-/// The front. Values are in units of the cost of one cell edge. Rows are padded by one cell, which ends one
+/// The front. Values are costs divided by the edge of a cell. Rows are padded by one cell, which ends one
 /// row and begins the next, and by two rows below and above, so that no index needs a check.
 class Front {
 public:
@@ -136,7 +136,7 @@ private:
     std::int32_t stride_ = 0;  // From row to row of nodes_.
     const CellCost* cells_ = nullptr;
     float maxStepDifference_ = 0.0f;  // See kMaxStepDifference.
-    float bucketWidth_ = 1.0f;        // [cost of one cell edge]
+    float bucketWidth_ = 1.0f;        // Range of values in one bucket.
     float tolerance_ = 0.0f;          // Smaller improvements are not worth a visit.
     std::vector<FrontNode> nodes_;    // Padded.
     BucketQueue queue_;

@@ -12,7 +12,7 @@ namespace muster {
 struct PseudoSource {
     float x = 0.0f;           ///< From the centre of cell (0, 0) [cells].
     float y = 0.0f;           ///< From the centre of cell (0, 0) [cells].
-    float cost = 0.0f;        ///< Cost from here to the source, in units of the cost of one cell edge.
+    float cost = 0.0f;        ///< Cost from here to the source, divided by the edge of a cell.
     float unit = 0.0f;        ///< Unit cost of the ground around it.
     float normalX = 0.0f;     ///< Unit vector away from the wall that it lies at; null for the source.
     float normalY = 0.0f;     ///< Unit vector away from the wall that it lies at; null for the source.

@@ -37,13 +37,13 @@ Pair twoProduct(double a, double b) {
 
 // Adds one number, dropping components that vanish.
 void grow(Expansion& sum, double value) {
-    std::size_t kept = 0;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < sum.size(); ++i) {
         const Pair p = twoSum(value, sum[i]);
-        if (p.low != 0.0) sum[kept++] = p.low;
+        if (p.low != 0.0) sum[count++] = p.low;
         value = p.high;
     }
-    sum.resize(kept);
+    sum.resize(count);
     if (value != 0.0) sum.push_back(value);
 }
 

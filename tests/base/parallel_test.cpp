@@ -50,7 +50,7 @@ TEST_CASE("a single item runs in the calling thread") {
     CHECK(by == 0);
 }
 
-TEST_CASE("the number of threads is what was asked for, at least one") {
+TEST_CASE("the number of threads is the requested one, at least one") {
     CHECK(ThreadPool(1).threads() == 1);
     CHECK(ThreadPool(3).threads() == 3);
     CHECK(ThreadPool(0).threads() >= 1);
@@ -221,7 +221,7 @@ TEST_CASE("without a function or threads of the runner the caller does all work"
 
 namespace {
 
-// Work that is launched: fills its numbers in turn, slowly where asked for.
+// Background work: fills its numbers in order, with a delay if set.
 struct Launched {
     std::vector<std::int64_t> numbers = std::vector<std::int64_t>(200, 0);
     std::int64_t round = 0;

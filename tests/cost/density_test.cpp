@@ -36,7 +36,7 @@ TEST_CASE("a crowd's mass is its number, wherever it stands in the box") {
             }
             field.splat(positions, velocities);
             CHECK(mass(field) == doctest::Approx(200).epsilon(1e-5));
-            // Momentum is kept as well.
+            // Momentum is preserved as well.
             Vec2 momentum;
             Vec2 expected;
             for (std::int32_t k = 0; k < field.grid().count(); ++k) {
