@@ -127,3 +127,14 @@ TEST_CASE("a refresh between full ones evaluates tight arcs only, and the others
     CHECK(evaluated > 100);
     CHECK(evaluated < 120 * 12);
 }
+
+TEST_CASE("expensive nodes have arcs to each other, however far they are") {
+    GraphFixture fixture(120, 23);
+    for (const std::int32_t i : {0, 119})
+        fixture.scene.costs.characters[i] += Vec2{i == 0 ? -60.0 : 60.0, 0.0};
+    fixture.begin(ascending(120));
+    fixture.rebuild();
+    CHECK(fixture.graph.expensiveNodes() == std::vector<std::int32_t>{0, 119});
+    CHECK(fixture.graph.arcs().find(0, 119) >= 0);
+    CHECK(fixture.graph.arcs().find(119, 0) >= 0);
+}
