@@ -48,6 +48,19 @@ portable() {
     ! git grep -InE '(^|[^a-zA-Z0-9_.])/(home|Users|root|work|mnt)/[a-z]' -- . ':!web/package-lock.json' ':!scripts/style.sh'
 }
 
+# Every relative link of a document leads to a file.
+links() {
+    local file link
+    git ls-files '*.md' | while read -r file; do
+        [ -e "$file" ] || continue
+        grep -oE '\]\([^)#: ]+' "$file" | sed 's/](//' | while read -r link; do
+            [ -e "$(dirname "$file")/$link" ] || echo "$file links to $link"
+        done
+    done >"$work/links"
+    cat "$work/links"
+    [ ! -s "$work/links" ]
+}
+
 tidy() {
     sources '*.cpp' | grep -E '^(src|apps|bench)/' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/release --quiet >"$work/tidy" 2>"$work/errors"
     grep -E -A 3 '(warning|error): ' "$work/tidy"
@@ -67,6 +80,7 @@ page_rule() {
 
 rule "files that clang-format would change" formatted
 rule "paths of a machine" portable
+rule "links of documents to nowhere" links
 if [ "$what" != --format ]; then
     configure release
     rule "findings of clang-tidy" tidy

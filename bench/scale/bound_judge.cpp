@@ -11,7 +11,6 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kReachFactor = 1.2;  // A place's front first goes so many times the way of who holds it...
 constexpr double kReachMore = 5.5;    // ... and so much farther: about a hundred characters [m].
 constexpr double kTolerance = 1e-9;   // Of what spoils the bound, as a share of the mean cost.

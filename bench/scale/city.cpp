@@ -12,7 +12,6 @@ namespace {
 
 constexpr const char* kMap = "Berlin_0_256.map";
 constexpr std::int32_t kCells = 48;  // Of the map that are used, each way.
-constexpr double kAway = 40.0;       // From the crowd to the formation, where far [m].
 
 // The part of the map with its lower left corner at column x, row y from the bottom.
 MapGrid cutOut(const MapGrid& map, std::int32_t x, std::int32_t y) {

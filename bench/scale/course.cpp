@@ -7,8 +7,6 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 double lengthOf(const Course& course) {
     double sum = 0.0;
     for (std::size_t k = 1; k < course.points.size(); ++k)

@@ -12,8 +12,6 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kAway = 40.0;     // From the crowd to the formation, edge to edge, where far [m].
 constexpr double kRimSpeed = 0.6;  // Of the rim of a turning formation [m/s].
 constexpr double kBehind = 2.0;    // The crowd starts so far behind a formation that is dragged [m].
 constexpr double kMargin = 6.0;    // Of the box [m].

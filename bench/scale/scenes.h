@@ -11,6 +11,9 @@
 
 namespace muster::scale {
 
+/// Distance from the crowd to the formation, edge to edge, in the regime far [m].
+inline constexpr double kAway = 40.0;
+
 /// How the crowd is moved.
 enum class Regime : std::uint8_t {
     Far,        ///< The formation stands 40 m or more away; the crowd walks there.

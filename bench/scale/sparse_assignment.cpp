@@ -6,7 +6,6 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::int64_t kReductions = 8;  // Tries per row before shortest paths take over.
 
 struct TwoBest {

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace muster::scale {
+
+/// The cost of a pair that is not possible.
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A column that a row may take.
 struct Arc {
