@@ -27,7 +27,7 @@ TEST_CASE("a crowd's mass is its number, wherever it stands in the box") {
     Random random(3);
     for (const double lambda : {0.5, 1.0, 2.0, 2.7}) {
         for (const double cell : {0.5, 1.0, 1.3}) {
-            DensityField field(kBox, {cell, lambda});
+            DensityField field(kBox, {.cell = cell, .lambda = lambda});
             std::vector<Vec2> positions;
             std::vector<Vec2> velocities;
             for (int k = 0; k < 200; ++k) {
@@ -50,7 +50,7 @@ TEST_CASE("a crowd's mass is its number, wherever it stands in the box") {
 }
 
 TEST_CASE("shares follow the offset from the lower left cell centre") {
-    DensityField field({{0, 0}, {4, 4}}, {1.0, 2.0});
+    DensityField field({{0, 0}, {4, 4}}, {.cell = 1.0, .lambda = 2.0});
     const Vec2 p{1.5 + 0.3, 1.5 + 0.4};
     field.splat(std::vector<Vec2>{p}, std::vector<Vec2>{{1.0, -0.5}});
     const double raw[4] = {0.6 * 0.6, 0.3 * 0.3, 0.3 * 0.3, 0.4 * 0.4};
@@ -66,7 +66,7 @@ TEST_CASE("shares follow the offset from the lower left cell centre") {
 }
 
 TEST_CASE("a lone walker stays below one per cell and moves without a jump") {
-    DensityField field(kBox, {1.0, 1.0});
+    DensityField field(kBox, {.cell = 1.0, .lambda = 1.0});
     float before = -1.0f;
     for (int k = 0; k < 400; ++k) {
         const Vec2 p{-3.0 + 0.01 * k, 0.37};
@@ -81,12 +81,12 @@ TEST_CASE("a lone walker stays below one per cell and moves without a jump") {
 
 TEST_CASE("a second splat leaves nothing of the first") {
     Random random(11);
-    DensityField used(kBox, {0.7, 1.0});
+    DensityField used(kBox, {.cell = 0.7, .lambda = 1.0});
     for (int round = 0; round < 20; ++round) {
         std::vector<Vec2> positions(random.below(60));
         for (Vec2& p : positions) p = {random.uniform(-5, 5), random.uniform(-4, 4)};
         const std::vector<Vec2> velocities(positions.size(), Vec2{1, 2});
-        DensityField fresh(kBox, {0.7, 1.0});
+        DensityField fresh(kBox, {.cell = 0.7, .lambda = 1.0});
         used.splat(positions, velocities);
         fresh.splat(positions, velocities);
         CHECK(used.density() == fresh.density());

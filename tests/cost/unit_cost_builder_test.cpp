@@ -110,7 +110,7 @@ TEST_CASE("a crowd raises the cost of walking against it, not with it") {
     environment.setTime(0.0);
     UnitCostDef def;
     def.lookAhead = 0.5;
-    DensityField density(environment.def().box, {1.0, 1.0});
+    DensityField density(environment.def().box, {.cell = 1.0, .lambda = 1.0});
     std::vector<Vec2> positions;
     // 16 per m^2 round the middle, all walking east at full speed.
     for (int x = -12; x < 12; ++x) {
@@ -237,7 +237,7 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
     REQUIRE(patchId.ok());
     UnitCostBuilder used;
     UnitCost one;
-    DensityField density(environment.def().box, {1.0, 1.0});
+    DensityField density(environment.def().box, {.cell = 1.0, .lambda = 1.0});
     for (int round = 0; round < 60; ++round) {
         environment.setTime(0.1 * round);
         if (random.below(5) == 0) {
