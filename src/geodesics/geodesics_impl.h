@@ -46,8 +46,8 @@ struct Geodesics::Impl {
     mutable FieldRequests farRequests;  // Added to by const queries, drained by updateFarStencils().
     std::vector<InterpolationStencil> farStencil;  // Per place.
     FarFields far;
-    std::vector<std::uint8_t>
-        farStencilKnown;  // Per place: 1 where its stencil was made since it was requested.
+    // Per place: 1 where its stencil was made since it was requested.
+    std::vector<std::uint8_t> farStencilKnown;
     std::uint32_t step = 0;
     bool loaded = false;  // An archive was read whose fields are not solved yet.
 
