@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/grid.h"
 #include "commands.h"
+#include "environment/environment.h"
 #include "muster/scenario.h"
 #include "options.h"
 #include "report.h"

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "base/hash.h"
 #include "commands.h"
 #include "muster/gestures.h"
-#include "muster/hash.h"
 #include "muster/take.h"
 #include "options.h"
 #include "report.h"

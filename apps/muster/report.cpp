@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
+#include "base/hash.h"
 #include "commands.h"
-#include "muster/hash.h"
 #include "muster/scenario.h"
 
 namespace muster {

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "environment/environment.h"
 #include "muster/formation.h"
 #include "muster/map_import.h"
+#include "muster/obstacle.h"
 #include "muster/parameters.h"
+#include "muster/patch.h"
 
 namespace muster {
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "muster/hash.h"
+#include "base/hash.h"
 #include "muster/vec2.h"
 
 namespace muster {

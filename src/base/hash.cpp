@@ -1,4 +1,4 @@
-#include "muster/hash.h"
+#include "base/hash.h"
 
 #include <array>
 

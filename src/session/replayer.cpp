@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "muster/hash.h"
+#include "base/hash.h"
 
 namespace muster {
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/hash.h"
 #include "environment/environment.h"
 #include "muster/formation.h"
-#include "muster/hash.h"
 #include "muster/parameter_table.h"
 #include "world/inspect.h"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/hash.h"
 #include "base/random.h"
-#include "muster/hash.h"
 
 using namespace muster;
 

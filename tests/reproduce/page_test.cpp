@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "muster/hash.h"
+#include "base/hash.h"
 #include "picture/xml.h"
 #include "reproduce/fake.h"
 #include "reproduce/report/html_parts.h"

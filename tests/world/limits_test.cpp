@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cost/density.h"
+#include "environment/environment.h"
 #include "muster/parameter_table.h"
 #include "world/inspect.h"
 #include "world/scenes.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "muster/hash.h"
+#include "base/hash.h"
 #include "reproduce/report/html_parts.h"
 #include "reproduce/report/markup.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "base/hash.h"
 #include "formation/mesh/rigid_fit.h"
-#include "muster/hash.h"
 
 namespace muster {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/maths.h"
 #include "environment/environment.h"
 #include "io/export/output_file.h"
-#include "muster/hash.h"
 #include "world/inspect.h"
 #endif
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "environment/environment.h"
 #include "io/export/exporter.h"
 
 namespace muster {

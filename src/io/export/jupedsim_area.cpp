@@ -1,3 +1,5 @@
+#include "environment/environment.h"
+#include "environment/obstacle_piece.h"
 #include "io/export/jupedsim.h"
 
 #if MUSTER_SQLITE

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "environment/environment.h"
 #include "muster/scenario.h"
 
 namespace muster {

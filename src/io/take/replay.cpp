@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "muster/hash.h"
+#include "base/hash.h"
 
 namespace muster {
 namespace {

@@ -7,6 +7,7 @@
 #include "base/maths.h"
 #include "base/text_file.h"
 #include "character/clips/retarget.h"
+#include "environment/environment.h"
 #include "io/export/export_fixture.h"
 #include "io/export/formats.h"
 #include "io/export/jupedsim.h"
