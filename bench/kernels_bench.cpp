@@ -154,7 +154,7 @@ struct Following {
     Environment environment;
     UnitCost cost;
     StaticGround ground;
-    DynamicCost excess;
+    DynamicCost dynamicCost;
     std::vector<Vec2> characters;
     std::vector<Vec2> places;
     std::vector<std::int32_t> incumbent;
@@ -181,7 +181,7 @@ Following::Following(std::int64_t n) {
     density.splat(characters, std::vector<Vec2>(characters.size(), Vec2{1.2, 0.0}));
     UnitCostBuilder().build({}, environment, density, 0.25, cost);
     ground.update(environment, 1.0, 0.25);
-    excess.update({}, environment, density, 0.25);
+    dynamicCost.update({}, environment, density, 0.25);
 }
 
 // It plans again, its places 0.02 m to and fro. The bound is one read of the unit cost of the ground that it
@@ -196,7 +196,7 @@ void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
         for (Vec2& place : crowd.places) place.x += by;
         PlanInput input{crowd.characters, {}, crowd.places, {}, {}, crowd.incumbent, &crowd.cost};
         input.ground = &crowd.ground;
-        input.dynamicCost = &crowd.excess;
+        input.dynamicCost = &crowd.dynamicCost;
         if (!plan->start({}, input).ok() || !plan->finish(pool, result).ok()) return false;
         for (const Flow& flow : result.flows) crowd.incumbent[flow.character] = flow.place;
         return true;
