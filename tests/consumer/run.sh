@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs everything into a folder of its own; builds and runs each sample outside the tree, with find_package(muster); tries
-# the installed program. Each sample, and the program, count as one test.
+# Installs everything into a folder of its own; builds and runs each sample outside the tree, with find_package(muster);
+# compiles each installed header alone; tries the installed program. Each sample, the headers and the program count as one test.
 set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
@@ -27,6 +27,15 @@ build_samples() {
         -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" >/dev/null && cmake --build "$work/build"
 }
 
+# Every installed header compiles alone, and exactly those of include/muster are installed.
+headers_alone() {
+    diff <(ls "$root/include/muster") <(ls "$work/prefix/include/muster") || return 1
+    for header in "$work"/prefix/include/muster/*.h; do basename "$header"; done |
+        xargs -P 2 -I {} sh -c 'echo "#include <muster/{}>" |
+            ${CXX:-c++} -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I "$1" -x c++ - || { echo "{}"; exit 1; }' \
+            sh "$work/prefix/include"
+}
+
 # The installed program, its scenarios and, where it was built, its page.
 try_program() {
     local program=$work/prefix/bin/muster studio
@@ -47,6 +56,7 @@ for folder in "$root"/samples/*/; do
     check "$name" "$work/build/$name/$name" "$work/$name.out"
 done
 check "the exported file" test -s "$work/record_export.out/sample.glb"
+check "the installed headers" headers_alone
 check "the installed program" try_program
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
