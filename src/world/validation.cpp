@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/polygon.h"
 #include "muster/parameter_table.h"
 #include "world/number_text.h"
 

@@ -23,7 +23,7 @@ Matrix rodrigues(Vec3 axis, double angle) {
              {t * x * z - s * y, t * y * z + s * x, t * z * z + c}}};
 }
 
-Vec3 apply(const Matrix& m, Vec3 v) {
+Vec3 product(const Matrix& m, Vec3 v) {
     const auto row = [&](std::size_t i) {
         return static_cast<float>(m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z);
     };
@@ -51,7 +51,7 @@ TEST_CASE("A turn by a quaternion is the turn by its matrix") {
     for (int i = 0; i < 200; ++i) {
         const Vec3 axis = unitVector(random), v = unitVector(random);
         const double angle = random.uniform(-7.0, 7.0);
-        checkNear(rotate(axisAngle(axis, angle), v), apply(rodrigues(axis, angle), v));
+        checkNear(rotate(axisAngle(axis, angle), v), product(rodrigues(axis, angle), v));
     }
 }
 
