@@ -19,194 +19,233 @@ struct TouchDown {
     Vec2 position;            ///< World [m].
     double time = 0.0;        ///< World time stamp [s].
     GroupId group;            ///< None to pick by position.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(touch, position, time, group);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(touch, position, time, group);
+    }
 };
 /// A finger moves.
 struct TouchMove {
-    std::uint32_t touch = 0;
-    Vec2 position;      ///< World [m].
-    double time = 0.0;  ///< World time stamp [s].
+    std::uint32_t touch = 0;  ///< Number of the finger.
+    Vec2 position;            ///< World [m].
+    double time = 0.0;        ///< World time stamp [s].
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(touch, position, time);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(touch, position, time);
+    }
 };
-/// A finger lifts; its path is still followed.
+/// A finger lifts; its trajectory is still followed.
 struct TouchUp {
-    std::uint32_t touch = 0;
-    double time = 0.0;  ///< World time stamp [s].
+    std::uint32_t touch = 0;  ///< Number of the finger.
+    double time = 0.0;        ///< World time stamp [s].
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(touch, time);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(touch, time);
+    }
 };
 /// The control of a finger ends at once.
 struct TouchCancel {
-    std::uint32_t touch = 0;
+    std::uint32_t touch = 0;  ///< Number of the finger.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(touch);
-    }  ///< For archives.
-};
-/// A whole control at once (mouse and API). Its points are then moved and lifted like touches.
-struct AddControl {
-    GroupId group;
-    ControlKind kind = ControlKind::Point;
-    std::vector<std::uint32_t> touches;
-    std::vector<Vec2> positions;  ///< World [m], one per touch.
-    double time = 0.0;            ///< World time stamp [s].
-    /// For archives.
-    template <class Archive>
-    void visit(Archive& a) {
-        a(group, kind, touches, positions, time);
+    void visit(Archive& archive) {
+        archive(touch);
     }
 };
-/// Keeps a control where its path ends, or lets it go.
-struct PinControl {
-    GroupId group;
-    ControlId control;
-    bool pinned = true;
+/// A whole control at once, for mouse and program. Its points are then moved and lifted like touches.
+struct AddControl {
+    GroupId group;                          ///< Whose mesh it holds.
+    ControlKind kind = ControlKind::Point;  ///< Must suit the number of touches.
+    std::vector<std::uint32_t> touches;     ///< Numbers of its fingers, 1 to 64.
+    std::vector<Vec2> positions;            ///< World [m], one per touch.
+    double time = 0.0;                      ///< World time stamp [s].
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(group, control, pinned);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(group, kind, touches, positions, time);
+    }
+};
+/// Pins a control where its trajectory ends, or lets it go.
+struct PinControl {
+    GroupId group;       ///< Whose control it is.
+    ControlId control;   ///< Which one.
+    bool pinned = true;  ///< False to let it go.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, control, pinned);
+    }
 };
 /// Ends a control at once.
 struct RemoveControl {
-    GroupId group;
-    ControlId control;
+    GroupId group;      ///< Whose control it is.
+    ControlId control;  ///< Which one.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(group, control);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(group, control);
+    }
 };
 /// A client has gone: its fingers lift.
 struct ReleaseClient {
-    std::uint8_t unused = 0;
+    std::uint8_t unused = 0;  ///< Keeps the format from being empty.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(unused);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(unused);
+    }
 };
 /// The group takes another formation.
 struct SetFormation {
-    GroupId group;
-    FormationDef formation;
+    GroupId group;           ///< Which one.
+    FormationDef formation;  ///< What it becomes.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(group, formation);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(group, formation);
+    }
 };
-/// Characters join (beside the mesh) or leave (highest ids first).
+/// Characters join behind the mesh, or leave, those with the highest ids first.
 struct SetCount {
-    GroupId group;
-    std::int32_t count = 0;
+    GroupId group;           ///< Which one.
+    std::int32_t count = 0;  ///< Characters that it has then, 1 to 200,000.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(group, count);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(group, count);
+    }
 };
-/// Puts the mesh somewhere at once; places travel there.
+/// Puts the mesh elsewhere at once; places travel there.
 struct SetPose {
-    GroupId group;
-    Vec2 position;       ///< [m]
-    double angle = 0.0;  ///< [rad]
+    GroupId group;       ///< Which one.
+    Vec2 position;       ///< Of its centre [m].
+    double angle = 0.0;  ///< Of its heading, from +x counter-clockwise [rad].
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(group, position, angle);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(group, position, angle);
+    }
 };
 /// A new group.
 struct AddGroup {
-    GroupDef group;
+    GroupDef group;  ///< What it is.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(group);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(group);
+    }
 };
-/// A group and its characters go.
+/// A group and its characters are removed.
 struct RemoveGroup {
-    GroupId group;
+    GroupId group;  ///< Which one.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(group);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(group);
+    }
 };
 /// A new obstacle.
 struct AddObstacle {
-    ObstacleDef obstacle;
+    ObstacleDef obstacle;  ///< What it is.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(obstacle);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(obstacle);
+    }
 };
-/// Another shape, place, path or field for an obstacle.
+/// An obstacle gets another shape, position, path or field.
 struct ChangeObstacle {
-    ObstacleId id;
-    ObstacleDef obstacle;
+    ObstacleId id;         ///< Which one.
+    ObstacleDef obstacle;  ///< What it becomes.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(id, obstacle);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(id, obstacle);
+    }
 };
-/// An obstacle goes.
+/// An obstacle is removed.
 struct RemoveObstacle {
-    ObstacleId id;
+    ObstacleId id;  ///< Which one.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(id);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(id);
+    }
 };
 /// A new patch.
 struct AddPatch {
-    PatchDef patch;
+    PatchDef patch;  ///< What it is.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(patch);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(patch);
+    }
 };
-/// Another shape, place, path or motion for a patch.
+/// A patch gets another shape, position, path or motion.
 struct ChangePatch {
-    PatchId id;
-    PatchDef patch;
+    PatchId id;      ///< Which one.
+    PatchDef patch;  ///< What it becomes.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(id, patch);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(id, patch);
+    }
 };
-/// A patch goes.
+/// A patch is removed.
 struct RemovePatch {
-    PatchId id;
+    PatchId id;  ///< Which one.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(id);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(id);
+    }
 };
-/// Another value for a parameter.
+/// A parameter gets another value.
 struct SetParameter {
-    std::string name;
-    double value = 0.0;
+    std::string name;    ///< As in parameterTable(): "plan.exponent".
+    double value = 0.0;  ///< In its range.
+
+    /// Lets an archive read or write the command.
     template <class Archive>
-    void visit(Archive& a) {
-        a(name, value);
-    }  ///< For archives.
+    void visit(Archive& archive) {
+        archive(name, value);
+    }
 };
 
-/// One of all. The order of alternatives is part of the file format: append only.
+/// The body of a command. The order of alternatives is part of the file format: append only.
 using CommandBody = std::variant<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl,
                                  RemoveControl, ReleaseClient, SetFormation, SetCount, SetPose, AddGroup,
                                  RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch,
                                  ChangePatch, RemovePatch, SetParameter>;
 
-/// A change, when it applies and who asked for it. Applied in (step, client, sequence) order.
+/// A change of a world, when it applies and who sent it. Applied in (step, client, sequence) order.
 struct Command {
     std::uint32_t step = 0;      ///< Applied at the start of the step that leads from `step` to `step + 1`.
     std::uint32_t client = 0;    ///< Who sent it.
     std::uint32_t sequence = 0;  ///< Rises with each command of a client.
-    CommandBody body;
+    CommandBody body;            ///< What it changes.
 };
 
 /// A command as bytes, to send it to another world.

@@ -90,6 +90,18 @@ TEST_CASE("every kind of command is valid and survives its bytes") {
     }
 }
 
+TEST_CASE("a command as bytes: the same as in archives, and nothing behind it") {
+    for (const Command& command : everyCommand()) {
+        CAPTURE(commandName(command));
+        std::vector<std::uint8_t> bytes = encodeCommand(command);
+        CHECK(bytes == bytesOf(command));
+        REQUIRE(decodeCommand(bytes).ok());
+        CHECK(encodeCommand(*decodeCommand(bytes)) == bytes);
+        bytes.push_back(0);
+        CHECK(decodeCommand(bytes).status().code() == StatusCode::ParseError);
+    }
+}
+
 TEST_CASE("decoded values are those encoded") {
     const auto bytes = bytesOf({5, 2, 9, TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}}});
     Reader reader(bytes);
