@@ -1,4 +1,4 @@
-// The only way to change a world: serialisable, step-stamped commands.
+// Commands: the changes of a world, serialisable and stamped with a step.
 #pragma once
 
 #include <cstdint>

@@ -75,20 +75,19 @@ struct WorldDef {
     std::string name = "Untitled";  ///< Shown in the studio.
     std::string description;        ///< One or two sentences.
     std::string credit;             ///< Whose data it uses; may be empty.
-    /// File of the touches that belong to it, beside the scenario; empty for none. A World takes no notice of
-    /// it.
+    /// File of its gestures, in the scenario's folder or below; empty for none. World does not read it.
     std::string gestures;
     Box box{{-16, -16}, {16, 16}};                      ///< [m]
     double cell = 0.25;                                 ///< Edge of a ground cell [m] > 0.
     std::uint64_t seed = 1;                             ///< Of all random numbers.
     std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
-    std::vector<ObstacleDef> obstacles;
-    std::vector<PatchDef> patches;
-    std::optional<MapGround> map;
-    std::vector<GroupDef> groups;
-    std::vector<FormationCheckpointDef> checkpoints;
-    std::vector<ItemDef> items;
-    Parameters parameters;
+    std::vector<ObstacleDef> obstacles;                 ///< At most 20,000.
+    std::vector<PatchDef> patches;                      ///< At most 20,000.
+    std::optional<MapGround> map;                       ///< Adds obstacles and patches.
+    std::vector<GroupDef> groups;                       ///< At most 200.
+    std::vector<FormationCheckpointDef> checkpoints;    ///< Spots that change formations.
+    std::vector<ItemDef> items;                         ///< Things to collect.
+    Parameters parameters;                              ///< How it behaves.
 };
 
 }  // namespace muster

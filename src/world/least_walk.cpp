@@ -22,7 +22,7 @@ Result<Environment> withoutPatches(const Environment& environment) {
     return bare;
 }
 
-/// Lengths of the shortest ways, a row per start.
+/// Lengths of the shortest paths, a row per start.
 bool geodesics(const Environment& environment, double radius, std::span<const Vec2> starts,
                std::span<const Vec2> places, std::vector<double>& lengths) {
     const auto bare = withoutPatches(environment);

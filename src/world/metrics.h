@@ -27,8 +27,8 @@ struct RunFigures {
     std::int32_t overlapPairsMax = 0;         ///< Most pairs at once deeper than 10 % of the mean diameter.
     double worstPenetration = 0.0;            ///< Share of the mean diameter.
     double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
-    WalkTotals planned;                       ///< Ways to the places by the last plan, all groups.
-    WalkTotals walked;                        ///< Ways walked by those still there.
+    WalkTotals planned;                       ///< Paths to the places by the last plan, all groups.
+    WalkTotals walked;                        ///< Paths walked by those still there.
     double lagP95 = 0.0;                      ///< Distance to the place at the end, p95 [m].
     std::int32_t unmatched = 0;               ///< At the end.
     std::int32_t collected = 0;               ///< Items.

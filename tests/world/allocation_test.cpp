@@ -1,4 +1,4 @@
-// A warm step allocates nothing: memory grows to the most that was needed, and is kept.
+// A warm step allocates nothing: memory grows to what was needed at most and stays.
 #include <doctest.h>
 
 #include <cmath>
@@ -36,13 +36,13 @@ TEST_CASE("60 steps of a standing crowd allocate nothing") {
 
 namespace {
 
-/// Leads a crowd to and fro, `ways` times; allocations in the steps of the last two.
-long leadToAndFro(const WorldDef& def, int ways) {
+/// Leads a crowd to and fro, `legs` times; allocations in the steps of the last two.
+long leadToAndFro(const WorldDef& def, int legs) {
     World world = World::create(def).value();
     std::uint32_t sequence = 0;
     long inStep = 0;
-    for (int way = 0; way < ways; ++way) {
-        const double from = way % 2 == 0 ? -6.0 : 6.0;
+    for (int leg = 0; leg < legs; ++leg) {
+        const double from = leg % 2 == 0 ? -6.0 : 6.0;
         REQUIRE(give(world, sequence, TouchDown{1, {from, 0}, world.time(), {}}).ok());
         world.step();
         REQUIRE(give(world, sequence, TouchMove{1, {-from, 0}, world.time()}).ok());
@@ -51,7 +51,7 @@ long leadToAndFro(const WorldDef& def, int ways) {
         world.step();
         const long before = allocations;
         for (int s = 0; s < 900; ++s) world.step();
-        if (way >= ways - 2) inStep += allocations - before;
+        if (leg >= legs - 2) inStep += allocations - before;
         CHECK(std::fabs(world.group(0).pose.position.x + from) < 0.5);  // It did walk.
     }
     return inStep;

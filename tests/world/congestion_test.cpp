@@ -1,4 +1,4 @@
-// Crowded ways cost more, so people take others.
+// Crowded paths cost more, so people take others.
 #include <doctest.h>
 
 #include <cmath>
@@ -8,8 +8,8 @@
 using namespace muster;
 using namespace muster::testing;
 
-// Fast plans see a crowd along the ways they know, not that another way has become cheaper.
-TEST_CASE("two ways, one jammed: with density the exact plan avoids the crowd, without it does not") {
+// Fast plans see a crowd along the paths they know, not that another path has become cheaper.
+TEST_CASE("two paths, one jammed: with density the exact plan avoids the crowd, without it does not") {
     // A wall with two doors at the same distance; a standing crowd of another group fills the upper one.
     const auto goesLow = [](bool density) {
         WorldDef def = openFloor(1);

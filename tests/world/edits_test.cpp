@@ -84,7 +84,7 @@ TEST_CASE("an obstacle moved to and fro: nobody is ever in it") {
     CHECK(inspect::environment(world).obstacle(id)->centre == Vec2{-6.0, 5.0 - 0.1 * 59});
 }
 
-TEST_CASE("a wall across the way is walked round as soon as it stands, and not when it is gone") {
+TEST_CASE("a wall across the path is walked round as soon as it stands, and not when it is gone") {
     const auto farthest = [](bool wall, bool taken) {
         World world = World::create(openFloor(9)).value();
         std::uint32_t sequence = 0;
@@ -162,7 +162,7 @@ TEST_CASE("ids of what is gone are not given again, and commands for it are refu
     CHECK(inspect::environment(world).obstacle(world.obstacleIds()[0])->centre == Vec2{5, 5});
 }
 
-TEST_CASE("a car on its path touches nobody who has room to step aside") {
+TEST_CASE("a car on its path touches nobody who can step out of its path") {
     WorldDef def = openFloor(9);
     def.groups[0].position = {0, 0};
     def.groups[0].formation.spacing = 1.2;

@@ -62,7 +62,7 @@ TEST_CASE("two clients draw two groups in the same steps, with the same touch nu
     World world = World::create(twoGroups()).value();
     for (int s = 0; s <= 120; ++s) {
         const double along = std::min(s / 100.0, 1.0);
-        const auto send = [&](std::uint32_t client, Vec2 from, Vec2 way) {
+        const auto send = [&](std::uint32_t client, Vec2 from, Vec2 travel) {
             const std::uint32_t sequence = static_cast<std::uint32_t>(s);
             if (s == 0)
                 REQUIRE(
@@ -71,7 +71,7 @@ TEST_CASE("two clients draw two groups in the same steps, with the same touch nu
             else if (s < 120)
                 REQUIRE(world
                             .submit({world.stepCount(), client, sequence,
-                                     TouchMove{7, from + way * along, world.time()}})
+                                     TouchMove{7, from + travel * along, world.time()}})
                             .ok());
             else
                 REQUIRE(world.submit({world.stepCount(), client, sequence, TouchUp{7, world.time()}}).ok());
@@ -201,7 +201,8 @@ TEST_CASE("events name the characters of the group that had them") {
     CHECK(*collected.rbegin() / 10 >= 10);
 }
 
-TEST_CASE("more characters than room: who fits has a place, the others wait near and nobody overlaps") {
+TEST_CASE(
+    "more characters than places that fit: who fits has a place, the others wait near and nobody overlaps") {
     WorldDef def;
     def.box = {{-4, -2.2}, {4, 2.2}};
     def.obstacles = {block(-4, -2.2, -1.5, 2.2), block(1.5, -2.2, 4, 2.2)};  // A room 3 m wide.
@@ -213,12 +214,12 @@ TEST_CASE("more characters than room: who fits has a place, the others wait near
     World world = World::create(def).value();
     run(world, 12);
     const auto fit = world.group(0).placeUsable;
-    const auto room = std::count(fit.begin(), fit.end(), 1);
+    const auto fitting = std::count(fit.begin(), fit.end(), 1);
     const CharactersView c = world.characters();
     const auto matched = std::count_if(c.place.begin(), c.place.end(), [](std::int32_t p) { return p >= 0; });
-    CHECK(room < 36);
-    CHECK(room > 18);
-    CHECK(matched == room);
+    CHECK(fitting < 36);
+    CHECK(fitting > 18);
+    CHECK(matched == fitting);
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.place[i] >= 0)
             CHECK(fit[c.place[i]] == 1);
@@ -230,7 +231,7 @@ TEST_CASE("more characters than room: who fits has a place, the others wait near
     CHECK(worstToPlace(world, 0) < 0.3);
 }
 
-TEST_CASE("late arrivals shift inward: those already there make room instead of being walked through") {
+TEST_CASE("late arrivals shift inward: those already there move on instead of being walked through") {
     // Twelve in file, one behind the other, walk to a square.
     WorldDef def = openFloor(12);
     def.groups[0].starts.clear();
@@ -238,7 +239,7 @@ TEST_CASE("late arrivals shift inward: those already there make room instead of 
     def.groups[0].position = {6, 0};
     World world = World::create(def).value();
     world.step();
-    // The plan that is least in squares keeps the order along the way: the first in file goes farthest.
+    // The plan that is least in squares keeps the order along the path: the first in file goes farthest.
     const CharactersView c = world.characters();
     const auto placeX = [&](std::size_t i) { return world.group(0).placePositions[c.place[i]].x; };
     double front = 0.0, back = 0.0;

@@ -98,11 +98,11 @@ TEST_CASE("a plan of many is near the best for each of a few of them") {
         const auto b = random.below(static_cast<std::uint32_t>(c.size()));
         if (a == b || c.place[a] < 0 || c.place[b] < 0 || distance(c.position[a], c.position[b]) > 4.0)
             continue;
-        const auto way = [&](std::uint32_t who, std::uint32_t whose) {
+        const auto walk = [&](std::uint32_t who, std::uint32_t whose) {
             return lengthSquared(places[c.place[whose]] - c.position[who]);
         };
-        const double now = way(a, a) + way(b, b);
-        const double exchanged = way(a, b) + way(b, a);
+        const double now = walk(a, a) + walk(b, b);
+        const double exchanged = walk(a, b) + walk(b, a);
         gaining += exchanged < 0.99 * now - 0.1 ? 1 : 0;
     }
     CHECK(gaining == 0);

@@ -1,4 +1,4 @@
-// What a world refuses, however it is asked: whole definitions, commands, parameters that contradict each
+// What a world refuses, however it is given: whole definitions, commands, parameters that contradict each
 // other.
 #include <doctest.h>
 
@@ -88,7 +88,7 @@ TEST_CASE("the density grid follows its parameters, and a restored world goes on
 TEST_CASE("one limit on characters, for scenarios, groups that join, and counts") {
     for (const bool exact : {true, false}) {
         const std::int32_t most = exact ? kMaxExact : kMaxCharacters;
-        const std::string told = "at most " + std::to_string(most);
+        const std::string expected = "at most " + std::to_string(most);
         WorldDef def = openFloor(4);
         def.parameters.plan.solver = exact ? PlanSolver::Exact : PlanSolver::Fast;
         WorldDef full = def;
@@ -96,15 +96,15 @@ TEST_CASE("one limit on characters, for scenarios, groups that join, and counts"
         full.groups[1].count = most - 3;
         const auto many = World::create(full);
         REQUIRE_FALSE(many.ok());
-        CHECK(holds(many.status().message(), told.c_str()));
+        CHECK(holds(many.status().message(), expected.c_str()));
         World world = World::create(def).value();
         std::uint32_t sequence = 0;
         GroupDef group;
         group.count = most - 3;
-        CHECK(holds(refusalOf(world, sequence, AddGroup{group}), told.c_str()));
+        CHECK(holds(refusalOf(world, sequence, AddGroup{group}), expected.c_str()));
         group.count = 5;
         CHECK(refusalOf(world, sequence, AddGroup{group}).empty());
-        CHECK(holds(refusalOf(world, sequence, SetCount{world.group(1).id, most - 3}), told.c_str()));
+        CHECK(holds(refusalOf(world, sequence, SetCount{world.group(1).id, most - 3}), expected.c_str()));
         CHECK(holds(refusalOf(world, sequence, SetCount{world.group(1).id, kMaxCharacters + 1}), "200000"));
         CHECK(world.characters().size() == 9);
     }
@@ -125,7 +125,7 @@ TEST_CASE("a crowd too large for exact plans stays with fast ones, and says so")
     CHECK(world->characters().size() == static_cast<std::size_t>(kMaxExact) + 1);
 }
 
-TEST_CASE("the widest characters that may be still find room in the open") {
+TEST_CASE("the widest characters that may be still find free space in the open") {
     double widest = 0.0;
     double clearest = 0.0;
     for (const ParameterInfo& info : parameterTable()) {

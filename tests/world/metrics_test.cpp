@@ -69,7 +69,7 @@ TEST_CASE("arrived needs a second of standing, and the moment it got there count
     auto world = World::create(walkDef());
     REQUIRE(world.ok());
     RunMetrics metrics(*world);
-    double reached = -1.0, told = -1.0;
+    double reached = -1.0, noticed = -1.0;
     for (int i = 0; i < 600; ++i) {
         world->step();
         metrics.observe(*world);
@@ -79,12 +79,12 @@ TEST_CASE("arrived needs a second of standing, and the moment it got there count
         }
         if (reached < 0.0 && farthest <= 0.5) reached = world->time();
         const double at = metrics.figures(*world, false).arrived100;
-        if (told < 0.0 && at >= 0.0) {
-            told = world->time();
+        if (noticed < 0.0 && at >= 0.0) {
+            noticed = world->time();
             CHECK(at == doctest::Approx(reached).epsilon(0.005));
         }
     }
-    CHECK(told - reached == doctest::Approx(1.0).epsilon(0.03));
+    CHECK(noticed - reached == doctest::Approx(1.0).epsilon(0.03));
 }
 
 TEST_CASE("the clock starts at the last command") {
@@ -138,7 +138,7 @@ TEST_CASE("the least walk: in the open, round a wall, and none") {
     REQUIRE(open.ok());
     const std::vector<Vec2> starts{{0, 0}, {1, 0}}, places{{4, 0}, {3, 0}};
     CHECK(leastWalk(*open, 0.25, starts, places) == doctest::Approx(6.0));
-    // A wall from y = -16 to 3: the way from (-4, 0) to (4, 0) rounds its end with a radius to spare.
+    // A wall from y = -16 to 3: the path from (-4, 0) to (4, 0) rounds its end with a radius to spare.
     ObstacleDef wall;
     wall.polygon = {{-0.5, -17}, {0.5, -17}, {0.5, 3}, {-0.5, 3}};
     REQUIRE(open->addObstacle(wall).ok());

@@ -13,22 +13,22 @@ namespace {
 
 using Task = void (*)(void* context, std::int32_t item, std::int32_t worker);
 
-// What a runner was asked for.
-struct Asked {
+// Counts the calls of a runner.
+struct RunnerLog {
     std::int32_t runs = 0;
     std::int64_t items = 0;
 };
 
 void backwards(void* context, std::int32_t count, Task task, void* taskContext) {
-    auto& asked = *static_cast<Asked*>(context);
-    ++asked.runs;
-    asked.items += count;
+    auto& log = *static_cast<RunnerLog*>(context);
+    ++log.runs;
+    log.items += count;
     for (std::int32_t i = count; i-- > 0;) task(taskContext, i, i % 2);
 }
 
 // A thread for each of three workers, each with every third item.
 void threadsOfItsOwn(void* context, std::int32_t count, Task task, void* taskContext) {
-    ++static_cast<Asked*>(context)->runs;
+    ++static_cast<RunnerLog*>(context)->runs;
     std::vector<std::thread> threads;
     for (std::int32_t worker = 0; worker < 3; ++worker)
         threads.emplace_back([=] {
@@ -64,11 +64,11 @@ TEST_CASE("a world on a foreign task runner goes through the same states") {
         const std::vector<std::uint64_t> expected = hashesOf(*own, 40);
         for (const TaskRunner& runner :
              {TaskRunner{2, nullptr, backwards}, TaskRunner{3, nullptr, threadsOfItsOwn}}) {
-            Asked asked;
-            Result<World> world = World::create(def, TaskRunner{runner.threads, &asked, runner.run});
+            RunnerLog log;
+            Result<World> world = World::create(def, TaskRunner{runner.threads, &log, runner.run});
             REQUIRE(world.ok());
             CHECK(hashesOf(*world, 40) == expected);
-            CHECK(asked.runs > 0);
+            CHECK(log.runs > 0);
         }
     }
 }
@@ -79,12 +79,12 @@ TEST_CASE("a snapshot goes on on a foreign task runner as it would on threads") 
         REQUIRE(world.ok());
         hashesOf(*world, 25);
         const std::vector<std::uint8_t> saved = world->snapshot();
-        Asked asked;
-        Result<World> restored = World::restore(saved, TaskRunner{2, &asked, backwards});
+        RunnerLog log;
+        Result<World> restored = World::restore(saved, TaskRunner{2, &log, backwards});
         REQUIRE(restored.ok());
         CHECK(restored->hash() == world->hash());
         CHECK(hashesOf(*restored, 30) == hashesOf(*world, 30));
-        CHECK(asked.items > 0);
+        CHECK(log.items > 0);
     }
 }
 
@@ -93,13 +93,13 @@ TEST_CASE("a runner that cannot run is refused by name") {
     const Result<World> none = World::create(def, TaskRunner{2, nullptr, nullptr});
     REQUIRE_FALSE(none.ok());
     CHECK(none.status().message() == "runner: found no function, expected one that runs tasks");
-    Asked asked;
+    RunnerLog log;
     for (const std::int32_t threads : {0, -1, 257}) {
-        const Result<World> few = World::create(def, TaskRunner{threads, &asked, backwards});
+        const Result<World> few = World::create(def, TaskRunner{threads, &log, backwards});
         REQUIRE_FALSE(few.ok());
         CHECK(few.status().message() ==
               "runner: found " + std::to_string(threads) + " threads, expected 1 to 256");
-        CHECK_FALSE(World::restore({}, TaskRunner{threads, &asked, backwards}).ok());
+        CHECK_FALSE(World::restore({}, TaskRunner{threads, &log, backwards}).ok());
     }
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("the totals of walks are those of the last plan") {
     world.step();
     WalkTotals expected;
     for (std::size_t i = 0; i < 3; ++i) {
-        // On an open floor the way is straight; the field of the grid lengthens it a little.
+        // On an open floor the path is straight; the field of the grid lengthens it a little.
         const Vec2 place = world.group(0).placePositions[world.characters().place[i]];
         const double walk = length(place - def.groups[0].starts[i]);
         expected.sum += walk;

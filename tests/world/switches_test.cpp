@@ -44,12 +44,13 @@ Track trackOf(WorldDef def, const char* parameter, double value, const Director&
 }
 
 /// One finger draws the whole formation to the right and lifts.
-Director drawing(Vec2 from, Vec2 way, int steps = 120) {
+Director drawing(Vec2 from, Vec2 travel, int steps = 120) {
     return [=](World& world, int s) {
         std::uint32_t sequence = static_cast<std::uint32_t>(s) * 2;
         if (s == 0) REQUIRE(give(world, sequence, TouchDown{1, from, world.time(), {}}).ok());
         if (s > 0 && s <= steps)
-            REQUIRE(give(world, sequence, TouchMove{1, from + way * (s * 1.0 / steps), world.time()}).ok());
+            REQUIRE(
+                give(world, sequence, TouchMove{1, from + travel * (s * 1.0 / steps), world.time()}).ok());
         if (s == steps + 1) REQUIRE(give(world, sequence, TouchUp{1, world.time()}).ok());
     };
 }
@@ -85,7 +86,7 @@ TEST_CASE("field.enabled: off, the mesh is what the user made of it, even inside
             CHECK(displacement(world) == 0.0);
         else
             CHECK(displacement(world) > 0.1);
-        // Nobody stands in the tree either way: places find room, contacts see to the rest.
+        // Nobody stands in the tree in either case: places find free space, contacts see to the rest.
         for (const Vec2 p : world.characters().position) CHECK(distance(p, {-6, 2.2}) > 1.05 - 1e-6);
     }
 }
@@ -123,7 +124,7 @@ TEST_CASE("density.enabled: crowded ground costs more, a sparse crowd changes no
     dense.groups[0].formation.spacing = 0.55;
     WorldDef sparse = openFloor(9);
     sparse.groups[0].formation.spacing = 2.5;
-    const auto dearest = [](WorldDef def, bool enabled) {
+    const auto highestCost = [](WorldDef def, bool enabled) {
         def.parameters.density.enabled = enabled;
         World world = World::create(def).value();
         for (int s = 0; s < 8; ++s) world.step();
@@ -137,9 +138,9 @@ TEST_CASE("density.enabled: crowded ground costs more, a sparse crowd changes no
         }
         return most;
     };
-    CHECK(dearest(dense, true) > 1.2f);
-    CHECK(dearest(dense, false) == doctest::Approx(1.0));
-    CHECK(dearest(sparse, true) == doctest::Approx(1.0));
+    CHECK(highestCost(dense, true) > 1.2f);
+    CHECK(highestCost(dense, false) == doctest::Approx(1.0));
+    CHECK(highestCost(sparse, true) == doctest::Approx(1.0));
     const Director draw = drawing({-6, 0}, {8, 1});
     CHECK(trackOf(sparse, "density.enabled", 0, draw) == trackOf(sparse, "density.enabled", 1, draw));
 }
@@ -181,13 +182,13 @@ TEST_CASE("plan.geodesic: a wall between near things makes them far; straight li
         CAPTURE(geodesic);
         const CharactersView c = world.characters();
         REQUIRE(c.place[1] >= 0);
-        // The cost left is that of the way round the wall, or of the straight line through it.
+        // The cost left is that of the path round the wall, or of the straight line through it.
         const double straight = distance(c.position[1], world.group(0).placePositions[c.place[1]]);
         if (geodesic)
             CHECK(world.group(0).objective > 18.0 * 18.0);
         else
             CHECK(world.group(0).objective < 2.0 * (straight + 1.5) * (straight + 1.5) + 60.0);
-        for (int s = 0; s < 25 * 60; ++s) world.step();  // Either way both get there.
+        for (int s = 0; s < 25 * 60; ++s) world.step();  // Both get there in either case.
         for (std::size_t i = 0; i < 2; ++i) {
             const auto j = static_cast<std::size_t>(c.place[i]);
             CHECK(distance(c.position[i], world.group(0).placePositions[j]) < 0.25);

@@ -1,4 +1,4 @@
-// More characters than places: who finds none comes to the mesh all the same and waits beside it.
+// More characters than places: who finds none comes to the mesh all the same and waits near it.
 #include <doctest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ using namespace muster::testing;
 TEST_CASE("one who finds no place and stands behind a wall comes round it to the others") {
     WorldDef def;
     def.box = {{-20, -12}, {20, 12}};
-    // A dead end with room for some, and a wall before the last character.
+    // A dead end with places for some, and a wall before the last character.
     def.obstacles = {block(5, 0.5, 20, 12), block(5, -12, 20, -0.5), block(-9, -8, -8, 8)};
     GroupDef group;
     group.count = 40;
@@ -31,7 +31,7 @@ TEST_CASE("one who finds no place and stands behind a wall comes round it to the
     CHECK(c.position[39].x > 0.0);
 }
 
-TEST_CASE("kept places that do not fit are nobody's, and their holders' again when they fit") {
+TEST_CASE("last places that do not fit are nobody's, and their holders' again when they fit") {
     for (const PlanMode mode : {PlanMode::AssignedOnce, PlanMode::Fixed}) {
         CAPTURE(mode);
         WorldDef def;
@@ -49,10 +49,10 @@ TEST_CASE("kept places that do not fit are nobody's, and their holders' again wh
         REQUIRE(give(world, sequence, AddObstacle{block(-4, -2, 3.2, 2)}).ok());  // A strip is left.
         for (int s = 0; s < 40; ++s) world.step();
         const auto fit = world.group(0).placeUsable;
-        const auto room = std::count(fit.begin(), fit.end(), 1);
-        REQUIRE(room < 12);
+        const auto fitting = std::count(fit.begin(), fit.end(), 1);
+        REQUIRE(fitting < 12);
         const auto crowded = copyOf(world.characters().place);
-        CHECK(std::count(crowded.begin(), crowded.end(), -1) == 12 - room);
+        CHECK(std::count(crowded.begin(), crowded.end(), -1) == 12 - fitting);
         world = World::restore(world.snapshot()).value();
         REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds()[0]}).ok());
         for (int s = 0; s < 60; ++s) world.step();

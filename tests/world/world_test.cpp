@@ -45,19 +45,19 @@ int countEvents(World& world, double seconds, EventKind kind) {
 
 using Watch = std::function<void(const World&)>;
 
-// Drags the whole mesh by two corners over `way` at 1.5 m/s and lifts.
+// Drags the whole mesh by two corners over `travel` at 1.5 m/s and lifts.
 void drag(
-    World& world, std::uint32_t& sequence, Vec2 way, const Watch& watch = [](const World&) {}) {
+    World& world, std::uint32_t& sequence, Vec2 travel, const Watch& watch = [](const World&) {}) {
     const auto mesh = world.group(0).finalMesh;
     const Vec2 a = mesh.front();
     const Vec2 b = mesh.back();
     REQUIRE(give(world, sequence, TouchDown{1, a, world.time(), {}}).ok());
     REQUIRE(give(world, sequence, TouchDown{2, b, world.time(), {}}).ok());
-    const int steps = static_cast<int>(length(way) / 1.5 * 60.0);
+    const int steps = static_cast<int>(length(travel) / 1.5 * 60.0);
     for (int s = 1; s <= steps; ++s) {
         world.step();
         watch(world);
-        const Vec2 offset = way * (static_cast<double>(s) / steps);
+        const Vec2 offset = travel * (static_cast<double>(s) / steps);
         REQUIRE(give(world, sequence, TouchMove{1, a + offset, world.time()}).ok());
         REQUIRE(give(world, sequence, TouchMove{2, b + offset, world.time()}).ok());
     }

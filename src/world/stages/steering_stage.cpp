@@ -9,7 +9,7 @@ constexpr double kWaitingDistance = 2.0;  // The unmatched stop this far from th
 
 }  // namespace
 
-// The unmatched come as near as the nearest usable place, and wait there in sight of it.
+// The unmatched come as near as the nearest usable place, and wait there where the line to it is clear.
 void SteeringStage::directUnmatched(const WorldState& state, const Group& group) {
     const std::span<const Vec2> positions = members_.positions();
     std::vector<std::int32_t>& places = members_.places();

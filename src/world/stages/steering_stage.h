@@ -12,7 +12,7 @@
 
 namespace muster {
 
-/// Where every character would be after the step, if nobody were in its way. One entry per character.
+/// Where every character would be after the step without contacts. One entry per character.
 struct NextMotion {
     std::vector<Vec2> position;  ///< [m]
     std::vector<Vec2> velocity;  ///< [m/s]

@@ -95,13 +95,13 @@ bool isControl(const Control& control, const TriangleMesh& mesh) {
 }
 
 Status checkControls(const ControlSet& set, const TriangleMesh& mesh) {
-    std::vector<std::int32_t> held;
+    std::vector<std::int32_t> vertices;
     for (const Control& control : set.controls()) {
         if (!isControl(control, mesh)) return wrong("a control that is not on its mesh");
-        for (const ControlPoint& point : control.points) held.push_back(point.vertex);
+        for (const ControlPoint& point : control.points) vertices.push_back(point.vertex);
     }
-    std::sort(held.begin(), held.end());
-    if (std::adjacent_find(held.begin(), held.end()) != held.end())
+    std::sort(vertices.begin(), vertices.end());
+    if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end())
         return wrong("a vertex that two controls hold");
     return {};
 }

@@ -13,7 +13,7 @@ namespace muster {
 
 /// How touches become controls and how these move.
 ControlDef controlDef(const Parameters& parameters);
-/// How meshes relax and give way to obstacles.
+/// How meshes relax and are displaced by obstacles.
 FormationMeshDef meshDef(const Parameters& parameters);
 /// How places travel.
 PlaceDef placeDef(const Parameters& parameters);

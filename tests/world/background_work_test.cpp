@@ -30,7 +30,7 @@ int pendingPlans(const World& world) {
     return pending;
 }
 
-// What a program may do between two steps, while plans are under way.
+// What a program may do between two steps, while plans are pending.
 void disturb(World& world, std::uint32_t& sequence, int step) {
     const std::vector<CommandBody> bodies = {
         SetCount{world.group(0).id, 150 + step},
@@ -59,7 +59,7 @@ std::vector<std::uint64_t> disturbedRun(std::int32_t threads, bool looks) {
 
 }  // namespace
 
-TEST_CASE("a plan is under way after a step, and its places are taken in the next") {
+TEST_CASE("a plan is pending after a step, and its places are taken in the next") {
     World world = World::create(bigFloor(20), 2).value();
     world.step();  // The first is made at once.
     CHECK(pendingPlans(world) == 0);
@@ -71,14 +71,14 @@ TEST_CASE("a plan is under way after a step, and its places are taken in the nex
 }
 
 TEST_CASE(
-    "whatever a program does while plans are under way, any number of threads goes through the same states") {
+    "whatever a program does while plans are pending, any number of threads goes through the same states") {
     const std::vector<std::uint64_t> expected = disturbedRun(1, true);
     for (const std::int32_t threads : {2, 3, 8}) CHECK(disturbedRun(threads, true) == expected);
     // To look at the state is no disturbance either.
     for (const std::int32_t threads : {1, 2}) CHECK(disturbedRun(threads, false).back() == expected.back());
 }
 
-TEST_CASE("a world saved while plans are under way goes on bit for bit") {
+TEST_CASE("a world saved while plans are pending goes on bit for bit") {
     World world = World::create(bigFloor(22), 2).value();
     for (int step = 0; step < 20; ++step) world.step();
     REQUIRE(pendingPlans(world) == 2);
@@ -92,7 +92,7 @@ TEST_CASE("a world saved while plans are under way goes on bit for bit") {
     }
 }
 
-TEST_CASE("a world may be dropped or moved while plans are under way") {
+TEST_CASE("a world may be dropped or moved while plans are pending") {
     for (int k = 0; k < 20; ++k) {
         auto world = std::make_unique<World>(World::create(bigFloor(23), 2).value());
         for (int step = 0; step < 3 + k % 2; ++step) world->step();
