@@ -25,12 +25,12 @@ public:
     /// Writes `value(cell)` to the fixed layer.
     template <class Value>
     void setFixed(const CellRect& rect, const Value& value) {
-        forCells(rect, [&](Cell c, std::size_t i) { fixed_[i] = value(c); });
+        forCells(rect, [&](Cell c, std::int32_t i) { fixed_[i] = value(c); });
     }
     /// Lowers the fixed layer to `value(cell, value so far)`.
     template <class Value>
     void lowerFixed(const CellRect& rect, const Value& value) {
-        forCells(rect, [&](Cell c, std::size_t i) { fixed_[i] = std::min(fixed_[i], value(c, fixed_[i])); });
+        forCells(rect, [&](Cell c, std::int32_t i) { fixed_[i] = std::min(fixed_[i], value(c, fixed_[i])); });
     }
     /// Copies the fixed layer of `rect` to the combined one.
     void restoreFixed(const CellRect& rect) {
@@ -54,7 +54,7 @@ public:
     void lowerCombined(const CellRect& rect, const Value& value) {
         if (rect.empty()) return;
         moving_.push_back(rect);
-        forCells(rect, [&](Cell c, std::size_t i) {
+        forCells(rect, [&](Cell c, std::int32_t i) {
             combined_[i] = std::min(combined_[i], value(c, combined_[i]));
         });
     }
@@ -66,7 +66,7 @@ private:
     void forCells(const CellRect& rect, const Visit& visit) {
         for (std::int32_t y = rect.low.y; y <= rect.high.y; ++y) {
             for (std::int32_t x = rect.low.x; x <= rect.high.x; ++x) {
-                visit(Cell{x, y}, static_cast<std::size_t>(grid_.index({x, y})));
+                visit(Cell{x, y}, grid_.index({x, y}));
             }
         }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "environment/rectangle_partition.h"
 
@@ -87,7 +88,7 @@ Status readHeaderLine(std::string_view line, std::int32_t number, MapGrid& map, 
 }
 
 Status readRow(std::string_view line, std::int32_t number, MapGrid& map) {
-    if (line.size() != static_cast<std::size_t>(map.width)) {
+    if (std::cmp_not_equal(line.size(), map.width)) {
         return parseError(number, "expected a row of " + std::to_string(map.width) + " cells, found " +
                                       std::to_string(line.size()));
     }

@@ -10,9 +10,9 @@ namespace {
 
 // A time relative to the waypoints.
 struct Segment {
-    std::size_t from = 0;  // Index of the last waypoint before.
-    double share = 0.0;    // Share of the time to the next waypoint that has passed.
-    bool moving = false;   // False before the first and after the last waypoint.
+    std::ptrdiff_t from = 0;  // Index of the last waypoint before.
+    double share = 0.0;       // Share of the time to the next waypoint that has passed.
+    bool moving = false;      // False before the first and after the last waypoint.
 };
 
 Segment segmentAt(const TimedPath& path, double time) {
@@ -25,10 +25,10 @@ Segment segmentAt(const TimedPath& path, double time) {
         time = std::clamp(time - loops * period, first, std::nextafter(last, first));
     }
     if (points.size() < 2 || time < first) return {};
-    if (time >= last) return {points.size() - 1, 0.0, false};
+    if (time >= last) return {std::ssize(points) - 1, 0.0, false};
     const auto after = std::upper_bound(points.begin(), points.end(), time,
                                         [](double t, const Waypoint& w) { return t < w.time; });
-    const auto from = static_cast<std::size_t>(after - points.begin()) - 1;
+    const std::ptrdiff_t from = after - points.begin() - 1;
     return {from, (time - points[from].time) / (points[from + 1].time - points[from].time), true};
 }
 

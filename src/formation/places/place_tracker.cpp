@@ -255,7 +255,7 @@ void PlaceTracker::moveAll(Mover& mover, ThreadPool* pool) {
     const std::size_t n = position_.size();
     needs_.resize(n);
     const auto task = [&](std::int32_t chunk, std::int32_t) {
-        const std::size_t begin = static_cast<std::size_t>(chunk) * kPlacesPerMove;
+        const std::size_t begin = chunk * kPlacesPerMove;
         const auto first = static_cast<std::int32_t>(begin);
         const auto end = static_cast<std::int32_t>(std::min(n, begin + kPlacesPerMove));
         auto next = detourAt(detours_, first);

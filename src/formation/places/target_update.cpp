@@ -179,8 +179,7 @@ bool TargetUpdate::run(std::span<const Vec2> targets, ThreadPool* pool) {
     for (auto* marks : {&m_.level, &m_.exact, &m_.yielding}) marks->resize(n);
     forChunks(pool, n, kPlacesPerTask,
               [&](std::size_t k) { propose(static_cast<std::int32_t>(k), targets[k]); });
-    const auto jumps = static_cast<std::size_t>(
-        std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Discontinuous}));
+    const std::size_t jumps = std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Discontinuous});
     if (jumps * kDiscontinuousShare > n) return false;
     for (std::size_t k = 0; k < n; ++k) {
         if (m_.level[k] == Advected || m_.level[k] == Attracted) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "formation/shapes/formation_shape.h"
 
@@ -45,7 +46,7 @@ Result<FormationShape> outlineOf(const FormationDef& def, std::int32_t count) {
 }
 
 Result<FormationShape> pointsOf(const FormationDef& def, std::int32_t count) {
-    if (static_cast<std::size_t>(count) > def.points.size())
+    if (std::cmp_greater(count, def.points.size()))
         return invalidArgument("found " + std::to_string(def.points.size()) + " points for " +
                                std::to_string(count) + " places");
     for (std::size_t k = 0; k < def.points.size(); ++k)
@@ -123,7 +124,7 @@ Result<Formation> makeFormation(const FormationDef& def, std::int32_t count) {
     if (!checked.ok()) return checked;
     Result<FormationShape> shape = shapeOf(def, count);
     if (!shape.ok()) return shape.status();
-    MUSTER_ASSERT(shape->places.size() == static_cast<std::size_t>(count));
+    MUSTER_ASSERT(std::cmp_equal(shape->places.size(), count));
     if (def.kind != FormationKind::Points) centreAndSort(*shape, def.spacing);
     Result<TriangleMesh> mesh = meshShape(*shape, def.spacing);
     if (!mesh.ok()) return mesh.status().within(std::string(formationName(def.kind)));

@@ -231,7 +231,7 @@ FormationShape pacmanShape(std::int32_t count, double spacing, double opening) {
     do {
         shape.places = nearestLatticePoints(count, reach, accept);
         reach *= 1.3;
-    } while (shape.places.size() < static_cast<std::size_t>(count));
+    } while (std::cmp_less(shape.places.size(), count));
     for (Vec2& p : shape.places) p = p * spacing;
     const double radius = farthest(shape.places) + 0.5 * spacing;
     // The mouth of the mesh is half a spacing from the places beside it.
@@ -265,13 +265,13 @@ Result<FormationShape> outlineShape(std::int32_t count, double spacing, const Po
     }
 
     double high = 1.0;
-    while (high < 60.0 && latticeInside(unit, high).size() < static_cast<std::size_t>(count)) high *= 1.25;
+    while (high < 60.0 && std::cmp_less(latticeInside(unit, high).size(), count)) high *= 1.25;
     if (high >= 60.0)
         return invalidArgument("the outline is too thin to hold " + std::to_string(count) + " places");
     double low = high / 1.25;
     for (int k = 0; k < 24; ++k) {
         const double scale = 0.5 * (low + high);
-        (latticeInside(unit, scale).size() >= static_cast<std::size_t>(count) ? high : low) = scale;
+        (std::cmp_less(latticeInside(unit, scale).size(), count) ? low : high) = scale;
     }
     FormationShape shape;
     // At a few scales there is no such set of points.
