@@ -1,17 +1,16 @@
 // muster check
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/text_file.h"
 #include "commands.h"
-#include "muster/gestures.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "report.h"
 
 namespace muster {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct CheckOptions {
     std::vector<std::string> files;
@@ -125,8 +124,8 @@ int check(const CheckOptions& options) {
         Json entry = {{"file", path}, {"kind", finding.kind}, {"good", finding.status.ok()}};
         entry["summary"] = finding.summary;
         entry["error"] = finding.status.ok() ? Json(nullptr) : Json(finding.status.message());
-        entry["warnings"] = finding.warnings;
-        results.push_back(std::move(entry));
+        entry["warnings"] = Json::arrayOf(finding.warnings);
+        results.push(std::move(entry));
     }
     if (options.json) printJsonValue(results);
     return code;
@@ -134,20 +133,19 @@ int check(const CheckOptions& options) {
 
 }  // namespace
 
-void addCheckCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("check",
-                                           "Says whether scenario, gesture and take files are good.");
+void addCheckCommand(CommandLine& line) {
+    Subcommand command = line.add("check", "Says whether scenario, gesture and take files are good.");
     auto options = std::make_shared<CheckOptions>();
-    command->add_option("FILES", options->files, "Files of any of the three kinds.");
-    command->add_flag("--schema", options->schema, "Prints the JSON Schema of scenario files instead.");
-    command->add_flag("--json", options->json, "One JSON array on standard output, an object per file.");
-    command->footer(
+    command.option("FILES", options->files, "Files of any of the three kinds.");
+    command.flag("--schema", options->schema, "Prints the JSON Schema of scenario files instead.");
+    command.flag("--json", options->json, "One JSON array on standard output, an object per file.");
+    command.footer(
         "Ends with 1 where any file is bad. Warnings (gaps too narrow, starts in obstacles) change nothing.\n"
         "Examples:\n"
         "  muster check scenarios/*.json\n"
         "  muster check cars.take --json\n"
         "  muster check --schema > scenario.schema.json");
-    command->callback([options, &exitCode] { exitCode = check(*options); });
+    command.run([options] { return check(*options); });
 }
 
 }  // namespace muster

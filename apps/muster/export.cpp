@@ -1,12 +1,13 @@
 // muster export
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "character/clips/clip_files.h"
 #include "character/motion/clips_for.h"
 #include "commands.h"
-#include "io/export/formats.h"
+#include "muster/export.h"
 #include "muster/own_clips.h"
 #include "options.h"
 #include "report.h"
@@ -45,19 +46,16 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     return clipsFor(take.def.clips, options.clips);
 }
 
-/// Where to write where nobody said it: here, by the take's name.
-std::string outOf(const ExportOptions& options) {
+/// Where to write: the file asked for, or one in this folder by the take's name.
+std::string outputPath(const ExportOptions& options, const ExportFormat& format) {
     if (!options.out.empty()) return options.out;
-    const std::string stem = std::filesystem::path(options.take).stem().string();
-    for (const ExportFormat& format : exportFormats())
-        if (options.format == format.name) return stem + format.ending;
-    return stem;
+    return std::filesystem::path(options.take).stem().string() + format.ending;
 }
 
 int exportFile(const ExportOptions& options) {
-    const std::string out = outOf(options);
-    auto exporter = makeExporter(options.format, out);
-    if (!exporter.ok()) return reportFailure(exporter.status());
+    const auto format = exportFormat(options.format);
+    if (!format.ok()) return reportFailure(format.status());
+    const std::string out = outputPath(options, *format);
     if (Status s = differentFiles({options.take}, {out}); !s.ok()) return reportFailure(s);
     const auto take = readTake(options.take);
     if (!take.ok()) return reportFailure(take.status());
@@ -68,7 +66,7 @@ int exportFile(const ExportOptions& options) {
     const auto clips = clipsOf(options, *take);
     if (!clips.ok()) return reportFailure(clips.status());
     Progress progress("exporting");
-    const Status done = exportTake(*take, *clips, options.part, **exporter,
+    const Status done = exportTake(*take, *clips, options.format, out, options.part,
                                    [&](double share) { progress.show(share); });
     if (!done.ok()) return reportFailure(done);
     std::printf("wrote %s\n", out.c_str());
@@ -84,32 +82,30 @@ std::string formatList() {
 
 }  // namespace
 
-void addExportCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand(
-        "export", "Writes a take for other programs: bodies in motion, or trajectories.");
+void addExportCommand(CommandLine& line) {
+    Subcommand command = line.add("export",
+                                  "Writes a take for other programs: bodies in motion, or trajectories.");
     auto options = std::make_shared<ExportOptions>();
-    command->add_option("TAKE", options->take, "Take file.")->required();
-    command->add_option("--format", options->format, "One of those below.")->required();
-    command->add_option("--out", options->out,
-                        "File to be written, for bvh a folder; left out: here, by the take's name.");
-    command->add_option("--from", options->part.from, "Time of the first frame [s].");
-    command->add_option("--to", options->part.to,
-                        "Time of the last frame [s]; left out: the end of the take.");
-    command->add_option("--fps", options->part.fps,
-                        "Frames a second, 1 to 240; usual are 24, 25, 30 and 60.");
-    command->add_option(
+    command.option("TAKE", options->take, "Take file.").required();
+    command.option("--format", options->format, "One of those below.").required();
+    command.option("--out", options->out,
+                   "File to be written, for bvh a folder; left out: here, by the take's name.");
+    command.option("--from", options->part.from, "Time of the first frame [s].");
+    command.option("--to", options->part.to, "Time of the last frame [s]; left out: the end of the take.");
+    command.option("--fps", options->part.fps, "Frames a second, 1 to 240; usual are 24, 25, 30 and 60.");
+    command.option(
         "--clips", options->clips,
         "Folder with a clips.json whose clips are to be used, or the scenario's folder, if it names clip "
         "files; left out: Muster's own clips.");
-    command->add_option("--threads", options->part.threads, "Threads; 0 takes what the machine has.")
-        ->check(CLI::Range(0, 256));
-    command->footer("Formats:\n" + formatList() +
-                    "The take is simulated again; frames between steps are interpolated. Nothing is left "
-                    "behind where it fails.\n"
-                    "Examples:\n"
-                    "  muster export cars.take --format bvh --out cars --fps 24\n"
-                    "  muster export cars.take --format jupedsim --out cars.sqlite --from 2 --to 10");
-    command->callback([options, &exitCode] { exitCode = exportFile(*options); });
+    command.option("--threads", options->part.threads, "Threads; 0 takes what the machine has.")
+        .range(0, 256);
+    command.footer("Formats:\n" + formatList() +
+                   "The take is simulated again; frames between steps are interpolated. Nothing is left "
+                   "behind where it fails.\n"
+                   "Examples:\n"
+                   "  muster export cars.take --format bvh --out cars --fps 24\n"
+                   "  muster export cars.take --format jupedsim --out cars.sqlite --from 2 --to 10");
+    command.run([options] { return exportFile(*options); });
 }
 
 }  // namespace muster

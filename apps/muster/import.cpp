@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/grid.h"
+#include "base/text_file.h"
 #include "commands.h"
 #include "environment/environment.h"
 #include "muster/scenario.h"
@@ -26,38 +28,38 @@ struct ImportOptions {
     bool json = false;
 };
 
-/// A spot for a square formation.
-struct Spot {
+/// A free square of ground.
+struct FreeSquare {
     Vec2 position;
     double reach = 0.0;  ///< Half the edge of the free square around it [m].
 };
 
 /// For each ground cell its distance to the nearest cell that is not of the region, in cells of a chessboard:
 /// half the edge of the largest free square around it.
-std::vector<std::int32_t> roominess(const Grid& grid, const std::vector<std::uint8_t>& inside) {
-    std::vector<std::int32_t> room(inside.size(), 0);
+std::vector<std::int32_t> freeSquareSizes(const Grid& grid, const std::vector<std::uint8_t>& inside) {
+    std::vector<std::int32_t> sizes(inside.size(), 0);
     const auto at = [&](std::int32_t x, std::int32_t y) {
-        return grid.contains({x, y}) ? room[grid.index({x, y})] : 0;
+        return grid.contains({x, y}) ? sizes[grid.index({x, y})] : 0;
     };
     for (std::int32_t y = 0; y < grid.height; ++y) {
         for (std::int32_t x = 0; x < grid.width; ++x) {
             const auto i = static_cast<std::size_t>(grid.index({x, y}));
             if (inside[i] == 0) continue;
-            room[i] = 1 + std::min({at(x - 1, y), at(x - 1, y - 1), at(x, y - 1), at(x + 1, y - 1)});
+            sizes[i] = 1 + std::min({at(x - 1, y), at(x - 1, y - 1), at(x, y - 1), at(x + 1, y - 1)});
         }
     }
     for (std::int32_t y = grid.height - 1; y >= 0; --y) {
         for (std::int32_t x = grid.width - 1; x >= 0; --x) {
             const auto i = static_cast<std::size_t>(grid.index({x, y}));
-            room[i] = std::min(
-                room[i], 1 + std::min({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1), at(x - 1, y + 1)}));
+            sizes[i] = std::min(
+                sizes[i], 1 + std::min({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1), at(x - 1, y + 1)}));
         }
     }
-    return room;
+    return sizes;
 }
 
-/// The roomiest spot of the largest region; among equals the one nearest to the middle of the map.
-Result<Spot> roomiestSpot(const WorldDef& def) {
+/// The largest free square of the largest region; among equals the one nearest to the middle of the map.
+Result<FreeSquare> largestFreeSquare(const WorldDef& def) {
     auto environment = Environment::create({def.box, def.cell, 1.5, 1.0, def.clips});
     if (!environment.ok()) return environment.status();
     for (const ObstacleDef& obstacle : mapObstacles(def.map->grid, def.map->def)) {
@@ -67,30 +69,30 @@ Result<Spot> roomiestSpot(const WorldDef& def) {
     const Grid& grid = environment->grid();
     const double radius = def.parameters.character.radius;
     std::vector<std::int32_t> labels(static_cast<std::size_t>(grid.count()));
-    std::vector<std::int32_t> sizes;
+    std::vector<std::int32_t> regionSizes;
     for (std::int32_t i = 0; i < grid.count(); ++i) {
         const std::int32_t label = environment->region(grid.centre(grid.at(i)), radius);
         labels[i] = label;
         if (label < 0) continue;
-        if (static_cast<std::size_t>(label) >= sizes.size())
-            sizes.resize(static_cast<std::size_t>(label) + 1);
-        ++sizes[label];
+        if (static_cast<std::size_t>(label) >= regionSizes.size())
+            regionSizes.resize(static_cast<std::size_t>(label) + 1);
+        ++regionSizes[label];
     }
-    if (sizes.empty()) return invalidArgument("found no free ground, expected room for a character");
-    const auto largest = static_cast<std::int32_t>(std::max_element(sizes.begin(), sizes.end()) -
-                                                   sizes.begin());
+    if (regionSizes.empty()) return invalidArgument("found no free ground, expected room for a character");
+    const auto largest = static_cast<std::int32_t>(std::max_element(regionSizes.begin(), regionSizes.end()) -
+                                                   regionSizes.begin());
     std::vector<std::uint8_t> inside(labels.size());
     for (std::size_t i = 0; i < labels.size(); ++i) inside[i] = labels[i] == largest ? 1 : 0;
-    const auto room = roominess(grid, inside);
+    const auto sizes = freeSquareSizes(grid, inside);
     const Vec2 middle = (def.box.min + def.box.max) * 0.5;
     std::int32_t best = 0;
     for (std::int32_t i = 1; i < grid.count(); ++i) {
-        const auto a = room[i], b = room[best];
+        const auto a = sizes[i], b = sizes[best];
         const bool nearer = distance(grid.centre(grid.at(i)), middle) <
                             distance(grid.centre(grid.at(best)), middle);
         if (a > b || (a == b && nearer)) best = i;
     }
-    return Spot{grid.centre(grid.at(best)), (room[best] - 0.5) * grid.cell};
+    return FreeSquare{grid.centre(grid.at(best)), (sizes[best] - 0.5) * grid.cell};
 }
 
 Result<WorldDef> makeScenario(const ImportOptions& options) {
@@ -108,12 +110,12 @@ Result<WorldDef> makeScenario(const ImportOptions& options) {
     MapDef scale;
     scale.metresPerCell = options.metresPerCell;
     def.map = MapGround{std::move(grid).value(), scale};
-    const auto spot = roomiestSpot(def);
-    if (!spot.ok()) return spot.status().within(options.map);
+    const auto square = largestFreeSquare(def);
+    if (!square.ok()) return square.status().within(options.map);
     GroupDef group;
     group.name = "Blue";
     group.count = options.count;
-    group.position = spot->position;
+    group.position = square->position;
     def.groups.push_back(group);
     return def;
 }
@@ -131,7 +133,7 @@ int import(const ImportOptions& options) {
                         {"height_m", def->box.height()},
                         {"obstacles", obstacles},
                         {"characters", group.count},
-                        {"position", {group.position.x, group.position.y}}});
+                        {"position", Json::array({group.position.x, group.position.y})}});
     } else {
         std::printf("%s: %.0f x %.0f m, %zu obstacles, %d characters at (%.2f, %.2f)\n",
                     options.output.c_str(), def->box.width(), def->box.height(), obstacles, group.count,
@@ -142,28 +144,26 @@ int import(const ImportOptions& options) {
 
 }  // namespace
 
-void addImportCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("import", "Makes a scenario from a MovingAI .map file.");
+void addImportCommand(CommandLine& line) {
+    Subcommand command = line.add("import", "Makes a scenario from a MovingAI .map file.");
     auto options = std::make_shared<ImportOptions>();
-    command->add_option("MAP", options->map, "Map file.")->required();
-    command->add_option("-o,--output", options->output, "Scenario file to write; the map is embedded.")
-        ->required();
-    command->add_option("--cell", options->metresPerCell, "Metres per map cell.")
-        ->check(numberIn(0.01, 1000.0));
-    command->add_option("--count", options->count, "Characters; they start where there is most room.")
-        ->check(CLI::Range(1, kMaxCharacters));
+    command.option("MAP", options->map, "Map file.").required();
+    command.option("-o,--output", options->output, "Scenario file to write; the map is embedded.").required();
+    command.option("--cell", options->metresPerCell, "Metres per map cell.").finite(0.01, 1000.0);
+    command.option("--count", options->count, "Characters; they start where there is most room.")
+        .range(1, kMaxCharacters);
     command
-        ->add_option("--ground", options->ground,
-                     "Metres per ground cell; without it half a map cell, 0.25 to 0.5.")
-        ->check(numberIn(0.01, 100.0));
-    command->add_option("--credit", options->credit, "Whose data it is; goes into the scenario.");
-    command->add_flag("--json", options->json, "One JSON value on standard output.");
-    command->footer(
+        .option("--ground", options->ground,
+                "Metres per ground cell; without it half a map cell, 0.25 to 0.5.")
+        .finite(0.01, 100.0);
+    command.option("--credit", options->credit, "Whose data it is; goes into the scenario.");
+    command.flag("--json", options->json, "One JSON value on standard output.");
+    command.footer(
         "Examples:\n"
         "  muster import Berlin_0_256.map -o berlin.json --cell 1 --count 100 --credit \"OpenStreetMap "
         "contributors\"\n"
         "  muster play berlin.json --seconds 5");
-    command->callback([options, &exitCode] { exitCode = import(*options); });
+    command.run([options] { return import(*options); });
 }
 
 }  // namespace muster

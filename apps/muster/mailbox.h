@@ -1,4 +1,4 @@
-// Letters from one thread to another.
+// A bounded queue of messages from one thread to another.
 #pragma once
 
 #include <chrono>
@@ -8,39 +8,40 @@
 
 namespace muster {
 
-/// A bounded queue: many may post, one collects all at once. The lock is held for a swap only.
-template <class Letter>
+/// Any thread may post; one thread collects all messages at once. The lock is held for a swap only.
+template <class Message>
 class Mailbox {
 public:
-    /// Room for so many bytes of letters that are not collected yet.
-    explicit Mailbox(std::size_t bytes) : room_(bytes) {}
+    /// Holds so many bytes of messages that are not collected yet.
+    explicit Mailbox(std::size_t bytes) : capacity_(bytes) {}
 
-    /// Posts a letter of that size; false where there is no room. Size 0 always finds room.
-    bool post(Letter letter, std::size_t bytes = 0) {
+    /// Posts a message of that size; false where the queue is full. A message of size 0 always fits.
+    bool post(Message message, std::size_t bytes = 0) {
         {
             const std::lock_guard<std::mutex> lock(mutex_);
-            if (bytes > room_ - used_) return false;
+            if (bytes > capacity_ - used_) return false;
             used_ += bytes;
-            letters_.push_back(std::move(letter));
+            messages_.push_back(std::move(message));
         }
         arrived_.notify_one();
         return true;
     }
 
-    /// Waits for a letter, at most `seconds`, then moves all to `letters` (emptied first).
-    void collect(double seconds, std::vector<Letter>& letters) {
-        letters.clear();
+    /// Waits for a message, at most `seconds`, then moves all of them to `messages` (emptied first).
+    void collect(double seconds, std::vector<Message>& messages) {
+        messages.clear();
         std::unique_lock<std::mutex> lock(mutex_);
-        arrived_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return !letters_.empty(); });
-        letters.swap(letters_);
+        arrived_.wait_for(lock, std::chrono::duration<double>(seconds),
+                          [this] { return !messages_.empty(); });
+        messages.swap(messages_);
         used_ = 0;
     }
 
 private:
     std::mutex mutex_;
     std::condition_variable arrived_;
-    std::vector<Letter> letters_;
-    std::size_t room_;
+    std::vector<Message> messages_;
+    std::size_t capacity_;
     std::size_t used_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // muster motion
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,6 @@
 
 namespace muster {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct MotionOptions {
     std::vector<std::string> clips;
@@ -125,7 +124,7 @@ Json rowJson(const Row& row, double run) {
     json["cyclic"] = row.facts.cyclic;
     json["contacts"] = Json::array();
     for (const Contact& c : row.facts.contacts)
-        json["contacts"].push_back({{"limb", limbName(c.limb)}, {"begin_s", c.begin}, {"end_s", c.end}});
+        json["contacts"].push({{"limb", limbName(c.limb)}, {"begin_s", c.begin}, {"end_s", c.end}});
     return json;
 }
 
@@ -210,45 +209,45 @@ int motion(const MotionOptions& options) {
         return kExitOk;
     }
     Json list = Json::array();
-    for (const Row& row : rows) list.push_back(rowJson(row, *run));
+    for (const Row& row : rows) list.push(rowJson(row, *run));
     printJsonValue(list);
     return kExitOk;
 }
 
 }  // namespace
 
-void addMotionCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("motion", "Lengths, speeds and contacts of motion clips.");
+void addMotionCommand(CommandLine& line) {
+    Subcommand command = line.add("motion", "Lengths, speeds and contacts of motion clips.");
     auto options = std::make_shared<MotionOptions>();
-    command->add_option("CLIPS", options->clips,
-                        "Names of Muster's own clips, BVH files, or folders with a clips.json; all of "
-                        "Muster's own if left out.");
-    command->add_option("--run", options->run, "Ratios are to this clip; left out: Muster's own run.");
-    command->add_option("--unit", options->unit,
-                        "Unit of the files: m, cm, mm, in, ft, cmu or a number of metres; left out: guessed "
-                        "by the size of the body.");
-    command->add_option("--write", options->folder,
-                        "Also writes Muster's own clips into this folder, as BVH with a clips.json.");
-    command->add_option("--strip", options->strips,
-                        "Also draws each clip as a strip of poses into this folder, as SVG.");
-    command->add_option("--bodies", options->bodies,
-                        "Also writes the characters' bodies into this folder, as binary glTF.");
-    CLI::Option* measuring = command->add_flag(
+    command.option("CLIPS", options->clips,
+                   "Names of Muster's own clips, BVH files, or folders with a clips.json; all of "
+                   "Muster's own if left out.");
+    command.option("--run", options->run, "Ratios are to this clip; left out: Muster's own run.");
+    command.option("--unit", options->unit,
+                   "Unit of the files: m, cm, mm, in, ft, cmu or a number of metres; left out: guessed "
+                   "by the size of the body.");
+    command.option("--write", options->folder,
+                   "Also writes Muster's own clips into this folder, as BVH with a clips.json.");
+    command.option("--strip", options->strips,
+                   "Also draws each clip as a strip of poses into this folder, as SVG.");
+    command.option("--bodies", options->bodies,
+                   "Also writes the characters' bodies into this folder, as binary glTF.");
+    const Option measuring = command.flag(
         "--measure", options->measure,
         "CLIPS are scenarios: plays them with their gestures and tells how far feet slide, how fast knees "
         "turn and how deep limbs go below the floor.");
-    command->add_option("--count", options->measured.count, "Characters of the first group, for --measure.")
-        ->check(CLI::Range(1, 5000))
-        ->needs(measuring);
+    command.option("--count", options->measured.count, "Characters of the first group, for --measure.")
+        .range(1, 5000)
+        .needs(measuring);
     command
-        ->add_option("--seconds", options->measured.seconds,
-                     "Simulated, for --measure; left out: until all stand.")
-        ->check(CLI::Range(0.1, 3600.0))
-        ->needs(measuring);
-    command->add_option("--clips", options->measured.clips, "Folder of clips to play, for --measure.")
-        ->needs(measuring);
-    command->add_flag("--json", options->json, "One JSON array on standard output, an object per clip.");
-    command->footer(
+        .option("--seconds", options->measured.seconds,
+                "Simulated, for --measure; left out: until all stand.")
+        .range(0.1, 3600.0)
+        .needs(measuring);
+    command.option("--clips", options->measured.clips, "Folder of clips to play, for --measure.")
+        .needs(measuring);
+    command.flag("--json", options->json, "One JSON array on standard output, an object per clip.");
+    command.footer(
         "Speed is the net way over the duration. Ratios are what scenarios call a clip's speed; the least is "
         "0.02.\n"
         "Examples:\n"
@@ -256,7 +255,7 @@ void addMotionCommand(CLI::App& app, int& exitCode) {
         "  muster motion walk.bvh run.bvh --run run.bvh\n"
         "  muster motion --write motions --json\n"
         "  muster motion --measure scenarios/paper/x04-woodland.json");
-    command->callback([options, &exitCode] { exitCode = motion(*options); });
+    command.run([options] { return motion(*options); });
 }
 
 }  // namespace muster

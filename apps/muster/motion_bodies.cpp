@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "base/output_file.h"
 #include "character/bodies/body.h"
-#include "io/export/output_file.h"
 
 namespace muster {
 

@@ -9,14 +9,13 @@
 #include "character/motion/clips_for.h"
 #include "character/motion/motion_report.h"
 #include "commands.h"
-#include "muster/gestures.h"
 #include "muster/scenario.h"
 #include "report.h"
 
 namespace muster {
 namespace {
 
-constexpr double kLongest = 60.0;  // After the last touch [s].
+constexpr double kLongestAfterTouch = 60.0;  // After the last touch [s].
 
 /// One scenario measured.
 struct Measured {
@@ -56,7 +55,7 @@ Result<Measured> measure(const std::string& path, const MeasureOptions& options)
     CrowdMotion motion(*clips);
     MotionReport report;
     Progress progress("measuring " + path);
-    const double end = options.seconds > 0.0 ? options.seconds : lastTouch + kLongest;
+    const double end = options.seconds > 0.0 ? options.seconds : lastTouch + kLongestAfterTouch;
     while (world->time() < end - 1e-9) {
         world->step();
         metrics.observe(*world);
@@ -71,7 +70,7 @@ Result<Measured> measure(const std::string& path, const MeasureOptions& options)
                     report.figures()};
 }
 
-nlohmann::ordered_json jsonOf(const Measured& m) {
+Json jsonOf(const Measured& m) {
     const MotionFigures& f = m.figures;
     return {{"scenario", m.scenario},
             {"characters", m.characters},
@@ -119,8 +118,8 @@ int measureMotion(const MeasureOptions& options) {
         all.push_back(std::move(measured).value());
     }
     if (options.json) {
-        auto list = nlohmann::ordered_json::array();
-        for (const Measured& m : all) list.push_back(jsonOf(m));
+        auto list = Json::array();
+        for (const Measured& m : all) list.push(jsonOf(m));
         printJsonValue(list);
     } else {
         printTable(all);

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "io/export/output_file.h"
+#include "base/output_file.h"
 #include "picture/pose_strip.h"
 
 namespace muster {

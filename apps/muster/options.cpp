@@ -1,7 +1,5 @@
 #include "options.h"
 
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 namespace muster {
@@ -19,18 +17,6 @@ bool sameFile(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
-
-CLI::Validator numberIn(double low, double high) {
-    char range[64];
-    std::snprintf(range, sizeof(range), "[%g - %g]", low, high);
-    const auto check = [low, high, name = std::string(range)](std::string& text) -> std::string {
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        if (end != text.c_str() && *end == '\0' && value >= low && value <= high) return {};
-        return "found " + text + ", expected a number in " + name;
-    };
-    return CLI::Validator(check, range);
-}
 
 Status differentFiles(const std::vector<std::string>& read, const std::vector<std::string>& written) {
     for (std::size_t i = 0; i < written.size(); ++i) {

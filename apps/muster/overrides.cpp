@@ -7,13 +7,11 @@
 
 namespace muster {
 
-void Overrides::addTo(CLI::App& command) {
-    command.add_option("--plan", plan, "Who makes the plans (plan.solver): exact or fast.")
-        ->check(CLI::IsMember({"exact", "fast"}));
-    command.add_option("--preset", preset, "Objective and period: muster or paper.")
-        ->check(CLI::IsMember({"muster", "paper"}));
-    command.add_option("--set", settings, "Sets a parameter, as name=value; may be repeated.")
-        ->allow_extra_args(false);
+void Overrides::addTo(Subcommand& command) {
+    command.option("--plan", plan, "Who makes the plans (plan.solver): exact or fast.")
+        .oneOf({"exact", "fast"});
+    command.option("--preset", preset, "Objective and period: muster or paper.").oneOf({"muster", "paper"});
+    command.option("--set", settings, "Sets a parameter, as name=value; may be repeated.").oneValueEach();
 }
 
 Status Overrides::apply(WorldDef& def) const {

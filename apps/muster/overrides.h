@@ -1,10 +1,10 @@
 // Changes of parameters from the command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "muster/world_def.h"
 
 namespace muster {
@@ -16,7 +16,7 @@ struct Overrides {
     std::vector<std::string> settings;  ///< "name=value".
 
     /// Adds the options to a command.
-    void addTo(CLI::App& command);
+    void addTo(Subcommand& command);
     /// Applies preset, then plan, then settings. Only what the presets differ in is set by one. Fails naming
     /// the culprit, also where the parameters contradict each other at the end.
     Status apply(WorldDef& def) const;

@@ -1,10 +1,11 @@
 // muster peers
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/text_file.h"
 #include "commands.h"
 #include "muster/scenario.h"
 #include "options.h"
@@ -15,8 +16,6 @@
 
 namespace muster {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestExact = 1000;  // Characters that one field per place is practicable for.
 constexpr double kLongest = 1e6;             // [s]
@@ -43,26 +42,35 @@ std::string sceneName(const std::string& file, const std::string& scene) {
 }
 
 bool readPoints(const Json& list, std::vector<Vec2>& points) {
-    if (!list.is_array()) return false;
-    for (const Json& p : list) {
-        if (!p.is_array() || p.size() < 2 || !p[0].is_number() || !p[1].is_number()) return false;
-        points.push_back({p[0].get<double>(), p[1].get<double>()});
+    if (!list.isArray()) return false;
+    for (const Json& p : list.elements()) {
+        if (!p.isArray() || p.size() < 2 || !p[0].isNumber() || !p[1].isNumber()) return false;
+        points.push_back({p[0].number(), p[1].number()});
     }
     return true;
 }
 
+/// The value of a key, or `none`.
+const Json& valueOf(const Json& object, std::string_view key, const Json& none) {
+    const Json* found = object.find(key);
+    return found != nullptr ? *found : none;
+}
+
 bool readObstacles(const Json& scene, WorldDef& def) {
-    for (const Json& corners : scene.value("polygons_ccw", Json::array())) {
+    const Json none = Json::array();
+    const Json &polygons = valueOf(scene, "polygons_ccw", none), &circles = valueOf(scene, "circles", none);
+    if (!polygons.isArray() || !circles.isArray()) return false;
+    for (const Json& corners : polygons.elements()) {
         if (!readPoints(corners, def.obstacles.emplace_back().polygon)) return false;
     }
-    for (const Json& circle : scene.value("circles", Json::array())) {
-        if (!circle.is_array() || circle.size() != 3 || !circle[0].is_number() || !circle[1].is_number() ||
-            !circle[2].is_number()) {
+    for (const Json& circle : circles.elements()) {
+        if (!circle.isArray() || circle.size() != 3 || !circle[0].isNumber() || !circle[1].isNumber() ||
+            !circle[2].isNumber()) {
             return false;
         }
         ObstacleDef& disc = def.obstacles.emplace_back();
-        disc.centre = {circle[0].get<double>(), circle[1].get<double>()};
-        disc.radius = circle[2].get<double>();
+        disc.centre = {circle[0].number(), circle[1].number()};
+        disc.radius = circle[2].number();
     }
     return true;
 }
@@ -77,21 +85,21 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     scene.name = name;
     GroupDef group;
     group.formation.kind = FormationKind::Points;
-    if (!json.is_object()) return bad("", "an object");
-    const Json box = json.value("world", Json());
-    if (!box.is_array() || box.size() != 4 ||
-        !std::all_of(box.begin(), box.end(), [](const Json& v) { return v.is_number(); })) {
+    if (!json.isObject()) return bad("", "an object");
+    const Json none, &box = valueOf(json, "world", none);
+    if (!box.isArray() || box.size() != 4 ||
+        !std::ranges::all_of(box.elements(), [](const Json& v) { return v.isNumber(); })) {
         return bad("world", "[x0, y0, x1, y1]");
     }
-    scene.def.box = {{box[0].get<double>(), box[1].get<double>()},
-                     {box[2].get<double>(), box[3].get<double>()}};
-    if (!readPoints(json.value("start", Json()), group.starts)) return bad("start", "points [x, y]");
-    if (!readPoints(json.value("slots", Json()), group.formation.points))
+    scene.def.box = {{box[0].number(), box[1].number()}, {box[2].number(), box[3].number()}};
+    if (!readPoints(valueOf(json, "start", none), group.starts)) return bad("start", "points [x, y]");
+    if (!readPoints(valueOf(json, "slots", none), group.formation.points))
         return bad("slots", "points [x, y]");
     if (!readObstacles(json, scene.def))
         return bad("polygons_ccw or circles", "corners [x, y] or [x, y, radius]");
-    if (!json.contains("T") || !json["T"].is_number()) return bad("T", "a number of seconds");
-    scene.limit = json["T"].get<double>();
+    const Json& limit = valueOf(json, "T", none);
+    if (!limit.isNumber()) return bad("T", "a number of seconds");
+    scene.limit = limit.number();
     if (!(scene.limit > 0.0 && scene.limit <= kLongest))
         return bad("T", "seconds, more than 0 and at most 1e6");
     if (group.starts.empty() || group.starts.size() > static_cast<std::size_t>(kMaxCharacters))
@@ -120,13 +128,14 @@ std::size_t countOf(const WorldDef& def) {
 Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
     const auto text = readTextFile(options.file);
     if (!text.ok()) return text.status();
-    const Json json = Json::parse(*text, nullptr, false);
-    if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_object()) {
+    const auto json = parseJson(*text, options.file);
+    const Json* bodies = json.ok() ? json->find("scenes") : nullptr;
+    if (bodies == nullptr || !bodies->isObject()) {
         return Status(StatusCode::ParseError,
                       options.file + ": $.scenes: found none, expected an object of scenes");
     }
     std::vector<Scene> scenes;
-    for (const auto& [name, body] : json["scenes"].items()) {
+    for (const auto& [name, body] : bodies->members()) {
         if (!options.scene.empty() && name != options.scene) continue;
         auto scene = readScene(name, body, options);
         if (!scene.ok()) return scene.status();
@@ -202,8 +211,8 @@ int peers(const PeersOptions& options) {
         if (!options.json) printRow(scene, *figures);
         Json entry = {{"scene", scene.name}};
         const Json values = figuresJson(*figures);
-        for (auto item = values.begin(); item != values.end(); ++item) entry[item.key()] = *item;
-        results.push_back(std::move(entry));
+        for (const auto& [key, value] : values.members()) entry[key] = value;
+        results.push(std::move(entry));
     }
     if (options.json) printJsonValue(results);
     return kExitOk;
@@ -211,30 +220,29 @@ int peers(const PeersOptions& options) {
 
 }  // namespace
 
-void addPeersCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand(
-        "peers", "Runs scenes with explicit starts and slots, as other crowd engines do.");
+void addPeersCommand(CommandLine& line) {
+    Subcommand command = line.add("peers",
+                                  "Runs scenes with explicit starts and slots, as other crowd engines do.");
     auto options = std::make_shared<PeersOptions>();
     command
-        ->add_option("SCENES", options->file,
-                     "JSON file: scenes by name, each with world, T, start, slots, "
-                     "polygons_ccw and circles.")
-        ->required();
-    command->add_option("--scene", options->scene,
-                        "Only this scene. Without it, scenes above 1,000 characters are left out where the "
-                        "plan is exact.");
-    options->overrides.addTo(*command);
-    command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")
-        ->check(CLI::Range(0, 256));
-    command->add_option(
+        .option("SCENES", options->file,
+                "JSON file: scenes by name, each with world, T, start, slots, "
+                "polygons_ccw and circles.")
+        .required();
+    command.option("--scene", options->scene,
+                   "Only this scene. Without it, scenes above 1,000 characters are left out where the "
+                   "plan is exact.");
+    options->overrides.addTo(command);
+    command.option("--threads", options->threads, "Threads; 0 takes what the machine has.").range(0, 256);
+    command.option(
         "--trajectory", options->trajectory,
         "Writes t,id,x,y,place_x,place_y for every step into this CSV file; where several scenes run, "
         "each into a file of its own, whose name ends with that of the scene.");
-    command->add_flag(
+    command.flag(
         "--inertia", options->inertia,
         "With Muster's own inertia; else velocities change at once, as those of other engines' agents do.");
-    command->add_flag("--json", options->json, "One JSON array on standard output, an object per scene.");
-    command->footer(
+    command.flag("--json", options->json, "One JSON array on standard output, an object per scene.");
+    command.footer(
         "Radius 0.25 m, top speed 2 m/s, 60 steps a second; the potential field is off, since slots are "
         "fixed.\n"
         "The path ratio is left out above 1,000 characters.\n"
@@ -242,7 +250,7 @@ void addPeersCommand(CLI::App& app, int& exitCode) {
         "Examples:\n"
         "  muster peers scenes.json\n"
         "  muster peers scenes.json --scene S2-100 --json --trajectory s2.csv");
-    command->callback([options, &exitCode] { exitCode = peers(*options); });
+    command.run([options] { return peers(*options); });
 }
 
 }  // namespace muster

@@ -1,9 +1,11 @@
 // muster picture
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/text_file.h"
 #include "commands.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
@@ -116,36 +118,35 @@ int picture(const PictureOptions& options) {
 
 }  // namespace
 
-void addPictureCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("picture", "Draws a moment of a scenario or take.");
+void addPictureCommand(CommandLine& line) {
+    Subcommand command = line.add("picture", "Draws a moment of a scenario or take.");
     auto options = std::make_shared<PictureOptions>();
-    command->add_option("SOURCE", options->source, "Scenario or take file.")->required();
-    command->add_option("-o,--output", options->output, "Picture to write: .png or .svg.")->required();
-    command->add_option("--at", options->at, "Moment [s].")->check(numberIn(0.0, 1e6));
-    command->add_option(
+    command.option("SOURCE", options->source, "Scenario or take file.").required();
+    command.option("-o,--output", options->output, "Picture to write: .png or .svg.").required();
+    command.option("--at", options->at, "Moment [s].").finite(0.0, 1e6);
+    command.option(
         "--layers", options->layers,
         "Some of patches, field, cost, density, obstacles, mesh, places, paths, characters, separated by "
         "commas; without it all but field, cost and density.");
-    options->touches.addTo(*command);
-    options->overrides.addTo(*command);
-    command->add_option("--width", options->def.width, "Pixels across.")->check(CLI::Range(64, 8192));
+    options->touches.addTo(command);
+    options->overrides.addTo(command);
+    command.option("--width", options->def.width, "Pixels across.").range(64, 8192);
+    command.option("--view", options->view, "What is shown: X0 Y0 X1 Y1 [m]; without it the whole world.")
+        .values(4);
+    command.option("--group", options->group, "Group (from 0) whose place the layer cost shows.")
+        .range(0, static_cast<int>(kMaxGroups));
     command
-        ->add_option("--view", options->view, "What is shown: X0 Y0 X1 Y1 [m]; without it the whole world.")
-        ->expected(4);
-    command->add_option("--group", options->group, "Group (from 0) whose place the layer cost shows.")
-        ->check(CLI::Range(0, static_cast<int>(kMaxGroups)));
-    command
-        ->add_option("--place", options->def.place,
-                     "Place (from 0) that the layer cost shows; without it that of the character with the "
-                     "longest way.")
-        ->check(CLI::Range(0, kMaxCharacters));
-    command->add_flag("--dark", options->def.dark, "Colours for dark surroundings.");
-    command->add_flag("--json", options->json, "One JSON value on standard output.");
-    command->footer(
+        .option("--place", options->def.place,
+                "Place (from 0) that the layer cost shows; without it that of the character with the "
+                "longest way.")
+        .range(0, kMaxCharacters);
+    command.flag("--dark", options->def.dark, "Colours for dark surroundings.");
+    command.flag("--json", options->json, "One JSON value on standard output.");
+    command.footer(
         "Examples:\n"
         "  muster picture scenarios/woodland.json --demo --at 12 -o woodland.png\n"
         "  muster picture scenarios/block.json --layers cost,obstacles,characters -o block.svg");
-    command->callback([options, &exitCode] { exitCode = picture(*options); });
+    command.run([options] { return picture(*options); });
 }
 
 }  // namespace muster

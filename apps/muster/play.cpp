@@ -1,4 +1,5 @@
 // muster play
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,33 +48,31 @@ int play(const PlayOptions& options) {
 
 }  // namespace
 
-void addPlayCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("play",
-                                           "Simulates a scenario without a window and reports figures.");
+void addPlayCommand(CommandLine& line) {
+    Subcommand command = line.add("play", "Simulates a scenario without a window and reports figures.");
     auto options = std::make_shared<PlayOptions>();
-    command->add_option("SCENARIO", options->scenario, "Scenario file.")->required();
-    options->touches.addTo(*command);
+    command.option("SCENARIO", options->scenario, "Scenario file.").required();
+    options->touches.addTo(command);
     command
-        ->add_option(
-            "--seconds", options->run.seconds,
-            "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
-            "command.")
-        ->check(numberIn(0.0, 1e6));
-    options->overrides.addTo(*command);
+        .option("--seconds", options->run.seconds,
+                "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
+                "command.")
+        .finite(0.0, 1e6);
+    options->overrides.addTo(command);
     command
-        ->add_option("--threads", options->run.threads,
-                     "Threads; 0 takes what the machine has. Results are the same.")
-        ->check(CLI::Range(0, 256));
-    command->add_option("--take", options->run.takePath, "Records a take into this file.");
-    command->add_option("--trajectory", options->run.trajectoryPath,
-                        "Writes t,id,x,y,place_x,place_y for every step into this CSV file.");
-    command->add_flag("--json", options->json, "One JSON value on standard output.");
-    command->footer(
+        .option("--threads", options->run.threads,
+                "Threads; 0 takes what the machine has. Results are the same.")
+        .range(0, 256);
+    command.option("--take", options->run.takePath, "Records a take into this file.");
+    command.option("--trajectory", options->run.trajectoryPath,
+                   "Writes t,id,x,y,place_x,place_y for every step into this CSV file.");
+    command.flag("--json", options->json, "One JSON value on standard output.");
+    command.footer(
         "Examples:\n"
         "  muster play scenarios/block.json --demo\n"
         "  muster play scenarios/open.json --seconds 10 --set character.maxSpeed=1.5 --json\n"
         "  muster play scenarios/cars.json --gestures scenarios/gestures/cars.json --take cars.take");
-    command->callback([options, &exitCode] { exitCode = play(*options); });
+    command.run([options] { return play(*options); });
 }
 
 }  // namespace muster

@@ -1,11 +1,13 @@
 // muster replay
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "base/hash.h"
 #include "commands.h"
-#include "muster/gestures.h"
+#include "muster/hash.h"
+#include "muster/scenario.h"
 #include "muster/take.h"
 #include "options.h"
 #include "report.h"
@@ -35,7 +37,7 @@ int replay(const ReplayOptions& options) {
     Progress progress("replaying");
     const std::uint32_t steps = take->steps();
     std::optional<RunMetrics> metrics;
-    nlohmann::ordered_json figures;
+    Json figures;
     const auto report = replayTake(*take, options.threads, [&](const World& world) {
         if (options.json) {
             if (!metrics) metrics.emplace(world);
@@ -48,7 +50,7 @@ int replay(const ReplayOptions& options) {
     const bool differs = !report.ok() && report.status().code() == StatusCode::Corrupt;
     if (!report.ok() && !differs) return reportFailure(report.status().within(options.take));
     if (options.json) {
-        nlohmann::ordered_json value = {{"reproduced", !differs}, {"steps", nullptr}, {"hash", nullptr}};
+        Json value = {{"reproduced", !differs}, {"steps", nullptr}, {"hash", nullptr}};
         value["marks"] = take->marks.size();
         value["commands"] = take->commands.size();
         value["finished"] = take->finished;
@@ -75,17 +77,15 @@ int replay(const ReplayOptions& options) {
 
 }  // namespace
 
-void addReplayCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("replay", "Simulates a take again and compares every hash.");
+void addReplayCommand(CommandLine& line) {
+    Subcommand command = line.add("replay", "Simulates a take again and compares every hash.");
     auto options = std::make_shared<ReplayOptions>();
-    command->add_option("TAKE", options->take, "Take file.")->required();
-    command->add_option(
-        "--gestures", options->gestures,
-        "Also writes the take's touches and other commands as a gestures file for muster play.");
-    command->add_option("--threads", options->threads, "Threads; 0 takes what the machine has.")
-        ->check(CLI::Range(0, 256));
-    command->add_flag("--json", options->json, "One JSON value on standard output.");
-    command->footer(
+    command.option("TAKE", options->take, "Take file.").required();
+    command.option("--gestures", options->gestures,
+                   "Also writes the take's touches and other commands as a gestures file for muster play.");
+    command.option("--threads", options->threads, "Threads; 0 takes what the machine has.").range(0, 256);
+    command.flag("--json", options->json, "One JSON value on standard output.");
+    command.footer(
         "Ends with 3 where a hash differs; the message names the first step that does. With --json it also "
         "gives the\n"
         "figures of muster play. A take that was never finished is replayed to its last command; the steps "
@@ -96,7 +96,7 @@ void addReplayCommand(CLI::App& app, int& exitCode) {
         "  muster replay cars.take --threads 4 --json\n"
         "  muster replay cars.take --gestures cars.json && muster play scenarios/cars.json --gestures "
         "cars.json");
-    command->callback([options, &exitCode] { exitCode = replay(*options); });
+    command.run([options] { return replay(*options); });
 }
 
 }  // namespace muster

@@ -10,8 +10,6 @@
 
 namespace muster {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
 Json orNull(double value) {
@@ -81,7 +79,7 @@ void printFigures(const RunFigures& f) {
 }
 
 void printJsonValue(const Json& value) {
-    std::printf("%s\n", value.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    std::printf("%s\n", indentedJson(value, 2).c_str());
 }
 
 int reportFailure(const Status& status) {

@@ -1,9 +1,9 @@
 // Figures and messages of the commands, for people and as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "base/stopwatch.h"
 #include "muster/status.h"
 #include "muster/world_def.h"
@@ -13,13 +13,13 @@ namespace muster {
 
 /// The figures by the names that docs/scenario-format.md and `muster play --help` list; unreached times are
 /// null.
-nlohmann::ordered_json figuresJson(const RunFigures& figures);
+Json figuresJson(const RunFigures& figures);
 /// The same as lines of text on standard output.
 void printFigures(const RunFigures& figures);
 /// "12.3", or "-" below zero.
 std::string timeText(double seconds);
 /// One JSON value on standard output.
-void printJsonValue(const nlohmann::ordered_json& value);
+void printJsonValue(const Json& value);
 /// One sentence on standard error; returns kExitFailure.
 int reportFailure(const Status& status);
 /// What is likely a mistake in a scenario, on standard error: the first few warnings, and how many more there

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "folders.h"
 #include "options.h"
 #include "report.h"
+#include "reproduce/report/markup.h"
 #include "reproduce/reproduce.h"
 
 namespace muster {
@@ -33,16 +35,14 @@ std::vector<std::string> experimentIds() {
     return ids;
 }
 
-CLI::Validator knownExperiment() {
-    const auto check = [](const std::string& wanted) {
-        std::string known;
-        for (const std::string& id : experimentIds()) {
-            if (CLI::detail::to_lower(id) == CLI::detail::to_lower(wanted)) return std::string();
-            known += (known.empty() ? "" : ", ") + id;
-        }
-        return "found \"" + wanted.substr(0, 40) + "\", expected some of " + known;
-    };
-    return CLI::Validator(check, "");
+/// What is wrong with the name of an experiment; empty where it is known.
+std::string knownExperiment(const std::string& wanted) {
+    std::string known;
+    for (const std::string& id : experimentIds()) {
+        if (lowerCase(id) == lowerCase(wanted)) return {};
+        known += (known.empty() ? "" : ", ") + id;
+    }
+    return "found \"" + wanted.substr(0, 40) + "\", expected some of " + known;
 }
 
 /// The day and minute, in the time that is everywhere the same.
@@ -115,31 +115,29 @@ int runReproduce(ReproduceOptions options) {
 
 }  // namespace
 
-void addReproduceCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("reproduce", "Runs the paper's experiments and writes a report.");
+void addReproduceCommand(CommandLine& line) {
+    Subcommand command = line.add("reproduce", "Runs the paper's experiments and writes a report.");
     auto options = std::make_shared<ReproduceOptions>();
-    command->add_option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.")
-        ->check(knownExperiment());
-    command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")
-        ->check(CLI::Range(1, 1000));
+    command.option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.")
+        .check(knownExperiment);
+    command.option("--seeds", options->def.seeds, "Runs of each kind, by seed.").range(1, 1000);
     command
-        ->add_option("--out", options->out,
-                     "Folder for index.html, results.json, summary.md and the film strips.")
-        ->check(CLI::Validator(
-            [](const std::string& name) { return name.empty() ? "found no name, expected a folder" : ""; },
-            ""));
+        .option("--out", options->out, "Folder for index.html, results.json, summary.md and the film strips.")
+        .check([](const std::string& name) -> std::string {
+            return name.empty() ? "found no name, expected a folder" : "";
+        });
     command
-        ->add_option("--threads", options->def.threads,
-                     "Runs side by side; 0 takes what the machine has. Results are the same.")
-        ->check(CLI::Range(0, 256));
-    command->add_option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
-    command->add_flag("--json", options->json, "results.json on standard output in place of the table.");
-    command->footer(
+        .option("--threads", options->def.threads,
+                "Runs side by side; 0 takes what the machine has. Results are the same.")
+        .range(0, 256);
+    command.option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
+    command.flag("--json", options->json, "results.json on standard output in place of the table.");
+    command.footer(
         "The exit code is 3 where a criterion of the preset muster fails.\n"
         "Examples:\n"
         "  muster reproduce\n"
         "  muster reproduce X4 X11 --seeds 3 --out /tmp/report");
-    command->callback([options, &exitCode] { exitCode = runReproduce(*options); });
+    command.run([options] { return runReproduce(*options); });
 }
 
 }  // namespace muster

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "character/motion/clips_for.h"
-#include "muster/gestures.h"
 #include "muster/scenario.h"
 
 namespace muster {

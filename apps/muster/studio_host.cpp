@@ -1,4 +1,4 @@
-// The studio: one thread simulates, one serves; letters go between them.
+// The studio: one thread simulates, one serves. The server posts events to the simulation.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -30,7 +30,7 @@ constexpr std::size_t kMailboxBytes = std::size_t{128} << 20;  // A take and man
 constexpr double kLongestWait = 0.25;                          // [s]
 constexpr int kExitInterrupted = 130;                          // As shells call it.
 
-// Letters to the simulation.
+// Events that the server posts to the simulation.
 struct Opened {
     ConnectionId connection;
 };
@@ -46,15 +46,15 @@ struct Refused {
 struct Closed {
     ConnectionId connection;
 };
-struct TakeAsked {
+struct TakeRequested {
     HttpReply reply;
 };
-struct TakeSent {
+struct TakeUploaded {
     std::vector<std::uint8_t> bytes;
     HttpReply reply;
 };
 struct Interrupted {};
-using Letter = std::variant<Opened, Received, Refused, Closed, TakeAsked, TakeSent, Interrupted>;
+using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, Interrupted>;
 
 int httpStatus(StatusCode code) {
     if (code == StatusCode::NotFound) return 404;
@@ -73,47 +73,47 @@ HttpAnswer failure(const Status& status) {
 }
 
 bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
-    static const auto restart = protocol::encode(protocol::Transport{protocol::TransportAction::Restart});
+    static const auto restart = protocol::encode(protocol::Playback{protocol::PlaybackAction::Restart});
     static const auto demonstrate = protocol::encode(
-        protocol::Transport{protocol::TransportAction::Demonstrate});
+        protocol::Playback{protocol::PlaybackAction::Demonstrate});
     return !bytes.empty() &&
            (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart || bytes == demonstrate);
 }
 
 // To begin a world costs much and undoes all before it: of equal requests that wait, only the last is heard,
 // so that nobody keeps the simulation busy by repeating one.
-void dropRepeated(std::vector<Letter>& letters) {
+void dropRepeated(std::vector<HostEvent>& events) {
     std::set<std::vector<std::uint8_t>> seen;
-    for (auto letter = letters.rbegin(); letter != letters.rend(); ++letter) {
-        auto* received = std::get_if<Received>(&*letter);
+    for (auto event = events.rbegin(); event != events.rend(); ++event) {
+        auto* received = std::get_if<Received>(&*event);
         if (received == nullptr || !beginsWorld(received->bytes)) continue;
         if (!seen.insert(received->bytes).second) received->connection = 0;  // Nobody's.
     }
 }
 
-// Owns the session and does what the letters ask, on the thread that calls run().
+// Owns the session and handles events, on the thread that calls run().
 class Simulation {
 public:
-    Simulation(Session session, Mailbox<Letter>& mailbox, StudioServer& server,
+    Simulation(Session session, Mailbox<HostEvent>& mailbox, StudioServer& server,
                const std::atomic<bool>& interrupted)
         : session_(std::move(session)), mailbox_(mailbox), server_(server), interrupted_(interrupted) {}
 
     // Until interrupted.
     void run() {
         using Clock = std::chrono::steady_clock;
-        std::vector<Letter> letters;
+        std::vector<HostEvent> events;
         auto last = Clock::now();
         while (!interrupted_) {
             mailbox_.collect(
-                clients_.empty() ? kLongestWait : std::min(kLongestWait, session_.untilNextStep()), letters);
+                clients_.empty() ? kLongestWait : std::min(kLongestWait, session_.untilNextStep()), events);
             const auto now = Clock::now();
             // The world waits while nobody watches.
             if (!clients_.empty()) session_.elapse(std::chrono::duration<double>(now - last).count());
             last = now;
-            dropRepeated(letters);
-            for (Letter& letter : letters) {
+            dropRepeated(events);
+            for (HostEvent& event : events) {
                 if (interrupted_) break;
-                std::visit(*this, letter);
+                std::visit(*this, event);
             }
             if (!clients_.empty() && session_.stepDue()) session_.step();
             flush();
@@ -121,34 +121,34 @@ public:
         session_.finish();
     }
 
-    void operator()(Opened& letter) { clients_[letter.connection] = session_.connect(); }
-    void operator()(Received& letter) {
-        const auto found = clients_.find(letter.connection);
-        if (found != clients_.end()) session_.receive(found->second, letter.bytes);
+    void operator()(Opened& event) { clients_[event.connection] = session_.connect(); }
+    void operator()(Received& event) {
+        const auto found = clients_.find(event.connection);
+        if (found != clients_.end()) session_.receive(found->second, event.bytes);
     }
-    void operator()(Refused& letter) {
-        const auto found = clients_.find(letter.connection);
-        if (found != clients_.end()) session_.notice(found->second, true, letter.code, letter.text);
+    void operator()(Refused& event) {
+        const auto found = clients_.find(event.connection);
+        if (found != clients_.end()) session_.notice(found->second, true, event.code, event.text);
     }
-    void operator()(Closed& letter) {
-        const auto found = clients_.find(letter.connection);
+    void operator()(Closed& event) {
+        const auto found = clients_.find(event.connection);
         if (found == clients_.end()) return;
         session_.disconnect(found->second);
         clients_.erase(found);
     }
-    void operator()(TakeAsked& letter) {
+    void operator()(TakeRequested& event) {
         auto bytes = session_.take();
-        if (!bytes.ok()) return letter.reply(failure(bytes.status()));
+        if (!bytes.ok()) return event.reply(failure(bytes.status()));
         HttpAnswer answer;
         answer.type = "application/octet-stream";
         answer.body.assign(bytes.value().begin(), bytes.value().end());
         answer.fileName = session_.takeName();
-        letter.reply(std::move(answer));
+        event.reply(std::move(answer));
     }
-    void operator()(TakeSent& letter) {
-        const Status status = session_.openTake(letter.bytes, "take");
-        if (!status.ok()) return letter.reply(failure(status));
-        letter.reply(sentence(200, "The take is open."));
+    void operator()(TakeUploaded& event) {
+        const Status status = session_.openTake(event.bytes, "take");
+        if (!status.ok()) return event.reply(failure(status));
+        event.reply(sentence(200, "The take is open."));
     }
     void operator()(Interrupted&) {}  // It woke us.
 
@@ -162,7 +162,7 @@ private:
     }
 
     Session session_;
-    Mailbox<Letter>& mailbox_;
+    Mailbox<HostEvent>& mailbox_;
     StudioServer& server_;
     std::map<ConnectionId, std::uint32_t> clients_;
     const std::atomic<bool>& interrupted_;
@@ -195,21 +195,21 @@ private:
     std::thread thread_;  // Last: it uses the others.
 };
 
-ServerEvents eventsTo(Mailbox<Letter>& mailbox, std::atomic<bool>& interrupted) {
+ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted) {
     ServerEvents events;
     events.opened = [&](ConnectionId id) { mailbox.post(Opened{id}); };
     events.received = [&](ConnectionId id, std::vector<std::uint8_t> bytes) {
-        const std::size_t size = bytes.size() + sizeof(Letter);
+        const std::size_t size = bytes.size() + sizeof(HostEvent);
         return mailbox.post(Received{id, std::move(bytes)}, size);
     };
     events.refused = [&](ConnectionId id, std::string code, std::string text) {
         mailbox.post(Refused{id, std::move(code), std::move(text)});
     };
     events.closed = [&](ConnectionId id) { mailbox.post(Closed{id}); };
-    events.takeAsked = [&](HttpReply reply) { mailbox.post(TakeAsked{std::move(reply)}); };
-    events.takeSent = [&](std::vector<std::uint8_t> bytes, HttpReply reply) {
+    events.takeRequested = [&](HttpReply reply) { mailbox.post(TakeRequested{std::move(reply)}); };
+    events.takeUploaded = [&](std::vector<std::uint8_t> bytes, HttpReply reply) {
         const std::size_t size = bytes.size();
-        if (!mailbox.post(TakeSent{std::move(bytes), reply}, size))
+        if (!mailbox.post(TakeUploaded{std::move(bytes), reply}, size))
             reply(sentence(503, "The simulation is busy."));
     };
     events.interrupted = [&] {
@@ -268,7 +268,7 @@ Status pageExists(const std::string& folder) {
             ": found no index.html, expected the built page; ./run builds it, --page names another folder"};
 }
 
-std::string tellAddress(int port, bool json) {
+std::string printAddress(int port, bool json) {
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
     if (json)
         printJsonValue({{"address", address}, {"port", port}});
@@ -293,7 +293,7 @@ int runStudio(const StudioOptions& options) {
     if (Status status = pageExists(options.pageFolder); !status.ok()) return failed(status);
     auto session = makeSession(options);
     if (!session.ok()) return failed(session.status());
-    Mailbox<Letter> mailbox(kMailboxBytes);
+    Mailbox<HostEvent> mailbox(kMailboxBytes);
     std::atomic<bool> interrupted = false;
     ServerDef def;
     def.port = options.port;
@@ -304,7 +304,7 @@ int runStudio(const StudioOptions& options) {
     def.events = eventsTo(mailbox, interrupted);
     auto server = StudioServer::listen(std::move(def));
     if (!server.ok()) return failed(server.status());
-    const std::string address = tellAddress(server.value()->port(), options.json);
+    const std::string address = printAddress(server.value()->port(), options.json);
     bool served = true;
     {
         const Serving serving(*server.value(), [&] {
@@ -316,7 +316,7 @@ int runStudio(const StudioOptions& options) {
         served = serving.good();
     }
     // Letters that came too late hold connections, which must go before the server.
-    std::vector<Letter> late;
+    std::vector<HostEvent> late;
     mailbox.collect(0.0, late);
     return served ? 0 : 1;
 }

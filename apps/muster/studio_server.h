@@ -50,8 +50,8 @@ struct ServerEvents {
     /// A message was dropped: a code and a sentence for the client.
     std::function<void(ConnectionId, std::string code, std::string text)> refused;
     std::function<void(ConnectionId)> closed;
-    std::function<void(HttpReply)> takeAsked;
-    std::function<void(std::vector<std::uint8_t>, HttpReply)> takeSent;
+    std::function<void(HttpReply)> takeRequested;
+    std::function<void(std::vector<std::uint8_t>, HttpReply)> takeUploaded;
     std::function<void()> interrupted;  ///< Ctrl+C or a request to end; each time.
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,6 @@
 namespace muster {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct SweepOptions {
     std::string parameter;
     std::vector<double> values;
@@ -24,7 +23,7 @@ struct SweepOptions {
 };
 
 /// A line of the table: what it is, then its value under each setting.
-struct Row {
+struct SweepRow {
     std::string title;
     std::vector<std::string> cells;
 };
@@ -37,8 +36,8 @@ std::string shortText(double value) {
 }
 
 /// The rows of one setting; the same titles in the same order for each.
-std::vector<Row> rowsOf(const Reproduction& reproduction) {
-    std::vector<Row> rows;
+std::vector<SweepRow> rowsOf(const Reproduction& reproduction) {
+    std::vector<SweepRow> rows;
     for (const ExperimentResult& e : reproduction.experiments) {
         for (const Verdict& v : e.verdicts) {
             if (!v.binding) continue;
@@ -66,18 +65,18 @@ std::string escaped(const std::string& title) {
 }
 
 /// True where an arm has no such figure, whatever the value.
-bool isEmpty(const Row& row) {
+bool isEmpty(const SweepRow& row) {
     return std::all_of(row.cells.begin(), row.cells.end(),
                        [](const std::string& cell) { return cell == "-"; });
 }
 
-void printTable(const SweepOptions& options, const std::vector<Row>& rows) {
+void printTable(const SweepOptions& options, const std::vector<SweepRow>& rows) {
     std::printf("| %s |", options.parameter.c_str());
     for (const double value : options.values) std::printf(" %s |", shortText(value).c_str());
     std::printf("\n|---|");
     for (std::size_t i = 0; i < options.values.size(); ++i) std::printf("---|");
     std::printf("\n");
-    for (const Row& row : rows) {
+    for (const SweepRow& row : rows) {
         if (isEmpty(row)) continue;
         std::printf("| %s |", escaped(row.title).c_str());
         for (const std::string& cell : row.cells) std::printf(" %s |", cell.c_str());
@@ -96,7 +95,7 @@ Status check(const SweepOptions& options) {
 int sweep(SweepOptions options) {
     if (options.def.folder.empty()) options.def.folder = scenariosFolder() + "/paper";
     if (Status s = check(options); !s.ok()) return reportFailure(s);
-    std::vector<Row> rows;
+    std::vector<SweepRow> rows;
     Progress bar("sweeping");
     Json results = Json::array();
     const auto count = static_cast<double>(options.values.size());
@@ -107,14 +106,15 @@ int sweep(SweepOptions options) {
                      p.experiment + " " + p.arm);
         });
         if (!reproduction.ok()) return reportFailure(reproduction.status());
-        const std::vector<Row> column = rowsOf(*reproduction);
+        const std::vector<SweepRow> column = rowsOf(*reproduction);
         if (k == 0)
             rows = column;
         else
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].cells.push_back(column[i].cells.front());
-        for (Json entry : Json::parse(resultsJson(*reproduction))) {
+        const auto values = parseJson(resultsJson(*reproduction), "results.json");
+        for (Json entry : values->elements()) {
             entry[options.parameter] = options.values[k];
-            results.push_back(std::move(entry));
+            results.push(std::move(entry));
         }
     }
     if (options.json)
@@ -126,37 +126,35 @@ int sweep(SweepOptions options) {
 
 }  // namespace
 
-void addSweepCommand(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand(
-        "sweep", "Runs the paper's experiments with several values of a parameter.");
+void addSweepCommand(CommandLine& line) {
+    Subcommand command = line.add("sweep",
+                                  "Runs the paper's experiments with several values of a parameter.");
     auto options = std::make_shared<SweepOptions>();
-    command->add_option("PARAMETER", options->parameter, "Its name, as muster check --schema lists it.")
-        ->required();
-    command->add_option("--values", options->values, "Its values, separated by commas.")
-        ->required()
-        ->delimiter(',');
+    command.option("PARAMETER", options->parameter, "Its name, as muster check --schema lists it.")
+        .required();
+    command.option("--values", options->values, "Its values, separated by commas.")
+        .required()
+        .separatedBy(',');
     command
-        ->add_option("--experiments", options->def.experiments,
-                     "Some of X1 to X11 and X13, separated by commas; without it all.")
-        ->delimiter(',');
+        .option("--experiments", options->def.experiments,
+                "Some of X1 to X11 and X13, separated by commas; without it all.")
+        .separatedBy(',');
     options->def.seeds = 3;
-    command->add_option("--seeds", options->def.seeds, "Runs of each kind, by seed.")
-        ->check(CLI::Range(1, 1000));
+    command.option("--seeds", options->def.seeds, "Runs of each kind, by seed.").range(1, 1000);
     command
-        ->add_option("--threads", options->def.threads,
-                     "Runs side by side; 0 takes what the machine has. Results are the same.")
-        ->check(CLI::Range(0, 256));
-    command->add_option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
-    command->add_flag("--json", options->json,
-                      "One JSON array on standard output: results.json of every value.");
-    command->footer(
+        .option("--threads", options->def.threads,
+                "Runs side by side; 0 takes what the machine has. Results are the same.")
+        .range(0, 256);
+    command.option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
+    command.flag("--json", options->json, "One JSON array on standard output: results.json of every value.");
+    command.footer(
         "A table in Markdown: criteria (value against threshold) and figures (median over the seeds) of the "
         "preset muster.\n"
         "What an arm of an experiment sets itself stays as it is.\n"
         "Examples:\n"
         "  muster sweep field.range --values 0.5,1,1.5,2 --experiments X4,X9\n"
         "  muster sweep density.min --values 0.9,1.3,1.8 --experiments X8 --seeds 5");
-    command->callback([options, &exitCode] { exitCode = sweep(*options); });
+    command.run([options] { return sweep(*options); });
 }
 
 }  // namespace muster

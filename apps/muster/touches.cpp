@@ -2,14 +2,14 @@
 
 #include <filesystem>
 
-#include "muster/gestures.h"
+#include "muster/scenario.h"
 
 namespace muster {
 
-void Touches::addTo(CLI::App& command) {
-    CLI::Option* file = command.add_option(
+void Touches::addTo(Subcommand& command) {
+    const Option file = command.option(
         "--gestures", gestures, "Touches to give to the scenario, as JSON; without it nobody touches.");
-    command.add_flag("--demo", demo, "Gives the touches that the scenario carries.")->excludes(file);
+    command.flag("--demo", demo, "Gives the touches that the scenario carries.").excludes(file);
 }
 
 Result<std::string> Touches::file(const std::string& scenarioPath, const WorldDef& def) const {

@@ -1,10 +1,10 @@
 // Which touches a world is given: those of a file, or those that its scenario carries.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "muster/command.h"
 #include "muster/status.h"
 #include "muster/world_def.h"
@@ -17,7 +17,7 @@ struct Touches {
     bool demo = false;     ///< The scenario's own.
 
     /// Adds the options to a command.
-    void addTo(CLI::App& command);
+    void addTo(Subcommand& command);
     /// The file that they come from, empty for none. Fails where the scenario should carry some and carries
     /// none.
     Result<std::string> file(const std::string& scenarioPath, const WorldDef& def) const;

@@ -1,15 +1,88 @@
-// Motion clips on Muster's skeleton.
+// Skeleton, poses and motion clips of characters, and BVH files, which most animation programs exchange.
+//
+// Every clip stands on Muster's skeleton; motion of other skeletons is brought onto it by the roles of
+// joints.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "muster/pose.h"
+#include "muster/quat.h"
 #include "muster/status.h"
+#include "muster/vec3.h"
 
 namespace muster {
+
+/// The joints, parents before children. The values are indices into every array of joints.
+enum class JointRole : std::uint8_t {
+    Hips,
+    Spine,
+    Chest,
+    Neck,
+    Head,
+    LeftShoulder,
+    LeftArm,
+    LeftForeArm,
+    LeftHand,
+    RightShoulder,
+    RightArm,
+    RightForeArm,
+    RightHand,
+    LeftUpLeg,
+    LeftLeg,
+    LeftFoot,
+    LeftToeBase,
+    RightUpLeg,
+    RightLeg,
+    RightFoot,
+    RightToeBase,
+    Count
+};
+
+inline constexpr std::size_t kJointCount = static_cast<std::size_t>(JointRole::Count);  ///< 21.
+constexpr std::size_t index(JointRole role) {
+    return static_cast<std::size_t>(role);
+}
+
+/// A joint in the rest pose.
+struct Joint {
+    const char* name;     ///< As many animation programs call it: "LeftForeArm".
+    std::int32_t parent;  ///< -1 for the hips.
+    Vec3 offset;          ///< From the parent [m]; of the hips from the ground below.
+    Vec3 tip;             ///< Where the bone of a joint without children ends, from the joint [m]; else zero.
+};
+
+/// The skeleton of a person 1.75 m tall.
+const std::array<Joint, kJointCount>& skeleton();
+
+inline constexpr float kBodyHeight = 1.75f;  ///< Top of the head in the rest pose [m].
+
+/// Size of the character with that id: 0.96 to 1.04 of the skeleton, even over the crowd.
+float characterSize(std::uint32_t id);
+
+/// How a body is held, in the character's own frame: on the ground below it, facing +x.
+struct BodyPose {
+    Vec3 hips;  ///< Where the hips are [m].
+    /// Of each joint relative to its parent; of the hips to the character.
+    std::array<Quat, kJointCount> rotation;
+};
+
+/// The rest pose.
+BodyPose restPose();
+
+/// Joints in the character's own frame (or where `root` puts it).
+using JointTransforms = std::array<Transform, kJointCount>;
+
+/// Forward kinematics: every joint's place and rotation; `root` puts the character into the world.
+void jointTransforms(const BodyPose& pose, const Transform& root, JointTransforms& joints);
+
+/// Between two poses: hips straight, rotations by nlerp; t = 0 gives `a`.
+void blend(const BodyPose& a, const BodyPose& b, float t, BodyPose& out);
 
 /// What of a body touches something in a contact.
 enum class Limb : std::uint8_t { LeftFoot, RightFoot, LeftHand, RightHand, LeftKnee, RightKnee, Count };
@@ -88,5 +161,53 @@ Travel operator*(const Travel& first, const Travel& then);
 /// Fails with InvalidArgument, naming clip and culprit, where numbers are not finite, counts do not fit or
 /// contacts lie outside the clip.
 Status validate(const Clip& clip);
+
+/// A joint of a BVH file, in Muster's axes (x forward, y left, z up).
+struct BvhJoint {
+    std::string name;          ///< As the file spells it.
+    std::int32_t parent = -1;  ///< Index of a joint before it; -1 for a root.
+    Vec3 offset;               ///< From the parent in the rest pose [m].
+    std::vector<Vec3> ends;    ///< End sites, from the joint [m].
+    bool moves = false;        ///< It has position channels.
+};
+
+/// A whole BVH file, decoded.
+struct BvhMotion {
+    std::vector<BvhJoint> joints;   ///< Parents before children; at least one.
+    std::vector<Transform> values;  ///< Frame by frame, joint by joint: relative to the parent [m].
+    std::size_t frames = 0;         ///< At least one.
+    double rate = 30.0;             ///< Frames a second > 0.
+    double unit = 1.0;              ///< One unit of the file [m].
+
+    /// One value per joint.
+    std::span<const Transform> frame(std::size_t f) const {
+        return std::span(values).subspan(f * joints.size(), joints.size());
+    }
+    /// From the first frame to the last [s].
+    double duration() const { return static_cast<double>(frames - 1) / rate; }
+};
+
+/// How to read.
+struct BvhOptions {
+    double unit = 0.0;  ///< One unit of the file [m], 1e-6 to 1e3; 0: guessed from the size of the body.
+};
+
+inline constexpr std::size_t kMaxBvhBytes = 512u << 20;  ///< Largest file read.
+inline constexpr std::size_t kMaxBvhJoints = 1000;       ///< Most joints.
+inline constexpr std::size_t kMaxBvhValues = 8u << 20;   ///< Most frames times joints.
+
+/// Reads BVH text: any hierarchy, any order of channels. Unit, up axis (Y or Z) and facing (to a quarter
+/// turn) are guessed from the rest pose. Fails, as `sourceName:LINE: found X, expected Y`, on anything that
+/// is no whole BVH file.
+Result<BvhMotion> parseBvh(std::string_view text, const std::string& sourceName,
+                           const BvhOptions& options = {});
+/// The same from a file.
+Result<BvhMotion> readBvh(const std::string& path, const BvhOptions& options = {});
+
+/// A clip as BVH, in centimetres, Y up, facing +Z, as Maya, MotionBuilder, Unreal and Mixamo take it without
+/// asking (Blender imports it with scale 0.01). A joint "Root" on the ground carries the travel, "Hips"
+/// stands in it with six channels, all other joints of the skeleton have three. A cyclic clip ends with its
+/// first pose again, one travel on.
+std::string bvhText(const Clip& clip);
 
 }  // namespace muster

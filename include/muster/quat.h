@@ -1,7 +1,8 @@
 // Rotations in space as unit quaternions, in single precision. Only + - * / and sqrt at run time.
 #pragma once
 
-#include "base/maths.h"
+#include <cmath>
+
 #include "muster/vec3.h"
 
 namespace muster {
@@ -41,23 +42,20 @@ inline Quat normalized(Quat q) {
     const float s = 1.0f / std::sqrt(l2);
     return {q.x * s, q.y * s, q.z * s, q.w * s};
 }
-/// `v` turned by `q`.
+/// `v` rotated by `q`.
 constexpr Vec3 rotate(Quat q, Vec3 v) {
     const Vec3 u{q.x, q.y, q.z};
     const Vec3 t = 2.0f * cross(u, v);
     return v + q.w * t + cross(u, t);
 }
-/// Turn by `angle` [rad] about a unit `axis`, right-handed.
-inline Quat axisAngle(Vec3 axis, double angle) {
-    const float s = static_cast<float>(sine(0.5 * angle));
-    return {axis.x * s, axis.y * s, axis.z * s, static_cast<float>(cosine(0.5 * angle))};
-}
-/// Turn about the vertical: to the left where `angle` [rad] is positive.
+/// Rotation by `angle` [rad] about a unit `axis`, right-handed.
+Quat axisAngle(Vec3 axis, double angle);
+/// Rotation about the vertical: to the left where `angle` [rad] is positive.
 inline Quat yawTurn(double angle) {
     return axisAngle({0.0f, 0.0f, 1.0f}, angle);
 }
-/// The smallest turn that takes unit vector `from` to unit vector `to`; half a turn about some axis where
-/// opposite.
+/// The smallest rotation that takes unit vector `from` to unit vector `to`; by pi about some axis where they
+/// are opposite.
 inline Quat shortestArc(Vec3 from, Vec3 to) {
     const float d = dot(from, to);
     if (d < -0.999999f) {
@@ -68,18 +66,13 @@ inline Quat shortestArc(Vec3 from, Vec3 to) {
     const Vec3 c = cross(from, to);
     return normalized(Quat{c.x, c.y, c.z, 1.0f + d});
 }
-/// Between two rotations along the shorter way, straight and then made of unit length; exact at both ends.
+/// Normalised linear interpolation along the shorter arc; exact at both ends.
 inline Quat nlerp(Quat a, Quat b, float t) {
     const float s = 1.0f - t, u = dot(a, b) < 0.0f ? -t : t;
     return normalized(Quat{s * a.x + u * b.x, s * a.y + u * b.y, s * a.z + u * b.z, s * a.w + u * b.w});
 }
 /// The angle between two rotations [rad], 0 to pi.
-inline double angleBetween(Quat a, Quat b) {
-    const Quat d = normalized(conjugate(a) * b);
-    const double sine2 = std::sqrt(static_cast<double>(d.x) * d.x + static_cast<double>(d.y) * d.y +
-                                   static_cast<double>(d.z) * d.z);
-    return 2.0 * arcTangent2(sine2, std::fabs(static_cast<double>(d.w)));
-}
+double angleBetween(Quat a, Quat b);
 
 /// A rotation, then a shift.
 struct Transform {

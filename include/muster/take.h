@@ -42,19 +42,6 @@ struct Take {
     std::uint32_t steps() const;
 };
 
-/// Makes the bytes of a take record by record (docs/take-format.md).
-class TakeEncoder {
-public:
-    /// Header and scenario record.
-    static std::vector<std::uint8_t> begin(const WorldDef& def);
-    /// A command record.
-    static std::vector<std::uint8_t> command(const Command& command);
-    /// A hash mark.
-    static std::vector<std::uint8_t> mark(const HashMark& mark);
-    /// The last record, with the last mark.
-    static std::vector<std::uint8_t> end(const HashMark& mark);
-};
-
 /// Appends records to a file; each is handed to the system before the call returns, so that a killed
 /// process loses at most the record it was writing.
 class TakeWriter {

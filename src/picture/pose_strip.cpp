@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/maths.h"
 #include "picture/debug_draw.h"
 
 namespace muster {

@@ -164,22 +164,21 @@ void MotionFrames::observe(const World& world, const std::vector<Attention>& att
 }
 
 void MotionFrames::build(CrowdPicture& picture) const {
-    const auto playbacks = motion_->playbacks();
-    picture.resize(playbacks.size());
+    const auto states = motion_->states();
+    picture.resize(states.size());
     picture.longClips = longClips_;
-    for (std::size_t i = 0; i < playbacks.size(); ++i) {
-        const Playback& playback = playbacks[i];
-        picture.heading[i] = turn65536(playback.yaw);
-        picture.clip[i] = static_cast<std::uint8_t>(playback.clip);
-        picture.phase[i] = phase65536(playback.time, durations_[playback.clip]);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const MotionState& state = states[i];
+        picture.heading[i] = turn65536(state.yaw);
+        picture.clip[i] = static_cast<std::uint8_t>(state.clip);
+        picture.phase[i] = phase65536(state.time, durations_[state.clip]);
     }
     picture.near.assign(motion_->near().begin(), motion_->near().end());
     picture.nearPlaces.clear();
     picture.nearPoses.clear();
     for (std::size_t k = 0; k < picture.near.size(); ++k) {
-        const Playback& playback = playbacks[picture.near[k]];
-        for (const double value :
-             {playback.position.x, playback.position.y, static_cast<double>(playback.yaw)})
+        const MotionState& state = states[picture.near[k]];
+        for (const double value : {state.position.x, state.position.y, static_cast<double>(state.yaw)})
             picture.nearPlaces.push_back(static_cast<float>(value));
         appendPose(motion_->pose(k), picture.nearPoses);
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "muster/clip.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 #include "session/crowd_picture.h"
 
 namespace muster {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
-    "SetParameter", "Transport", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Attend",
+    "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Attend",
     "FrameAck", "Ping"};
 constexpr const char* kServerNames[] = {
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong"};
@@ -52,7 +52,7 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 5: return decodeAs<Any, SetFormation>(bytes);
         case 6: return decodeAs<Any, SetCount>(bytes);
         case 7: return decodeAs<Any, SetParameter>(bytes);
-        case 8: return decodeAs<Any, Transport>(bytes);
+        case 8: return decodeAs<Any, Playback>(bytes);
         case 9: return decodeAs<Any, SetSpeed>(bytes);
         case 10: return decodeAs<Any, LoadScenario>(bytes);
         case 11: return decodeAs<Any, Record>(bytes);

@@ -1,8 +1,7 @@
 #include "session/scene_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include "base/hash.h"
+#include "base/json.h"
 #include "environment/environment.h"
 #include "muster/formation.h"
 #include "muster/parameter_table.h"
@@ -10,8 +9,6 @@
 
 namespace muster {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kColours = 6;  // Accents that the page knows.
 
@@ -21,7 +18,7 @@ Json point(Vec2 p) {
 
 Json points(const Polygon& polygon) {
     Json list = Json::array();
-    for (const Vec2 p : polygon) list.push_back(point(p));
+    for (const Vec2 p : polygon) list.push(point(p));
     return list;
 }
 
@@ -38,7 +35,7 @@ Json obstacles(const Environment& environment) {
         }
         item["height"] = def.height;
         item["moving"] = !def.path.still();
-        list.push_back(std::move(item));
+        list.push(std::move(item));
     }
     return list;
 }
@@ -50,12 +47,12 @@ Json patches(const Environment& environment) {
         const PatchDef& def = *environment.patch(id);
         const auto motion = static_cast<std::size_t>(def.motion);
         const double clipSpeed = motion < clips.size() ? clips[motion].speed : 1.0;
-        list.push_back(Json{{"id", id.value},
-                            {"name", def.name},
-                            {"polygon", points(def.polygon)},
-                            {"motion", def.motion},
-                            {"speed", def.speed > 0.0 ? def.speed : clipSpeed},
-                            {"moving", !def.path.still()}});
+        list.push(Json{{"id", id.value},
+                       {"name", def.name},
+                       {"polygon", points(def.polygon)},
+                       {"motion", def.motion},
+                       {"speed", def.speed > 0.0 ? def.speed : clipSpeed},
+                       {"moving", !def.path.still()}});
     }
     return list;
 }
@@ -63,7 +60,7 @@ Json patches(const Environment& environment) {
 Json clips(const Environment& environment) {
     Json list = Json::array();
     for (const ClipFacts& clip : environment.def().clips)
-        list.push_back(Json{{"name", clip.name}, {"speed", clip.speed}, {"cyclic", clip.cyclic}});
+        list.push(Json{{"name", clip.name}, {"speed", clip.speed}, {"cyclic", clip.cyclic}});
     return list;
 }
 
@@ -71,22 +68,22 @@ Json groups(const World& world) {
     Json list = Json::array();
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView view = world.group(g);
-        list.push_back(Json{{"id", view.id.value},
-                            {"name", view.name},
-                            {"count", view.count},
-                            {"formation", formationName(view.formation)},
-                            {"colour", (view.id.value + kColours - 1) % kColours}});
+        list.push(Json{{"id", view.id.value},
+                       {"name", view.name},
+                       {"count", view.count},
+                       {"formation", formationName(view.formation)},
+                       {"colour", (view.id.value + kColours - 1) % kColours}});
     }
     return list;
 }
 
-Json spots(const World& world) {
+Json checkpoints(const World& world) {
     Json list = Json::array();
-    for (const FormationCheckpointDef& spot : world.checkpoints()) {
-        list.push_back(Json{{"position", point(spot.position)},
-                            {"radius", spot.radius},
-                            {"formation", formationName(spot.formation.kind)},
-                            {"group", spot.group}});
+    for (const FormationCheckpointDef& checkpoint : world.checkpoints()) {
+        list.push(Json{{"position", point(checkpoint.position)},
+                       {"radius", checkpoint.radius},
+                       {"formation", formationName(checkpoint.formation.kind)},
+                       {"group", checkpoint.group}});
     }
     return list;
 }
@@ -94,19 +91,19 @@ Json spots(const World& world) {
 Json items(const World& world) {
     Json list = Json::array();
     for (const ItemDef& item : world.items())
-        list.push_back(Json{{"position", point(item.position)}, {"radius", item.radius}});
+        list.push(Json{{"position", point(item.position)}, {"radius", item.radius}});
     return list;
 }
 
 Json parameters(const World& world) {
     Json list = Json::array();
     for (const ParameterInfo& info : parameterTable()) {
-        list.push_back(Json{{"name", info.name},
-                            {"unit", info.unit},
-                            {"minimum", info.minimum},
-                            {"maximum", info.maximum},
-                            {"description", info.description},
-                            {"value", info.get(world.parameters())}});
+        list.push(Json{{"name", info.name},
+                       {"unit", info.unit},
+                       {"minimum", info.minimum},
+                       {"maximum", info.maximum},
+                       {"description", info.description},
+                       {"value", info.get(world.parameters())}});
     }
     return list;
 }
@@ -130,10 +127,10 @@ std::string buildSceneJson(const std::string& name, const WorldDef& def, const W
     scene["clips"] = clips(environment);
     scene["groups"] = groups(world);
     scene["items"] = items(world);
-    scene["checkpoints"] = spots(world);
+    scene["checkpoints"] = checkpoints(world);
     scene["parameters"] = parameters(world);
     // Names come from files: what is no UTF-8 is replaced, never thrown about.
-    return scene.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return compactJson(scene);
 }
 
 std::uint64_t sceneSignature(const World& world) {

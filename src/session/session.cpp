@@ -1,8 +1,9 @@
 #include <algorithm>
 
+#include "io/take/take_encoder.h"
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
-#include "session/notice_place.h"
+#include "session/notice_position.h"
 #include "session/scene_json.h"
 #include "session/session_state.h"
 
@@ -21,7 +22,8 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 // ---- Worlds ----
 
-Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef, std::optional<Take> take) {
+Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef,
+                            std::shared_ptr<const Take> take) {
     auto made = World::create(newDef, def.threads);
     if (!made.ok()) return made.status();
     stopRecording();
@@ -29,8 +31,9 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     if (&worldDef != &newDef) worldDef = newDef, warn();
     name = worldName;
     replay.reset();
-    if (take)
-        replay.emplace(std::move(*take));
+    replayedTake = std::move(take);
+    if (replayedTake)
+        replay.emplace(*replayedTake);
     else
         log.begin(worldDef, def.limits.takeBytes);
     toldFull = false;
@@ -81,9 +84,7 @@ void Session::Impl::warn() {
 
 Status Session::Impl::restart() {
     if (!world) return {StatusCode::NotFound, "there is no world to restart"};
-    std::optional<Take> take;
-    if (replay) take = replay->take();
-    return begin(name, worldDef, std::move(take));
+    return begin(name, worldDef, replayedTake);
 }
 
 // All touches are given before the first step, as a run of the gestures gives them: what waits is part of the
@@ -101,7 +102,7 @@ Status Session::Impl::demonstrate() {
         return invalidArgument(worldDef.gestures + ": found the client " + std::to_string(command.client) +
                                ", expected 1 to " + std::to_string(kLastDemonstrator) + " to be watched");
     }
-    if (Status s = begin(name, worldDef, std::nullopt); !s.ok()) return s;
+    if (Status s = begin(name, worldDef, nullptr); !s.ok()) return s;
     for (const Command& command : *commands) {
         if (Status s = world->submit(command); !s.ok()) return s.within(worldDef.gestures);
         log.command(command);
@@ -111,7 +112,7 @@ Status Session::Impl::demonstrate() {
 }
 
 Status Session::load(const std::string& name, const WorldDef& def) {
-    return impl_->begin(name, def, std::nullopt);
+    return impl_->begin(name, def, nullptr);
 }
 
 Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName) {
@@ -124,13 +125,13 @@ Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string&
     if (!take.ok()) return take.status();
     if (take->steps() == 0) return invalidArgument(sourceName + ": holds no step to replay");
     const WorldDef def = take->def;
-    return impl_->begin(def.name, def, std::move(take).value());
+    return impl_->begin(def.name, def, std::make_shared<const Take>(std::move(take).value()));
 }
 
 Result<std::vector<std::uint8_t>> Session::take() const {
     if (!impl_->world) return Status(StatusCode::NotFound, "there is no world to keep a take of");
     if (!impl_->replay) return impl_->log.bytes(*impl_->world);
-    const Take& take = impl_->replay->take();
+    const Take& take = *impl_->replayedTake;
     std::vector<std::uint8_t> bytes = TakeEncoder::begin(take.def);
     const auto append = [&](const std::vector<std::uint8_t>& record) {
         bytes.insert(bytes.end(), record.begin(), record.end());
@@ -242,7 +243,7 @@ void Session::Impl::stepOnce() {
         return;
     }
     Status replayed;
-    if (replay) replayed = replay->feed(*world);
+    if (replay) replayed = replay->submit(*world);
     world->step();
     waitingCommands = 0;
     touchState();
@@ -282,8 +283,8 @@ void Session::Impl::stepOnce() {
 void Session::Impl::replayEnded() {
     playing = false;
     touchState();
-    std::string words = replay->take().marks.empty() ? "The take ends here."
-                                                     : "The take ends here; every hash matched.";
+    std::string words = replayedTake->marks.empty() ? "The take ends here."
+                                                    : "The take ends here; every hash matched.";
     if (const std::uint32_t steps = replay->unmarked(); steps > 0)
         words += " It was never finished: its last " + std::to_string(steps) + " steps bear no hash.";
     noticeAll(protocol::NoticeLevel::Info, "replay-end", words);
@@ -299,7 +300,7 @@ void Session::Impl::reportRejections() {
         const auto found = clients.find(rejection.command.client);
         if (found != clients.end() && !replay)
             notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(),
-                   placeOf(body));
+                   positionOf(body));
     }
 }
 

@@ -4,7 +4,7 @@
 
 #include "environment/environment.h"
 #include "muster/parameter_table.h"
-#include "session/notice_place.h"
+#include "session/notice_position.h"
 #include "session/session_state.h"
 #include "world/inspect.h"
 #include "world/validation.h"
@@ -133,23 +133,23 @@ public:
         return submit(CommandBody{SetParameter{message.name, message.value}});
     }
 
-    Status operator()(const protocol::Transport& message) {
+    Status operator()(const protocol::Playback& message) {
         if (!session_.world) return noWorld();
         switch (message.action) {
-            case protocol::TransportAction::Play:
+            case protocol::PlaybackAction::Play:
                 if (session_.replay && session_.replay->atEnd(*session_.world)) return session_.restart();
                 session_.playing = true;
                 break;
-            case protocol::TransportAction::Pause:
+            case protocol::PlaybackAction::Pause:
                 session_.playing = false;
                 break;
-            case protocol::TransportAction::SingleStep:
+            case protocol::PlaybackAction::SingleStep:
                 session_.playing = false;
                 session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
                 break;
-            case protocol::TransportAction::Restart:
+            case protocol::PlaybackAction::Restart:
                 return session_.restart();
-            case protocol::TransportAction::Demonstrate:
+            case protocol::PlaybackAction::Demonstrate:
                 return session_.demonstrate();
         }
         session_.pacer.reset();
@@ -175,7 +175,7 @@ public:
             return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
         const auto def = session_.def.loadScenario(found->name);
         if (!def.ok()) return def.status();
-        return session_.begin(found->name, def.value(), std::nullopt);
+        return session_.begin(found->name, def.value(), nullptr);
     }
 
     Status operator()(const protocol::Record& message) {
@@ -267,7 +267,7 @@ void Session::receive(std::uint32_t client, std::span<const std::uint8_t> bytes)
     const Status status = impl_->handle(client, found->second, message.value());
     if (status.ok()) return;
     impl_->notice(found->second, protocol::NoticeLevel::Error, protocol::messageName(message.value()),
-                  status.message(), placeOf(message.value()));
+                  status.message(), positionOf(message.value()));
 }
 
 Status Session::Impl::handle(std::uint32_t id, SessionClient& client,

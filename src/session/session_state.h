@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/token_bucket.h"
+#include "io/take/replayer.h"
 #include "muster/session.h"
 #include "session/crowd_encoder.h"
 #include "session/frame_builder.h"
@@ -14,9 +16,7 @@
 #include "session/pacer.h"
 #include "session/places_encoder.h"
 #include "session/protocol.h"
-#include "session/replayer.h"
 #include "session/take_log.h"
-#include "session/token_bucket.h"
 #include "session/touch_clock.h"
 
 namespace muster {
@@ -61,7 +61,7 @@ struct Session::Impl {
     explicit Impl(SessionDef sessionDef) : def(std::move(sessionDef)) {}
 
     // Worlds (session.cpp).
-    Status begin(const std::string& worldName, const WorldDef& worldDef, std::optional<Take> take);
+    Status begin(const std::string& worldName, const WorldDef& worldDef, std::shared_ptr<const Take> take);
     void beginMotion();
     void warnOfClips(SessionClient& client);
     void observeMotion();
@@ -107,8 +107,9 @@ struct Session::Impl {
     // Why its people move by Muster's own clips, where they should by others.
     Status clipsRead;
     std::optional<World> world;
-    std::optional<Replayer> replay;
-    std::uint32_t demonstratedUntil = 0;  // The step after the demonstration's last touch; 0 for none.
+    std::shared_ptr<const Take> replayedTake;  // Null unless a take is replayed.
+    std::optional<Replayer> replay;            // Of that take.
+    std::uint32_t demonstratedUntil = 0;       // The step after the demonstration's last touch; 0 for none.
     TakeLog log;
     bool toldFull = false;
     std::size_t waitingCommands = 0;  // Submitted since the last step.

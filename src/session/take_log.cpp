@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "io/take/take_encoder.h"
+
 namespace muster {
 namespace {
 

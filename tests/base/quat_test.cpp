@@ -1,5 +1,6 @@
 // Rotations in space against a second way: matrices by Rodrigues' formula.
 #include "muster/quat.h"
+#include "base/maths.h"
 
 #include <doctest.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "muster/gestures.h"
+#include "muster/hash.h"
 #include "muster/scenario.h"
 #include "muster/world.h"
 

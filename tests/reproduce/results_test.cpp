@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/text_file.h"
 #include "muster/scenario.h"
 #include "reproduce/fake.h"
 

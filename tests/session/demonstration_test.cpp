@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "folders.h"
-#include "muster/gestures.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "session/fake_client.h"
@@ -47,7 +46,7 @@ World played(bool withGestures) {
 }
 
 void demonstrate(FakeClient& client) {
-    client.send(protocol::Transport{protocol::TransportAction::Demonstrate});
+    client.send(protocol::Playback{protocol::PlaybackAction::Demonstrate});
 }
 
 std::size_t fingersOf(const protocol::Frame& frame, std::uint32_t lowest, std::uint32_t highest) {
@@ -114,11 +113,11 @@ TEST_CASE("Pause holds a demonstration, restarting ends it, and so does its last
     Session session = startedBlock();
     FakeClient client(session);
     demonstrate(client);
-    client.send(protocol::Transport{protocol::TransportAction::Pause});
+    client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     run(session, 1.0, {&client});
     CHECK(session.world()->stepCount() == 0);
     CHECK(client.frames.back().demonstrating);
-    client.send(protocol::Transport{protocol::TransportAction::Restart});
+    client.send(protocol::Playback{protocol::PlaybackAction::Restart});
     CHECK_FALSE(session.demonstrating());
     run(session, 1.0, {&client});
     CHECK_FALSE(client.frames.back().demonstrating);
@@ -151,7 +150,7 @@ TEST_CASE("A scene tells whether there is something to watch; asking for nothing
     demonstrate(client);
     run(session, 0.0, {&client});
     client.poll();
-    CHECK(client.noticed("Transport").find("carries no touches") != std::string::npos);
+    CHECK(client.noticed("Playback").find("carries no touches") != std::string::npos);
     CHECK(session.world()->hash() == hash);
 
     demonstrate(client);
@@ -162,7 +161,7 @@ TEST_CASE("A scene tells whether there is something to watch; asking for nothing
     demonstrate(viewer);
     viewer.poll();
     CHECK(replay.replaying());
-    CHECK(viewer.noticed("Transport").find("replayed") != std::string::npos);
+    CHECK(viewer.noticed("Playback").find("replayed") != std::string::npos);
     CHECK(viewer.scenes.back().json.find("\"demonstration\":false") != std::string::npos);
 }
 
@@ -184,7 +183,7 @@ TEST_CASE("Gestures that cannot be watched are told, and the world goes on") {
         client.poll();
         CHECK(session.world()->stepCount() == steps);
         CHECK_FALSE(session.demonstrating());
-        CHECK(client.noticed("Transport").find(missing ? "cannot be opened" : "found the client 1001") !=
+        CHECK(client.noticed("Playback").find(missing ? "cannot be opened" : "found the client 1001") !=
               std::string::npos);
     }
 }

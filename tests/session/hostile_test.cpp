@@ -30,7 +30,7 @@ std::vector<std::vector<std::uint8_t>> everyMessage() {
             protocol::encode(protocol::SetFormation{1, "wedge"}),
             protocol::encode(protocol::SetCount{1, 12}),
             protocol::encode(protocol::SetParameter{"plan.exponent", 1.5}),
-            protocol::encode(protocol::Transport{protocol::TransportAction::SingleStep}),
+            protocol::encode(protocol::Playback{protocol::PlaybackAction::SingleStep}),
             protocol::encode(protocol::SetSpeed{2.0f}),
             protocol::encode(protocol::LoadScenario{"small"}),
             protocol::encode(protocol::Record{true}),
@@ -81,7 +81,7 @@ TEST_CASE("Unknown numbers, flags and enumerations are malformed") {
     Session session = startedSession();
     checkRefused(session, std::vector<std::uint8_t>{15}, "malformed");
     checkRefused(session, std::vector<std::uint8_t>{255}, "malformed");
-    auto transport = protocol::encode(protocol::Transport{protocol::TransportAction::Restart});
+    auto transport = protocol::encode(protocol::Playback{protocol::PlaybackAction::Restart});
     transport[1] = 5;
     checkRefused(session, transport, "malformed");
     auto record = protocol::encode(protocol::Record{true});
@@ -219,14 +219,14 @@ TEST_CASE("Commands that wait while paused are bounded") {
     def.limits.waitingCommands = 30;
     Session session = startedSession(def);
     FakeClient client(session);
-    client.send(protocol::Transport{protocol::TransportAction::Pause});
+    client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     for (std::uint32_t i = 0; i < 30; ++i) client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
     client.poll();
     CHECK(client.notices.empty());
     client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, 31);
     client.poll();
     CHECK(client.noticed("Touches").find("30 commands wait") != std::string::npos);
-    client.send(protocol::Transport{protocol::TransportAction::SingleStep});
+    client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
     run(session, 0.1, {&client});
     client.notices.clear();
     client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, 31);
@@ -245,10 +245,10 @@ TEST_CASE("Who goes while as many commands wait as may lifts the fingers all the
     run(session, 0.5, {&watcher, &client});
     REQUIRE(watcher.frames.back().groups[0].controls.size() == 1);
     REQUIRE(watcher.frames.back().groups[0].controls[0].points[0].down);
-    watcher.send(protocol::Transport{protocol::TransportAction::Pause});
+    watcher.send(protocol::Playback{protocol::PlaybackAction::Pause});
     for (std::uint32_t i = 0; i < 30; ++i) watcher.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
     session.disconnect(client.id);
-    watcher.send(protocol::Transport{protocol::TransportAction::Play});
+    watcher.send(protocol::Playback{protocol::PlaybackAction::Play});
     run(session, 5.0, {&watcher});
     CHECK(watcher.frames.back().groups[0].controls.empty());
 }

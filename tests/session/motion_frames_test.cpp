@@ -241,7 +241,7 @@ TEST_CASE("whole poses follow the crowd as it grows, shrinks and begins anew") {
         CHECK(frame.crowd.near.back() == count - 1);
         CHECK(frame.crowd.nearPoses.size() == count * kNumbersPerPose);
     }
-    client.send(protocol::Transport{protocol::TransportAction::Restart});
+    client.send(protocol::Playback{protocol::PlaybackAction::Restart});
     run(session, 0.3, {&client});
     CHECK(client.frames.back().crowd.near.size() == 16);
     CHECK(client.motions.size() == 1);
@@ -252,13 +252,13 @@ TEST_CASE("while paused nothing moves; one step moves on by a sixtieth") {
     FakeClient client(session);
     attend(client, 0.0f, 0.0f, 4);
     run(session, 0.5, {&client});
-    client.send(protocol::Transport{protocol::TransportAction::Pause});
+    client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     run(session, 0.2, {&client});
     const std::vector<double> before = client.page.phase;
     const std::vector<std::uint8_t> clips = client.page.clip;
     run(session, 0.5, {&client});
     CHECK(client.page.phase == before);
-    client.send(protocol::Transport{protocol::TransportAction::SingleStep});
+    client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
     run(session, 0.2, {&client});
     const std::vector<double>& after = client.page.phase;
     REQUIRE(after.size() == before.size());

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "muster/clip.h"
 #include "muster/quat.h"
-#include "muster/skeleton.h"
 #include "session/protocol.h"
 
 namespace muster::testing {

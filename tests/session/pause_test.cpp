@@ -23,11 +23,11 @@ TEST_CASE("Fingers set down seconds apart on a paused world make no line, togeth
         Session session = startedSession();
         FakeClient client(session);
         run(session, 0.2, {&client});
-        client.send(protocol::Transport{protocol::TransportAction::Pause});
+        client.send(protocol::Playback{protocol::PlaybackAction::Pause});
         client.touchAt(protocol::TouchPhase::Down, {1, 1}, 100.0, 1);
         run(session, later, {&client});
         client.touchAt(protocol::TouchPhase::Down, {-1, -1}, 100.0 + later, 2);
-        client.send(protocol::Transport{protocol::TransportAction::Play});
+        client.send(protocol::Playback{protocol::PlaybackAction::Play});
         run(session, 0.1, {&client});
         const auto controls = session.world()->group(0).controls;
         CAPTURE(later);

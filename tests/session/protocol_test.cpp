@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "base/token_bucket.h"
 #include "folders.h"
 #include "session/pacer.h"
 #include "session/protocol.h"
-#include "session/token_bucket.h"
 #include "session/touch_clock.h"
 
 using namespace muster;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "io/take/take_encoder.h"
 #include "muster/take.h"
 #include "session/fake_client.h"
 
@@ -42,7 +43,7 @@ void steer(Session& session, FakeClient& client) {
     client.touchAt(protocol::TouchPhase::Up, {3, 1}, 10.8);
     client.send(protocol::SetFormation{1, "circle"});
     run(session, 1.0, {&client});
-    client.send(protocol::Transport{protocol::TransportAction::Pause});
+    client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     client.touchAt(protocol::TouchPhase::Down, {3.0, 1.0}, 13.0, 2);
 }
 
@@ -90,7 +91,7 @@ TEST_CASE("An opened take replays in the session, ends, and starts again") {
     CHECK(viewer.noticed("Touches").find("replayed") != std::string::npos);
     CHECK(second.take().value() == bytes.value());
 
-    viewer.send(protocol::Transport{protocol::TransportAction::Play});
+    viewer.send(protocol::Playback{protocol::PlaybackAction::Play});
     CHECK(second.world()->stepCount() == 0);
     run(second, 10.0, {&viewer});
     CHECK(second.world()->hash() == first.world()->hash());
@@ -151,7 +152,7 @@ TEST_CASE("Recording keeps a whole take in a file, from the first step on") {
     CHECK(client.frames.back().recordedSeconds < 0.0f);
     client.send(protocol::Record{true});
     steer(session, client);
-    client.send(protocol::Transport{protocol::TransportAction::Play});
+    client.send(protocol::Playback{protocol::PlaybackAction::Play});
     run(session, 0.25, {&client});
     CHECK(client.frames.back().recordedSeconds == doctest::Approx(2.0).epsilon(0.02));
     // Killed now, the file replays up to its last mark.
@@ -194,7 +195,7 @@ TEST_CASE("Restart, load and the end of the session finish the file") {
         FakeClient client(session);
         client.send(protocol::Record{true});
         run(session, 0.5, {&client});
-        if (how == 0) client.send(protocol::Transport{protocol::TransportAction::Restart});
+        if (how == 0) client.send(protocol::Playback{protocol::PlaybackAction::Restart});
         if (how == 1) client.send(protocol::LoadScenario{"small"});
         if (how == 2) session.finish();
         CHECK(kept->finished);

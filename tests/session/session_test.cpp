@@ -148,23 +148,23 @@ TEST_CASE("A client that acknowledges nothing gets one frame, then the newest; i
 TEST_CASE("Nothing is sent twice while the world stands still") {
     Session session = startedSession();
     FakeClient client(session);
-    client.send(protocol::Transport{protocol::TransportAction::Pause});
+    client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     run(session, 1.0, {&client});
     CHECK(client.frames.size() == 1);
     CHECK_FALSE(client.frames[0].playing);
     CHECK(session.world()->stepCount() == 0);
 }
 
-TEST_CASE("Transport: pause, single step, speed, restart") {
+TEST_CASE("Playback: pause, single step, speed, restart") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.5, {&client});
     CHECK(session.world()->stepCount() == 30);
-    client.send(protocol::Transport{protocol::TransportAction::SingleStep});
+    client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
     run(session, 0.5, {&client});
     CHECK(session.world()->stepCount() == 31);
     client.send(protocol::SetSpeed{4.0f});
-    client.send(protocol::Transport{protocol::TransportAction::Play});
+    client.send(protocol::Playback{protocol::PlaybackAction::Play});
     run(session, 0.5, {&client});
     CHECK(session.world()->stepCount() == doctest::Approx(151).epsilon(0.02));
     CHECK(client.frames.back().speed == 4.0f);
@@ -173,7 +173,7 @@ TEST_CASE("Transport: pause, single step, speed, restart") {
     run(session, 1.0, {&client});
     CHECK(session.world()->stepCount() - before >= 5);
     CHECK(session.world()->stepCount() - before <= 7);
-    client.send(protocol::Transport{protocol::TransportAction::Restart});
+    client.send(protocol::Playback{protocol::PlaybackAction::Restart});
     CHECK(session.world()->stepCount() == 0);
     client.poll();
     CHECK(client.frames.back().step == 0);
@@ -182,11 +182,11 @@ TEST_CASE("Transport: pause, single step, speed, restart") {
 TEST_CASE("Touches of a paused world apply on the next step") {
     Session session = startedSession();
     FakeClient client(session);
-    client.send(protocol::Transport{protocol::TransportAction::Pause});
+    client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     client.touchAt(protocol::TouchPhase::Down, {0, 0}, 100.0);
     run(session, 0.5, {&client});
     CHECK(session.world()->group(0).controls.empty());
-    client.send(protocol::Transport{protocol::TransportAction::SingleStep});
+    client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
     run(session, 0.1, {&client});
     CHECK(session.world()->stepCount() == 1);
     CHECK(session.world()->group(0).controls.size() == 1);
@@ -371,7 +371,7 @@ TEST_CASE(
     late.poll();
     CHECK(late.noticed("scenario").find("0.30 m wide") != std::string::npos);
     client.notices.clear();
-    client.send(protocol::Transport{protocol::TransportAction::Restart});
+    client.send(protocol::Playback{protocol::PlaybackAction::Restart});
     client.send(protocol::LoadScenario{"small"});
     run(session, 0.1, {&client});
     CHECK(client.noticed("scenario") == "");

@@ -72,9 +72,9 @@ function lookAt([clip, metres, turn]) {
 }
 
 async function playTo(studio, time) {
-  await studio.send({ type: 'Transport', action: 0 });
+  await studio.send({ type: 'Playback', action: 0 });
   await studio.until(`second ${time}`, (t) => globalThis.__muster.frame.time >= t, time, 300000);
-  await studio.send({ type: 'Transport', action: 1 });
+  await studio.send({ type: 'Playback', action: 1 });
 }
 
 async function shoot(studio, { scenario, moments, turn }) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "muster/gestures.h"
 #include "muster/parameter_table.h"
 #include "muster/scenario.h"
 

@@ -1,8 +1,9 @@
 // The report's files.
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
+#include "base/text_file.h"
 #include "muster/scenario.h"
 #include "reproduce/report/film_strip.h"
 #include "reproduce/report/markup.h"
@@ -10,8 +11,6 @@
 
 namespace muster {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json orNull(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -37,18 +36,18 @@ std::string resultsJson(const Reproduction& reproduction) {
     Json all = Json::array();
     for (const ExperimentResult& experiment : reproduction.experiments) {
         for (const Verdict& v : experiment.verdicts) {
-            all.push_back({{"experiment", experiment.text.id},
-                           {"criterion", v.criterion},
-                           {"preset", v.preset},
-                           {"value", orNull(v.value)},
-                           {"threshold", orNull(v.threshold)},
-                           {"pass", v.pass},
-                           {"seeds", v.seeds},
-                           {"low", orNull(v.low)},
-                           {"high", orNull(v.high)}});
+            all.push({{"experiment", experiment.text.id},
+                      {"criterion", v.criterion},
+                      {"preset", v.preset},
+                      {"value", orNull(v.value)},
+                      {"threshold", orNull(v.threshold)},
+                      {"pass", v.pass},
+                      {"seeds", v.seeds},
+                      {"low", orNull(v.low)},
+                      {"high", orNull(v.high)}});
         }
     }
-    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return indentedJson(all, 2) + "\n";
 }
 
 Status writeReport(const Reproduction& reproduction, const std::string& folder) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "muster/pose.h"
+#include "muster/clip.h"
 #include "muster/vec3.h"
 
 namespace muster {

@@ -7,8 +7,6 @@ namespace muster {
 namespace {
 
 using bodies::GlbFile;
-using bodies::Json;
-using bodies::toFile;
 
 /// Attributes for a primitive.
 Json addVertices(const BodyMesh& mesh, GlbFile& file) {
@@ -24,12 +22,12 @@ Json addVertices(const BodyMesh& mesh, GlbFile& file) {
         regions.push_back(static_cast<float>(v.region));
     }
     Json attributes;
-    attributes["POSITION"] = file.addVectors(positions, GlbFile::kVertices, true);
-    attributes["NORMAL"] = file.addVectors(normals, GlbFile::kVertices);
-    attributes["JOINTS_0"] = file.addBytes(joints, GlbFile::kVertices);
-    attributes["WEIGHTS_0"] = file.addFloats(weights, 4, GlbFile::kVertices);
-    attributes["COLOR_0"] = file.addFloats(colours, 3, GlbFile::kVertices);
-    attributes["_REGION"] = file.addFloats(regions, 1, GlbFile::kVertices);
+    attributes["POSITION"] = file.addVectors(positions, GltfTarget::Vertices, true);
+    attributes["NORMAL"] = file.addVectors(normals, GltfTarget::Vertices);
+    attributes["JOINTS_0"] = file.addBytes(joints, GltfTarget::Vertices);
+    attributes["WEIGHTS_0"] = file.addFloats(weights, 4, GltfTarget::Vertices);
+    attributes["COLOR_0"] = file.addFloats(colours, 3, GltfTarget::Vertices);
+    attributes["_REGION"] = file.addFloats(regions, 1, GltfTarget::Vertices);
     return attributes;
 }
 
@@ -39,7 +37,7 @@ std::size_t addInverseBinds(GlbFile& file) {
     jointTransforms(restPose(), {}, rest);
     std::vector<float> numbers;
     for (const Transform& joint : rest) {
-        const Vec3 p = toFile(joint.translation);
+        const Vec3 p = gltfAxes(joint.translation);
         numbers.insert(numbers.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -p.x, -p.y, -p.z, 1});
     }
     return file.addMatrices(numbers);
@@ -49,12 +47,11 @@ std::size_t addInverseBinds(GlbFile& file) {
 void addJointNodes(std::size_t first, Json& nodes) {
     const auto& bones = skeleton();
     for (std::size_t j = 0; j < kJointCount; ++j) {
-        const Vec3 p = toFile(bones[j].offset);
-        Json node = {{"name", bones[j].name}, {"translation", {p.x, p.y, p.z}}};
+        const Vec3 p = gltfAxes(bones[j].offset);
+        Json node = {{"name", bones[j].name}, {"translation", Json::array({p.x, p.y, p.z})}};
         for (std::size_t child = j + 1; child < kJointCount; ++child)
-            if (bones[child].parent == static_cast<std::int32_t>(j))
-                node["children"].push_back(first + child);
-        nodes.push_back(std::move(node));
+            if (bones[child].parent == static_cast<std::int32_t>(j)) node["children"].push(first + child);
+        nodes.push(std::move(node));
     }
 }
 
@@ -71,20 +68,21 @@ std::string bodyGlb(BodyKind kind, BodyLevel level) {
     std::vector<std::size_t> joints(kJointCount);
     std::iota(joints.begin(), joints.end(), std::size_t{2});
     Json nodes = Json::array(
-        {{{"name", name}, {"mesh", 0}, {"skin", 0}}, {{"name", "Root"}, {"children", {2}}}});
+        {{{"name", name}, {"mesh", 0}, {"skin", 0}}, {{"name", "Root"}, {"children", Json::array({2})}}});
     addJointNodes(2, nodes);
 
     Json document;
     document["asset"] = {{"version", "2.0"}, {"generator", "Muster"}};
     document["scene"] = 0;
-    document["scenes"] = Json::array({{{"nodes", {0, 1}}}});
+    document["scenes"] = Json::array({{{"nodes", Json::array({0, 1})}}});
     document["nodes"] = std::move(nodes);
     document["meshes"] = Json::array({{{"name", name}, {"primitives", Json::array({std::move(primitive)})}}});
     document["materials"] = Json::array(
         {{{"name", "Body"}, {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.85}}}}});
-    document["skins"] = Json::array(
-        {{{"inverseBindMatrices", addInverseBinds(file)}, {"skeleton", 1}, {"joints", joints}}});
-    return file.bytes(std::move(document));
+    document["skins"] = Json::array({{{"inverseBindMatrices", addInverseBinds(file)},
+                                      {"skeleton", 1},
+                                      {"joints", Json::arrayOf(joints)}}});
+    return file.bytes(document);
 }
 
 }  // namespace muster

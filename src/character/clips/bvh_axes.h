@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster {
 

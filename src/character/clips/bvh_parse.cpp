@@ -7,7 +7,7 @@
 #include "base/text_file.h"
 #include "character/clips/bvh_axes.h"
 #include "character/clips/bvh_scanner.h"
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster {
 namespace {

@@ -3,7 +3,8 @@
 #include <cstdio>
 
 #include "base/maths.h"
-#include "muster/bvh.h"
+#include "character/clips/bvh_text.h"
+#include "muster/clip.h"
 
 namespace muster {
 namespace {

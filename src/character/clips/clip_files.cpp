@@ -2,17 +2,15 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "base/text_file.h"
 #include "character/clips/motion_facts.h"
 #include "character/clips/retarget.h"
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "muster-clips";
 constexpr std::size_t kMostClips = 1000;
@@ -31,7 +29,7 @@ Json contactJson(const Contact& contact) {
     return {{"limb", limbName(contact.limb)},
             {"begin_s", contact.begin},
             {"end_s", contact.end},
-            {"anchor_m", {contact.anchor.x, contact.anchor.y, contact.anchor.z}}};
+            {"anchor_m", Json::array({contact.anchor.x, contact.anchor.y, contact.anchor.z})}};
 }
 
 Json clipJson(const Clip& clip, double run) {
@@ -48,7 +46,7 @@ Json clipJson(const Clip& clip, double run) {
                  {"exit_phase", clip.exitPhase}};
     json["obstacle"] = {{"height_m", clip.obstacle.height}, {"thickness_m", clip.obstacle.thickness}};
     json["contacts"] = Json::array();
-    for (const Contact& contact : clip.contacts) json["contacts"].push_back(contactJson(contact));
+    for (const Contact& contact : clip.contacts) json["contacts"].push(contactJson(contact));
     return json;
 }
 
@@ -56,24 +54,24 @@ Json clipJson(const Clip& clip, double run) {
 class FieldsOf {
 public:
     explicit FieldsOf(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
-        if (!json.is_object()) fail("", "an object");
+        if (!json.isObject()) fail("", "an object");
     }
 
     double number(const char* key, double low, double high) {
         const Json* found = find(key);
-        const double value = found != nullptr && found->is_number() ? found->get<double>() : std::nan("");
+        const double value = found != nullptr && found->isNumber() ? found->number() : std::nan("");
         if (!(value >= low && value <= high)) fail(key, "a number in range");
         return value;
     }
     std::string text(const char* key) {
         const Json* found = find(key);
-        if (found != nullptr && found->is_string()) return found->get<std::string>();
+        if (found != nullptr && found->isText()) return found->text();
         fail(key, "text");
         return {};
     }
     bool flag(const char* key) {
         const Json* found = find(key);
-        if (found != nullptr && found->is_boolean()) return found->get<bool>();
+        if (found != nullptr && found->isBoolean()) return found->boolean();
         fail(key, "true or false");
         return false;
     }
@@ -81,7 +79,7 @@ public:
     const Json& list(const char* key, std::size_t most) {
         static const Json kNone = Json::array();
         const Json* found = find(key);
-        if (found != nullptr && found->is_array() && found->size() <= most) return *found;
+        if (found != nullptr && found->isArray() && found->size() <= most) return *found;
         fail(key, "a list");
         return kNone;
     }
@@ -103,11 +101,7 @@ public:
     const std::string& path() const { return path_; }
 
 private:
-    const Json* find(const char* key) const {
-        if (!json_.is_object()) return nullptr;
-        const auto found = json_.find(key);
-        return found == json_.end() ? nullptr : &*found;
-    }
+    const Json* find(const char* key) const { return json_.find(key); }
 
     const Json& json_;
     std::string path_;
@@ -127,8 +121,8 @@ Contact contactOf(const Json& json, FieldsOf& clip, std::size_t i) {
     const Json& anchor = fields.list("anchor_m", 3);
     float xyz[3] = {};
     for (std::size_t k = 0; k < 3; ++k) {
-        if (k < anchor.size() && anchor[k].is_number())
-            xyz[k] = anchor[k].get<float>();
+        if (k < anchor.size() && anchor[k].isNumber())
+            xyz[k] = static_cast<float>(anchor[k].number());
         else
             fields.fail("anchor_m", "three numbers");
     }
@@ -149,7 +143,7 @@ Result<Clip> clipOf(const Json& json, std::size_t i, const std::string& folder) 
                  thickness = obstacle.number("thickness_m", 0.0, 100.0);
     fields.fail(obstacle.status());
     std::vector<Contact> contacts;
-    for (const Json& contact : fields.list("contacts", 10000))
+    for (const Json& contact : fields.list("contacts", 10000).elements())
         contacts.push_back(contactOf(contact, fields, contacts.size()));
     if (!fields.status().ok()) return fields.status();
     const auto motion = readBvh(folder + "/" + file);
@@ -177,19 +171,18 @@ Status writeClips(const ClipLibrary& library, const std::string& folder) {
         if (!isFileName(clip.name))
             return invalidArgument("clip \"" + clip.name.substr(0, 40) + "\": its name is no file name");
         if (Status s = writeTextFile(folder + "/" + clip.name + ".bvh", bvhText(clip)); !s.ok()) return s;
-        json["clips"].push_back(clipJson(clip, json["run_mps"].get<double>()));
+        json["clips"].push(clipJson(clip, json["run_mps"].number()));
     }
-    return writeTextFile(folder + "/" + kClipList,
-                         json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    return writeTextFile(folder + "/" + kClipList, indentedJson(json, 1) + "\n");
 }
 
 Result<ClipLibrary> loadClips(const std::string& folder) {
     const std::string path = folder + "/" + kClipList;
     const auto text = readTextFile(path);
     if (!text.ok()) return text.status();
-    const Json json = Json::parse(*text, nullptr, false);
-    if (json.is_discarded()) return Status(StatusCode::ParseError, path + ": is not JSON");
-    FieldsOf fields(json, "$");
+    const auto json = parseJson(*text, path);
+    if (!json.ok()) return Status(StatusCode::ParseError, path + ": is not JSON");
+    FieldsOf fields(*json, "$");
     if (fields.text("format") != kFormat) fields.fail("format", std::string("\"") + kFormat + "\"");
     fields.number("version", 1.0, 1.0);
     const Json& list = fields.list("clips", kMostClips);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/maths.h"
 #include "character/clips/forward.h"
 #include "character/clips/hips_path.h"
 #include "character/clips/retarget.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/maths.h"
 #include "character/clips/retarget.h"
 
 namespace muster {

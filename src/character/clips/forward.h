@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "muster/bvh.h"
+#include "base/maths.h"
+#include "muster/clip.h"
 
 namespace muster {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster {
 

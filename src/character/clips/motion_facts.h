@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster {
 

@@ -1,4 +1,4 @@
-#include "muster/pose.h"
+#include "muster/clip.h"
 
 namespace muster {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "character/clips/joint_roles.h"
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/maths.h"
 #include "character/clips/forward.h"
 #include "character/clips/hips_path.h"
 #include "character/clips/rest_alignment.h"

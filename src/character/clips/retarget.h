@@ -5,7 +5,7 @@
 #include <string>
 
 #include "character/clips/joint_roles.h"
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster {
 

@@ -1,4 +1,4 @@
-#include "muster/skeleton.h"
+#include "muster/clip.h"
 
 namespace muster {
 

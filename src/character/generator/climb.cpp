@@ -2,14 +2,14 @@
 
 #include "character/generator/clip_maker.h"
 #include "character/generator/gait.h"
-#include "character/generator/keyed.h"
+#include "character/generator/key_poses.h"
 
 namespace muster::generator {
 namespace {
 
-constexpr int kFrames = 185;
-constexpr double kEnd = kFrames / kFrameRate;  // [s]
-constexpr double kLength = 0.39 * kEnd;        // [m]
+constexpr int kClimbFrames = 185;
+constexpr double kClimbEnd = kClimbFrames / kFrameRate;  // [s]
+constexpr double kLength = 0.39 * kClimbEnd;             // [m]
 constexpr ClipObstacle kWall{1.3f, 0.4f};
 constexpr double kTouchDown = 2.50;  // [s] of the right foot behind the wall.
 
@@ -20,11 +20,11 @@ constexpr double kLandingPitch = -24;  // Degrees: toes first.
 constexpr Vec3 kFaceFoot{0.275f, -0.16f,
                          0.49f};  // The right ankle while its sole presses the wall's face [m].
 
-const std::vector<HandHold> kLeftHand{{0.18, 0.22, {0.20f, 0.26f, 1.32f}, 0.18, 0.2, false},
-                                      {0.44, 1.72, {0.50f, 0.21f, 1.345f}, 0.25, 0.28}};
-const std::vector<HandHold> kRightHand{{0.14, 0.24, {0.20f, -0.26f, 1.32f}, 0.14, 0.2, false},
-                                       {0.48, 1.70, {0.50f, -0.21f, 1.345f}},
-                                       {1.92, 2.03, {0.755f, -0.28f, 1.345f}, 0.22, 0.35}};
+const std::vector<HandContact> kLeftHand{{0.18, 0.22, {0.20f, 0.26f, 1.32f}, 0.18, 0.2, false},
+                                         {0.44, 1.72, {0.50f, 0.21f, 1.345f}, 0.25, 0.28}};
+const std::vector<HandContact> kRightHand{{0.14, 0.24, {0.20f, -0.26f, 1.32f}, 0.14, 0.2, false},
+                                          {0.48, 1.70, {0.50f, -0.21f, 1.345f}},
+                                          {1.92, 2.03, {0.755f, -0.28f, 1.345f}, 0.22, 0.35}};
 
 /// The way of the travelling frame: below the hips.
 const Curve& way() {
@@ -39,7 +39,7 @@ const Curve& way() {
                                              {2.32, 0.92},
                                              {2.52, 1.02},
                                              {2.75, 1.03},
-                                             {kEnd, kLength}},
+                                             {kClimbEnd, kLength}},
                                             0.6, 0.9);
     return kWay;
 }
@@ -62,7 +62,7 @@ const BodyKeys& held() {
           {2.50, 0.93},
           {2.68, 0.71},
           {2.78, 0.72},
-          {kEnd, 0.92}}},
+          {kClimbEnd, 0.92}}},
         {PelvisPitch,
          {{0.0, 6},
           {0.38, 8},
@@ -76,7 +76,7 @@ const BodyKeys& held() {
           {2.35, 18},
           {2.52, 12},
           {2.70, 32},
-          {kEnd, 8}}},
+          {kClimbEnd, 8}}},
         {PelvisRoll, {{0.0, 0}, {1.30, 0}, {1.60, 16}, {1.90, -6}, {2.08, -14}, {2.35, 0}}},
         {PelvisYaw, {{0.0, 0}, {1.25, 0}, {1.60, -14}, {2.05, 20}, {2.40, 0}}},
         {ChestPitch,
@@ -92,7 +92,7 @@ const BodyKeys& held() {
           {2.35, 34},
           {2.52, 22},
           {2.70, 46},
-          {kEnd, 8}}},
+          {kClimbEnd, 8}}},
         {ChestRoll, {{0.0, 0}, {1.70, 0}, {2.00, -12}, {2.35, 0}}},
         {ChestYaw, {{0.0, 0}, {1.60, 0}, {2.00, -10}, {2.40, 0}}},
         {HeadPitch,
@@ -106,14 +106,14 @@ const BodyKeys& held() {
           {2.15, 48},
           {2.50, 24},
           {2.72, 18},
-          {kEnd, 3}}},
+          {kClimbEnd, 3}}},
         {HeadYaw, {{0.0, 0}}},
-        {LeftArmForward, {{0.0, 30}, {1.7, 20}, {2.1, 30}, {2.4, 40}, {2.7, 10}, {kEnd, 0}}},
-        {LeftArmOut, {{0.0, 20}, {1.7, 80}, {1.92, 92}, {2.15, 80}, {2.55, 38}, {kEnd, 14}}},
-        {LeftElbow, {{0.0, 80}, {1.7, 14}, {2.1, 20}, {2.4, 45}, {2.7, 50}, {kEnd, 90}}},
-        {RightArmForward, {{0.0, 30}, {1.7, 60}, {2.3, 30}, {2.7, 10}, {kEnd, 0}}},
-        {RightArmOut, {{0.0, 20}, {1.7, 50}, {2.1, 70}, {2.3, 60}, {2.55, 34}, {kEnd, 14}}},
-        {RightElbow, {{0.0, 80}, {2.3, 40}, {2.7, 55}, {kEnd, 90}}},
+        {LeftArmForward, {{0.0, 30}, {1.7, 20}, {2.1, 30}, {2.4, 40}, {2.7, 10}, {kClimbEnd, 0}}},
+        {LeftArmOut, {{0.0, 20}, {1.7, 80}, {1.92, 92}, {2.15, 80}, {2.55, 38}, {kClimbEnd, 14}}},
+        {LeftElbow, {{0.0, 80}, {1.7, 14}, {2.1, 20}, {2.4, 45}, {2.7, 50}, {kClimbEnd, 90}}},
+        {RightArmForward, {{0.0, 30}, {1.7, 60}, {2.3, 30}, {2.7, 10}, {kClimbEnd, 0}}},
+        {RightArmOut, {{0.0, 20}, {1.7, 50}, {2.1, 70}, {2.3, 60}, {2.55, 34}, {kClimbEnd, 14}}},
+        {RightElbow, {{0.0, 80}, {2.3, 40}, {2.7, 55}, {kClimbEnd, 90}}},
     });
     return kHeld;
 }
@@ -121,7 +121,7 @@ const BodyKeys& held() {
 /// The jog before and after, in the time of this clip.
 struct Jogs {
     GaitTrack before{jogGait(), 0.0};
-    GaitTrack after{jogGait(), kEnd - 0.70 * jogGait().cycle};
+    GaitTrack after{jogGait(), kClimbEnd - 0.70 * jogGait().cycle};
 };
 
 Course climbCourse() {
@@ -130,38 +130,38 @@ Course climbCourse() {
     course.travel = straight([](double time) { return way().at(time); });
     course.body = [jogs](double time) {
         const Body body = blend(jogs.before.body(time), held().at(time, {}), rise(0.0, 0.35, time));
-        return blend(body, jogs.after.body(time), rise(kEnd - 0.32, kEnd, time));
+        return blend(body, jogs.after.body(time), rise(kClimbEnd - 0.32, kClimbEnd, time));
     };
     return course;
 }
 
-FootPath leftPath(Leg from, Leg to) {
+FootCurve leftPath(Leg from, Leg to) {
     const Vec3 out{0.4f, 0.8f, 0.5f}, ahead{1.0f, 0.2f, 0.2f};
-    return FootPath({{kLeftUp, from.ankle, -48, ahead, from.toe / degrees(1)},
-                     {1.18, {0.05f, 0.15f, 0.50f}, -60, out},
-                     {1.36, {0.08f, 0.36f, 0.98f}, -30, out},
-                     {1.50, {0.24f, 0.45f, 1.42f}, -5, out},
-                     {1.66, {0.57f, 0.20f, 1.38f}, 0, out},
-                     {2.14, {0.57f, 0.20f, 1.38f}, 0, out},
-                     {2.26, {0.74f, 0.36f, 1.46f}, -25, out},
-                     {2.34, {0.89f, 0.38f, 1.36f}, -25, out},
-                     {2.46, {0.99f, 0.22f, 0.80f}, -25, ahead},
-                     {kLeftDown, to.ankle, kLandingPitch, ahead, kLandingPitch}});
+    return FootCurve({{kLeftUp, from.ankle, -48, ahead, from.toe / degrees(1)},
+                      {1.18, {0.05f, 0.15f, 0.50f}, -60, out},
+                      {1.36, {0.08f, 0.36f, 0.98f}, -30, out},
+                      {1.50, {0.24f, 0.45f, 1.42f}, -5, out},
+                      {1.66, {0.57f, 0.20f, 1.38f}, 0, out},
+                      {2.14, {0.57f, 0.20f, 1.38f}, 0, out},
+                      {2.26, {0.74f, 0.36f, 1.46f}, -25, out},
+                      {2.34, {0.89f, 0.38f, 1.36f}, -25, out},
+                      {2.46, {0.99f, 0.22f, 0.80f}, -25, ahead},
+                      {kLeftDown, to.ankle, kLandingPitch, ahead, kLandingPitch}});
 }
 
-FootPath rightPath(Leg from, Leg to) {
+FootCurve rightPath(Leg from, Leg to) {
     const Vec3 out{0.35f, -1.0f, 0.1f}, ahead{1.0f, -0.2f, 0.2f}, high{0.6f, -0.7f, 0.7f};
-    return FootPath({{kRightUp, from.ankle, -40, ahead, from.toe / degrees(1)},
-                     {0.86, {0.19f, -0.17f, 0.36f}, 42, out},
-                     {0.96, kFaceFoot, 70, out, -20},
-                     {1.24, kFaceFoot, 70, out, -20},
-                     {1.31, {0.15f, -0.16f, 0.57f}, 45, out},
-                     {1.48, {0.10f, -0.20f, 0.80f}, -40, out},
-                     {1.74, {0.04f, -0.24f, 1.22f}, -70, out},
-                     {1.92, {0.22f, -0.36f, 1.52f}, -40, high},
-                     {2.08, {0.62f, -0.38f, 1.56f}, -10, high},
-                     {2.24, {0.98f, -0.22f, 1.18f}, -5, ahead},
-                     {kTouchDown, to.ankle, kLandingPitch, ahead, kLandingPitch}});
+    return FootCurve({{kRightUp, from.ankle, -40, ahead, from.toe / degrees(1)},
+                      {0.86, {0.19f, -0.17f, 0.36f}, 42, out},
+                      {0.96, kFaceFoot, 70, out, -20},
+                      {1.24, kFaceFoot, 70, out, -20},
+                      {1.31, {0.15f, -0.16f, 0.57f}, 45, out},
+                      {1.48, {0.10f, -0.20f, 0.80f}, -40, out},
+                      {1.74, {0.04f, -0.24f, 1.22f}, -70, out},
+                      {1.92, {0.22f, -0.36f, 1.52f}, -40, high},
+                      {2.08, {0.62f, -0.38f, 1.56f}, -10, high},
+                      {2.24, {0.98f, -0.22f, 1.18f}, -5, ahead},
+                      {kTouchDown, to.ankle, kLandingPitch, ahead, kLandingPitch}});
 }
 
 /// Standing parts of both legs before and after the wall.
@@ -186,9 +186,9 @@ Stands standsOf(const Course& course) {
     right.yaw = -left.yaw;
     Step landed = jogs.after.step(1, 0, course), leaving = landed;
     landed.begin = kTouchDown;
-    landed.anchor.x = static_cast<float>(course.travel(kEnd).x +
+    landed.anchor.x = static_cast<float>(course.travel(kClimbEnd).x +
                                          jogs.after.step(1, 0, jogs.after.course()).anchor.x -
-                                         jogs.after.travel(kEnd).x);
+                                         jogs.after.travel(kClimbEnd).x);
     landed.strike = degrees(kLandingPitch);
     landed.flat = 0.12;
     leaving = landed;
@@ -202,7 +202,7 @@ Stands standsOf(const Course& course) {
     Step next = jogs.after.step(0, 1, course);
     next.begin = jogs.after.landing(0, 1);
     return {{LegTrack(0, {left}, course), LegTrack(1, {swung, right}, course, jogs.before.leg(1).join(0.0))},
-            {LegTrack(0, {leaving, next}, course, {}, jogs.after.leg(0).join(kEnd)),
+            {LegTrack(0, {leaving, next}, course, {}, jogs.after.leg(0).join(kClimbEnd)),
              LegTrack(1, {landed}, course)}};
 }
 
@@ -216,15 +216,16 @@ Clip climbClip() {
         leg.ankle = toGround(course.travel(time), leg.ankle);
         return leg;
     };
-    const FootPath left = leftPath(ground(stands.before[0], kLeftUp), ground(stands.after[0], kLeftDown));
-    const FootPath right = rightPath(ground(stands.before[1], kRightUp), ground(stands.after[1], kTouchDown));
+    const FootCurve left = leftPath(ground(stands.before[0], kLeftUp), ground(stands.after[0], kLeftDown));
+    const FootCurve right = rightPath(ground(stands.before[1], kRightUp),
+                                      ground(stands.after[1], kTouchDown));
     const double up[2] = {kLeftUp, kRightUp}, down[2] = {kLeftDown, kTouchDown};
-    ClipPlan plan;
+    ClipDef plan;
     plan.name = "climb";
     plan.motion = "climb";
-    plan.frames = kFrames;
+    plan.frames = kClimbFrames;
     plan.figure = [&](double time) {
-        const Place place = course.travel(time);
+        const Placement place = course.travel(time);
         Figure figure;
         figure.body = course.body(time);
         for (std::size_t side = 0; side < 2; ++side) {
@@ -238,8 +239,8 @@ Clip climbClip() {
     };
     plan.travel = course.travel;
     for (std::size_t side = 0; side < 2; ++side) {
-        addContacts(plan.contacts, side, stands.before[side].steps(), kEnd, false);
-        addContacts(plan.contacts, side, stands.after[side].steps(), kEnd, false);
+        addContacts(plan.contacts, side, stands.before[side].steps(), kClimbEnd, false);
+        addContacts(plan.contacts, side, stands.after[side].steps(), kClimbEnd, false);
         addContacts(plan.contacts, side, side == 0 ? kLeftHand : kRightHand);
     }
     plan.contacts.push_back({Limb::RightFoot, 0.96, 1.24, right.at(1.0).ankle});

@@ -4,7 +4,7 @@
 
 namespace muster::generator {
 
-Clip makeClip(ClipPlan plan) {
+Clip makeClip(ClipDef plan) {
     Clip clip;
     clip.name = std::move(plan.name);
     clip.motion = std::move(plan.motion);
@@ -17,7 +17,7 @@ Clip makeClip(ClipPlan plan) {
     const int poses = plan.frames + (plan.cyclic ? 0 : 1);
     for (int frame = 0; frame < poses; ++frame) clip.poses.push_back(poseOf(plan.figure(frame / kFrameRate)));
     for (int frame = 0; frame <= plan.frames; ++frame) {
-        const Place place = plan.travel(frame / kFrameRate);
+        const Placement place = plan.travel(frame / kFrameRate);
         clip.travel.push_back(
             {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.yaw)});
     }

@@ -9,23 +9,23 @@
 namespace muster::generator {
 
 /// The travelling frame on the ground [m, rad].
-struct Place {
+struct Placement {
     double x = 0.0;
     double y = 0.0;
     double yaw = 0.0;
 };
 
 /// From the travelling frame at `place` to the ground's frame, and back.
-Vec3 toGround(const Place& place, Vec3 point);
-Vec3 fromGround(const Place& place, Vec3 point);
+Vec3 toGround(const Placement& place, Vec3 point);
+Vec3 fromGround(const Placement& place, Vec3 point);
 
 /// Functions of time [s].
 struct Course {
-    std::function<Place(double)> travel;
+    std::function<Placement(double)> travel;
     std::function<Body(double)> body;  ///< In the travelling frame.
 };
 
 /// A straight way: `x` [m] by time.
-std::function<Place(double)> straight(std::function<double(double)> x);
+std::function<Placement(double)> straight(std::function<double(double)> x);
 
 }  // namespace muster::generator

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/maths.h"
+
 namespace muster::generator {
 namespace {
 
@@ -19,7 +21,7 @@ struct Stroke {
     double lift = 0.0;   // 0 to 1
 };
 
-Stroke strokeAt(double phase) {
+Stroke crawlStroke(double phase) {
     phase -= std::floor(phase);
     const double cycle = CrawlTrack::kCycle, half = 0.5 * CrawlTrack::kContact * cycle * CrawlTrack::kSpeed;
     if (phase < CrawlTrack::kContact) return {half - CrawlTrack::kSpeed * phase * cycle, 0.0};
@@ -30,21 +32,17 @@ Stroke strokeAt(double phase) {
     return {along.at(since), hump(0.0, length, since)};
 }
 
-double wave(double phase) {
-    return cosine(2.0 * kPi * (phase - std::floor(phase)));
-}
-
 Body crawlBody(double phase) {
     Body body;
     body[Channel::HipsX] = -0.26;
-    body[Channel::HipsY] = 0.022 * wave(phase - 0.3);
+    body[Channel::HipsY] = 0.022 * cycleWave(phase - 0.3);
     body[Channel::PelvisPitch] = degrees(86);
-    body[Channel::PelvisYaw] = -degrees(5) * wave(phase);
+    body[Channel::PelvisYaw] = -degrees(5) * cycleWave(phase);
     body[Channel::ChestPitch] = degrees(90);
-    body[Channel::ChestYaw] = degrees(6) * wave(phase);
-    body[Channel::ChestRoll] = -degrees(3) * wave(phase - 0.3);
+    body[Channel::ChestYaw] = degrees(6) * cycleWave(phase);
+    body[Channel::ChestRoll] = -degrees(3) * cycleWave(phase - 0.3);
     body[Channel::HeadPitch] = degrees(44);
-    body[Channel::HeadYaw] = degrees(2) * wave(phase);
+    body[Channel::HeadYaw] = degrees(2) * cycleWave(phase);
     // Near where the hands are led, for clips in which they come and go.
     for (std::size_t side = 0; side < 2; ++side) {
         body.arm(side, Channel::LeftArmForward) = degrees(68);
@@ -113,7 +111,7 @@ Figure CrawlTrack::figure(double time) const {
     Vec3 knees[2];
     Stroke stroke[2];
     for (std::size_t side = 0; side < 2; ++side) {
-        stroke[side] = strokeAt(phase - (side == 0 ? 0.0 : 0.5));
+        stroke[side] = crawlStroke(phase - (side == 0 ? 0.0 : 0.5));
         knees[side] = {static_cast<float>(kKneeX + stroke[side].along),
                        static_cast<float>(side == 0 ? kKneeY : -kKneeY),
                        static_cast<float>(kKneeHeight + 0.03 * stroke[side].lift)};
@@ -123,7 +121,7 @@ Figure CrawlTrack::figure(double time) const {
         knees[side].z += static_cast<float>(0.03 * stroke[side].lift);
         figure.legs[side] = kneelingLeg(figure.body, side, knees[side],
                                         -degrees(1) + degrees(3) * stroke[side].lift);
-        const Stroke hand = strokeAt(phase - kHandLate - (side == 0 ? 0.5 : 0.0));
+        const Stroke hand = crawlStroke(phase - kHandLate - (side == 0 ? 0.5 : 0.0));
         const float out = side == 0 ? 1.0f : -1.0f;
         Reach& reach = figure.reach[side];
         reach.weight = 1.0;
@@ -137,7 +135,7 @@ Figure CrawlTrack::figure(double time) const {
 
 Clip crawlClip() {
     const CrawlTrack track;
-    ClipPlan plan;
+    ClipDef plan;
     plan.name = "crawl";
     plan.motion = "crawl";
     plan.cyclic = true;

@@ -15,7 +15,7 @@ public:
 
     explicit CrawlTrack(double start = 0.0);
 
-    Place travel(double time) const { return {kSpeed * (time - start_), 0.0, 0.0}; }
+    Placement travel(double time) const { return {kSpeed * (time - start_), 0.0, 0.0}; }
     /// In the travelling frame.
     Figure figure(double time) const;
     /// Where a limb is planted in its stay that begins in the cycle, in the travelling frame of time `start`

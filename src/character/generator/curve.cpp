@@ -76,4 +76,8 @@ double hump(double begin, double end, double time) {
     return time < middle ? rise(begin, middle, time) : 1.0 - rise(middle, end, time);
 }
 
+double cycleWave(double phase) {
+    return cosine(2.0 * kPi * (phase - std::floor(phase)));
+}
+
 }  // namespace muster::generator

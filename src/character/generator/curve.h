@@ -43,6 +43,9 @@ double rise(double begin, double end, double time);
 /// 0 outside (begin, end), 1 in the middle, as smooth as rise().
 double hump(double begin, double end, double time);
 
+/// The cosine of a phase, which is a share of a cycle; 1 at whole cycles.
+double cycleWave(double phase);
+
 /// Degrees in radians.
 constexpr double degrees(double angle) {
     return angle * (3.14159265358979323846 / 180.0);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/maths.h"
+
 namespace muster::generator {
 namespace {
 

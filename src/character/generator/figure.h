@@ -4,7 +4,7 @@
 #include <array>
 
 #include "character/generator/body.h"
-#include "muster/pose.h"
+#include "muster/clip.h"
 
 namespace muster::generator {
 

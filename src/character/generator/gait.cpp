@@ -2,22 +2,13 @@
 
 #include <cmath>
 
+#include "base/maths.h"
 #include "character/generator/clip_maker.h"
 
 namespace muster::generator {
-namespace {
-
-constexpr double kGravity = 9.81;  // [m/s^2]
-
-double wave(double phase) {
-    return cosine(2.0 * kPi * (phase - std::floor(phase)));
-}
-
-}  // namespace
-
 GaitTrack::GaitTrack(const Gait& gait, double start) : gait_(gait), start_(start) {}
 
-Place GaitTrack::travel(double time) const {
+Placement GaitTrack::travel(double time) const {
     const double way = gait_.speed * (time - start_);
     if (gait_.bend == 0.0) return {way, 0.0, 0.0};
     const double yaw = way * gait_.bend;
@@ -26,7 +17,7 @@ Place GaitTrack::travel(double time) const {
 
 double GaitTrack::height(double phase) const {
     const double middle = 0.5 * gait_.contact;
-    if (!gait_.flies()) return gait_.height + 0.5 * gait_.bob * wave(2.0 * (phase - middle));
+    if (!gait_.flies()) return gait_.height + 0.5 * gait_.bob * cycleWave(2.0 * (phase - middle));
     // Half a cycle is a stay, from falling to rising, then free flight.
     const double half = 2.0 * phase, since = (half - std::floor(half)) * 0.5 * gait_.cycle;
     const double stay = gait_.contact * gait_.cycle, flight = 0.5 * gait_.cycle - stay;
@@ -39,15 +30,15 @@ double GaitTrack::height(double phase) const {
 
 void GaitTrack::addTrunk(double phase, Body& body) const {
     const double middle = 0.5 * gait_.contact;
-    body[Channel::HipsX] = gait_.forward - gait_.surge * wave(2.0 * (phase - middle) - 0.25);
-    body[Channel::HipsY] = gait_.sway * wave(phase - middle);
+    body[Channel::HipsX] = gait_.forward - gait_.surge * cycleWave(2.0 * (phase - middle) - 0.25);
+    body[Channel::HipsY] = gait_.sway * cycleWave(phase - middle);
     body[Channel::HipsZ] = height(phase);
     body[Channel::PelvisPitch] = gait_.pelvisPitch;
-    body[Channel::PelvisRoll] = gait_.pelvisRoll * wave(phase - 0.75 * middle);
-    body[Channel::PelvisYaw] = -gait_.pelvisYaw * wave(phase + 0.02);
-    body[Channel::ChestPitch] = gait_.lean + gait_.nod * wave(2.0 * (phase - 0.8 * middle));
-    body[Channel::ChestRoll] = -gait_.chestRoll * wave(phase - middle);
-    body[Channel::ChestYaw] = gait_.chestYaw * wave(phase - 0.02);
+    body[Channel::PelvisRoll] = gait_.pelvisRoll * cycleWave(phase - 0.75 * middle);
+    body[Channel::PelvisYaw] = -gait_.pelvisYaw * cycleWave(phase + 0.02);
+    body[Channel::ChestPitch] = gait_.lean + gait_.nod * cycleWave(2.0 * (phase - 0.8 * middle));
+    body[Channel::ChestRoll] = -gait_.chestRoll * cycleWave(phase - middle);
+    body[Channel::ChestYaw] = gait_.chestYaw * cycleWave(phase - 0.02);
     body[Channel::HeadPitch] = gait_.headPitch;
     body[Channel::HeadYaw] = 0.15 * body[Channel::ChestYaw];
 }
@@ -56,12 +47,12 @@ void GaitTrack::addArms(double phase, Body& body) const {
     for (std::size_t side = 0; side < 2; ++side) {
         // Each arm goes with the leg of the other side.
         const double half = side == 0 ? 0.0 : 0.5;
-        const double forward = -wave(phase + half - gait_.arm.late);
+        const double forward = -cycleWave(phase + half - gait_.arm.late);
         body.arm(side, Channel::LeftArmForward) = gait_.arm.middle + gait_.arm.swing * forward;
         body.arm(side, Channel::LeftArmOut) = gait_.armOut;
         body.arm(side, Channel::LeftArmTurn) = gait_.armTurn + gait_.armAcross * forward;
         body.arm(side, Channel::LeftElbow) = gait_.elbow.middle -
-                                             gait_.elbow.swing * wave(phase + half - gait_.elbow.late);
+                                             gait_.elbow.swing * cycleWave(phase + half - gait_.elbow.late);
         body.arm(side, Channel::LeftWrist) = gait_.wrist;
     }
 }
@@ -100,7 +91,7 @@ Step GaitTrack::step(std::size_t side, int cycle, const Course& course) const {
     Step step;
     step.begin = landing(side, cycle);
     step.end = step.begin + gait_.contact * gait_.cycle;
-    const Place middle = course.travel(0.5 * (step.begin + step.end));
+    const Placement middle = course.travel(0.5 * (step.begin + step.end));
     const double sign = side == 0 ? 1.0 : -1.0;
     const double bank = 0.8 * arcTangent2(gait_.speed * gait_.speed * gait_.bend, kGravity);
     step.anchor = toGround(middle,
@@ -130,7 +121,7 @@ LegTrack GaitTrack::leg(std::size_t side) const {
 Clip gaitClip(const std::string& name, const std::string& motion, const Gait& gait) {
     const GaitTrack track(gait);
     const LegTrack left = track.leg(0), right = track.leg(1);
-    ClipPlan plan;
+    ClipDef plan;
     plan.name = name;
     plan.motion = motion;
     plan.cyclic = true;

@@ -8,6 +8,8 @@
 
 namespace muster::generator {
 
+inline constexpr double kGravity = 9.81;  ///< [m/s^2]
+
 /// A swing about a middle, once a cycle.
 struct Wave {
     double middle = 0.0;  ///< [rad]
@@ -64,7 +66,7 @@ public:
 
     const Gait& gait() const { return gait_; }
     /// The travelling frame; at the ground's origin at `start`.
-    Place travel(double time) const;
+    Placement travel(double time) const;
     /// Trunk, head and arms.
     Body body(double time) const;
     /// Travel and body as functions.

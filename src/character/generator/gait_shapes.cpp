@@ -5,11 +5,6 @@
 namespace muster::generator {
 namespace {
 
-/// A share of the swing and an angle in degrees.
-Key key(double share, double angle) {
-    return {share, degrees(angle)};
-}
-
 double frames(int count) {
     return count / kFrameRate;
 }
@@ -28,9 +23,9 @@ Gait walkGait() {
     gait.flat = 0.09;
     gait.heelRise = 0.22;
     gait.push = degrees(58);
-    gait.swing = {{key(0.25, 11), key(0.5, 28), key(0.75, 31)},
-                  {key(0.28, 71), key(0.5, 64), key(0.75, 30)},
-                  {key(0.13, -15), key(0.30, 2), key(0.6, 11)}};
+    gait.swing = {{swingKey(0.25, 11), swingKey(0.5, 28), swingKey(0.75, 31)},
+                  {swingKey(0.28, 71), swingKey(0.5, 64), swingKey(0.75, 30)},
+                  {swingKey(0.13, -15), swingKey(0.30, 2), swingKey(0.6, 11)}};
     gait.height = 0.911;
     gait.bob = 0.028;
     gait.surge = 0.008;
@@ -64,9 +59,10 @@ Gait jogGait() {
     gait.flat = 0.05;
     gait.heelRise = 0.22;
     gait.push = degrees(48);
-    gait.swing = {{key(0.08, -10), key(0.26, 1), key(0.42, 21), key(0.56, 35), key(0.72, 32)},
-                  {key(0.26, 74), key(0.42, 98), key(0.52, 97), key(0.71, 56), key(0.86, 32)},
-                  {key(0.07, -12), key(0.16, -5), key(0.275, 6), key(0.5, 12), key(0.75, 17)}};
+    gait.swing = {
+        {swingKey(0.08, -10), swingKey(0.26, 1), swingKey(0.42, 21), swingKey(0.56, 35), swingKey(0.72, 32)},
+        {swingKey(0.26, 74), swingKey(0.42, 98), swingKey(0.52, 97), swingKey(0.71, 56), swingKey(0.86, 32)},
+        {swingKey(0.07, -12), swingKey(0.16, -5), swingKey(0.275, 6), swingKey(0.5, 12), swingKey(0.75, 17)}};
     gait.height = 0.915;
     gait.lift = 0.03;
     gait.surge = 0.008;
@@ -94,9 +90,11 @@ Gait runGait() {
     gait.footForward = -0.15;
     gait.push = degrees(54);
     gait.swing = {
-        {key(0.10, -15), key(0.275, 1), key(0.42, 24), key(0.565, 39), key(0.71, 36)},
-        {key(0.09, 40), key(0.275, 82), key(0.42, 107), key(0.52, 105), key(0.71, 60), key(0.86, 32)},
-        {key(0.06, -13), key(0.15, -6), key(0.275, 6), key(0.5, 13), key(0.75, 20)}};
+        {swingKey(0.10, -15), swingKey(0.275, 1), swingKey(0.42, 24), swingKey(0.565, 39),
+         swingKey(0.71, 36)},
+        {swingKey(0.09, 40), swingKey(0.275, 82), swingKey(0.42, 107), swingKey(0.52, 105),
+         swingKey(0.71, 60), swingKey(0.86, 32)},
+        {swingKey(0.06, -13), swingKey(0.15, -6), swingKey(0.275, 6), swingKey(0.5, 13), swingKey(0.75, 20)}};
     gait.height = 0.912;
     gait.lift = 0.026;
     gait.lean = degrees(9);
@@ -117,9 +115,12 @@ Gait sprintGait() {
     gait.footOut = 0.03;
     gait.strike = degrees(3);
     gait.push = degrees(66);
-    gait.swing = {{key(0.08, -20), key(0.275, 6), key(0.42, 36), key(0.565, 56), key(0.71, 50)},
-                  {key(0.275, 90), key(0.42, 120), key(0.52, 117), key(0.71, 72), key(0.86, 36)},
-                  {key(0.06, -13), key(0.15, -6), key(0.275, 6), key(0.5, 13), key(0.75, 18)}};
+    gait.swing = {
+        {swingKey(0.08, -20), swingKey(0.275, 6), swingKey(0.42, 36), swingKey(0.565, 56),
+         swingKey(0.71, 50)},
+        {swingKey(0.275, 90), swingKey(0.42, 120), swingKey(0.52, 117), swingKey(0.71, 72),
+         swingKey(0.86, 36)},
+        {swingKey(0.06, -13), swingKey(0.15, -6), swingKey(0.275, 6), swingKey(0.5, 13), swingKey(0.75, 18)}};
     gait.height = 0.893;
     gait.lift = 0.03;
     gait.lean = degrees(13);
@@ -143,7 +144,9 @@ Gait duckGait() {
     gait.flat = 0.08;
     gait.heelRise = 0.24;
     gait.push = degrees(50);
-    gait.swing = {{key(0.5, 62)}, {key(0.38, 106), key(0.7, 92)}, {key(0.35, 8), key(0.7, 12)}};
+    gait.swing = {{swingKey(0.5, 62)},
+                  {swingKey(0.38, 106), swingKey(0.7, 92)},
+                  {swingKey(0.35, 8), swingKey(0.7, 12)}};
     gait.height = 0.70;
     gait.bob = 0.016;
     gait.surge = 0.006;

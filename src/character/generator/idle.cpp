@@ -1,5 +1,6 @@
 #include "character/generator/idle.h"
 
+#include "base/maths.h"
 #include "character/generator/clip_maker.h"
 
 namespace muster::generator {
@@ -7,7 +8,7 @@ namespace {
 
 constexpr double kEver = 1000.0;  // [s]
 
-double wave(double cycles, double late) {
+double idleWave(double cycles, double late) {
     return cosine(2.0 * kPi * (cycles - late));
 }
 
@@ -15,7 +16,8 @@ double wave(double cycles, double late) {
 
 Body idleBody(double time, double start) {
     const double phase = (time - start) / kIdleCycle;
-    const double breath = wave(phase, 0.3), shift = wave(phase, 0.0), drift = wave(2.0 * phase, 0.15);
+    const double breath = idleWave(phase, 0.3), shift = idleWave(phase, 0.0),
+                 drift = idleWave(2.0 * phase, 0.15);
     Body body;
     body[Channel::HipsX] = 0.004 * drift;
     body[Channel::HipsY] = 0.022 * shift;
@@ -27,10 +29,10 @@ Body idleBody(double time, double start) {
     body[Channel::ChestRoll] = -degrees(1.2) * shift;
     body[Channel::ChestYaw] = -degrees(1.5) * shift;
     body[Channel::HeadPitch] = degrees(2) + degrees(0.8) * drift;
-    body[Channel::HeadYaw] = degrees(4) * wave(phase, 0.2);
+    body[Channel::HeadYaw] = degrees(4) * idleWave(phase, 0.2);
     for (std::size_t side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1.0 : -1.0;
-        body.arm(side, Channel::LeftArmForward) = degrees(2) + degrees(1.5) * sign * wave(phase, 0.1);
+        body.arm(side, Channel::LeftArmForward) = degrees(2) + degrees(1.5) * sign * idleWave(phase, 0.1);
         body.arm(side, Channel::LeftArmOut) = degrees(9) + degrees(0.8) * breath;
         body.arm(side, Channel::LeftArmTurn) = degrees(20);
         body.arm(side, Channel::LeftElbow) = degrees(20) + degrees(2) * sign * drift;
@@ -39,7 +41,7 @@ Body idleBody(double time, double start) {
     return body;
 }
 
-Step idleStep(std::size_t side, const Place& place) {
+Step idleStep(std::size_t side, const Placement& place) {
     const float sign = side == 0 ? 1.0f : -1.0f;
     Step step;
     step.begin = -kEver;
@@ -50,9 +52,9 @@ Step idleStep(std::size_t side, const Place& place) {
 }
 
 Clip idleClip() {
-    const Course course{[](double) { return Place{}; }, [](double time) { return idleBody(time); }};
+    const Course course{[](double) { return Placement{}; }, [](double time) { return idleBody(time); }};
     const LegTrack left(0, {idleStep(0, {})}, course), right(1, {idleStep(1, {})}, course);
-    ClipPlan plan;
+    ClipDef plan;
     plan.name = "idle";
     plan.motion = "run";
     plan.cyclic = true;

@@ -11,7 +11,7 @@ inline constexpr double kIdleCycle = 4.0;  ///< [s]
 /// Trunk, head and arms of one who stands, breathes and shifts weight; phase 0 at time `start`.
 Body idleBody(double time, double start = 0.0);
 /// A standing foot for all time, the character at `place`.
-Step idleStep(std::size_t side, const Place& place);
+Step idleStep(std::size_t side, const Placement& place);
 /// The clip "idle".
 Clip idleClip();
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/maths.h"
+
 namespace muster::generator {
 namespace {
 
-constexpr double kMoment = 5e-4;  // [s] for rates by differences.
+constexpr double kRateStep = 5e-4;  // [s] for rates by differences.
 
 double pitchOf(const Step& step, double time) {
     const double landing = time - step.begin, leaving = step.end - time;
@@ -118,7 +120,7 @@ const Step* LegTrack::standing(double time) const {
 }
 
 LegShape LegTrack::standingShape(const Step& step, double time) const {
-    const Place place = course_.travel(time);
+    const Placement place = course_.travel(time);
     const double pitch = pitchOf(step, time);
     const Vec3 ankle = fromGround(place, rolledAnkle(step.anchor, step.yaw, pitch)),
                hip = hipJoint(course_.body(time), side_);
@@ -136,7 +138,7 @@ LegShape LegTrack::standingShape(const Step& step, double time) const {
 }
 
 LegJoin LegTrack::edge(const Step& step, double time, bool landing) const {
-    const double inner = landing ? time + kMoment : time - kMoment;
+    const double inner = landing ? time + kRateStep : time - kRateStep;
     LegJoin join{time, standingShape(step, time), {}, 0.0};
     join.rate = scaled(difference(standingShape(step, inner), join.shape), 1.0 / (inner - time));
     join.rate.toe = landing ? 0.0 : join.rate.toe;
@@ -169,7 +171,7 @@ LegShape LegTrack::shapeAt(double time) const {
 
 LegJoin LegTrack::join(double time) const {
     LegJoin join{time, shapeAt(time), {}, clearAt(time)};
-    join.rate = scaled(difference(shapeAt(time + kMoment), shapeAt(time - kMoment)), 0.5 / kMoment);
+    join.rate = scaled(difference(shapeAt(time + kRateStep), shapeAt(time - kRateStep)), 0.5 / kRateStep);
     return join;
 }
 
@@ -198,7 +200,7 @@ double LegTrack::clearAt(double time) const {
 }
 
 Leg LegTrack::standingAt(const Step& step, double time) const {
-    const Place place = course_.travel(time);
+    const Placement place = course_.travel(time);
     Leg leg = standingLeg(step.anchor, step.yaw, pitchOf(step, time));
     leg.ankle = fromGround(place, leg.ankle);
     leg.foot = yawTurn(-place.yaw) * leg.foot;

@@ -16,7 +16,13 @@ struct Swing {
     std::vector<Key> ankle;  ///< Foot raised against the shin.
 };
 
-/// A foot's stay on the ground. It lands on the heel where `strike` > 0, lies flat, and leaves over the ball.
+/// A key of a swing: share of it, 0 to 1, and angle [degrees].
+inline Key swingKey(double share, double angle) {
+    return {share, degrees(angle)};
+}
+
+/// A foot's contact with the ground. It lands on the heel where `strike` > 0, lies flat, and leaves over the
+/// ball.
 struct Step {
     double begin = 0.0;   ///< [s]
     double end = 0.0;     ///< [s]

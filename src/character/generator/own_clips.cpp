@@ -5,9 +5,9 @@
 #include "character/generator/gait.h"
 #include "character/generator/idle.h"
 #include "character/generator/jump.h"
-#include "character/generator/low_passages.h"
-#include "character/generator/passages.h"
+#include "character/generator/low_transitions.h"
 #include "character/generator/swim.h"
+#include "character/generator/transitions.h"
 
 namespace muster {
 namespace {
@@ -32,11 +32,11 @@ ClipLibrary makeAll() {
     ClipLibrary library;
     library.clips.push_back(idleClip());
     addGaits(library.clips);
-    addPassages(library.clips);
+    addTransitions(library.clips);
     library.clips.push_back(crawlClip());
-    addCrawlPassages(library.clips);
+    addCrawlTransitions(library.clips);
     library.clips.push_back(swimClip());
-    addSwimPassages(library.clips);
+    addSwimTransitions(library.clips);
     addJumps(library.clips);
     library.clips.push_back(climbClip());
     return library;

@@ -2,12 +2,10 @@
 
 #include <cmath>
 
+#include "base/maths.h"
+
 namespace muster::generator {
 namespace {
-
-double wave(double phase) {
-    return cosine(2.0 * kPi * (phase - std::floor(phase)));
-}
 
 /// A wrist's place from its shoulder over one stroke: x forward, y out, z up [m].
 struct StrokeKey {
@@ -29,7 +27,7 @@ Curve around(float Vec3::*part) {
 }
 
 /// The wrist by phase since its hand entered the water.
-Vec3 strokeAt(double phase) {
+Vec3 swimStroke(double phase) {
     static const Curve x = around(&Vec3::x), y = around(&Vec3::y), z = around(&Vec3::z);
     phase -= std::floor(phase);
     return {static_cast<float>(x.at(phase)), static_cast<float>(y.at(phase)),
@@ -45,10 +43,10 @@ double recovery(double phase) {
 Body swimBody(double phase) {
     Body body;
     // The body rolls towards the arm that reaches; the head turns with it to breathe on the right.
-    const double roll = wave(phase - 0.14), breath = recovery(phase + 0.5);
+    const double roll = cycleWave(phase - 0.14), breath = recovery(phase + 0.5);
     body[Channel::HipsX] = -0.18;
-    body[Channel::HipsY] = 0.015 * wave(phase - 0.3);
-    body[Channel::HipsZ] = -0.255 + 0.012 * wave(2.0 * phase);
+    body[Channel::HipsY] = 0.015 * cycleWave(phase - 0.3);
+    body[Channel::HipsZ] = -0.255 + 0.012 * cycleWave(2.0 * phase);
     body[Channel::PelvisPitch] = degrees(88);
     body[Channel::PelvisRoll] = -degrees(16) * roll;
     body[Channel::PelvisYaw] = degrees(2) * roll;
@@ -63,14 +61,15 @@ Body swimBody(double phase) {
 
 Leg kickingLeg(const Body& body, std::size_t side, double phase) {
     const double beat = 3.0 * phase + (side == 0 ? 0.0 : 0.5);
-    const double thigh = degrees(8) + degrees(9) * wave(beat),
-                 knee = degrees(15) - degrees(11) * wave(beat - 0.18);
+    const double thigh = degrees(8) + degrees(9) * cycleWave(beat),
+                 knee = degrees(15) - degrees(11) * cycleWave(beat - 0.18);
     const double shin = thigh - knee;
     Leg leg;
     const Vec3 hip = hipJoint(body, side);
     leg.ankle = hip + Vec3{static_cast<float>(-kThigh * cosine(thigh) - kShin * cosine(shin)), 0.0f,
                            static_cast<float>(-kThigh * sine(thigh) - kShin * sine(shin))};
-    leg.foot = turned(degrees(180 - 22) - shin + degrees(8) * wave(beat - 0.3), 0.0, side == 0 ? -0.1 : 0.1);
+    leg.foot = turned(degrees(180 - 22) - shin + degrees(8) * cycleWave(beat - 0.3), 0.0,
+                      side == 0 ? -0.1 : 0.1);
     leg.knee = {-0.1f, 0.0f, -1.0f};
     return leg;
 }
@@ -92,7 +91,7 @@ Figure swimFigure(double time, double start) {
     for (std::size_t side = 0; side < 2; ++side) {
         const double own = phase + (side == 0 ? 0.0 : 0.5), over = recovery(own);
         const float out = side == 0 ? 1.0f : -1.0f;
-        Vec3 wrist = strokeAt(own);
+        Vec3 wrist = swimStroke(own);
         wrist.y *= out;
         Reach& reach = figure.reach[side];
         reach.wrist = shoulderOf(figure, side) + wrist;
@@ -105,13 +104,13 @@ Figure swimFigure(double time, double start) {
 }
 
 Clip swimClip() {
-    ClipPlan plan;
+    ClipDef plan;
     plan.name = "swim";
     plan.motion = "swim";
     plan.cyclic = true;
     plan.frames = static_cast<int>(kSwimCycle * kFrameRate + 0.5);
     plan.figure = [](double time) { return swimFigure(time); };
-    plan.travel = [](double time) { return Place{kSwimSpeed * time, 0.0, 0.0}; };
+    plan.travel = [](double time) { return Placement{kSwimSpeed * time, 0.0, 0.0}; };
     return makeClip(std::move(plan));
 }
 

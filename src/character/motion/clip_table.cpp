@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr float kStandingSpeed = 0.05f;  // A clip that is slower on average stands [m/s].
+constexpr float kStandingClip = 0.05f;  // A clip that is slower on average stands [m/s].
 
 bool endsWith(std::string_view name, std::string_view end) {
     return name.size() > end.size() && name.substr(name.size() - end.size()) == end;
@@ -56,9 +56,9 @@ std::array<Vec3, 2> stanceMiddles(const Clip& clip) {
     for (std::size_t f = 0; f < clip.poses.size(); ++f) {
         jointTransforms(clip.poses[f], {}, joints);
         for (std::size_t side = 0; side < 2; ++side) {
-            const Vec3 ankle = joints[index(limbJoint(kHeldLimbs[side]))].translation;
+            const Vec3 ankle = joints[index(limbJoint(kLockableLimbs[side]))].translation;
             all[side] += ankle * (1.0f / static_cast<float>(clip.poses.size()));
-            if (!clip.touches(kHeldLimbs[side], static_cast<double>(f) / clip.rate)) continue;
+            if (!clip.touches(kLockableLimbs[side], static_cast<double>(f) / clip.rate)) continue;
             sum[side] += ankle;
             ++count[side];
         }
@@ -79,17 +79,17 @@ ClipTable::ClipTable(const ClipLibrary& library) : library_(&library) {
         entry.duration = static_cast<float>(clip.duration());
         entry.speed = static_cast<float>(clip.speed());
         entry.length = static_cast<float>(clip.length());
-        entry.standing = entry.speed < kStandingSpeed;
+        entry.standing = entry.speed < kStandingClip;
         entry.enter = library.indexOf(clip.name + "-enter");
         entry.exit = library.indexOf(clip.name + "-exit");
         entry.localSpeed = localSpeeds(clip);
         entry.stance = stanceMiddles(clip);
         addContacts(entry);
-        entry.feetHold = !entry.contacts[0].empty() || !entry.contacts[1].empty();
-        entry.handsHold = !entry.contacts[2].empty() || !entry.contacts[3].empty();
+        entry.feetTouch = !entry.contacts[0].empty() || !entry.contacts[1].empty();
+        entry.handsTouch = !entry.contacts[2].empty() || !entry.contacts[3].empty();
         const bool onFeet = clip.motion != "crawl" && clip.motion != "swim" && clip.motion != "climb";
         entry.onFloor = clip.motion != "swim";
-        entry.strides = onFeet && entry.feetHold && !entry.handsHold && !entry.standing;
+        entry.strides = onFeet && entry.feetTouch && !entry.handsTouch && !entry.standing;
         const bool goes = entry.use == ClipUse::Locomotion && entry.cyclic && !entry.standing;
         if (goes && (slowest_ == 0.0f || entry.speed < slowest_)) slowest_ = entry.speed;
         entries_.push_back(std::move(entry));
@@ -103,9 +103,9 @@ ClipTable::ClipTable(const ClipLibrary& library) : library_(&library) {
 namespace {
 
 // Recorded feet slide a little while they stand: here the point that touches stays where it is.
-void plant(std::span<HeldFrame> frames) {
+void plant(std::span<ContactFrame> frames) {
     for (std::size_t k = 1; k < frames.size(); ++k) {
-        const HeldFrame& before = frames[k - 1];
+        const ContactFrame& before = frames[k - 1];
         // Over the ball a foot rolls about the joint of its toes, which stay flat.
         Vec3 point = touchingPoint(before.rotation);
         if (point.x > 0.0f) point = skeleton()[index(JointRole::LeftToeBase)].offset;
@@ -121,17 +121,17 @@ void ClipTable::addContacts(ClipEntry& entry) const {
     const Clip& clip = *entry.clip;
     JointTransforms joints;
     for (const Contact& contact : clip.contacts) {
-        const auto limb = std::find(kHeldLimbs.begin(), kHeldLimbs.end(), contact.limb);
-        if (limb == kHeldLimbs.end()) continue;
-        HeldContact held{
+        const auto limb = std::find(kLockableLimbs.begin(), kLockableLimbs.end(), contact.limb);
+        if (limb == kLockableLimbs.end()) continue;
+        ContactTrack track{
             static_cast<float>(contact.begin), static_cast<float>(contact.end), contact.anchor.z, 0, 0, 0};
-        held.firstFrame = static_cast<std::int32_t>(contact.begin * clip.rate);
-        held.frames = static_cast<std::uint32_t>(entry.frames.size());
-        held.count = static_cast<std::uint32_t>(static_cast<std::int32_t>(contact.end * clip.rate) + 2 -
-                                                held.firstFrame);
+        track.firstFrame = static_cast<std::int32_t>(contact.begin * clip.rate);
+        track.frames = static_cast<std::uint32_t>(entry.frames.size());
+        track.count = static_cast<std::uint32_t>(static_cast<std::int32_t>(contact.end * clip.rate) + 2 -
+                                                 track.firstFrame);
         const Travel start = clip.travelAt(contact.begin);
-        for (std::uint32_t k = 0; k < held.count; ++k) {
-            const std::int64_t frame = held.firstFrame + static_cast<std::int64_t>(k);
+        for (std::uint32_t k = 0; k < track.count; ++k) {
+            const std::int64_t frame = track.firstFrame + static_cast<std::int64_t>(k);
             const double time = static_cast<double>(frame) / clip.rate;
             const Travel travel = clip.travelAt(clip.cyclic ? time : std::min(time, clip.duration()));
             jointTransforms(clip.poses[wrapped(clip, frame)],
@@ -142,8 +142,8 @@ void ClipTable::addContacts(ClipEntry& entry) const {
                                     travel.yaw - start.yaw});
         }
         if (contact.limb == Limb::LeftFoot || contact.limb == Limb::RightFoot)
-            plant(std::span(entry.frames).subspan(held.frames, held.count));
-        entry.contacts[limb - kHeldLimbs.begin()].push_back(held);
+            plant(std::span(entry.frames).subspan(track.frames, track.count));
+        entry.contacts[limb - kLockableLimbs.begin()].push_back(track);
     }
 }
 
@@ -154,24 +154,24 @@ float ClipTable::speedAt(std::size_t clip, float time) const {
     return entry.localSpeed[std::min(frame, entry.localSpeed.size() - 1)];
 }
 
-const HeldContact* ClipTable::contactAt(std::size_t clip, std::size_t limb, float time) const {
+const ContactTrack* ClipTable::contactAt(std::size_t clip, std::size_t limb, float time) const {
     const ClipEntry& entry = entries_[clip];
-    for (const HeldContact& contact : entry.contacts[limb]) {
+    for (const ContactTrack& contact : entry.contacts[limb]) {
         if (time >= contact.begin && time < contact.end) return &contact;
         if (entry.cyclic && time + entry.duration < contact.end) return &contact;
     }
     return nullptr;
 }
 
-HeldFrame ClipTable::heldAt(std::size_t clip, const HeldContact& contact, float time) const {
+ContactFrame ClipTable::contactFrameAt(std::size_t clip, const ContactTrack& contact, float time) const {
     const ClipEntry& entry = entries_[clip];
     if (time < contact.begin && entry.cyclic) time += entry.duration;
     const float at = std::max(
         0.0f, time * static_cast<float>(entry.clip->rate) - static_cast<float>(contact.firstFrame));
     const auto frame = std::min(static_cast<std::uint32_t>(at), contact.count - 2);
     const float share = std::clamp(at - static_cast<float>(frame), 0.0f, 1.0f);
-    const HeldFrame& a = entry.frames[contact.frames + frame];
-    const HeldFrame& b = entry.frames[contact.frames + frame + 1];
+    const ContactFrame& a = entry.frames[contact.frames + frame];
+    const ContactFrame& b = entry.frames[contact.frames + frame + 1];
     return {lerp(a.roll, b.roll, share), nlerp(a.rotation, b.rotation, share),
             a.turn + (b.turn - a.turn) * share};
 }

@@ -1,4 +1,4 @@
-// What playing needs to know of the clips of a library, found once.
+// Facts of a library's clips that playing needs, computed once.
 #pragma once
 
 #include <array>
@@ -12,27 +12,27 @@ namespace muster {
 
 /// How a clip is played.
 enum class ClipUse : std::uint8_t {
-    Locomotion,  ///< Chosen frame by frame among all plain ways to go.
-    Cycle,       ///< Goes on while its ground lasts: duck, crawl, swim.
+    Locomotion,  ///< Chosen frame by frame by motion matching.
+    Cycle,       ///< Repeats while its patch lasts: duck, crawl, swim.
     Transition,  ///< Into or out of a cycle.
     Action,      ///< Once over its patch: jump, climb.
 };
 
-/// The limbs that are held in contacts at run time.
-inline constexpr std::array<Limb, 4> kHeldLimbs{Limb::LeftFoot, Limb::RightFoot, Limb::LeftHand,
-                                                Limb::RightHand};
-inline constexpr std::size_t kHeldLimbCount = kHeldLimbs.size();
+/// Limbs that are locked in contacts at run time.
+inline constexpr std::array<Limb, 4> kLockableLimbs{Limb::LeftFoot, Limb::RightFoot, Limb::LeftHand,
+                                                    Limb::RightHand};
+inline constexpr std::size_t kLockableLimbCount = kLockableLimbs.size();
 
-/// A limb's end in a contact, frame by frame: relative to where it is anchored, in the ground's frame as the
-/// character stood when the contact began.
-struct HeldFrame {
+/// A limb's end in one frame of a contact, relative to its anchor, in the character's axes when the contact
+/// began.
+struct ContactFrame {
     Vec3 roll;          ///< From the anchor to the joint [m].
     Quat rotation;      ///< Of the joint.
-    float turn = 0.0f;  ///< Of the character since the contact began [rad].
+    float turn = 0.0f;  ///< Yaw of the character since the contact began [rad].
 };
 
 /// A contact and its frames.
-struct HeldContact {
+struct ContactTrack {
     float begin = 0.0f;           ///< [s]
     float end = 0.0f;             ///< [s], in a cyclic clip maybe beyond the duration.
     float height = 0.0f;          ///< Of the anchor [m].
@@ -47,8 +47,8 @@ struct ClipEntry {
     ClipUse use = ClipUse::Locomotion;
     bool cyclic = true;
     bool standing = false;    ///< It goes nowhere.
-    bool handsHold = false;   ///< Hands touch something in it.
-    bool feetHold = false;    ///< Feet touch something in it.
+    bool handsTouch = false;  ///< A hand has a contact.
+    bool feetTouch = false;   ///< A foot has a contact.
     bool onFloor = false;     ///< No foot of it comes below the floor: it does not swim.
     bool strides = false;     ///< On feet alone: its steps may be longer or shorter.
     float duration = 0.0f;    ///< [s]
@@ -58,9 +58,10 @@ struct ClipEntry {
     std::int32_t exit = -1;   ///< Clip that leads out of it; -1 for none.
     std::array<Vec3, 2>
         stance;  ///< Middle of where each ankle is while it touches the ground, in the own frame [m].
-    std::vector<float> localSpeed;                                  ///< Of the travel, per frame [m/s].
-    std::array<std::vector<HeldContact>, kHeldLimbCount> contacts;  ///< By held limb, in order of `begin`.
-    std::vector<HeldFrame> frames;                                  ///< Of all contacts.
+    std::vector<float> localSpeed;  ///< Of the travel, per frame [m/s].
+    std::array<std::vector<ContactTrack>, kLockableLimbCount>
+        contacts;                      ///< By index of kLockableLimbs, in order of `begin`.
+    std::vector<ContactFrame> frames;  ///< Of all contacts.
 };
 
 /// The clips of a library, which must outlive this.
@@ -79,10 +80,10 @@ public:
 
     /// Speed of the travel at a time within one play [m/s].
     float speedAt(std::size_t clip, float time) const;
-    /// The contact of a held limb at a time within one play; null where none.
-    const HeldContact* contactAt(std::size_t clip, std::size_t limb, float time) const;
-    /// The limb's end in that contact.
-    HeldFrame heldAt(std::size_t clip, const HeldContact& contact, float time) const;
+    /// The contact of a limb (index of kLockableLimbs) at a time within one play; null where none.
+    const ContactTrack* contactAt(std::size_t clip, std::size_t limb, float time) const;
+    /// The limb's end at a time in that contact.
+    ContactFrame contactFrameAt(std::size_t clip, const ContactTrack& contact, float time) const;
 
 private:
     void addContacts(ClipEntry& entry) const;

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "character/clips/retarget.h"
-#include "muster/bvh.h"
+#include "muster/clip.h"
 #include "muster/own_clips.h"
 
 namespace muster {

@@ -1,8 +1,10 @@
-#include "muster/crowd_motion.h"
+#include "base/maths.h"
+#include "muster/motion.h"
 
 #include <algorithm>
 
 #include "character/motion/body.h"
+#include "character/motion/crowd_view.h"
 #include "character/motion/player.h"
 #include "crowd/characters.h"
 #include "environment/environment.h"
@@ -23,7 +25,7 @@ struct CrowdMotion::Impl {
     CrowdMotionDef def;
     ClipTable table;
     Player player;
-    std::vector<Playback> playbacks;
+    std::vector<MotionState> states;
     std::vector<std::uint32_t> wanted;   ///< Ids, ascending.
     bool named = false;                  ///< setNear() was called.
     std::vector<std::uint32_t> near;     ///< Indices, ascending.
@@ -71,10 +73,10 @@ void CrowdMotion::Impl::matchBodies() {
 void CrowdMotion::Impl::standStill(const Characters& characters) {
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 heading = characters.heading[i];
-        playbacks[i] = {};
-        playbacks[i].position = characters.position[i];
-        playbacks[i].yaw = static_cast<float>(arcTangent2(heading.y, heading.x));
-        playbacks[i].size = characterSize(characters.id[i]);
+        states[i] = {};
+        states[i].position = characters.position[i];
+        states[i].yaw = static_cast<float>(arcTangent2(heading.y, heading.x));
+        states[i].size = characterSize(characters.id[i]);
     }
     for (Body& body : bodies) body.pose = restPose();
 }
@@ -109,7 +111,7 @@ void CrowdMotion::update(const World& world) {
 void CrowdMotion::update(const CrowdView& crowd) {
     Impl& m = *impl_;
     const Characters& characters = *crowd.characters;
-    m.playbacks.resize(characters.size());
+    m.states.resize(characters.size());
     m.findNear(characters);
     m.matchBodies();
     if (m.table.size() == 0) return m.standStill(characters);
@@ -117,14 +119,14 @@ void CrowdMotion::update(const CrowdView& crowd) {
     const std::vector<Mover>& movers = m.player.movers();
     for (std::size_t i = 0; i < movers.size(); ++i) {
         const Mover& v = movers[i];
-        m.playbacks[i] = {v.clip, v.fromClip, v.time, v.fromTime, v.fade, v.position, v.yaw, v.size};
+        m.states[i] = {v.clip, v.fromClip, v.time, v.fromTime, v.fade, v.position, v.yaw, v.size};
     }
     const auto dt = static_cast<float>(crowd.stepTime);
-    const auto decay = static_cast<float>(exponential(static_cast<double>(-kInertiaRate * dt)));
+    const auto decay = static_cast<float>(exponential(static_cast<double>(-kInertialisationRate * dt)));
     for (std::size_t k = 0; k < m.bodies.size(); ++k) {
         const Mover& mover = movers[m.near[k]];
         if (mover.fresh) m.bodies[k].fresh = true;
-        holdBody(m.table, mover, dt, decay, m.bodies[k]);
+        solveBody(m.table, mover, dt, decay, m.bodies[k]);
     }
 }
 
@@ -134,8 +136,8 @@ void CrowdMotion::setNear(std::span<const std::uint32_t> ids) {
     impl_->named = true;
 }
 
-std::span<const Playback> CrowdMotion::playbacks() const {
-    return impl_->playbacks;
+std::span<const MotionState> CrowdMotion::states() const {
+    return impl_->states;
 }
 std::span<const std::uint32_t> CrowdMotion::near() const {
     return impl_->near;
@@ -144,9 +146,9 @@ const BodyPose& CrowdMotion::pose(std::size_t k) const {
     return impl_->bodies[k].pose;
 }
 
-bool CrowdMotion::held(std::size_t k, Limb limb) const {
-    for (std::size_t h = 0; h < kHeldLimbCount; ++h)
-        if (kHeldLimbs[h] == limb) return impl_->bodies[k].limbs[h].held;
+bool CrowdMotion::locked(std::size_t k, Limb limb) const {
+    for (std::size_t h = 0; h < kLockableLimbCount; ++h)
+        if (kLockableLimbs[h] == limb) return impl_->bodies[k].limbs[h].locked;
     return false;
 }
 
@@ -154,11 +156,11 @@ const ClipLibrary& CrowdMotion::library() const {
     return *impl_->library;
 }
 
-void worldJoints(const Playback& playback, const BodyPose& pose, JointTransforms& joints) {
-    const Quat turn = yawTurn(static_cast<double>(playback.yaw));
+void worldJoints(const MotionState& state, const BodyPose& pose, JointTransforms& joints) {
+    const Quat turn = yawTurn(static_cast<double>(state.yaw));
     jointTransforms(pose, {turn, {}}, joints);
-    const Vec3 at{static_cast<float>(playback.position.x), static_cast<float>(playback.position.y), 0.0f};
-    for (Transform& joint : joints) joint.translation = at + joint.translation * playback.size;
+    const Vec3 at{static_cast<float>(state.position.x), static_cast<float>(state.position.y), 0.0f};
+    for (Transform& joint : joints) joint.translation = at + joint.translation * state.size;
 }
 
 }  // namespace muster

@@ -1,14 +1,14 @@
 #include "character/motion/motion_report.h"
 
 #include <algorithm>
+#include "character/motion/crowd_view.h"
 
 namespace muster {
 namespace {
 
 constexpr float kLow = 0.02f;          // A sole lower than this is on the floor [m].
 constexpr float kFast = 0.5f;          // ... and should be slower than this [m/s].
-constexpr double kPutElsewhere = 0.5;  // Who moves farther in a step was put there [m].
-constexpr float kSole = 0.08f;         // Of the ankle above the sole [m].
+constexpr float kAnkleHeight = 0.08f;  // Of the ankle above the sole [m].
 
 // Where the sole is: heel, ball, tip of the toes.
 std::array<Vec3, 3> solePoints(const JointTransforms& joints, std::size_t side, float size) {
@@ -17,7 +17,7 @@ std::array<Vec3, 3> solePoints(const JointTransforms& joints, std::size_t side, 
     const auto at = [size](const Transform& joint, Vec3 p) {
         return joint.translation + rotate(joint.rotation, p) * size;
     };
-    return {at(foot, {-0.05f, 0.0f, -kSole}), at(foot, {0.13f, 0.0f, -kSole}),
+    return {at(foot, {-0.05f, 0.0f, -kAnkleHeight}), at(foot, {0.13f, 0.0f, -kAnkleHeight}),
             at(toes, {0.07f, 0.0f, -0.03f})};
 }
 
@@ -68,7 +68,7 @@ void MotionReport::observe(const World& world, const CrowdMotion& motion) {
         while (old < seen_.size() && seen_[old].id < id) ++old;
         Seen& seen = now_.emplace_back();
         if (old < seen_.size() && seen_[old].id == id) seen = seen_[old];
-        const Vec2 position = motion.playbacks()[motion.near()[k]].position;
+        const Vec2 position = motion.states()[motion.near()[k]].position;
         if (distance(position, seen.position) > kPutElsewhere) seen = {};
         seen.id = id;
         seen.position = position;
@@ -78,7 +78,7 @@ void MotionReport::observe(const World& world, const CrowdMotion& motion) {
 }
 
 void MotionReport::observeBody(const CrowdMotion& motion, std::size_t k, float dt, Seen& seen) {
-    const Playback& playback = motion.playbacks()[motion.near()[k]];
+    const MotionState& state = motion.states()[motion.near()[k]];
     const BodyPose& pose = motion.pose(k);
     JointTransforms joints;
     jointTransforms(pose, {}, joints);
@@ -95,55 +95,55 @@ void MotionReport::observeBody(const CrowdMotion& motion, std::size_t k, float d
         if (seen.steps >= 1) knees_.push_back(std::fabs(knee - seen.knees[side]) / dt);
         seen.knees[side] = knee;
     }
-    worldJoints(playback, pose, joints);
-    const Clip& clip = motion.library().clips[playback.clip];
+    worldJoints(state, pose, joints);
+    const Clip& clip = motion.library().clips[state.clip];
     if (clip.motion != "swim") {
-        depths_.push_back(depth(joints, playback.size));
+        depths_.push_back(depth(joints, state.size));
         observeFeet(joints, motion, k, dt, seen);
     } else {
-        seen.held = {};
+        seen.locked = {};
     }
     seen.onFloor = clip.motion != "swim";
-    observeClip(playback, motion.library(), dt, seen);
+    observeClip(state, motion.library(), dt, seen);
     ++figures_.bodySteps;
     seen.steps = std::min(2u, seen.steps + 1);
 }
 
 void MotionReport::observeFeet(const JointTransforms& joints, const CrowdMotion& motion, std::size_t k,
                                float dt, Seen& seen) {
-    const float size = motion.playbacks()[motion.near()[k]].size;
+    const float size = motion.states()[motion.near()[k]].size;
     for (std::size_t side = 0; side < 2; ++side) {
         const auto points = solePoints(joints, side, size);
-        const bool held = motion.held(k, side == 0 ? Limb::LeftFoot : Limb::RightFoot);
+        const bool locked = motion.locked(k, side == 0 ? Limb::LeftFoot : Limb::RightFoot);
         const auto lowest = static_cast<std::size_t>(
             std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.z < b.z; }) -
             points.begin());
         const float moved = flatLength(points[lowest] - seen.soles[side][lowest]);
         if (seen.onFloor && points[lowest].z < kLow && seen.soles[side][lowest].z < kLow)
             lowSpeeds_.push_back(moved / dt);
-        if (seen.onFloor && held && seen.held[side]) seen.slide[side] += static_cast<double>(moved);
-        if (seen.held[side] && !held) slides_.push_back(static_cast<float>(seen.slide[side]));
-        if (!held) seen.slide[side] = 0.0;
-        seen.held[side] = held;
+        if (seen.onFloor && locked && seen.locked[side]) seen.slide[side] += static_cast<double>(moved);
+        if (seen.locked[side] && !locked) slides_.push_back(static_cast<float>(seen.slide[side]));
+        if (!locked) seen.slide[side] = 0.0;
+        seen.locked[side] = locked;
         seen.soles[side] = points;
     }
 }
 
-void MotionReport::observeClip(const Playback& playback, const ClipLibrary& library, float dt, Seen& seen) {
-    const Clip& clip = library.clips[playback.clip];
-    float played = playback.time - seen.time;
+void MotionReport::observeClip(const MotionState& state, const ClipLibrary& library, float dt, Seen& seen) {
+    const Clip& clip = library.clips[state.clip];
+    float played = state.time - seen.time;
     if (clip.cyclic && played < -1e-4f) played += static_cast<float>(clip.duration());
     const double rate = static_cast<double>(played / dt);
-    const bool same = seen.steps >= 1 && seen.clip == playback.clip;
+    const bool same = seen.steps >= 1 && seen.clip == state.clip;
     const bool goesOn = same && rate > -1e-3 && rate < 3.0;
     if (seen.steps >= 1 && !goesOn) ++figures_.switches;
-    if (isAction(clip) && (!same || seen.time > playback.time + 0.05f)) ++figures_.actions;
+    if (isAction(clip) && (!same || seen.time > state.time + 0.05f)) ++figures_.actions;
     if (goesOn && isLocomotion(clip) && clip.cyclic && clip.speed() > 0.05) {
         figures_.rateLeast = figures_.rateMost == 0.0 ? rate : std::min(figures_.rateLeast, rate);
         figures_.rateMost = std::max(figures_.rateMost, rate);
     }
-    seen.clip = playback.clip;
-    seen.time = playback.time;
+    seen.clip = state.clip;
+    seen.time = state.time;
 }
 
 MotionFigures MotionReport::figures() const {

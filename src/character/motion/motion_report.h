@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 #include "muster/world.h"
 
 namespace muster {
@@ -53,7 +53,7 @@ private:
         float time = 0.0f;
         std::array<std::array<Vec3, kSolePoints>, 2> soles{};
         std::array<float, 2> knees{};
-        std::array<bool, 2> held{};
+        std::array<bool, 2> locked{};
         std::array<double, 2> slide{};
         std::array<Vec3, kJointCount> joints{};
         std::array<Vec3, kJointCount> before{};
@@ -62,7 +62,7 @@ private:
     void observeBody(const CrowdMotion& motion, std::size_t k, float dt, Seen& seen);
     void observeFeet(const JointTransforms& joints, const CrowdMotion& motion, std::size_t k, float dt,
                      Seen& seen);
-    void observeClip(const Playback& playback, const ClipLibrary& library, float dt, Seen& seen);
+    void observeClip(const MotionState& state, const ClipLibrary& library, float dt, Seen& seen);
 
     std::vector<Seen> seen_;
     std::vector<Seen> now_;

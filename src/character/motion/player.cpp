@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "base/maths.h"
+
 namespace muster {
 namespace {
 
-constexpr double kPutElsewhere = 0.5;   // Who moves farther in one step was put there [m].
 constexpr double kVelocityTime = 0.06;  // Over which velocities are smoothed [s].
 constexpr float kFadeTime = 0.2f;       // Of cross-fades [s].
 constexpr float kStrideTime = 0.05f;    // Over which lengths of steps are smoothed [s].
@@ -27,14 +28,14 @@ float wrappedTime(const ClipEntry& entry, float time) {
 }  // namespace
 
 Player::Player(const ClipTable& table) : table_(table), features_(table) {
-    for (std::size_t c = 0; c < table.size(); ++c) ways_.emplace_back(*table[c].clip);
+    for (std::size_t c = 0; c < table.size(); ++c) travelTimes_.emplace_back(*table[c].clip);
 }
 
 void Player::restart() {
     movers_.clear();
     motions_.clear();
     motionNames_.clear();
-    turn_ = 0;
+    searchSlot_ = 0;
 }
 
 void Player::learnMotions(const Environment& environment) {
@@ -102,7 +103,7 @@ void Player::update(const CrowdView& crowd) {
     for (Mover& mover : movers_) mover.fresh = false;
     matchMovers(characters);
     const double dt = crowd.stepTime;
-    ++turn_;
+    ++searchSlot_;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
         Mover& mover = movers_[i];
         follow(mover, characters, i, dt);
@@ -169,9 +170,9 @@ void Player::playCycle(Mover& mover, const Step& step, std::int32_t clip) const 
     }
     const float raw = entry.speed > 0.0f ? step.speed / (entry.speed * mover.size) : 1.0f;
     float wanted = std::min(raw, 1.5f);  // On hands and knees steps are not stretched.
-    if (!entry.feetHold)
+    if (!entry.feetTouch)
         wanted = std::clamp(raw * mover.cadence, 0.5f, 1.5f);  // Swimmers tread water.
-    else if (!entry.handsHold)
+    else if (!entry.handsTouch)
         wanted = std::clamp(raw * mover.cadence, 0.7f, 1.3f) * std::min(1.0f, step.speed / 0.15f);
     mover.rate += (wanted - mover.rate) * std::min(1.0f, static_cast<float>(step.dt) / 0.08f);
     advance(mover, step.dt);
@@ -208,8 +209,8 @@ void Player::setStride(Mover& mover, const Step& step) const {
     }
     const Vec2 go = way * static_cast<double>(stride);
     const float share = mover.fresh ? 1.0f : std::min(1.0f, static_cast<float>(step.dt) / kStrideTime);
-    mover.goX += (static_cast<float>(go.x) - mover.goX) * share;
-    mover.goY += (static_cast<float>(go.y) - mover.goY) * share;
+    mover.strideX += (static_cast<float>(go.x) - mover.strideX) * share;
+    mover.strideY += (static_cast<float>(go.y) - mover.strideY) * share;
 }
 
 }  // namespace muster

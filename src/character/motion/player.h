@@ -4,16 +4,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "character/motion/action_path.h"
 #include "character/motion/clip_table.h"
-#include "character/motion/feature_base.h"
+#include "character/motion/crowd_view.h"
+#include "character/motion/feature_database.h"
+#include "character/motion/patch_crossing.h"
 #include "crowd/characters.h"
 #include "environment/environment.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 
 namespace muster {
 
-/// One character's way of going.
+/// What one character plays.
 struct Mover {
     std::uint32_t id = 0;
     bool fresh = true;      ///< It has just appeared.
@@ -27,38 +28,38 @@ struct Mover {
     float time = 0.0f;      ///< [s]
     float fromTime = 0.0f;  ///< [s]
     float fade = 0.0f;
-    float rate = 1.0f;   ///< Clip seconds a second.
-    float goX = 1.0f;    ///< Steps relative to the clip's: ahead...
-    float goY = 0.0f;    ///< ... and to the left.
-    float yaw = 0.0f;    ///< Facing [rad].
-    Rotation facing;     ///< The same.
-    float shift = 0.0f;  ///< Turned from the simulated heading towards a crossing [rad].
-    ActionPath action;
+    float rate = 1.0f;     ///< Clip seconds a second.
+    float strideX = 1.0f;  ///< Steps relative to the clip's: share ahead.
+    float strideY = 0.0f;  ///< Steps relative to the clip's: share to the left.
+    float yaw = 0.0f;      ///< Facing [rad].
+    Rotation facing;       ///< The same.
+    float shift = 0.0f;    ///< Yaw from the simulated heading towards a crossing [rad].
+    PatchCrossing action;
     std::uint32_t donePatch = 0;  ///< Single-step patch done last, until the simulation forgets it.
 };
 
-/// What a character is bound for, as the simulation steers it.
-struct Bound {
-    Vec2 cruise;            ///< Velocity on the way there [m/s].
-    bool arriving = false;  ///< The place is near and aimed at itself.
-    Vec2 toPlace;           ///< From here [m].
+/// Where a character walks to, as the simulation steers it.
+struct WalkTarget {
+    Vec2 cruise;            ///< Velocity along the path [m/s].
+    bool arriving = false;  ///< The place is near, so it is steered to directly.
+    Vec2 toPlace;           ///< The place from here [m].
     Vec2 placeVelocity;     ///< [m/s]
     double topSpeed = 2.0;  ///< [m/s]
 };
 
-/// Where somebody who goes at `velocity` [m/s] and faces along `facing` will be, in its own frame, for a body
-/// of size 1.
-Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, float size);
+/// The predicted trajectory of a character with `velocity` [m/s] and direction `facing`, in its body axes,
+/// for a body of size 1.
+Trajectory predict(Vec2 velocity, const Rotation& facing, const WalkTarget& target, float size);
 
 /// Plays clips for all characters of a world.
 class Player {
 public:
-    /// By these clips, which must outlive this.
+    /// The table must outlive this.
     explicit Player(const ClipTable& table);
 
-    /// Everybody begins anew.
+    /// Forgets all characters.
     void restart();
-    /// After a step of the world.
+    /// Call after each step of the world.
     void update(const CrowdView& crowd);
     /// One per character.
     const std::vector<Mover>& movers() const { return movers_; }
@@ -68,7 +69,7 @@ private:
     struct Motion {
         ClipUse use = ClipUse::Locomotion;
         std::int32_t clip = -1;        ///< What it plays.
-        std::int32_t movingClip = -1;  ///< ... on a patch that moves.
+        std::int32_t movingClip = -1;  ///< What it plays on a patch that moves.
         double transition = 0.0;       ///< Duration of its transitions [s].
     };
     /// One step of one character.
@@ -85,7 +86,7 @@ private:
     void follow(Mover& mover, const Characters& characters, std::size_t i, double dt) const;
     void play(Mover& mover, const Step& step);
     bool playAction(Mover& mover, const Step& step);
-    static bool asksForAction(Mover& mover, const Step& step);
+    static bool needsAction(Mover& mover, const Step& step);
     bool airborne(std::size_t clip, float time) const;
     void startAction(Mover& mover, const Step& step) const;
     float leapRate(const Mover& mover, const Step& step, float middle) const;
@@ -93,8 +94,8 @@ private:
     void playTransition(Mover& mover, const Step& step, std::int32_t clip, double transition) const;
     void playCycle(Mover& mover, const Step& step, std::int32_t clip) const;
     void playLocomotion(Mover& mover, const Step& step) const;
-    Bound boundOf(const Step& step) const;
-    float costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int32_t row) const;
+    WalkTarget walkTarget(const Step& step) const;
+    float continuationCost(const Mover& mover, Trajectory trajectory, std::int32_t row) const;
     void searchLocomotion(Mover& mover, const Step& step, bool must) const;
     void advance(Mover& mover, double dt) const;
     void turnToCrossing(Mover& mover, const Step& step) const;
@@ -102,13 +103,13 @@ private:
     void setStride(Mover& mover, const Step& step) const;
 
     const ClipTable& table_;
-    FeatureBase features_;
-    std::vector<WayToTime> ways_;  ///< By clip; of cyclic ones unused.
+    FeatureDatabase features_;
+    std::vector<TravelTimes> travelTimes_;  ///< By clip; of cyclic ones unused.
     std::vector<Motion> motions_;
     std::vector<std::string> motionNames_;
     std::vector<Mover> movers_;
     std::vector<Mover> spare_;
-    std::uint32_t turn_ = 0;  ///< Whose turn it is to search.
+    std::uint32_t searchSlot_ = 0;  ///< Characters of this slot search in this step.
 };
 
 }  // namespace muster

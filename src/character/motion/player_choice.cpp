@@ -27,7 +27,7 @@ float unevenness(std::uint32_t id, std::size_t feature) {
 
 }  // namespace
 
-Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, float size) {
+Trajectory predict(Vec2 velocity, const Rotation& facing, const WalkTarget& target, float size) {
     constexpr int kSteps = 8;  // Per horizon.
     constexpr double dt = 1.0 / 24.0;
     Trajectory trajectory;
@@ -36,9 +36,9 @@ Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, fl
     for (std::size_t h = 0; h < kHorizons.size(); ++h) {
         for (int s = 0; s < kSteps; ++s) {
             // The place goes on as it goes.
-            const Vec2 left = bound.toPlace + bound.placeVelocity * time - moved;
-            const Vec2 arrive = clampLength(bound.placeVelocity + left * kPositionGain, bound.topSpeed);
-            const Vec2 wish = bound.arriving ? arrive : bound.cruise;
+            const Vec2 left = target.toPlace + target.placeVelocity * time - moved;
+            const Vec2 arrive = clampLength(target.placeVelocity + left * kPositionGain, target.topSpeed);
+            const Vec2 wish = target.arriving ? arrive : target.cruise;
             v += clampLength((wish - v) * (kVelocityGain * dt), kAcceleration * dt);
             moved += v * dt;
             time += dt;
@@ -55,30 +55,30 @@ Trajectory predict(Vec2 velocity, const Rotation& facing, const Bound& bound, fl
     return trajectory;
 }
 
-Bound Player::boundOf(const Step& step) const {
+WalkTarget Player::walkTarget(const Step& step) const {
     const Characters& characters = *step.crowd->characters;
     const std::size_t i = step.i;
-    Bound bound;
-    bound.topSpeed = step.crowd->maxSpeed *
-                     step.crowd->environment->ground(characters.position[i]).travelSpeed;
-    bound.cruise = characters.direction[i] * bound.topSpeed;
+    WalkTarget target;
+    target.topSpeed = step.crowd->maxSpeed *
+                      step.crowd->environment->ground(characters.position[i]).travelSpeed;
+    target.cruise = characters.direction[i] * target.topSpeed;
     const std::int32_t place = characters.place[i];
     const std::uint32_t group = characters.group[i];
     const auto places = step.crowd->places;
-    if (place < 0 || group >= places.size()) return bound;
+    if (place < 0 || group >= places.size()) return target;
     const auto p = static_cast<std::size_t>(place);
-    if (p >= places[group].positions.size()) return bound;
-    bound.toPlace = places[group].positions[p] - characters.position[i];
-    bound.placeVelocity = places[group].velocities[p];
-    bound.arriving = length(bound.toPlace) < step.crowd->directReach;
-    return bound;
+    if (p >= places[group].positions.size()) return target;
+    target.toPlace = places[group].positions[p] - characters.position[i];
+    target.placeVelocity = places[group].velocities[p];
+    target.arriving = length(target.toPlace) < step.crowd->directReach;
+    return target;
 }
 
 void Player::playLocomotion(Mover& mover, const Step& step) const {
     const ClipEntry& now = table_[mover.clip];
     const bool over = !now.cyclic && mover.time >= now.duration - 1.0e-4f;
     const bool must = now.use != ClipUse::Locomotion || over || mover.fresh;
-    if (must || (turn_ + mover.id) % kSearchPeriod == 0) searchLocomotion(mover, step, must);
+    if (must || (searchSlot_ + mover.id) % kSearchPeriod == 0) searchLocomotion(mover, step, must);
     const ClipEntry& entry = table_[mover.clip];
     float wanted = mover.cadence;
     if (!entry.standing && entry.speed > 0.0f) {
@@ -91,7 +91,7 @@ void Player::playLocomotion(Mover& mover, const Step& step) const {
 }
 
 // What plays now can be played faster or slower to suit: only what that does not mend speaks for a change.
-float Player::costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int32_t row) const {
+float Player::continuationCost(const Mover& mover, Trajectory trajectory, std::int32_t row) const {
     const ClipEntry& entry = table_[mover.clip];
     if (!entry.standing && entry.speed > 0.0f) {
         const auto speed = static_cast<float>(length(mover.velocity)) / mover.size;
@@ -105,7 +105,7 @@ float Player::costOfGoingOn(const Mover& mover, Trajectory trajectory, std::int3
 void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
     const ClipEntry& now = table_[mover.clip];
     if (!must && mover.fade > 0.0f) return;
-    Trajectory trajectory = predict(mover.velocity, mover.facing, boundOf(step), mover.size);
+    Trajectory trajectory = predict(mover.velocity, mover.facing, walkTarget(step), mover.size);
     const float reach = std::sqrt(trajectory[4] * trajectory[4] + trajectory[5] * trajectory[5]);
     const bool going = step.speed > kGoingSpeed || reach > kGoingReach;
     const bool staying = step.speed < kStandingSpeed && reach < 0.5f * kGoingReach;
@@ -124,7 +124,7 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
         for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f)
             sought[f] += 0.35f * unevenness(mover.id, f);
     const bool unfit = filter != ClipFilter::Any && now.standing != (filter == ClipFilter::Standing);
-    const float cost = must || unfit ? kInfinite : costOfGoingOn(mover, trajectory, row);
+    const float cost = must || unfit ? kInfinite : continuationCost(mover, trajectory, row);
     if (cost <= kClearlyBetter) return;
     Match match = features_.search(sought, filter, cost - kClearlyBetter);
     if (match.row < 0 && must) match = features_.search(sought, ClipFilter::Any, kInfinite);
@@ -144,8 +144,8 @@ void Player::startAction(Mover& mover, const Step& step) const {
     const bool moves = def != nullptr && !def->path.still();
     const std::int32_t clip = moves ? motion.movingClip : motion.clip;
     if (clip < 0) return;
-    mover.action = crossing(*step.crowd->environment, patch, mover.position, characters.heading[step.i],
-                            static_cast<double>(table_[clip].length));
+    mover.action = crossPatch(*step.crowd->environment, patch, mover.position, characters.heading[step.i],
+                              static_cast<double>(table_[clip].length));
     mover.action.clip = clip;
 }
 
@@ -166,11 +166,11 @@ float Player::leapRate(const Mover& mover, const Step& step, float middle) const
 }
 
 bool Player::playAction(Mover& mover, const Step& step) {
-    ActionPath& action = mover.action;
-    if (action.patch == 0 && asksForAction(mover, step)) startAction(mover, step);
+    PatchCrossing& action = mover.action;
+    if (action.patch == 0 && needsAction(mover, step)) startAction(mover, step);
     if (action.patch == 0) return false;
     const bool locked = step.crowd->characters->phase[step.i] == MotionPhase::Locked;
-    const double share = action.timed ? 0.0 : shareBehind(action, mover.position);
+    const double share = action.timed ? 0.0 : shareCrossed(action, mover.position);
     if (!locked && share < 0.15 && !action.timed) {  // Turned back before it had begun.
         endAction(mover);
         return false;
@@ -179,11 +179,11 @@ bool Player::playAction(Mover& mover, const Step& step) {
     const auto clip = static_cast<std::size_t>(action.clip);
     if (mover.clip != action.clip) show(mover, clip, 0.0f);
     if (action.timed) {
-        mover.rate = leapRate(mover, step, ways_[clip].time(0.5f));
+        mover.rate = leapRate(mover, step, travelTimes_[clip].time(0.5f));
     } else {
         // Nobody stops in the air, nor half-way once the patch is left.
         const float least = !locked ? 0.8f : airborne(clip, mover.time) ? 0.7f : 0.0f;
-        const float due = ways_[clip].time(static_cast<float>(share)) - mover.time;
+        const float due = travelTimes_[clip].time(static_cast<float>(share)) - mover.time;
         mover.rate = std::clamp(due / static_cast<float>(step.dt), least, 1.5f);
     }
     advance(mover, step.dt);
@@ -192,7 +192,7 @@ bool Player::playAction(Mover& mover, const Step& step) {
 }
 
 // In a single-step patch that was not done just now.
-bool Player::asksForAction(Mover& mover, const Step& step) {
+bool Player::needsAction(Mover& mover, const Step& step) {
     const Characters& characters = *step.crowd->characters;
     if (characters.lastSingle[step.i] == 0) mover.donePatch = 0;
     if (characters.phase[step.i] != MotionPhase::Locked) return false;
@@ -202,7 +202,7 @@ bool Player::asksForAction(Mover& mover, const Step& step) {
 }
 
 bool Player::airborne(std::size_t clip, float time) const {
-    for (std::size_t limb = 0; limb < kHeldLimbCount; ++limb)
+    for (std::size_t limb = 0; limb < kLockableLimbCount; ++limb)
         if (table_.contactAt(clip, limb, time) != nullptr) return false;
     return true;
 }

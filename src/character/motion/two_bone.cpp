@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/maths.h"
+
 namespace muster {
 
 float softReach(float distance, float reach) {
@@ -12,7 +14,7 @@ float softReach(float distance, float reach) {
     return soft + rest * (x / (1.0f + x));
 }
 
-TwoBoneTurn reach(const TwoBones& limb, Vec3 target, Vec3 pole) {
+TwoBoneRotation reach(const TwoBones& limb, Vec3 target, Vec3 pole) {
     const Vec3 toTarget = target - limb.root;
     const float far = length(toTarget);
     const Vec3 along = far > 1e-6f ? toTarget * (1.0f / far) : Vec3{0.0f, 0.0f, -1.0f};
@@ -34,7 +36,7 @@ TwoBoneTurn reach(const TwoBones& limb, Vec3 target, Vec3 pole) {
     const Vec3 upperNow = along * c + side * s;
     const Vec3 end = limb.root + along * d;
     const Vec3 middle = limb.root + upperNow * limb.upper;
-    TwoBoneTurn turn;
+    TwoBoneRotation turn;
     turn.upper = shortestArc((limb.middle - limb.root) * (1.0f / limb.upper), upperNow);
     const Vec3 carried = rotate(turn.upper, (limb.end - limb.middle) * (1.0f / limb.lower));
     turn.lower = shortestArc(carried, (end - middle) * (1.0f / limb.lower)) * turn.upper;

@@ -1,4 +1,4 @@
-// Two bones that reach for a target: legs and arms.
+// Two-bone inverse kinematics for legs and arms.
 #pragma once
 
 #include "muster/quat.h"
@@ -14,8 +14,8 @@ struct TwoBones {
     float lower = 0.0f;  ///< Length of the bone from middle to end [m] > 0.
 };
 
-/// What turns its bones so that the end comes to the target.
-struct TwoBoneTurn {
+/// Rotations that bring the end to the target.
+struct TwoBoneRotation {
     Quat upper;  ///< Put before the rotation of the upper bone.
     Quat lower;  ///< Put before the rotation of the lower bone.
     Vec3 end;    ///< Where the end comes to: the target, or as near to it as the limb reaches [m].
@@ -29,9 +29,9 @@ inline constexpr float kSoftReach = 0.99f;
 /// to kSoftReach of it, then ever less, never quite `reach`.
 float softReach(float distance, float reach);
 
-/// Turns both bones; `pole` is where the middle joint points (need be neither of unit length nor at right
-/// angles).
-TwoBoneTurn reach(const TwoBones& limb, Vec3 target, Vec3 pole);
+/// Solves for both bones; `pole` is where the middle joint points (need be neither of unit length nor at
+/// right angles).
+TwoBoneRotation reach(const TwoBones& limb, Vec3 target, Vec3 pole);
 
 /// Cosine of the angle between the bones at the middle joint, where root and end are `distance` apart [m].
 float middleCosine(const TwoBones& limb, float distance);

@@ -7,7 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "muster/bvh.h"
+#include "character/clips/bvh_text.h"
+#include "muster/clip.h"
 
 namespace muster {
 namespace {

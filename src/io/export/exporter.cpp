@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/maths.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 
 namespace muster {
 namespace {
@@ -66,10 +66,10 @@ private:
     }
 
     void fillPose(std::size_t i, ExportCharacter& out) {
-        const Playback& playback = motion_->playbacks()[i];
-        out.position = playback.position;
-        out.yaw = playback.yaw;
-        out.size = playback.size;
+        const MotionState& state = motion_->states()[i];
+        out.position = state.position;
+        out.yaw = state.yaw;
+        out.size = state.size;
         const auto near = motion_->near();
         const auto at = std::lower_bound(near.begin(), near.end(), static_cast<std::uint32_t>(i));
         if (at != near.end() && *at == i)

@@ -1,4 +1,5 @@
-// Takes as files of other programs: a take is replayed and its frames are handed on one by one.
+// The interface that all export formats implement: a take is replayed and its frames are handed on one by
+// one.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "muster/clip.h"
+#include "muster/export.h"
 #include "muster/take.h"
 #include "muster/world.h"
 
@@ -59,14 +61,6 @@ public:
     virtual Status frame(const ExportFrame& frame) = 0;
     /// Completes the file, so that it is in its place as a whole.
     virtual Status finish() = 0;
-};
-
-/// Which part of a take, how often.
-struct ExportDef {
-    double from = 0.0;         ///< [s] >= 0
-    double to = -1.0;          ///< [s] >= from, within the take; negative: its end.
-    double fps = 30.0;         ///< Frames a second, 1 to 240.
-    std::int32_t threads = 1;  ///< As for ThreadPool.
 };
 
 /// Replays `take`, the characters moved by the clips of `library`, and hands frames to `exporter`: positions

@@ -11,27 +11,51 @@
 
 namespace muster {
 
+namespace {
+
+constexpr std::array kFormats{
+    ExportFormat{"glb", ".glb", "one binary glTF file: bodies in motion on their ground, and a camera"},
+    ExportFormat{"usda", ".usda", "one USD text file with the same"},
+    ExportFormat{"bvh", "-bvh", "a folder with one BVH file per character"},
+    ExportFormat{"joints", "-joints.json", "where all joints are, as JSON"},
+    ExportFormat{"jupedsim", ".sqlite", "trajectories as JuPedSim's SQLite file"},
+    ExportFormat{"pedpy", ".txt", "trajectories as text for PedPy"},
+};
+
+/// Makes an exporter that writes to that path; in the order of kFormats.
+using MakeExporter = std::unique_ptr<Exporter> (*)(const std::string&);
+constexpr std::array<MakeExporter, kFormats.size()> kMakers{
+    makeGltfExporter,      makeUsdExporter,      makeBvhExporter,
+    makeJointListExporter, makeJupedsimExporter, makePedpyExporter,
+};
+
+}  // namespace
+
 std::span<const ExportFormat> exportFormats() {
-    static constexpr std::array kFormats{
-        ExportFormat{"glb", ".glb", "one binary glTF file: bodies in motion on their ground, and a camera",
-                     makeGltfExporter},
-        ExportFormat{"usda", ".usda", "one USD text file with the same", makeUsdExporter},
-        ExportFormat{"bvh", "-bvh", "a folder with one BVH file per character", makeBvhExporter},
-        ExportFormat{"joints", "-joints.json", "where all joints are, as JSON", makeJointListExporter},
-        ExportFormat{"jupedsim", ".sqlite", "trajectories as JuPedSim's SQLite file", makeJupedsimExporter},
-        ExportFormat{"pedpy", ".txt", "trajectories as text for PedPy", makePedpyExporter},
-    };
     return kFormats;
 }
 
-Result<std::unique_ptr<Exporter>> makeExporter(std::string_view format, const std::string& path) {
+Result<ExportFormat> exportFormat(std::string_view name) {
     std::string names;
-    for (const ExportFormat& known : exportFormats()) {
-        if (format == known.name) return known.make(path);
-        names += (names.empty() ? "" : ", ") + std::string(known.name);
+    for (const ExportFormat& format : kFormats) {
+        if (name == format.name) return format;
+        names += (names.empty() ? "" : ", ") + std::string(format.name);
     }
     return Status(StatusCode::NotFound,
-                  "format: found \"" + std::string(format.substr(0, 40)) + "\", expected one of " + names);
+                  "format: found \"" + std::string(name.substr(0, 40)) + "\", expected one of " + names);
+}
+
+Result<std::unique_ptr<Exporter>> makeExporter(std::string_view format, const std::string& path) {
+    for (std::size_t i = 0; i < kFormats.size(); ++i)
+        if (format == kFormats[i].name) return kMakers[i](path);
+    return exportFormat(format).status();
+}
+
+Status exportTake(const Take& take, const ClipLibrary& library, std::string_view format,
+                  const std::string& path, const ExportDef& def,
+                  const std::function<void(double)>& progress) {
+    const auto exporter = makeExporter(format, path);
+    return exporter.ok() ? exportTake(take, library, def, **exporter, progress) : exporter.status();
 }
 
 }  // namespace muster

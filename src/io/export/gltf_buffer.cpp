@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kBlock = 64;            // Frames that a track buffers.
+constexpr std::size_t kTrackFrames = 64;      // Frames that a track buffers.
 constexpr std::size_t kCopyBytes = 1u << 20;  // At a time.
 
 }  // namespace
@@ -33,7 +33,7 @@ Status GltfBuffer::open(const std::string& path) {
 
 std::uint64_t GltfBuffer::reserve(std::uint64_t bytes) {
     const std::uint64_t offset = size_;
-    size_ += (bytes + 3) / 4 * 4;
+    size_ += gltfPadded(bytes);
     return offset;
 }
 
@@ -69,7 +69,7 @@ GltfTrack::GltfTrack(GltfBuffer& buffer, std::size_t frames, std::span<const std
     : buffer_(&buffer), frames_(frames), starts_(1, 0) {
     for (const std::uint32_t width : widths) starts_.push_back(starts_.back() + width);
     begin_ = buffer.reserve(bytes());
-    records_.reserve(std::min(frames, kBlock) * starts_.back());
+    records_.reserve(std::min(frames, kTrackFrames) * starts_.back());
 }
 
 Status GltfTrack::fill(std::size_t frames, std::string_view record) {
@@ -84,7 +84,7 @@ Status GltfTrack::add(std::string_view record) {
     records_ += record;
     last_ = record;
     ++filled_;
-    return records_.size() < kBlock * starts_.back() ? Status() : flush();
+    return records_.size() < kTrackFrames * starts_.back() ? Status() : flush();
 }
 
 Status GltfTrack::flush() {

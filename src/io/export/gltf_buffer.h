@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/export/output_file.h"
+#include "base/gltf.h"
+#include "base/output_file.h"
 #include "muster/status.h"
 
 namespace muster {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace muster {
 namespace {
@@ -18,10 +17,6 @@ std::string listOf(std::span<const T> values, const Write& write) {
 }
 
 }  // namespace
-
-std::string jsonText(std::string_view text) {
-    return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 std::string jsonNumber(double value) {
     char text[40];
@@ -62,20 +57,11 @@ std::string GltfList::member(const char* name) const {
 }
 
 std::uint32_t GltfDocument::addView(std::uint64_t offset, std::uint64_t bytes, GltfTarget target) {
-    std::string text = "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
-                       ",\"byteLength\":" + std::to_string(bytes);
-    if (target != GltfTarget::None) text += ",\"target\":" + std::to_string(static_cast<int>(target));
-    return views.add(text + "}");
+    return views.add(gltfView(offset, bytes, target));
 }
 
 std::uint32_t GltfDocument::addAccessor(std::uint32_t view, std::uint64_t offset, const GltfValues& values) {
-    std::string text = "{\"bufferView\":" + std::to_string(view);
-    if (offset > 0) text += ",\"byteOffset\":" + std::to_string(offset);
-    text += ",\"componentType\":" + std::to_string(static_cast<int>(values.number));
-    if (values.normalized) text += ",\"normalized\":true";
-    text += ",\"count\":" + std::to_string(values.count) + ",\"type\":\"" + values.type + "\"";
-    if (!values.least.empty()) text += ",\"min\":" + values.least + ",\"max\":" + values.most;
-    return accessors.add(text + "}");
+    return accessors.add(gltfAccessor(view, offset, values));
 }
 
 std::uint32_t GltfDocument::addMaterial(std::string_view name, Vec3 colour, double alpha, double roughness) {

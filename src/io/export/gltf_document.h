@@ -6,21 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "muster/quat.h"
-#include "muster/vec3.h"
+#include "base/gltf.h"
+#include "base/json.h"
 
 namespace muster {
 
-/// Our axes (x forward, y left, z up) in those of glTF (Y up, facing +Z).
-constexpr Vec3 gltfAxes(Vec3 v) {
-    return {v.y, v.z, v.x};
-}
-constexpr Quat gltfAxes(Quat q) {
-    return {q.y, q.z, q.x, q.w};
-}  ///< The same for a turn.
-
-/// Text in quotes; what is no UTF-8 is replaced.
-std::string jsonText(std::string_view text);
 std::string jsonNumber(double value);                            ///< With nine digits.
 std::string jsonNumbers(std::span<const float> values);          ///< "[1,2,3]".
 std::string jsonNumbers(std::span<const std::uint32_t> values);  ///< The same.
@@ -39,27 +29,6 @@ public:
 private:
     std::string text_;
     std::uint32_t count_ = 0;
-};
-
-/// Kinds of numbers in accessors.
-enum class GltfNumber : std::uint16_t {
-    UnsignedByte = 5121,
-    Short = 5122,
-    UnsignedShort = 5123,
-    UnsignedInt = 5125,
-    Float = 5126
-};
-
-/// What views are for.
-enum class GltfTarget : std::uint16_t { None = 0, Vertices = 34962, Indices = 34963 };
-
-/// How values are laid out.
-struct GltfValues {
-    GltfNumber number = GltfNumber::Float;
-    const char* type = "SCALAR";  ///< "SCALAR", "VEC3", "VEC4", "MAT4".
-    std::uint64_t count = 0;
-    bool normalized = false;            ///< Whole numbers that stand for -1 to 1.
-    std::string least = {}, most = {};  ///< Bounds as JSON, where glTF wants them.
 };
 
 /// All lists of a glTF file with one scene, one buffer and one animation.

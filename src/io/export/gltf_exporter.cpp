@@ -12,11 +12,6 @@ namespace muster {
 namespace {
 
 constexpr std::uint64_t kMostBytes = 0xFFFFFFFFull - (64u << 20);  // Of the buffer; the text needs room too.
-constexpr double kTall = 1.8;                                      // Of what the camera sees of a person [m].
-
-void putWord(std::string& bytes, std::uint64_t word) {
-    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>((word >> shift) & 255u);
-}
 
 /// The rotation whose matrix has these columns; they are at right angles and right-handed.
 Quat rotationOf(Vec3 x, Vec3 y, Vec3 z) {
@@ -59,7 +54,7 @@ public:
         for (const ExportCharacter& c : frame.characters) {
             const Vec3 feet{static_cast<float>(c.position.x), static_cast<float>(c.position.y), 0.0f};
             fit_.add(feet);
-            fit_.add(feet + Vec3{0.0f, 0.0f, static_cast<float>(kTall)});
+            fit_.add(feet + Vec3{0.0f, 0.0f, static_cast<float>(kSeenHeight)});
             anyone_ = true;
         }
         return moveThings(frame.time);
@@ -164,21 +159,10 @@ private:
     }
 
     Status assemble() {
-        std::string text = document_.text(info_.name, buffer_.size());
-        text.resize((text.size() + 3) / 4 * 4, ' ');
-        const std::uint64_t total = 12 + 8 + text.size() + 8 + buffer_.size();
-        if (total > 0xFFFFFFFFull)
+        const std::string text = document_.text(info_.name, buffer_.size());
+        if (glbSize(text.size(), buffer_.size()) > 0xFFFFFFFFull)
             return {StatusCode::LimitExceeded, path_ + ": would be more than 4 GiB large"};
-        std::string head;
-        for (const std::uint64_t word : {std::uint64_t{0x46546C67}, std::uint64_t{2}, total,
-                                         std::uint64_t{text.size()}, std::uint64_t{0x4E4F534A}})
-            putWord(head, word);
-        if (Status s = file_.write(head); !s.ok()) return s;
-        if (Status s = file_.write(text); !s.ok()) return s;
-        head.clear();
-        putWord(head, buffer_.size());
-        putWord(head, 0x004E4942);
-        if (Status s = file_.write(head); !s.ok()) return s;
+        if (Status s = file_.write(glbStart(text, buffer_.size())); !s.ok()) return s;
         if (Status s = buffer_.copyTo(file_); !s.ok()) return s;
         return file_.commit();
     }

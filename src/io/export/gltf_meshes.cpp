@@ -1,21 +1,8 @@
 #include "io/export/gltf_meshes.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace muster {
-namespace {
-
-static_assert(std::endian::native == std::endian::little,
-              "glTF files hold numbers with the lowest byte first");
-
-template <class T>
-std::string_view bytesOf(const std::vector<T>& values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
-}  // namespace
-
 std::uint32_t GltfMeshes::material(const NamedColour& colour) {
     const auto found = materials_.find(colour.name);
     if (found != materials_.end()) return found->second;

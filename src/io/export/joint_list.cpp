@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
+#include "base/output_file.h"
 #include "io/export/gltf_document.h"
-#include "io/export/output_file.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 
 namespace muster {
 namespace {
@@ -41,7 +41,7 @@ public:
 
 private:
     void put(const ExportCharacter& character) {
-        Playback place;
+        MotionState place;
         place.position = character.position;
         place.yaw = character.yaw;
         place.size = character.size;

@@ -8,8 +8,9 @@
 
 #include "base/hash.h"
 #include "base/maths.h"
+#include "base/output_file.h"
 #include "environment/environment.h"
-#include "io/export/output_file.h"
+#include "muster/hash.h"
 #include "world/inspect.h"
 #endif
 

@@ -7,6 +7,8 @@
 
 namespace muster {
 
+inline constexpr double kSeenHeight = 1.8;  ///< Height of a character that the camera has in view [m].
+
 /// A camera that stands still; it looks along `forward`.
 struct SceneCamera {
     Vec3 eye;    ///< [m]

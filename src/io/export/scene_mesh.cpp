@@ -7,18 +7,6 @@
 #include "geometry/convex_decomposition.h"
 
 namespace muster {
-namespace {
-
-float f(double value) {
-    return static_cast<float>(value);
-}
-
-Vec3 at(Vec2 p, double z) {
-    return {f(p.x), f(p.y), f(z)};
-}
-
-}  // namespace
-
 const FinishLook& finishLook(Finish finish) {
     static constexpr std::array<FinishLook, static_cast<std::size_t>(Finish::Count)> kLooks{{
         {"ground", 0xE6E1D9},
@@ -50,7 +38,7 @@ const FinishLook& finishLook(Finish finish) {
 Vec3 linearColour(std::uint32_t colour) {
     const auto part = [colour](int shift) {
         const double s = static_cast<double>((colour >> shift) & 255u) / 255.0;
-        return f(s <= 0.04045 ? s / 12.92 : power((s + 0.055) / 1.055, 2.4));
+        return toFloat(s <= 0.04045 ? s / 12.92 : power((s + 0.055) / 1.055, 2.4));
     };
     return {part(16), part(8), part(0)};
 }
@@ -98,7 +86,7 @@ SceneSurface& SceneMeshBuilder::surface(Finish finish) {
 }
 
 std::uint32_t SceneMeshBuilder::corner(SceneSurface& surface, Vec3 position, Vec3 normal) {
-    surface.positions.push_back(position - at(pivot_, 0.0));
+    surface.positions.push_back(position - pointAt(pivot_, 0.0));
     surface.normals.push_back(normal);
     return static_cast<std::uint32_t>(surface.positions.size() - 1);
 }
@@ -127,7 +115,7 @@ void SceneMeshBuilder::floor(Finish finish, const Polygon& outline, double z) {
     SceneSurface& s = surface(finish);
     for (const Polygon& part : *parts) {
         const auto first = static_cast<std::uint32_t>(s.positions.size());
-        for (const Vec2 p : part) corner(s, at(p, z), {0.0f, 0.0f, 1.0f});
+        for (const Vec2 p : part) corner(s, pointAt(p, z), {0.0f, 0.0f, 1.0f});
         for (std::uint32_t k = 2; k < part.size(); ++k)
             s.indices.insert(s.indices.end(), {first, first + k - 1, first + k});
     }
@@ -137,7 +125,7 @@ void SceneMeshBuilder::walls(Finish finish, const Polygon& outline, double low, 
     for (std::size_t i = 0; i < outline.size(); ++i) {
         Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
         if (inside) std::swap(a, b);
-        quad(finish, at(a, low), at(b, low), at(b, high), at(a, high));
+        quad(finish, pointAt(a, low), pointAt(b, low), pointAt(b, high), pointAt(a, high));
     }
 }
 
@@ -153,10 +141,10 @@ void SceneMeshBuilder::frustum(Finish finish, Vec3 base, double height, double l
     const auto count = static_cast<std::uint32_t>(sides);
     for (int i = 0; i < sides; ++i) {
         const double angle = 2.0 * kPi * i / sides;
-        const Vec3 out{f(cosine(angle)), f(sine(angle)), 0.0f};
-        const Vec3 normal = normalized(out + Vec3{0.0f, 0.0f, f((lowRadius - highRadius) / height)});
-        corner(s, base + out * f(lowRadius), normal);
-        corner(s, base + out * f(highRadius) + Vec3{0.0f, 0.0f, f(height)}, normal);
+        const Vec3 out{toFloat(cosine(angle)), toFloat(sine(angle)), 0.0f};
+        const Vec3 normal = normalized(out + Vec3{0.0f, 0.0f, toFloat((lowRadius - highRadius) / height)});
+        corner(s, base + out * toFloat(lowRadius), normal);
+        corner(s, base + out * toFloat(highRadius) + Vec3{0.0f, 0.0f, toFloat(height)}, normal);
     }
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % count);
@@ -168,8 +156,8 @@ void SceneMeshBuilder::frustum(Finish finish, Vec3 base, double height, double l
 void SceneMeshBuilder::beam(Finish finish, Vec3 a, Vec3 b, double width) {
     const Vec3 along = normalized(b - a, {1.0f, 0.0f, 0.0f});
     const Vec3 up{0.0f, 0.0f, 1.0f};
-    const Vec3 side = normalized(cross(up, along), {0.0f, 1.0f, 0.0f}) * f(0.5 * width);
-    const Vec3 rise = normalized(cross(along, side)) * f(0.5 * width);
+    const Vec3 side = normalized(cross(up, along), {0.0f, 1.0f, 0.0f}) * toFloat(0.5 * width);
+    const Vec3 rise = normalized(cross(along, side)) * toFloat(0.5 * width);
     const std::array<Vec3, 4> ring{-side - rise, side - rise, side + rise, -side + rise};
     for (std::size_t i = 0; i < 4; ++i) {
         const Vec3 p = ring[i], q = ring[(i + 1) % 4];
@@ -188,7 +176,8 @@ void SceneMeshBuilder::blob(Finish finish, Vec3 centre, double radius, double he
         const double lump = 0.88 + 0.2 * thrown(seed, static_cast<std::uint32_t>(row * 64 + s));
         const double turn = 2.0 * kPi * (s + 0.5 * (row % 2)) / sides;
         const double flat = pole ? 0.0 : cosine(tilt) * radius * lump;
-        return centre + Vec3{f(flat * cosine(turn)), f(flat * sine(turn)), f(sine(tilt) * height * lump)};
+        return centre + Vec3{toFloat(flat * cosine(turn)), toFloat(flat * sine(turn)),
+                             toFloat(sine(tilt) * height * lump)};
     };
     for (int row = 0; row < rows; ++row) {
         for (int side = 0; side < sides; ++side) {

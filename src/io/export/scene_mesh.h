@@ -13,6 +13,14 @@
 
 namespace muster {
 
+inline float toFloat(double value) {
+    return static_cast<float>(value);
+}
+/// The point at height `z` above a point of the ground.
+inline Vec3 pointAt(Vec2 p, double z) {
+    return {toFloat(p.x), toFloat(p.y), toFloat(z)};
+}
+
 /// What a surface is made of.
 enum class Finish : std::uint8_t {
     Ground,

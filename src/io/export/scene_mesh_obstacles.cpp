@@ -12,14 +12,6 @@ constexpr double kCarLength[] = {2.8, 7.0};  // Of what moves and is taken for a
 constexpr double kCarWidth[] = {1.3, 2.6};
 constexpr double kVanHeight = 1.9;
 
-float f(double value) {
-    return static_cast<float>(value);
-}
-
-Vec3 at(Vec2 p, double z) {
-    return {f(p.x), f(p.y), f(z)};
-}
-
 /// True where one of the words stands in the name, in letters of any size.
 template <std::size_t N>
 bool named(const std::string& name, const std::array<const char*, N>& words) {
@@ -47,10 +39,10 @@ void addTree(const ObstacleDef& tree, SceneMeshBuilder& builder) {
                                                         static_cast<std::uint32_t>(tree.centre.y * 64.0)) *
                                                  1e6);
     const double trunk = std::min(tree.radius, 0.22 * s);
-    builder.frustum(Finish::Trunk, at(tree.centre, 0.0), 2.2 * s, trunk, 0.65 * trunk, 9);
+    builder.frustum(Finish::Trunk, pointAt(tree.centre, 0.0), 2.2 * s, trunk, 0.65 * trunk, 9);
     const auto crown = [&](double x, double y, double z, double radius, double height, std::uint32_t k) {
         const Vec2 middle = tree.centre + Rotation{0.8, 0.6}.apply({x, y}) * s;
-        builder.blob(Finish::Crown, at(middle, z * s), radius * s, height * s, seed + k, 6, 11);
+        builder.blob(Finish::Crown, pointAt(middle, z * s), radius * s, height * s, seed + k, 6, 11);
     };
     crown(0.0, 0.0, 2.95, 1.25, 1.05, 0);
     crown(0.55, 0.4, 2.55, 0.75, 0.6, 1);
@@ -64,11 +56,11 @@ void addFountain(const ObstacleDef& fountain, SceneMeshBuilder& builder) {
     builder.walls(Finish::Stone, inner, 0.0, 0.55, true);
     for (std::size_t i = 0; i < outer.size(); ++i) {
         const std::size_t j = (i + 1) % outer.size();
-        builder.quad(Finish::Stone, at(outer[i], 0.55), at(outer[j], 0.55), at(inner[j], 0.55),
-                     at(inner[i], 0.55));
+        builder.quad(Finish::Stone, pointAt(outer[i], 0.55), pointAt(outer[j], 0.55), pointAt(inner[j], 0.55),
+                     pointAt(inner[i], 0.55));
     }
     builder.floor(Finish::Water, inner, 0.42);
-    builder.frustum(Finish::Stone, at(fountain.centre, 0.0), 1.25, 0.24 * fountain.radius,
+    builder.frustum(Finish::Stone, pointAt(fountain.centre, 0.0), 1.25, 0.24 * fountain.radius,
                     0.17 * fountain.radius, 16);
 }
 
@@ -83,7 +75,8 @@ void addSkirt(SceneMeshBuilder& builder, Finish finish, const Polygon& low, cons
               double to) {
     for (std::size_t i = 0; i < low.size(); ++i) {
         const std::size_t j = (i + 1) % low.size();
-        builder.quad(finish, at(low[i], from), at(low[j], from), at(top[j], to), at(top[i], to));
+        builder.quad(finish, pointAt(low[i], from), pointAt(low[j], from), pointAt(top[j], to),
+                     pointAt(top[i], to));
     }
 }
 

@@ -22,14 +22,6 @@ constexpr double kBottom = -1.15;     // Of the pool [m].
 constexpr double kCoping = 0.34;      // Width of its rim [m].
 constexpr double kLeavesFrom = 1.3;   // Who ducks is below [m].
 
-float f(double value) {
-    return static_cast<float>(value);
-}
-
-Vec3 at(Vec2 p, double z) {
-    return {f(p.x), f(p.y), f(z)};
-}
-
 /// Points along an outline, no farther apart than `spacing`, corners included.
 Polygon along(const Polygon& outline, double spacing) {
     Polygon points;
@@ -48,7 +40,8 @@ void addThread(const Polygon& outline, Vec2 from, Vec2 to, SceneMeshBuilder& bui
     for (int k = 0; k < kPieces; ++k) {
         const double s = static_cast<double>(k) / kPieces, t = static_cast<double>(k + 1) / kPieces;
         if (!containsPoint(outline, lerp(from, to, 0.5 * (s + t)))) continue;
-        builder.beam(Finish::Net, at(lerp(from, to, s), height(s)), at(lerp(from, to, t), height(t)), 0.014);
+        builder.beam(Finish::Net, pointAt(lerp(from, to, s), height(s)),
+                     pointAt(lerp(from, to, t), height(t)), 0.014);
     }
 }
 
@@ -56,8 +49,9 @@ void addNet(const Polygon& outline, double floor, SceneMeshBuilder& builder) {
     builder.floor(Finish::NetFloor, outline, floor);
     const Polygon posts = along(outline, 1.9);
     for (std::size_t i = 0; i < posts.size(); ++i) {
-        builder.frustum(Finish::Net, at(posts[i], 0.0), kNet + 0.05, 0.05, 0.042, 8);
-        builder.beam(Finish::Net, at(posts[i], kNet), at(posts[(i + 1) % posts.size()], kNet), 0.025);
+        builder.frustum(Finish::Net, pointAt(posts[i], 0.0), kNet + 0.05, 0.05, 0.042, 8);
+        builder.beam(Finish::Net, pointAt(posts[i], kNet), pointAt(posts[(i + 1) % posts.size()], kNet),
+                     0.025);
     }
     const OutlineBox box = outlineBox(outline);
     const auto threads = [](double half) { return std::max(2, static_cast<int>(2.0 * half / kMesh)); };
@@ -71,8 +65,8 @@ void addNet(const Polygon& outline, double floor, SceneMeshBuilder& builder) {
         // Long threads lie on those across, as deep as these hang there.
         const double t = static_cast<double>(i) / lengthwise;
         const double deep = kNet - 4.0 * kSag * t * (1.0 - t);
-        builder.beam(Finish::Net, at(box.at(-box.halfLength, v), deep), at(box.at(box.halfLength, v), deep),
-                     0.014);
+        builder.beam(Finish::Net, pointAt(box.at(-box.halfLength, v), deep),
+                     pointAt(box.at(box.halfLength, v), deep), 0.014);
     }
 }
 
@@ -101,8 +95,8 @@ void addPool(const Polygon& outline, bool open, double floor, SceneMeshBuilder& 
     const Polygon outer = widened(outline, kCoping);
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t j = (i + 1) % outline.size();
-        builder.quad(Finish::Coping, at(outer[i], rim), at(outer[j], rim), at(outline[j], rim),
-                     at(outline[i], rim));
+        builder.quad(Finish::Coping, pointAt(outer[i], rim), pointAt(outer[j], rim), pointAt(outline[j], rim),
+                     pointAt(outline[i], rim));
     }
     builder.walls(Finish::Coping, outer, 0.0, rim);
 }
@@ -127,7 +121,7 @@ void addHedge(const OutlineBox& box, SceneMeshBuilder& builder) {
         const double u = box.halfLength * ((2.0 * i + 1.0) / bushes - 1.0);
         const double high = kHurdle * (0.94 + 0.06 * thrown(k, 1));
         const Vec2 middle = box.at(u, 0.03 * (thrown(k, 3) - 0.5));
-        builder.blob(Finish::Crown, at(middle, 0.5 * high), 0.22, 0.5 * high, k, 5, 8);
+        builder.blob(Finish::Crown, pointAt(middle, 0.5 * high), 0.22, 0.5 * high, k, 5, 8);
     }
 }
 
@@ -137,12 +131,12 @@ void addHurdle(const OutlineBox& box, SceneMeshBuilder& builder) {
     const auto post = [&](int i) { return box.at(reach * (2.0 * i / spans - 1.0), 0.0); };
     for (int i = 0; i <= spans; ++i) {
         const Vec2 p = post(i), side = box.turn.apply({0.0, 0.3});
-        builder.frustum(Finish::Trunk, at(p, 0.0), kHurdle, 0.04, 0.035, 8);
-        builder.beam(Finish::Trunk, at(p - side, 0.02), at(p + side, 0.02), 0.04);
+        builder.frustum(Finish::Trunk, pointAt(p, 0.0), kHurdle, 0.04, 0.035, 8);
+        builder.beam(Finish::Trunk, pointAt(p - side, 0.02), pointAt(p + side, 0.02), 0.04);
         if (i == spans) break;
         const Finish paint = i % 2 == 0 ? Finish::Paint2 : Finish::Coping;
-        builder.beam(paint, at(p, kHurdle - 0.045), at(post(i + 1), kHurdle - 0.045), 0.08);
-        builder.beam(Finish::Trunk, at(p, 0.2), at(post(i + 1), 0.2), 0.04);
+        builder.beam(paint, pointAt(p, kHurdle - 0.045), pointAt(post(i + 1), kHurdle - 0.045), 0.08);
+        builder.beam(Finish::Trunk, pointAt(p, 0.2), pointAt(post(i + 1), 0.2), 0.04);
     }
 }
 
@@ -156,8 +150,8 @@ bool named(const std::string& name, const char* word) {
 void addBeast(const OutlineBox& box, SceneMeshBuilder& builder) {
     const double size = 0.62 * std::min(box.halfLength, box.halfWidth);
     const auto ball = [&](double x, double y, double z, double radius, double height) {
-        builder.blob(Finish::Fur, at(box.at(x * size, y * size), z * size), radius * size, height * size, 7,
-                     7, 12);
+        builder.blob(Finish::Fur, pointAt(box.at(x * size, y * size), z * size), radius * size, height * size,
+                     7, 7, 12);
     };
     ball(-0.2, 0.0, 0.38, 0.52, 0.38);
     ball(0.42, 0.0, 0.33, 0.32, 0.27);
@@ -184,9 +178,10 @@ void addBranches(const Polygon& outline, double floor, SceneMeshBuilder& builder
         const Vec2 p = box.at(far * cosine(turn) * box.halfLength, far * sine(turn) * box.halfWidth);
         const double radius = 0.26 + 0.2 * thrown(k, 1);
         const double low = kLeavesFrom + 0.3 * thrown(k, 2) + 0.25 * (1.0 - far);
-        builder.blob(Finish::Leaves, at(p, low + 0.6 * radius), radius, 0.6 * radius, k, 3, 6);
+        builder.blob(Finish::Leaves, pointAt(p, low + 0.6 * radius), radius, 0.6 * radius, k, 3, 6);
         if (i % 3 == 0)
-            builder.beam(Finish::Trunk, at(lerp(box.centre, p, 0.2), 2.2), at(p, low + 0.6 * radius), 0.03);
+            builder.beam(Finish::Trunk, pointAt(lerp(box.centre, p, 0.2), 2.2),
+                         pointAt(p, low + 0.6 * radius), 0.03);
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "io/export/output_file.h"
+#include "base/output_file.h"
 
 namespace muster {
 namespace {

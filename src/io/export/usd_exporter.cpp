@@ -4,6 +4,7 @@
 
 #include "base/maths.h"
 #include "environment/environment.h"
+#include "io/export/scene_camera.h"
 #include "io/export/usd_export.h"
 #include "io/export/usd_text.h"
 #include "world/inspect.h"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::size_t kMostChanges = 8;   // Of a character's coming and going that are told.
 constexpr std::size_t kChangeWidth = 32;  // Bytes of each.
-constexpr double kTall = 1.8;             // Of what the camera sees of a person [m].
 constexpr const char* kStarts[] = {
     "        double3 xformOp:translate.timeSamples = {\n", "        float xformOp:rotateZ.timeSamples = {\n",
     "            quatf[] rotations.timeSamples = {\n", "            float3[] translations.timeSamples = {\n"};
@@ -80,7 +80,7 @@ public:
             const Vec3 feet{static_cast<float>(character.position.x),
                             static_cast<float>(character.position.y), 0};
             fit_.add(feet);
-            fit_.add(feet + Vec3{0.0f, 0.0f, static_cast<float>(kTall)});
+            fit_.add(feet + Vec3{0.0f, 0.0f, static_cast<float>(kSeenHeight)});
             anyone_ = true;
         }
         return {};

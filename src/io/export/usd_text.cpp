@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kBlock = 16;  // Frames that are buffered.
+constexpr std::size_t kLineFrames = 16;  // Frames that are buffered.
 constexpr double kDegrees = 180.0 / kPi;
 
 template <class T, class Write>
@@ -235,7 +235,7 @@ Status UsdSamples::add(OutputFile& file, std::string_view line) {
     MUSTER_ASSERT(line.size() == width_ && filled_ < frames_);
     lines_ += line;
     ++filled_;
-    return lines_.size() < kBlock * width_ ? Status() : flush(file);
+    return lines_.size() < kLineFrames * width_ ? Status() : flush(file);
 }
 
 Status UsdSamples::flush(OutputFile& file) {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/output_file.h"
 #include "io/export/character_look.h"
-#include "io/export/output_file.h"
 #include "io/export/scene_camera.h"
 #include "io/export/scene_mesh.h"
 

@@ -68,8 +68,8 @@ inline void describeHoles(FieldWriter& v, const std::vector<Polygon>& holes) {
     Json list = Json::array();
     for (const Polygon& hole : holes) {
         Json corners = Json::array();
-        for (Vec2 p : hole) corners.push_back(Json::array({p.x, p.y}));
-        list.push_back(std::move(corners));
+        for (Vec2 p : hole) corners.push(Json::array({p.x, p.y}));
+        list.push(std::move(corners));
     }
     v.set("holes", std::move(list));
 }

@@ -30,7 +30,7 @@ std::string listNames(const std::vector<std::string>& names) {
 
 FieldReader::FieldReader(const Json& object, std::string path, std::string& failure)
     : object_(&object), path_(std::move(path)), failure_(&failure) {
-    if (!object.is_object()) failAt(path_, describeJson(object), "an object");
+    if (!object.isObject()) failAt(path_, describeJson(object), "an object");
 }
 
 std::string FieldReader::pathOf(std::string_view key) const {
@@ -50,8 +50,7 @@ void FieldReader::fail(std::string_view key, const std::string& found, const std
 const Json* FieldReader::find(std::string_view key, Need need) {
     known_.push_back(key);
     if (failed()) return nullptr;
-    const auto item = object_->find(std::string(key));
-    if (item != object_->end()) return &*item;
+    if (const Json* value = object_->find(key)) return value;
     if (need == Need::Required) fail({}, "no \"" + std::string(key) + "\"", "one");
     return nullptr;
 }
@@ -59,7 +58,7 @@ const Json* FieldReader::find(std::string_view key, Need need) {
 const Json* FieldReader::findArray(std::string_view key, std::size_t most, Need need) {
     const Json* found = find(key, need);
     if (found == nullptr) return nullptr;
-    if (!found->is_array()) {
+    if (!found->isArray()) {
         fail(key, describeJson(*found), "an array");
         return nullptr;
     }
@@ -70,28 +69,28 @@ const Json* FieldReader::findArray(std::string_view key, std::size_t most, Need 
 
 void FieldReader::finish() {
     if (failed()) return;
-    for (auto item = object_->begin(); item != object_->end(); ++item) {
-        if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) continue;
+    for (const auto& [unknown, value] : object_->members()) {
+        if (std::find(known_.begin(), known_.end(), unknown) != known_.end()) continue;
         std::string names;
         for (std::string_view key : known_) {
             if (names.size() > 300) break;
             names += (names.empty() ? "" : ", ") + std::string(key);
         }
-        return fail({}, "the unknown key \"" + item.key().substr(0, 80) + "\"", "one of " + names);
+        return fail({}, "the unknown key \"" + unknown.substr(0, 80) + "\"", "one of " + names);
     }
 }
 
 void FieldReader::text(std::string_view key, std::string& value, const char*, Need need, std::string_view) {
     const Json* found = find(key, need);
     if (found == nullptr) return;
-    if (!found->is_string()) return fail(key, describeJson(*found), "a text");
-    value = found->get<std::string>();
+    if (!found->isText()) return fail(key, describeJson(*found), "a text");
+    value = found->text();
 }
 
 bool FieldReader::readNumber(const Json& value, std::string_view key, const NumberRange& range,
                              double& number) {
-    if (value.is_number()) {
-        const double read = value.get<double>();
+    if (value.isNumber()) {
+        const double read = value.number();
         if (read >= range.minimum && read <= range.maximum && (!range.whole || read == std::floor(read))) {
             number = read;
             return true;
@@ -109,15 +108,15 @@ void FieldReader::number(std::string_view key, double& value, const NumberRange&
 void FieldReader::flag(std::string_view key, bool& value, const char*) {
     const Json* found = find(key);
     if (found == nullptr) return;
-    if (!found->is_boolean()) return fail(key, describeJson(*found), "true or false");
-    value = found->get<bool>();
+    if (!found->isBoolean()) return fail(key, describeJson(*found), "true or false");
+    value = found->boolean();
 }
 
 bool FieldReader::readPoint(const Json& value, const std::string& path, Vec2& point) {
-    if (value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number()) {
-        point = {value[0].get<double>(), value[1].get<double>()};
+    if (value.isArray() && value.size() == 2 && value[0].isNumber() && value[1].isNumber()) {
+        point = {value[0].number(), value[1].number()};
         if (std::fabs(point.x) <= 1e6 && std::fabs(point.y) <= 1e6) return true;
-        failAt(path, value.dump(), "coordinates in [-1e6, 1e6] m");
+        failAt(path, compactJson(value), "coordinates in [-1e6, 1e6] m");
         return false;
     }
     failAt(path, describeJson(value), "a point [x, y]");
@@ -138,7 +137,7 @@ void FieldReader::points(std::string_view key, std::vector<Vec2>& value, std::si
     value.resize(found->size());
     for (std::size_t i = 0; i < value.size(); ++i) {
         const Json& item = (*found)[i];
-        const bool good = item.is_array() && item.size() == 2 && item[0].is_number() && item[1].is_number();
+        const bool good = item.isArray() && item.size() == 2 && item[0].isNumber() && item[1].isNumber();
         if (!readPoint(item, good ? pathOf(key) : pathOf(key) + "[" + std::to_string(i) + "]", value[i]))
             return;
     }
@@ -148,9 +147,8 @@ void FieldReader::choice(std::string_view key, std::string& value, const std::ve
                          const char*, Need need) {
     const Json* found = find(key, need);
     if (found == nullptr) return;
-    if (found->is_string() &&
-        std::find(names.begin(), names.end(), found->get<std::string>()) != names.end()) {
-        value = found->get<std::string>();
+    if (found->isText() && std::find(names.begin(), names.end(), found->text()) != names.end()) {
+        value = found->text();
         return;
     }
     fail(key, describeJson(*found), listNames(names));
@@ -160,8 +158,8 @@ void FieldReader::nameOrIndex(std::string_view key, std::int32_t& value,
                               const std::vector<std::string>& names, const char*, Need need) {
     const Json* found = find(key, need);
     if (found == nullptr) return;
-    if (found->is_string()) {
-        const auto name = std::find(names.begin(), names.end(), found->get<std::string>());
+    if (found->isText()) {
+        const auto name = std::find(names.begin(), names.end(), found->text());
         if (name == names.end()) return fail(key, describeJson(*found), listNames(names));
         value = static_cast<std::int32_t>(name - names.begin());
         return;

@@ -21,9 +21,9 @@ FieldSchema::FieldSchema(Json& schema) : schema_(&schema) {
 
 void FieldSchema::set(std::string_view key, Json schema, std::string_view about, Need need) {
     Json entry = {{"description", std::string(about)}};
-    for (auto item = schema.begin(); item != schema.end(); ++item) entry[item.key()] = *item;
-    (*schema_)["properties"][std::string(key)] = std::move(entry);
-    if (need == Need::Required) (*schema_)["required"].push_back(std::string(key));
+    for (const auto& [name, value] : schema.members()) entry[name] = value;
+    (*schema_)["properties"][key] = std::move(entry);
+    if (need == Need::Required) (*schema_)["required"].push(key);
 }
 
 void FieldSchema::text(std::string_view key, const std::string& value, const char* about, Need need,
@@ -52,7 +52,7 @@ void FieldSchema::number(std::string_view key, double value, const NumberRange& 
 
 void FieldSchema::optionalNumber(std::string_view key, double, const NumberRange& range, const char* about) {
     number(key, 0.0, range, about);
-    (*schema_)["properties"][std::string(key)].erase("default");
+    (*schema_)["properties"][key].erase("default");
 }
 
 void FieldSchema::flag(std::string_view key, bool value, const char* about) {
@@ -73,7 +73,7 @@ void FieldSchema::points(std::string_view key, const std::vector<Vec2>&, std::si
 
 void FieldSchema::choice(std::string_view key, const std::string& value,
                          const std::vector<std::string>& names, const char* about, Need need) {
-    Json schema = {{"enum", names}};
+    Json schema = {{"enum", Json::arrayOf(names)}};
     if (need == Need::Optional && !value.empty()) schema["default"] = value;
     set(key, std::move(schema), about, need);
 }

@@ -29,7 +29,7 @@ void FieldWriter::points(std::string_view key, const std::vector<Vec2>& value, s
                          const char*, Need need) {
     if (value.empty() && need == Need::Optional) return;
     Json array = Json::array();
-    for (Vec2 p : value) array.push_back(Json::array({p.x, p.y}));
+    for (Vec2 p : value) array.push(Json::array({p.x, p.y}));
     set(key, std::move(array));
 }
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/scenario/json.h"
+#include "base/json.h"
 #include "muster/formation.h"
 #include "muster/vec2.h"
 
@@ -52,7 +52,7 @@ public:
         bounds.whole = true;
         const Json* found = find(key, need);
         if (found == nullptr || !readNumber(*found, key, bounds, wide)) return;
-        value = found->is_number_integer() ? found->get<Whole>() : static_cast<Whole>(wide);
+        value = found->isWhole() ? found->whole<Whole>() : static_cast<Whole>(wide);
     }
     void flag(std::string_view key, bool& value, const char* about);
     void point(std::string_view key, Vec2& value, const char* about, Need need = Need::Optional);
@@ -92,8 +92,8 @@ public:
         const Json* found = find(key, need);
         if (found == nullptr) return false;
         Json wrapped;
-        if (found->is_string()) wrapped["kind"] = *found;
-        FieldReader child(found->is_string() ? wrapped : *found, pathOf(key), *failure_);
+        if (found->isText()) wrapped["kind"] = *found;
+        FieldReader child(found->isText() ? wrapped : *found, pathOf(key), *failure_);
         describe(child);
         child.finish();
         return true;
@@ -154,7 +154,7 @@ public:
         if (items.empty() && need == Need::Optional) return;
         Json array = Json::array();
         for (Item& item : items) {
-            FieldWriter child(array.emplace_back());
+            FieldWriter child(array.push({}));
             describe(child, item);
         }
         set(key, std::move(array));
@@ -177,7 +177,7 @@ public:
     /// Sets a key outright.
     template <class Value>
     void set(std::string_view key, Value&& value) {
-        (*object_)[std::string(key)] = std::forward<Value>(value);
+        (*object_)[key] = Json(std::forward<Value>(value));
     }
 
 private:

@@ -1,4 +1,4 @@
-#include "muster/gestures.h"
+#include "muster/scenario.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,13 @@
 #include <tuple>
 #include <utility>
 
+#include "base/text_file.h"
 #include "io/scenario/describe.h"
-#include "muster/scenario.h"
 
 namespace muster {
 namespace {
 
-constexpr const char* kFormat = "muster-gestures";
+constexpr const char* kGesturesFormat = "muster-gestures";
 constexpr std::size_t kMaxEvents = 1000000;
 constexpr NumberRange kNumber{0.0, 4294967295.0};
 constexpr const char* kKinds[] = {
@@ -180,9 +180,9 @@ void describeEvent(Visitor& v, Event& event, double stepTime) {
 
 template <class Visitor>
 void describeFile(Visitor& v, std::vector<Event>& events, double stepTime) {
-    std::string format = kFormat;
+    std::string format = kGesturesFormat;
     std::int32_t version = 1;
-    v.choice("format", format, {kFormat}, "What this file is.", Need::Required);
+    v.choice("format", format, {kGesturesFormat}, "What this file is.", Need::Required);
     v.whole("version", version, {1.0, 1.0}, "Of the format.", Need::Required);
     v.list(
         "events", events, kMaxEvents, "Those of one step and client apply in this order.",

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "muster/gestures.h"
+#include "muster/scenario.h"
 
 namespace muster {
 

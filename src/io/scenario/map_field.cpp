@@ -1,5 +1,6 @@
 #include "io/scenario/map_field.h"
 
+#include "base/text_file.h"
 #include "muster/scenario.h"
 
 namespace muster {
@@ -27,19 +28,17 @@ std::string mapText(FieldReader& v, const std::string& file, const Json* rows, c
         if (!text.ok()) v.fail("file", text.status().message(), "a MovingAI map");
         return text.ok() ? *text : std::string();
     }
-    const std::size_t width = !rows->empty() && rows->front().is_string()
-                                  ? rows->front().get<std::string>().size()
-                                  : 0;
+    const std::size_t width = !rows->empty() && (*rows)[0].isText() ? (*rows)[0].text().size() : 0;
     std::string text = "type octile\nheight " + std::to_string(rows->size()) + "\nwidth " +
                        std::to_string(width) + "\nmap\n";
     for (std::size_t i = 0; i < rows->size(); ++i) {
         const Json& row = (*rows)[i];
-        if (!row.is_string() || row.get<std::string>().size() != width || width > kMaxMapSide) {
+        if (!row.isText() || row.text().size() != width || width > kMaxMapSide) {
             v.fail("rows[" + std::to_string(i) + "]", describeJson(row),
                    "a text of " + std::to_string(width) + " cells, as the first row, at most 4096");
             return {};
         }
-        text += row.get<std::string>() + "\n";
+        text += row.text() + "\n";
     }
     return text;
 }
@@ -81,7 +80,7 @@ bool describeMap(FieldWriter& v, std::optional<MapGround>& map, const std::strin
         Json rows = Json::array();
         const auto width = static_cast<std::size_t>(map->grid.width);
         for (std::int32_t row = 0; row < map->grid.height; ++row) {
-            rows.push_back(map->grid.cells.substr(static_cast<std::size_t>(row) * width, width));
+            rows.push(map->grid.cells.substr(static_cast<std::size_t>(row) * width, width));
         }
         inner.set("rows", std::move(rows));
     });

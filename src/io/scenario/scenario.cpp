@@ -1,5 +1,6 @@
 #include "muster/scenario.h"
 
+#include "base/text_file.h"
 #include "io/scenario/clip_field.h"
 #include "io/scenario/describe.h"
 #include "io/scenario/gestures_field.h"
@@ -9,7 +10,7 @@
 namespace muster {
 namespace {
 
-constexpr const char* kFormat = "muster-scenario";
+constexpr const char* kScenarioFormat = "muster-scenario";
 constexpr double kLargestSeed = 9007199254740991.0;  // 2^53 - 1: exact in every JSON reader.
 
 std::vector<std::string> clipNames(const std::vector<ClipFacts>& clips) {
@@ -21,9 +22,9 @@ std::vector<std::string> clipNames(const std::vector<ClipFacts>& clips) {
 /// `format` and `version`: what the file is.
 template <class Visitor>
 void describeHead(Visitor& v) {
-    std::string format = kFormat;
+    std::string format = kScenarioFormat;
     std::int32_t version = 1;
-    v.choice("format", format, {kFormat}, "What this file is.", Need::Required);
+    v.choice("format", format, {kScenarioFormat}, "What this file is.", Need::Required);
     v.whole("version", version, {1.0, 1.0}, "Of the format.", Need::Required);
     if constexpr (Visitor::kReading || Visitor::kSchema) {
         std::string schema;
@@ -149,7 +150,7 @@ std::string scenarioSchema() {
         {"$schema", "https://json-schema.org/draft/2020-12/schema"},
         {"title", "Muster scenario"},
         {"description", "Metres, seconds, radians; x right, y forward. See docs/scenario-format.md."}};
-    for (auto item = body.begin(); item != body.end(); ++item) json[item.key()] = *item;
+    for (const auto& [key, value] : body.members()) json[key] = value;
     return printJson(json);
 }
 

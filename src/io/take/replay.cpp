@@ -1,20 +1,10 @@
-#include "muster/take.h"
-
 #include <algorithm>
-#include <string>
+
+#include "io/take/replayer.h"
 
 #include "base/hash.h"
 
 namespace muster {
-namespace {
-
-Status submitAgain(World& world, const Command& command) {
-    return world.submit(command).within("command of client " + std::to_string(command.client) + " for step " +
-                                        std::to_string(command.step));
-}
-
-}  // namespace
-
 std::uint32_t Take::steps() const {
     std::uint32_t steps = markedSteps();
     if (finished) return steps;
@@ -28,41 +18,21 @@ Result<ReplayReport> replayTake(const Take& take, std::int32_t threads,
                                 const std::function<bool(const World&)>& observe) {
     auto world = World::create(take.def, threads);
     if (!world.ok()) return world.status();
-    ReplayReport report;
-    std::size_t next = 0;  // Command.
-    bool go = true;
-    const auto advance = [&](std::uint32_t step) {
-        while (go && world->stepCount() < step) {
-            world->step();
-            if (observe) go = observe(*world);
-        }
-        report.steps = world->stepCount();
+    Replayer replayer(take);
+    const auto report = [&] {
+        return ReplayReport{world->stepCount(), replayer.compared(), 0, replayer.lastHash()};
     };
-    for (const HashMark& mark : take.marks) {
-        // Commands still waiting are state too, so none is submitted before its turn in the file.
-        for (; next < mark.commands; ++next) {
-            if (Status s = submitAgain(*world, take.commands[next]); !s.ok()) return s;
-        }
-        advance(mark.step);
-        if (!go) return report;
-        report.hash = world->hash();
-        if (report.hash != mark.hash) {
-            return Status(StatusCode::Corrupt,
-                          "step " + std::to_string(mark.step) + ": found the hash " + toHex(report.hash) +
-                              ", expected " + toHex(mark.hash) +
-                              (report.compared == 0 ? "" : " (all marks before it match)"));
-        }
-        ++report.compared;
+    if (Status s = replayer.compare(*world); !s.ok()) return s;
+    while (!replayer.atEnd(*world)) {
+        if (Status s = replayer.submit(*world); !s.ok()) return s;
+        world->step();
+        if (observe && !observe(*world)) return report();
+        if (Status s = replayer.compare(*world); !s.ok()) return s;
     }
-    if (take.steps() == take.markedSteps()) return report;
-    // A killed writer's last commands, given after the last mark: nothing says what came of them.
-    for (; next < take.commands.size(); ++next) {
-        if (Status s = submitAgain(*world, take.commands[next]); !s.ok()) return s;
-    }
-    advance(take.steps());
-    report.unmarked = report.steps - take.markedSteps();
-    report.hash = world->hash();
-    return report;
+    ReplayReport all = report();
+    all.unmarked = replayer.unmarked();
+    if (all.unmarked > 0) all.hash = world->hash();
+    return all;
 }
 
 }  // namespace muster

@@ -1,5 +1,6 @@
 #include <cstring>
 
+#include "io/take/take_encoder.h"
 #include "io/take/take_format.h"
 #include "muster/scenario.h"
 #include "muster/take.h"

@@ -1,5 +1,6 @@
 #include <cstring>
 
+#include "base/text_file.h"
 #include "io/take/take_format.h"
 #include "muster/scenario.h"
 #include "muster/take.h"

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "io/take/take_encoder.h"
 #include "muster/take.h"
 
 namespace muster {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/maths.h"
 #include "character/bodies/body.h"
 
 namespace muster::testing {

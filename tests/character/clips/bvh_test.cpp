@@ -1,4 +1,5 @@
-#include "muster/bvh.h"
+#include "base/maths.h"
+#include "muster/clip.h"
 
 #include <doctest.h>
 #include <rapidcheck.h>
@@ -6,7 +7,9 @@
 #include <cstdlib>
 #include <random>
 
+#include "base/text_file.h"
 #include "character/clips/bvh_scanner.h"
+#include "character/clips/bvh_text.h"
 #include "character/clips/retarget.h"
 #include "character/clips/samples.h"
 

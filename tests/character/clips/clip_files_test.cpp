@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/text_file.h"
 #include "character/clips/samples.h"
 
 using namespace muster;

@@ -1,5 +1,6 @@
 // Clips, poses and the skeleton: sampling, travelling, contacts, validation.
 #include "muster/clip.h"
+#include "base/maths.h"
 
 #include <doctest.h>
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text_file.h"
 #include "character/clips/samples.h"
 
 using namespace muster;

@@ -1,10 +1,12 @@
 #include "character/clips/retarget.h"
+#include "base/maths.h"
 
 #include <doctest.h>
 
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "base/text_file.h"
 #include "character/clips/bvh_axes.h"
 #include "character/clips/forward.h"
 #include "character/clips/samples.h"

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "base/maths.h"
 #include "base/text_file.h"
 #include "folders.h"
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 namespace muster::testing {
 

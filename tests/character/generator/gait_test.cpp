@@ -1,4 +1,5 @@
 // Gaits against what has been measured of people.
+#include "base/maths.h"
 #include "character/generator/measure.h"
 
 using namespace muster;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/maths.h"
 #include "muster/own_clips.h"
 
 namespace muster::test {

@@ -1,6 +1,7 @@
 #include <set>
 #include <string>
 
+#include "base/maths.h"
 #include "character/generator/measure.h"
 
 using namespace muster;

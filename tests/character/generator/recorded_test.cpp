@@ -4,7 +4,7 @@
 #include "character/clips/retarget.h"
 #include "character/generator/measure.h"
 #include "folders.h"
-#include "muster/bvh.h"
+#include "muster/clip.h"
 
 using namespace muster;
 using namespace muster::test;

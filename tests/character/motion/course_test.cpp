@@ -21,21 +21,21 @@ PatchDef strip(double from, double to, MotionId motion) {
 struct Hands {
     double lowest = 1.0;
     double highest = -1.0;
-    int held = 0;
+    int locked = 0;
 };
 
 void watchHands(const CrowdMotion& motion, Hands& hands) {
     for (std::size_t k = 0; k < motion.near().size(); ++k) {
-        const Playback& playback = motion.playbacks()[motion.near()[k]];
-        if (motion.library().clips[playback.clip].motion != "climb") continue;
+        const MotionState& state = motion.states()[motion.near()[k]];
+        if (motion.library().clips[state.clip].motion != "climb") continue;
         JointTransforms joints;
-        worldJoints(playback, motion.pose(k), joints);
+        worldJoints(state, motion.pose(k), joints);
         for (const Limb limb : {Limb::LeftHand, Limb::RightHand}) {
-            if (!motion.held(k, limb)) continue;
+            if (!motion.locked(k, limb)) continue;
             const double above = static_cast<double>(joints[index(limbJoint(limb))].translation.z) - 1.3;
             hands.lowest = std::min(hands.lowest, above);
             hands.highest = std::max(hands.highest, above);
-            ++hands.held;
+            ++hands.locked;
         }
     }
 }
@@ -64,7 +64,7 @@ TEST_CASE("a course with Muster's own clips: feet stand, knees bend smoothly, ha
     CHECK(f.rateMost <= 1.301);
     CHECK(f.singleSteps == 18);
     CHECK(f.actions == f.singleSteps);
-    CHECK(hands.held > 100);
+    CHECK(hands.locked > 100);
     CHECK(hands.lowest > -0.02);
     CHECK(hands.highest < 0.12);
     MESSAGE("measured: slide median " << 100 * f.slideMedian << " cm, 95 in 100 " << 100 * f.slide95

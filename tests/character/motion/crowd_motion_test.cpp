@@ -1,4 +1,4 @@
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 
 #include <doctest.h>
 

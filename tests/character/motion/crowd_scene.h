@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "character/motion/motion_report.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 #include "muster/world.h"
 
 namespace muster::testing {

@@ -61,10 +61,10 @@ TEST_CASE("without clips everybody stands in the rest pose") {
     CrowdMotion motion(none);
     world.step();
     motion.update(world);
-    REQUIRE(motion.playbacks().size() == 4);
+    REQUIRE(motion.states().size() == 4);
     REQUIRE(motion.near().size() == 4);
     CHECK(motion.pose(0).hips == restPose().hips);
-    CHECK(motion.playbacks()[2].position == world.characters().position[2]);
+    CHECK(motion.states()[2].position == world.characters().position[2]);
 }
 
 TEST_CASE("who is near is as named, and keeps its state when others come") {

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "base/maths.h"
+#include "character/motion/crowd_view.h"
 #include "crowd/characters.h"
 #include "environment/environment.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 
 namespace muster::testing {
 

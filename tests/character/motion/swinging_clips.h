@@ -43,7 +43,7 @@ inline void placeAnkle(BodyPose& pose, bool left, Vec3 ankle) {
     leg.end = leg.middle + bones[hip + 2].offset;
     leg.upper = length(bones[hip + 1].offset);
     leg.lower = length(bones[hip + 2].offset);
-    const TwoBoneTurn turn = reach(leg, ankle, {1.0f, 0.0f, 0.0f});
+    const TwoBoneRotation turn = reach(leg, ankle, {1.0f, 0.0f, 0.0f});
     pose.rotation[hip] = turn.upper;
     pose.rotation[hip + 1] = normalized(conjugate(turn.upper) * turn.lower);
     pose.rotation[hip + 2] = conjugate(turn.lower);

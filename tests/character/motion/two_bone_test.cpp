@@ -24,7 +24,7 @@ TwoBones hangingLeg() {
 }
 
 /// Where the end comes when the bones are turned.
-Vec3 endOf(const TwoBones& leg, const TwoBoneTurn& turn, Vec3* knee = nullptr) {
+Vec3 endOf(const TwoBones& leg, const TwoBoneRotation& turn, Vec3* knee = nullptr) {
     const Vec3 middle = leg.root + rotate(turn.upper, leg.middle - leg.root);
     if (knee != nullptr) *knee = middle;
     return middle + rotate(turn.lower, leg.end - leg.middle);
@@ -40,7 +40,7 @@ Vec3 anyPoint(float reach) {
 
 TEST_CASE("a target within reach is reached, and the knee points to its pole") {
     const TwoBones leg = hangingLeg();
-    const TwoBoneTurn turn = reach(leg, {0.4f, 0.2f, 0.3f}, {1.0f, 0.0f, 0.0f});
+    const TwoBoneRotation turn = reach(leg, {0.4f, 0.2f, 0.3f}, {1.0f, 0.0f, 0.0f});
     Vec3 knee;
     CHECK(distance(endOf(leg, turn, &knee), {0.4f, 0.2f, 0.3f}) < 1e-5f);
     CHECK(distance(turn.end, {0.4f, 0.2f, 0.3f}) < 1e-5f);
@@ -58,7 +58,7 @@ TEST_CASE("bones keep their lengths and reach as far as they can, whatever is as
     CHECK(rc::check("reach", [] {
         const TwoBones leg = hangingLeg();
         const Vec3 target = leg.root + anyPoint(1.5f), pole = anyPoint(1.0f);
-        const TwoBoneTurn turn = reach(leg, target, pole);
+        const TwoBoneRotation turn = reach(leg, target, pole);
         RC_ASSERT(isFinite(turn.end));
         Vec3 knee;
         const Vec3 end = endOf(leg, turn, &knee);
@@ -92,7 +92,7 @@ TEST_CASE("the soft reach is exact, then smooth, then short of straight") {
 TEST_CASE("a target at the hip and a pole along the leg do no harm") {
     const TwoBones leg = hangingLeg();
     for (const Vec3 target : {leg.root, leg.root + Vec3{0.0f, 0.0f, -0.5f}}) {
-        const TwoBoneTurn turn = reach(leg, target, {0.0f, 0.0f, -1.0f});
+        const TwoBoneRotation turn = reach(leg, target, {0.0f, 0.0f, -1.0f});
         CHECK(isFinite(endOf(leg, turn)));
         CHECK(std::fabs(dot(turn.upper, turn.upper) - 1.0f) < 1e-4f);
         CHECK(std::fabs(dot(turn.lower, turn.lower) - 1.0f) < 1e-4f);

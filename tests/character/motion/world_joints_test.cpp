@@ -1,17 +1,18 @@
 // From a body to the world.
 #include <doctest.h>
 
-#include "muster/crowd_motion.h"
+#include "base/maths.h"
+#include "muster/motion.h"
 
 using namespace muster;
 
 TEST_CASE("joints stand in the world as the body is put there: scaled, turned, moved") {
-    Playback playback;
-    playback.position = {10.0, -4.0};
-    playback.yaw = static_cast<float>(kPi / 2);
-    playback.size = 1.04f;
+    MotionState state;
+    state.position = {10.0, -4.0};
+    state.yaw = static_cast<float>(kPi / 2);
+    state.size = 1.04f;
     JointTransforms joints;
-    worldJoints(playback, restPose(), joints);
+    worldJoints(state, restPose(), joints);
     const Vec3 hips = joints[index(JointRole::Hips)].translation;
     CHECK(hips.x == doctest::Approx(10.0));
     CHECK(hips.y == doctest::Approx(-4.0));
@@ -33,7 +34,7 @@ TEST_CASE("near ones are those named, from the next update on") {
     CHECK(def.allNear);
     const ClipLibrary nothing;
     CrowdMotion motion(nothing, def);
-    CHECK(motion.playbacks().empty());
+    CHECK(motion.states().empty());
     CHECK(motion.near().empty());
     CHECK(&motion.library() == &nothing);
 }

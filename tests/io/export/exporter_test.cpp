@@ -6,7 +6,7 @@
 
 #include "base/maths.h"
 #include "io/export/export_fixture.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -88,7 +88,7 @@ TEST_CASE("poses are those that the crowd's motion makes") {
             for (std::size_t k = 0; k < motion.near().size(); ++k) {
                 const std::uint32_t i = motion.near()[k];
                 CHECK(distance(recorder.frames[frame].poses[i].hips, motion.pose(k).hips) < 1e-6f);
-                CHECK(recorder.frames[frame].characters[i].yaw == doctest::Approx(motion.playbacks()[i].yaw));
+                CHECK(recorder.frames[frame].characters[i].yaw == doctest::Approx(motion.states()[i].yaw));
                 CHECK(recorder.frames[frame].characters[i].size == characterSize(world.characters().id[i]));
             }
             ++frame;

@@ -3,7 +3,7 @@
 
 #include "base/maths.h"
 #include "io/export/export_fixture.h"
-#include "muster/crowd_motion.h"
+#include "muster/motion.h"
 
 namespace muster::testing {
 
@@ -73,7 +73,7 @@ inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double t
 
 /// Where the joints of one of them are.
 inline JointTransforms jointsOf(const ExportCharacter& c) {
-    Playback place;
+    MotionState place;
     place.position = c.position;
     place.yaw = c.yaw;
     place.size = c.size;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "base/text_file.h"
 #include "character/clips/samples.h"
 #include "muster/scenario.h"
 

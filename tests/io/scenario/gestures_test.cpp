@@ -1,5 +1,6 @@
-#include "muster/gestures.h"
+#include "base/text_file.h"
 #include "folders.h"
+#include "muster/scenario.h"
 
 #include <doctest.h>
 
@@ -7,7 +8,6 @@
 #include <string>
 
 #include "base/archive.h"
-#include "muster/scenario.h"
 #include "world/commands/command_archive.h"
 
 using namespace muster;

@@ -9,7 +9,6 @@
 
 #include "base/archive.h"
 #include "base/random.h"
-#include "muster/gestures.h"
 #include "muster/parameter_table.h"
 
 using namespace muster;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/random.h"
+#include "base/text_file.h"
 #include "muster/scenario.h"
 
 using namespace muster;

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { OverlayKind, TransportAction, type ClientMessage } from '../protocol/messages';
+import { OverlayKind, PlaybackAction, type ClientMessage } from '../protocol/messages';
 import { StudioController, nextSpeed } from './studio_controller';
 import { StudioStore } from '../model/studio_store';
 
@@ -38,9 +38,9 @@ describe('StudioController', () => {
     controller.togglePlay();
     store.set({ playing: true });
     controller.togglePlay();
-    expect(sent.map((one) => one.type === 'Transport' && one.action)).toEqual([
-      TransportAction.Play,
-      TransportAction.Pause,
+    expect(sent.map((one) => one.type === 'Playback' && one.action)).toEqual([
+      PlaybackAction.Play,
+      PlaybackAction.Pause,
     ]);
   });
   it('gives formations to the active group, and nothing where there is none', () => {
@@ -122,9 +122,9 @@ describe('StudioController', () => {
     controller.toggleDemonstration();
     store.set({ demonstrating: true });
     controller.toggleDemonstration();
-    expect(sent.map((one) => one.type === 'Transport' && one.action)).toEqual([
-      TransportAction.Demonstrate,
-      TransportAction.Restart,
+    expect(sent.map((one) => one.type === 'Playback' && one.action)).toEqual([
+      PlaybackAction.Demonstrate,
+      PlaybackAction.Restart,
     ]);
   });
   it('shows the spot of a message, where it has one', () => {

@@ -1,6 +1,6 @@
 // Carries out the actions of panels and keys.
 
-import { OverlayKind, TransportAction } from '../protocol/messages';
+import { OverlayKind, PlaybackAction } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../link/studio_client';
 import { kObjectives, objectiveParameter } from '../model/objective';
@@ -44,16 +44,16 @@ export class StudioController implements StudioActions {
 
   togglePlay(): void {
     const { playing } = this.store_.state;
-    this.client_.send({ type: 'Transport', action: playing ? TransportAction.Pause : TransportAction.Play });
+    this.client_.send({ type: 'Playback', action: playing ? PlaybackAction.Pause : PlaybackAction.Play });
     this.say_(playing ? 'Paused' : 'Playing');
   }
 
   singleStep(): void {
-    this.client_.send({ type: 'Transport', action: TransportAction.SingleStep });
+    this.client_.send({ type: 'Playback', action: PlaybackAction.SingleStep });
   }
 
   restart(): void {
-    this.client_.send({ type: 'Transport', action: TransportAction.Restart });
+    this.client_.send({ type: 'Playback', action: PlaybackAction.Restart });
     this.say_('Back to the start');
   }
 
@@ -61,7 +61,7 @@ export class StudioController implements StudioActions {
     const { demonstration, demonstrating } = this.store_.state;
     if (demonstrating) return this.restart();
     if (!demonstration) return this.say_('There is nothing to watch here');
-    this.client_.send({ type: 'Transport', action: TransportAction.Demonstrate });
+    this.client_.send({ type: 'Playback', action: PlaybackAction.Demonstrate });
   }
 
   nextSpeed(back = false): void {

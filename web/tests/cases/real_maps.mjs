@@ -112,7 +112,7 @@ async function throughMap(first, name) {
 }
 
 async function steerAndRecord(studio, steering, take, name, server) {
-  await studio.send({ type: 'Transport', action: 0 });
+  await studio.send({ type: 'Playback', action: 0 });
   await studio.page.locator('.record').click();
   await studio.until('the record', () => globalThis.__muster.frame.recordedSeconds >= 0);
   await steering.begin();
@@ -291,7 +291,7 @@ class Steering {
 /** Another page on the same world, in full quality: what the README shows. */
 async function picture(studio, server, path) {
   await studio.wait(1000);
-  await studio.send({ type: 'Transport', action: 1 });
+  await studio.send({ type: 'Playback', action: 1 });
   const context = await studio.context.browser().newContext({ viewport: { width: 1440, height: 900 } });
   try {
     const page = await context.newPage();
@@ -302,6 +302,6 @@ async function picture(studio, server, path) {
     await page.screenshot({ path, timeout: 120000 });
   } finally {
     await context.close();
-    await studio.send({ type: 'Transport', action: 0 });
+    await studio.send({ type: 'Playback', action: 0 });
   }
 }

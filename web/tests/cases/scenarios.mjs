@@ -87,7 +87,7 @@ async function settledTriangles(studio) {
 export async function growingCrowd(studio) {
   const drawn = async () => {
     await studio.until('its crowd', () => globalThis.__muster.frame?.x.length === 100);
-    await studio.send({ type: 'Transport', action: 1 });
+    await studio.send({ type: 'Playback', action: 1 });
     await studio.until('its bodies', () => globalThis.__muster.view.people.drawn.some((one) => one.body === 'body-1'));
     return settledTriangles(studio);
   };

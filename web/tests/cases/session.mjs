@@ -138,7 +138,7 @@ export async function lostAndFound(studio, server) {
     20000,
   );
   const { step } = await studio.frame();
-  await studio.send({ type: 'Transport', action: 0 });
+  await studio.send({ type: 'Playback', action: 0 });
   await studio.until('new frames', (n) => globalThis.__muster.frame.step !== n, step);
   return again;
 }

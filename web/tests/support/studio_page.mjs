@@ -148,9 +148,9 @@ export class StudioPage {
   /** Begins the world anew and lets it play. */
   async restart() {
     const revision = await this.page.evaluate(() => globalThis.__muster.frame.sceneRevision);
-    await this.send({ type: 'Transport', action: 3 });
+    await this.send({ type: 'Playback', action: 3 });
     await this.until('the world anew', (before) => globalThis.__muster.frame.sceneRevision > before, revision);
-    await this.send({ type: 'Transport', action: 0 });
+    await this.send({ type: 'Playback', action: 0 });
     await this.send({ type: 'SetSpeed', factor: 1 });
   }
 

@@ -1,0 +1,205 @@
+// HTTP requests to the studio's server: files of the page, takes, and the upgrade to a WebSocket.
+#pragma once
+
+#include <array>
+#include <boost/asio/post.hpp>
+#include <boost/beast/http.hpp>
+#include <optional>
+#include <utility>
+
+#include "server_policy.h"
+#include "socket_connection.h"
+#include "static_files.h"
+
+namespace muster {
+
+using Response = http::response<http::string_body>;
+
+inline constexpr int kLingerSeconds = 2;  ///< A closing connection waits that long for the client to close.
+inline constexpr const char* kSocketPath = "/ws";
+inline constexpr const char* kTakePath = "/take";
+inline constexpr const char* kHealthPath = "/health";
+
+/// A TCP connection while it speaks HTTP. It becomes a SocketConnection where a request upgrades it.
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
+public:
+    HttpConnection(StudioServer::Impl& server, tcp::socket socket)
+        : server_(server), stream_(std::move(socket)) {
+        ++server_.connections;
+    }
+    ~HttpConnection() { --server_.connections; }
+
+    // Reads the next request's head.
+    void start() {
+        parser_ = std::make_unique<http::request_parser<http::vector_body<std::uint8_t>>>();
+        parser_->header_limit(server_.def.limits.headerBytes);
+        parser_->body_limit(server_.def.limits.takeBytes);
+        stream_.expires_after(std::chrono::seconds(server_.def.limits.handshakeSeconds));
+        http::async_read_header(stream_, buffer_, *parser_,
+                                [self = shared_from_this()](Error error, std::size_t size) {
+                                    // Beast counts the first line and the fields apart; the limit is for
+                                    // both.
+                                    if (!error && size > self->server_.def.limits.headerBytes)
+                                        error = http::error::header_limit;
+                                    self->headRead(error);
+                                });
+    }
+
+private:
+    void headRead(Error error) {
+        if (error == http::error::header_limit || error == http::error::buffer_overflow)
+            return refuse(431, "The request's header is too large.");
+        if (error == http::error::body_limit) return refuse(413, "The body is too large.");
+        if (error == http::error::end_of_stream) return close();
+        const auto& ofHttp = http::make_error_code(http::error::bad_field).category();
+        if (error && error.category() != ofHttp) return;  // Gone, or too slow.
+        if (error) return refuse(400, "The request cannot be read.");
+        const Request& request = parser_->get();
+        if (request.count(http::field::host) != 1 ||
+            !isLocalHost(toString(request[http::field::host]), server_.port))
+            return refuse(403, "Unknown host: the studio answers to 127.0.0.1 and localhost only.");
+        if (websocket::is_upgrade(request)) return upgrade();
+        if (request.method() == http::verb::post) return post();
+        if (request.method() != http::verb::get && request.method() != http::verb::head)
+            return refuse(405, "Only GET, HEAD and POST are known.");
+        if (parser_->content_length() && *parser_->content_length() > 0)
+            return refuse(413, "No body is expected here.");
+        if (parser_->chunked()) return refuse(413, "No body is expected here.");
+        get();
+    }
+
+    void upgrade() {
+        const Request& request = parser_->get();
+        if (toString(request.target()) != kSocketPath) return refuse(404, "There is no WebSocket here.");
+        if (!originKnown()) return refuse(403, "Unknown origin.");
+        bool offered = false;
+        for (const auto& name : http::token_list(request[http::field::sec_websocket_protocol]))
+            offered = offered || toString(name) == server_.def.subprotocol;
+        if (!offered) return refuse(400, "The subprotocol " + server_.def.subprotocol + " is expected.");
+        if (server_.sockets >= server_.def.limits.clients) return refuse(503, "Too many clients.");
+        std::make_shared<SocketConnection>(server_, std::move(stream_))->start(request);
+    }
+
+    bool originKnown() const {
+        const Request& request = parser_->get();
+        return request.count(http::field::origin) == 1 &&
+               isLocalOrigin(toString(request[http::field::origin]), server_.port);
+    }
+
+    // A take may be large: pages of others must not have it made, though they could not read it. Browsers say
+    // where a request comes from; programs of this machine need not.
+    bool takeKnown() const {
+        const Request& request = parser_->get();
+        const std::string site = toString(request["Sec-Fetch-Site"]);
+        if (!site.empty() && site != "same-origin" && site != "none") return false;
+        return request.count(http::field::origin) == 0 || originKnown();
+    }
+
+    void post() {
+        if (toString(parser_->get().target()) != kTakePath) return refuse(404, "Nothing can be sent here.");
+        if (!originKnown()) return refuse(403, "Unknown origin.");
+        const auto length = parser_->content_length();
+        if (!length) return refuse(411, "The length of the take is expected.");
+        if (*length > server_.def.limits.takeBytes) return refuse(413, "The take is too large.");
+        stream_.expires_after(std::chrono::seconds(server_.def.limits.bodySeconds));
+        http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](Error error, std::size_t) {
+            if (error == http::error::body_limit) return self->refuse(413, "The take is too large.");
+            if (error) return;
+            self->server_.def.events.takeUploaded(std::move(self->parser_->get().body()), self->reply());
+        });
+    }
+
+    void get() {
+        const std::string target = toString(parser_->get().target());
+        if (target == kTakePath)
+            return takeKnown() ? server_.def.events.takeRequested(reply()) : refuse(403, "Unknown origin.");
+        HttpAnswer answer;
+        if (target == kHealthPath) {
+            answer.type = "application/json";
+            answer.body = "{\"status\":\"ok\"}\n";
+            return respond(std::move(answer), "no-store");
+        }
+        auto file = made(target);
+        if (!file) file = readStaticFile(server_.def.pageFolder, target);
+        if (!file) return refuse(404, "There is no such file.", true);
+        answer.type = std::move(file->type);
+        answer.body = std::move(file->body);
+        respond(std::move(answer), file->cache);
+    }
+
+    // A file that lies in no folder.
+    std::optional<StaticFile> made(const std::string& target) const {
+        const auto path = plainPath(target);
+        const auto found = path ? server_.def.files.find(*path) : server_.def.files.end();
+        if (found == server_.def.files.end()) return std::nullopt;
+        return found->second;
+    }
+
+    // What the simulation's thread calls with its answer.
+    HttpReply reply() {
+        stream_.expires_never();
+        return [self = shared_from_this(), &context = server_.context](HttpAnswer answer) {
+            asio::post(context, [self, answer = std::move(answer)]() mutable {
+                self->respond(std::move(answer), "no-store");
+            });
+        };
+    }
+
+    // Answers and, unless `keep`, closes: what follows may be the body of what was refused.
+    void refuse(int status, const std::string& sentence, bool keep = false) {
+        HttpAnswer answer;
+        answer.status = status;
+        answer.body = sentence + "\n";
+        keep_ = keep;
+        respond(std::move(answer), "no-store");
+    }
+
+    void respond(HttpAnswer answer, const std::string& cache) {
+        const Request& request = parser_->get();
+        response_ = Response(static_cast<http::status>(answer.status), 11);
+        response_.set(http::field::content_type, answer.type);
+        response_.set(http::field::cache_control, cache);
+        if (!answer.fileName.empty())
+            response_.set(http::field::content_disposition,
+                          "attachment; filename=\"" + answer.fileName + "\"");
+        for (const auto& [field, value] : securityFields(server_.port)) response_.set(field, value);
+        response_.keep_alive(keep_ && parser_->is_header_done() && request.keep_alive());
+        response_.body() = std::move(answer.body);
+        response_.prepare_payload();
+        if (parser_->is_header_done() && request.method() == http::verb::head) response_.body().clear();
+        stream_.expires_after(std::chrono::seconds(server_.def.limits.bodySeconds));
+        http::async_write(stream_, response_, [self = shared_from_this()](Error error, std::size_t) {
+            if (error || !self->response_.keep_alive()) return self->close();
+            self->start();
+        });
+    }
+
+    // Says that nothing more comes, then swallows what is still on its way: closing at once would reset the
+    // connection, and the client might lose our answer.
+    void close() {
+        Error ignored;
+        stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+        stream_.expires_after(std::chrono::seconds(kLingerSeconds));
+        swallow();
+    }
+
+    void swallow() {
+        stream_.async_read_some(asio::buffer(swallowed_),
+                                [self = shared_from_this()](Error error, std::size_t size) {
+                                    self->swallowedBytes_ += size;
+                                    if (!error && self->swallowedBytes_ < self->server_.def.limits.takeBytes)
+                                        self->swallow();
+                                });
+    }
+
+    StudioServer::Impl& server_;
+    beast::tcp_stream stream_;
+    beast::flat_buffer buffer_;
+    std::unique_ptr<http::request_parser<http::vector_body<std::uint8_t>>> parser_;
+    Response response_;
+    bool keep_ = true;
+    std::array<char, 4096> swallowed_{};
+    std::size_t swallowedBytes_ = 0;
+};
+
+}  // namespace muster

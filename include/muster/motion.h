@@ -1,0 +1,76 @@
+// Animation of a crowd: which clip each character plays, and its pose with feet on the floor (SPEC C3 to C6).
+//
+// Reads the world and never changes it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "muster/clip.h"
+#include "muster/own_clips.h"
+#include "muster/world.h"
+
+namespace muster {
+
+/// The clip that a character plays: enough to draw it from baked poses.
+struct MotionState {
+    std::uint16_t clip = 0;      ///< Index into the library.
+    std::uint16_t fromClip = 0;  ///< The clip that fades out.
+    float time = 0.0f;           ///< In `clip` [s], within one play.
+    float fromTime = 0.0f;       ///< In `fromClip` [s].
+    float fade = 0.0f;           ///< Share of `fromClip` still shown, 0 to 1.
+    Vec2 position;               ///< Of the character's axes: the simulated position [m].
+    float yaw = 0.0f;            ///< It faces (cos, sin) of this [rad].
+    float size = 1.0f;           ///< Of the skeleton: characterSize of its id.
+};
+
+/// Options; the defaults are usable as they stand.
+struct CrowdMotionDef {
+    bool allNear = true;  ///< All characters get whole poses until setNear() is called; else none does.
+};
+
+struct CrowdView;
+
+/// The motion of all characters of a world. Not thread-safe.
+class CrowdMotion {
+public:
+    /// Motion by the clips of `library`, which must outlive this.
+    explicit CrowdMotion(const ClipLibrary& library, const CrowdMotionDef& def = {});
+    ~CrowdMotion();
+    CrowdMotion(CrowdMotion&&) noexcept;  ///< Moves.
+    CrowdMotion& operator=(CrowdMotion&&) noexcept;
+
+    /// Forgets all characters; the next update begins anew.
+    void restart();
+    /// Call after every step of the world. Characters that are new or were put elsewhere begin anew.
+    void update(const World& world);
+    /// The same for a crowd that is not a World; internal.
+    void update(const CrowdView& crowd);
+
+    /// Ids of the characters that get whole poses from the next update on, in any order; unknown ids are
+    /// ignored. Empty for none.
+    void setNear(std::span<const std::uint32_t> ids);
+
+    /// One per character, in the world's order.
+    std::span<const MotionState> states() const;
+    /// Indices of characters with whole poses, ascending.
+    std::span<const std::uint32_t> near() const;
+    /// The pose of near()[k], feet locked, for a body of size 1: the world holds it scaled by `size`, turned
+    /// by `yaw`, at `position`.
+    const BodyPose& pose(std::size_t k) const;
+    /// True while that limb of near()[k] is locked in a contact.
+    bool locked(std::size_t k, Limb limb) const;
+
+    const ClipLibrary& library() const;  ///< The clips it plays.
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The joints of near()[k] in the world [m].
+void worldJoints(const MotionState& state, const BodyPose& pose, JointTransforms& joints);
+
+}  // namespace muster

@@ -1,0 +1,216 @@
+// Writing JSON.
+#include "base/json.h"
+#include "base/json_number.h"
+
+namespace muster {
+namespace {
+
+constexpr std::size_t kLineWidth = 110;
+
+/// Length of the well-formed UTF-8 sequence at `at` (RFC 3629, table 3-7 of Unicode); where it is malformed,
+/// minus the length of the part that is to be replaced.
+std::ptrdiff_t sequenceLength(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) -> std::uint8_t {
+        return at + i < text.size() ? static_cast<std::uint8_t>(text[at + i]) : 0;
+    };
+    const std::uint8_t first = byte(0);
+    if (first < 0x80) return 1;
+    if (first < 0xc2 || first > 0xf4) return -1;
+    std::uint8_t low = 0x80, high = 0xbf;  // Of the second byte.
+    if (first == 0xe0) low = 0xa0;
+    if (first == 0xed) high = 0x9f;
+    if (first == 0xf0) low = 0x90;
+    if (first == 0xf4) high = 0x8f;
+    if (byte(1) < low || byte(1) > high) return -1;
+    const std::ptrdiff_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    for (std::ptrdiff_t i = 2; i < length; ++i)
+        if (byte(i) < 0x80 || byte(i) > 0xbf) return -i;
+    return length;
+}
+
+void appendCharacter(char c, std::string& out) {
+    static constexpr std::string_view kNamed = "\"\\\b\f\n\r\t", kNames = "\"\\bfnrt";
+    const std::size_t named = kNamed.find(c);
+    if (named != std::string_view::npos) {
+        out += '\\';
+        out += kNames[named];
+    } else if (static_cast<std::uint8_t>(c) < 0x20) {
+        static constexpr char kDigits[] = "0123456789abcdef";
+        out += "\\u00";
+        out += kDigits[c >> 4];
+        out += kDigits[c & 15];
+    } else {
+        out += c;
+    }
+}
+
+void appendText(std::string_view text, std::string& out) {
+    out += '"';
+    for (std::size_t at = 0; at < text.size();) {
+        const std::ptrdiff_t length = sequenceLength(text, at);
+        if (length < 0) out += "\xef\xbf\xbd";
+        if (length == 1) appendCharacter(text[at], out);
+        if (length > 1) out += text.substr(at, length);
+        at += length < 0 ? -length : length;
+    }
+    out += '"';
+}
+
+void appendScalar(const Json& value, std::string& out) {
+    switch (value.kind()) {
+        case Json::Kind::Boolean:
+            out += value.boolean() ? "true" : "false";
+            break;
+        case Json::Kind::Integer:
+            out += std::to_string(value.whole<std::int64_t>());
+            break;
+        case Json::Kind::Unsigned:
+            out += std::to_string(value.whole<std::uint64_t>());
+            break;
+        case Json::Kind::Real:
+            out += jsonRealText(value.number());
+            break;
+        case Json::Kind::Text:
+            appendText(value.text(), out);
+            break;
+        default:
+            out += "null";
+    }
+}
+
+/// Calls `append(key or nullptr, value)` for what an array or object holds.
+template <class Append>
+void forEach(const Json& value, const Append& append) {
+    if (value.isArray())
+        for (const Json& element : value.elements()) append(nullptr, element);
+    if (value.isObject())
+        for (const Json::Member& member : value.members()) append(&member.key, member.value);
+}
+
+bool isStructured(const Json& value) {
+    return value.isArray() || value.isObject();
+}
+
+/// How values are set apart.
+struct Spacing {
+    int indent = 0;       ///< Spaces per level; only where `lines`.
+    bool lines = false;   ///< Each value on a line of its own.
+    bool blanks = false;  ///< A blank after each colon, and after each comma unless `lines`.
+};
+
+void append(const Json& value, const Spacing& spacing, int level, std::string& out) {
+    if (!isStructured(value)) return appendScalar(value, out);
+    const auto newLine = [&](int depth) {
+        if (spacing.lines && !value.empty()) out.append("\n").append(depth * spacing.indent, ' ');
+    };
+    bool first = true;
+    out += value.isObject() ? '{' : '[';
+    forEach(value, [&](const std::string* key, const Json& item) {
+        if (!first) out += spacing.blanks && !spacing.lines ? ", " : ",";
+        first = false;
+        newLine(level + 1);
+        if (key != nullptr) {
+            appendText(*key, out);
+            out += spacing.blanks ? ": " : ":";
+        }
+        append(item, spacing, level + 1, out);
+    });
+    newLine(level);
+    out += value.isObject() ? '}' : ']';
+}
+
+void printFlat(const Json& value, std::string& out) {
+    append(value, {.blanks = true}, 0, out);
+}
+
+/// True where the value may stand on one line: small, and not a list of objects.
+bool compact(const Json& value, std::size_t room) {
+    if (!isStructured(value)) return true;
+    std::string line;
+    if (value.size() > 40) return false;
+    printFlat(value, line);
+    return line.size() <= room;
+}
+
+void print(const Json& value, std::size_t indent, std::size_t used, std::string& out);
+
+/// Scalars and short arrays fill lines, as points of a polygon do.
+void printArray(const Json& value, std::size_t indent, std::string& out) {
+    const std::string margin(indent + 2, ' ');
+    std::string line = margin;
+    out += "[\n";
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const bool last = i + 1 == value.size();
+        std::string item;
+        if (value[i].isObject() || !compact(value[i], kLineWidth - margin.size())) {
+            if (line.size() > margin.size()) out += line + "\n";
+            line = margin;
+            print(value[i], indent + 2, margin.size(), item);
+            out += margin + item + (last ? "\n" : ",\n");
+            continue;
+        }
+        printFlat(value[i], item);
+        if (!last) item += ',';
+        if (line.size() > margin.size() && line.size() + item.size() + 1 > kLineWidth) {
+            out += line + "\n";
+            line = margin;
+        }
+        if (line.size() > margin.size()) line += ' ';
+        line += item;
+    }
+    if (line.size() > margin.size()) out += line + "\n";
+    out += std::string(indent, ' ') + "]";
+}
+
+void print(const Json& value, std::size_t indent, std::size_t used, std::string& out) {
+    if (compact(value, used < kLineWidth ? kLineWidth - used : 0)) return printFlat(value, out);
+    if (value.isArray()) return printArray(value, indent, out);
+    out += "{\n";
+    std::size_t left = value.size();
+    for (const auto& [name, item] : value.members()) {
+        const std::string key = std::string(indent + 2, ' ') + jsonText(name) + ": ";
+        out += key;
+        print(item, indent + 2, key.size(), out);
+        out += --left > 0 ? ",\n" : "\n";
+    }
+    out += std::string(indent, ' ') + "}";
+}
+
+}  // namespace
+
+std::string printJson(const Json& value) {
+    std::string out;
+    print(value, 0, 0, out);
+    out += '\n';
+    return out;
+}
+
+std::string indentedJson(const Json& value, int indent) {
+    std::string out;
+    append(value, {indent, true, true}, 0, out);
+    return out;
+}
+
+std::string compactJson(const Json& value) {
+    std::string out;
+    append(value, {}, 0, out);
+    return out;
+}
+
+std::string jsonText(std::string_view text) {
+    std::string out;
+    appendText(text, out);
+    return out;
+}
+
+std::string describeJson(const Json& value) {
+    if (value.isObject()) return "an object";
+    if (value.isArray()) return "an array of " + std::to_string(value.size());
+    if (value.isNull()) return "null";
+    std::string text = compactJson(value);
+    if (text.size() > 60) text = text.substr(0, 57) + "...";
+    if (value.isText()) return "the text " + text;
+    return value.isBoolean() ? text : "the number " + text;
+}
+
+}  // namespace muster

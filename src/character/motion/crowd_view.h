@@ -1,0 +1,29 @@
+// What motion reads of a crowd.
+#pragma once
+
+#include "crowd/characters.h"
+#include "environment/environment.h"
+#include "muster/motion.h"
+
+namespace muster {
+
+inline constexpr double
+    kPutElsewhere = 0.5;  ///< A character that moves farther in one step was put there [m].
+
+/// Places of one group, as the simulation moves them.
+struct PlacesView {
+    std::span<const Vec2> positions;   ///< [m]
+    std::span<const Vec2> velocities;  ///< [m/s]
+};
+
+/// What motion reads of a world.
+struct CrowdView {
+    const Characters* characters = nullptr;  ///< In ascending order of ids.
+    const Environment* environment = nullptr;
+    std::span<const PlacesView> places;  ///< By group; may be fewer than groups.
+    double stepTime = 1.0 / 60.0;        ///< [s] > 0.
+    double maxSpeed = 2.0;               ///< In the open [m/s].
+    double directReach = 1.5;            ///< A place nearer than this is steered to directly [m].
+};
+
+}  // namespace muster

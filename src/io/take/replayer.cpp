@@ -1,0 +1,44 @@
+#include "io/take/replayer.h"
+
+#include <string>
+
+#include "base/hash.h"
+
+namespace muster {
+
+Status Replayer::submitUntil(World& world, std::size_t end) {
+    for (; nextCommand_ < end; ++nextCommand_) {
+        const Command& command = take_->commands[nextCommand_];
+        if (Status s = world.submit(command); !s.ok())
+            return s.within("command of client " + std::to_string(command.client) + " for step " +
+                            std::to_string(command.step));
+    }
+    return {};
+}
+
+Status Replayer::submit(World& world) {
+    // Marks may precede the first step.
+    if (Status s = compare(world); !s.ok()) return s;
+    // After the last mark of an unfinished take there may be commands still.
+    const bool marked = nextMark_ < take_->marks.size();
+    return submitUntil(world, marked ? take_->marks[nextMark_].commands : take_->commands.size());
+}
+
+Status Replayer::compare(World& world) {
+    const auto& marks = take_->marks;
+    for (; nextMark_ < marks.size() && marks[nextMark_].step == world.stepCount(); ++nextMark_) {
+        const HashMark& mark = marks[nextMark_];
+        // Waiting commands are state too, so the hash covers exactly those recorded before the mark.
+        if (Status s = submitUntil(world, mark.commands); !s.ok()) return s;
+        lastHash_ = world.hash();
+        if (lastHash_ != mark.hash) {
+            return {StatusCode::Corrupt, "step " + std::to_string(mark.step) + ": found the hash " +
+                                             toHex(lastHash_) + ", expected " + toHex(mark.hash) +
+                                             (compared_ == 0 ? "" : " (all marks before it match)")};
+        }
+        ++compared_;
+    }
+    return {};
+}
+
+}  // namespace muster
