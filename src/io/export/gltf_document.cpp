@@ -7,7 +7,7 @@ namespace muster {
 namespace {
 
 template <class T, class Write>
-std::string listOf(std::span<const T> values, const Write& write) {
+std::string jsonList(std::span<const T> values, const Write& write) {
     std::string text = "[";
     for (const T& value : values) {
         if (text.size() > 1) text += ',';
@@ -26,11 +26,11 @@ std::string jsonNumber(double value) {
 }
 
 std::string jsonNumbers(std::span<const float> values) {
-    return listOf(values, [](float value) { return jsonNumber(static_cast<double>(value)); });
+    return jsonList(values, [](float value) { return jsonNumber(static_cast<double>(value)); });
 }
 
 std::string jsonNumbers(std::span<const std::uint32_t> values) {
-    return listOf(values, [](std::uint32_t value) { return std::to_string(value); });
+    return jsonList(values, [](std::uint32_t value) { return std::to_string(value); });
 }
 
 std::string jsonNumbers(Vec3 v) {

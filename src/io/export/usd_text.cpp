@@ -13,7 +13,7 @@ constexpr std::size_t kLineFrames = 16;  // Frames that are buffered.
 constexpr double kDegrees = 180.0 / kPi;
 
 template <class T, class Write>
-std::string listOf(const T& values, const Write& write) {
+std::string usdList(const T& values, const Write& write) {
     std::string text = "[";
     for (const auto& value : values) {
         if (text.size() > 1) text += ", ";
@@ -46,10 +46,10 @@ std::string shape(std::span<const Vec3> points, std::span<const Vec3> normals,
     const auto number = [](std::uint32_t i) { return std::to_string(i); };
     const std::vector<std::uint32_t> threes(indices.size() / 3, 3);
     return indent + "float3[] extent = [" + usdPoint(least) + ", " + usdPoint(most) + "]\n" + indent +
-           "int[] faceVertexCounts = " + listOf(threes, number) + "\n" + indent +
-           "int[] faceVertexIndices = " + listOf(indices, number) + "\n" + indent +
-           "normal3f[] normals = " + listOf(normals, usdPoint) + " (interpolation = \"vertex\")\n" + indent +
-           "point3f[] points = " + listOf(points, usdPoint) + "\n" + indent +
+           "int[] faceVertexCounts = " + usdList(threes, number) + "\n" + indent +
+           "int[] faceVertexIndices = " + usdList(indices, number) + "\n" + indent +
+           "normal3f[] normals = " + usdList(normals, usdPoint) + " (interpolation = \"vertex\")\n" + indent +
+           "point3f[] points = " + usdList(points, usdPoint) + "\n" + indent +
            "uniform token subdivisionScheme = \"none\"\n";
 }
 
@@ -63,7 +63,7 @@ std::string subset(const BodyMesh& mesh, std::size_t region) {
            "{\n" +
            "                uniform token elementType = \"face\"\n" +
            "                uniform token familyName = \"materialBind\"\n                int[] indices = " +
-           listOf(faces, [](std::size_t t) { return std::to_string(t); }) + "\n            }\n";
+           usdList(faces, [](std::size_t t) { return std::to_string(t); }) + "\n            }\n";
 }
 
 std::string body(BodyKind kind) {
@@ -85,9 +85,9 @@ std::string body(BodyKind kind) {
                        "            matrix4d primvars:skel:geomBindTransform = " +
                        "( (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1) )\n" +
                        "            int[] primvars:skel:jointIndices = " +
-                       listOf(joints, [](int j) { return std::to_string(j); }) + four +
+                       usdList(joints, [](int j) { return std::to_string(j); }) + four +
                        "            float[] primvars:skel:jointWeights = " +
-                       listOf(weights, [](float w) { return usdNumber(static_cast<double>(w)); }) + four +
+                       usdList(weights, [](float w) { return usdNumber(static_cast<double>(w)); }) + four +
                        "            rel skel:skeleton = </World/Bodies/Skeleton>\n" +
                        "            uniform token subsetFamily:materialBind:familyType = \"partition\"\n";
     for (std::size_t r = 0; r < kBodyRegionCount; ++r) text += subset(mesh, r);
@@ -154,7 +154,7 @@ std::string usdJoints() {
     std::vector<std::string> paths;
     for (const Joint& joint : skeleton())
         paths.push_back((joint.parent < 0 ? "" : paths[joint.parent] + "/") + joint.name);
-    return listOf(paths, [](const std::string& path) { return "\"" + path + "\""; });
+    return usdList(paths, [](const std::string& path) { return "\"" + path + "\""; });
 }
 
 std::string usdBodies() {
@@ -164,10 +164,10 @@ std::string usdBodies() {
                        std::string(
                            "            prepend apiSchemas = [\"SkelBindingAPI\"]\n        )\n        {\n") +
                        "            uniform matrix4d[] bindTransforms = " +
-                       listOf(rest, [](const Transform& joint) { return moved(joint.translation); }) + "\n" +
+                       usdList(rest, [](const Transform& joint) { return moved(joint.translation); }) + "\n" +
                        "            uniform token[] joints = " + usdJoints() + "\n" +
                        "            uniform matrix4d[] restTransforms = " +
-                       listOf(skeleton(), [](const Joint& joint) { return moved(joint.offset); }) +
+                       usdList(skeleton(), [](const Joint& joint) { return moved(joint.offset); }) +
                        "\n        }\n";
     for (std::size_t k = 0; k < kBodyKindCount; ++k) text += body(static_cast<BodyKind>(k));
     return text + "    }\n";
