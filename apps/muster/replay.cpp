@@ -6,7 +6,6 @@
 
 #include "base/hash.h"
 #include "commands.h"
-#include "muster/hash.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "options.h"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "muster/hash.h"
 #include "muster/scenario.h"
 #include "muster/world.h"
 

@@ -10,7 +10,6 @@
 #include "base/maths.h"
 #include "base/output_file.h"
 #include "environment/environment.h"
-#include "muster/hash.h"
 #include "world/inspect.h"
 #endif
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "character/bodies/body.h"
+#include "geometry/polygon.h"
 #include "io/export/gltf_export.h"
 #include "io/export/gltf_reader.h"
 #include "io/export/pretend_take.h"
