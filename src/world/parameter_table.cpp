@@ -171,7 +171,8 @@ Status setParameter(Parameters& parameters, std::string_view name, double value)
             return {};
         }
         const bool inside = value >= info.minimum && value <= info.maximum;
-        const std::string range = "[" + numberText(info.minimum) + ", " + numberText(info.maximum) + "]";
+        const std::string range = std::string("[").append(numberText(info.minimum)) + ", " +
+                                  numberText(info.maximum) + "]";
         return invalidArgument("parameter " + std::string(name) + " is " + numberText(value) +
                                (inside ? ", expected a whole number in " + range
                                        : ", expected a number in " + range + " " + std::string(info.unit)));
