@@ -65,6 +65,15 @@ function(muster_headers name folder)
     endforeach()
 endfunction()
 
+# muster_compile_together(target...): compiles the sources of these targets eight at a time (a unity build), which takes a
+# third of the time. For what surrounds the engine: its own modules are compiled file by file, so that one that is edited is soon
+# there, and so that their speed does not depend on what stands beside them.
+function(muster_compile_together)
+    if(MUSTER_COMPILE_TOGETHER AND NOT CMAKE_UNITY_BUILD)
+        set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    endif()
+endfunction()
+
 # muster_module(path [HEADERS installed...] [USES module...]): builds src/<path> and what lies below it. Its name is the last
 # part of the path; HEADERS are those of include/muster that it implements.
 function(muster_module path)

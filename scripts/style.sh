@@ -5,7 +5,7 @@
 #     --all               everything of all files
 #     --format            formatting of all files only
 #
-# ./test style runs it, and configures the release build, whose compile_commands.json it reads.
+# It configures a build that is never built, for its compile_commands.json.
 set -u
 . "$(dirname "$0")/common.sh"
 
@@ -62,14 +62,14 @@ links() {
 }
 
 tidy() {
-    sources '*.cpp' | grep -E '^(src|apps|bench)/' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/release --quiet >"$work/tidy" 2>"$work/errors"
+    sources '*.cpp' | grep -E '^(src|apps|bench)/' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/style --quiet >"$work/tidy" 2>"$work/errors"
     grep -E -A 3 '(warning|error): ' "$work/tidy"
     ! grep -qE '(warning|error): ' "$work/tidy"
 }
 
 lonely_headers() {
     sources '*.h' >"$work/headers"
-    node scripts/lonely_headers.mjs build/release "$work/headers"
+    node scripts/lonely_headers.mjs build/style "$work/headers"
 }
 
 # page_rule SCRIPT: a script of the page's package.json, where there is one.
@@ -82,7 +82,7 @@ rule "files that clang-format would change" formatted
 rule "paths of a machine" portable
 rule "links of documents to nowhere" links
 if [ "$what" != --format ]; then
-    configure release
+    cmake --preset style >/dev/null || fail "cmake could not configure the preset style"
     rule "findings of clang-tidy" tidy
     rule "headers that do not compile alone" lonely_headers
     install_page_packages

@@ -59,7 +59,7 @@ mkdir -p build/wasm/deps
 ln -sfn /usr/include/eigen3 build/wasm/deps/eigen3
 ln -sfn /usr/include/nlohmann build/wasm/deps/nlohmann
 if { [ -f build/wasm/build.ninja ] ||
-    emcmake cmake -S . -B build/wasm -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=OFF -DCMAKE_UNITY_BUILD_BATCH_SIZE=50 \
+    emcmake cmake -S . -B build/wasm -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=50 \
         -DMUSTER_BUILD_APPS=OFF -DMUSTER_BUILD_TESTS=OFF -DMUSTER_BUILD_SCALE=OFF -DMUSTER_BUILD_HASHES=ON \
         -DMUSTER_DEPS_INCLUDE="$root/build/wasm/deps" >build/wasm/configure.log 2>&1; } &&
     cmake --build build/wasm --target scenario_hashes >build/wasm/build.log 2>&1; then
