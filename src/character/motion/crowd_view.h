@@ -4,6 +4,7 @@
 #include "crowd/characters.h"
 #include "environment/environment.h"
 #include "muster/motion.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
@@ -20,10 +21,11 @@ struct PlacesView {
 struct CrowdView {
     const Characters* characters = nullptr;  ///< In ascending order of ids.
     const Environment* environment = nullptr;
-    std::span<const PlacesView> places;  ///< By group; may be fewer than groups.
-    double stepTime = 1.0 / 60.0;        ///< [s] > 0.
-    double maxSpeed = 2.0;               ///< In the open [m/s].
-    double directReach = 1.5;            ///< A place nearer than this is steered to directly [m].
+    std::span<const PlacesView> places;                  ///< By group; may be fewer than groups.
+    double stepTime = Parameters{}.stepTime;             ///< [s] > 0.
+    double maxSpeed = Parameters::Character{}.maxSpeed;  ///< In the open [m/s].
+    /// A place nearer than this is steered to directly [m].
+    double directReach = Parameters::Character{}.directReach;
 };
 
 }  // namespace muster

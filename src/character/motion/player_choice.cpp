@@ -4,6 +4,7 @@
 
 #include "character/motion/player.h"
 #include "geometry/polygon.h"
+#include "muster/parameters.h"
 
 namespace muster {
 namespace {
@@ -15,8 +16,11 @@ constexpr float kGoingReach = 0.3f;     // ... nor who will be so far away in a 
 constexpr float kStandingSpeed = 0.1f;  // Slower than this one stands, if one stays [m/s].
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-// Steering's own gains, so that what is foretold comes true (Parameters::Character).
-constexpr double kVelocityGain = 12.0, kAcceleration = 10.0, kPositionGain = 3.0, kTurnRate = 8.0;
+// The gains that steering has by default, so that predictions come true.
+constexpr double kVelocityGain = Parameters::Character{}.velocityGain;
+constexpr double kAcceleration = Parameters::Character{}.acceleration;
+constexpr double kPositionGain = Parameters::Character{}.positionGain;
+constexpr double kTurnRate = 8.0;  // [1/s]
 
 float unevenness(std::uint32_t id, std::size_t feature) {
     std::uint32_t h = (id * 31u + static_cast<std::uint32_t>(feature)) * 0x9e3779b9u;
