@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/maths.h"
+
 namespace muster::generator {
 namespace {
 
