@@ -8,6 +8,7 @@
 #include "folders.h"
 
 using namespace muster::testing;
+using muster::sourceFolder;
 using Json = nlohmann::json;
 
 namespace {

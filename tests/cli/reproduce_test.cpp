@@ -14,6 +14,7 @@ using muster::testing::put;
 using muster::testing::runProgram;
 using muster::testing::slurp;
 using muster::testing::workFolder;
+using muster::sourceFolder;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 

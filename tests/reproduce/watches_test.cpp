@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "geometry/polygon.h"
 #include "reproduce/experiments/car_watch.h"
 #include "reproduce/experiments/encounter_watch.h"
 #include "reproduce/experiments/ground_watch.h"
