@@ -112,7 +112,7 @@ void unitCost(benchmark::State& state) {
 }
 BENCHMARK(unitCost)->Arg(128)->Arg(256)->Arg(512)->Unit(benchmark::kMillisecond);
 
-// The same with a car that moves every step, so that the ground is priced anew.
+// The same with a car that moves every step, so that the unit cost changes.
 void unitCostMoving(benchmark::State& state) {
     Environment environment = makeEnvironment(Block, state.range(0));
     ObstacleDef car = rectangle(-1.0, -0.5, 1.0, 0.5);

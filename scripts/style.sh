@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # The rules of style; ends with "N passed, N failed". Usage: style.sh [--all | --format]
 #
-#     without an option   formatting of all files; clang-tidy and lonely headers of those that differ from origin/main
+#     without an option   formatting and words of all files; clang-tidy and lonely headers of those that differ from origin/main
 #     --all               everything of all files
-#     --format            formatting of all files only
+#     --format            formatting, words, links and paths of all files only
 #
 # It configures a build that is never built, for its compile_commands.json.
 set -u
@@ -81,6 +81,7 @@ page_rule() {
 rule "files that clang-format would change" formatted
 rule "paths of a machine" portable
 rule "links of documents to nowhere" links
+rule "words that the glossary replaces" node scripts/style/words.mjs
 if [ "$what" != --format ]; then
     cmake --preset style >/dev/null || fail "cmake could not configure the preset style"
     rule "findings of clang-tidy" tidy

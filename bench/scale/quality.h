@@ -26,7 +26,7 @@ Committed committedBy(const World& world);
 /// Looks at every `every`-th step, and after the second: at the first plan, which counts on its own.
 class QualityPass {
 public:
-    /// `label` names the case where progress is told on standard error; empty for silence.
+    /// `label` names the case where progress is printed on standard error; empty for silence.
     QualityPass(std::int32_t every, std::string label, ThreadPool& pool);
     /// Call after every step.
     void observe(const World& world);

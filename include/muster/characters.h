@@ -1,4 +1,4 @@
-// What can be read of the characters of a world.
+// Read access to the characters of a world, and to the contacts between them.
 #pragma once
 
 #include <cstdint>
@@ -9,34 +9,34 @@
 
 namespace muster {
 
-/// How a character moves just now (SPEC C1, C3, C4).
+/// The phase of the motion that a character performs (SPEC C1, C3, C4).
 enum class MotionPhase : std::uint8_t {
-    Steady,    ///< The motion of the ground it is on.
-    Entering,  ///< Playing the transition into the motion.
-    Leaving,   ///< Playing the transition out of the motion.
-    Locked,    ///< Within a single-step motion, which runs once per patch.
+    Steady,    ///< It performs the motion of the ground it is on.
+    Entering,  ///< It plays the transition into the motion.
+    Leaving,   ///< It plays the transition out of the motion.
+    Locked,    ///< It is within a single-step motion, which runs once per patch.
 };
 
 /// All characters of a world: one entry per character in each span, in ascending order of ids. The spans are
 /// valid until the world steps or ends.
 struct CharactersView {
-    std::span<const std::uint32_t> id;     ///< Never used again once a character has left.
+    std::span<const std::uint32_t> id;     ///< Unique id; it is not reused after the character has left.
     std::span<const std::uint32_t> group;  ///< Index of its group (World::group).
     std::span<const Vec2> position;        ///< [m]
     std::span<const Vec2> velocity;        ///< [m/s]
-    std::span<const Vec2> heading;         ///< Unit vector that it faces.
+    std::span<const Vec2> heading;         ///< Unit vector in which the body faces.
     std::span<const std::int32_t> place;   ///< Index of its place in its group; -1 for the unmatched.
-    std::span<const Vec2> direction;       ///< Unit vector of its path by the plan; zero where there is none.
-    std::span<const double> cost;          ///< Left to its place; infinite for the unmatched.
-    std::span<const MotionId> motion;      ///< Index into WorldDef::clips.
-    std::span<const MotionPhase> phase;    ///< Within the motion.
-    std::span<const double> motionTime;    ///< Since the phase began [s].
+    std::span<const Vec2> direction;     ///< Unit vector along its planned path; zero where there is no path.
+    std::span<const double> cost;        ///< Cost of the path to its place; infinite for the unmatched.
+    std::span<const MotionId> motion;    ///< Motion it performs: an index into WorldDef::clips.
+    std::span<const MotionPhase> phase;  ///< Phase of that motion.
+    std::span<const double> motionTime;  ///< Time since the phase began [s].
     std::span<const std::uint32_t> patch;  ///< Id of the patch that it is in; 0 for none.
 
     std::size_t size() const { return id.size(); }  ///< Number of characters.
 };
 
-/// Contacts that are left after a step.
+/// Overlaps of bodies that remain after a step.
 struct ContactReport {
     std::int32_t overlapPairs = 0;  ///< Pairs that overlap by more than 10 % of the diameter.
     double worstPenetration = 0.0;  ///< Overlap of the deepest pair, as a share of the diameter.

@@ -13,12 +13,12 @@
 
 namespace muster {
 
-/// A finger comes down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
+/// A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
 struct TouchDown {
-    std::uint32_t touch = 0;  ///< Unique per client while it is down.
-    Vec2 position;            ///< World [m].
+    std::uint32_t touch = 0;  ///< Number of the finger, unique per client while it is down.
+    Vec2 position;            ///< Position in the world [m].
     double time = 0.0;        ///< World time stamp [s].
-    GroupId group;            ///< None to pick by position.
+    GroupId group;            ///< Group to edit; none to pick it by position.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -29,7 +29,7 @@ struct TouchDown {
 /// A finger moves.
 struct TouchMove {
     std::uint32_t touch = 0;  ///< Number of the finger.
-    Vec2 position;            ///< World [m].
+    Vec2 position;            ///< Position in the world [m].
     double time = 0.0;        ///< World time stamp [s].
 
     /// Lets an archive read or write the command.
@@ -59,12 +59,13 @@ struct TouchCancel {
         archive(touch);
     }
 };
-/// A whole control at once, for mouse and program. Its points are then moved and lifted like touches.
+/// Makes a control of all its points at once, for mouse and programs. Its points are then moved and lifted
+/// like touches.
 struct AddControl {
-    GroupId group;                          ///< Whose mesh it holds.
-    ControlKind kind = ControlKind::Point;  ///< Must suit the number of touches.
+    GroupId group;                          ///< Group whose mesh it controls.
+    ControlKind kind = ControlKind::Point;  ///< Kind of control, which must fit the number of touches.
     std::vector<std::uint32_t> touches;     ///< Numbers of its fingers, 1 to 64.
-    std::vector<Vec2> positions;            ///< World [m], one per touch.
+    std::vector<Vec2> positions;            ///< Positions in the world [m], one per touch.
     double time = 0.0;                      ///< World time stamp [s].
 
     /// Lets an archive read or write the command.
@@ -73,11 +74,11 @@ struct AddControl {
         archive(group, kind, touches, positions, time);
     }
 };
-/// Pins a control where its trajectory ends, or lets it go.
+/// Pins a control at the end of its trajectory, or releases it.
 struct PinControl {
-    GroupId group;       ///< Whose control it is.
-    ControlId control;   ///< Which one.
-    bool pinned = true;  ///< False to let it go.
+    GroupId group;       ///< Group that the control belongs to.
+    ControlId control;   ///< Its id.
+    bool pinned = true;  ///< False to release it.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -87,8 +88,8 @@ struct PinControl {
 };
 /// Ends a control at once.
 struct RemoveControl {
-    GroupId group;      ///< Whose control it is.
-    ControlId control;  ///< Which one.
+    GroupId group;      ///< Group that the control belongs to.
+    ControlId control;  ///< Its id.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -96,9 +97,9 @@ struct RemoveControl {
         archive(group, control);
     }
 };
-/// A client has gone: its fingers lift.
+/// A client has disconnected: all its fingers lift.
 struct ReleaseClient {
-    std::uint8_t unused = 0;  ///< Keeps the format from being empty.
+    std::uint8_t unused = 0;  ///< Not used; archives need at least one field.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -108,8 +109,8 @@ struct ReleaseClient {
 };
 /// The group takes another formation.
 struct SetFormation {
-    GroupId group;           ///< Which one.
-    FormationDef formation;  ///< What it becomes.
+    GroupId group;           ///< Group to change.
+    FormationDef formation;  ///< Its new definition.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -117,10 +118,10 @@ struct SetFormation {
         archive(group, formation);
     }
 };
-/// Characters join behind the mesh, or leave, those with the highest ids first.
+/// Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first.
 struct SetCount {
-    GroupId group;           ///< Which one.
-    std::int32_t count = 0;  ///< Characters that it has then, 1 to 200,000.
+    GroupId group;           ///< Group to change.
+    std::int32_t count = 0;  ///< New number of characters, 1 to 200,000.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -128,11 +129,11 @@ struct SetCount {
         archive(group, count);
     }
 };
-/// Puts the mesh elsewhere at once; places travel there.
+/// Moves the mesh at once; its places travel there.
 struct SetPose {
-    GroupId group;       ///< Which one.
-    Vec2 position;       ///< Of its centre [m].
-    double angle = 0.0;  ///< Of its heading, from +x counter-clockwise [rad].
+    GroupId group;       ///< Group to move.
+    Vec2 position;       ///< New centre of the mesh in the world [m].
+    double angle = 0.0;  ///< New heading, counter-clockwise from +x [rad].
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -140,9 +141,9 @@ struct SetPose {
         archive(group, position, angle);
     }
 };
-/// A new group.
+/// Adds a group.
 struct AddGroup {
-    GroupDef group;  ///< What it is.
+    GroupDef group;  ///< Its definition.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -150,9 +151,9 @@ struct AddGroup {
         archive(group);
     }
 };
-/// A group and its characters are removed.
+/// Removes a group and its characters.
 struct RemoveGroup {
-    GroupId group;  ///< Which one.
+    GroupId group;  ///< Group to remove.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -160,9 +161,9 @@ struct RemoveGroup {
         archive(group);
     }
 };
-/// A new obstacle.
+/// Adds an obstacle.
 struct AddObstacle {
-    ObstacleDef obstacle;  ///< What it is.
+    ObstacleDef obstacle;  ///< Its definition.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -170,10 +171,10 @@ struct AddObstacle {
         archive(obstacle);
     }
 };
-/// An obstacle gets another shape, position, path or field.
+/// Changes shape, position, path or field of an obstacle.
 struct ChangeObstacle {
-    ObstacleId id;         ///< Which one.
-    ObstacleDef obstacle;  ///< What it becomes.
+    ObstacleId id;         ///< Its id.
+    ObstacleDef obstacle;  ///< Its new definition.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -181,9 +182,9 @@ struct ChangeObstacle {
         archive(id, obstacle);
     }
 };
-/// An obstacle is removed.
+/// Removes an obstacle.
 struct RemoveObstacle {
-    ObstacleId id;  ///< Which one.
+    ObstacleId id;  ///< Its id.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -191,9 +192,9 @@ struct RemoveObstacle {
         archive(id);
     }
 };
-/// A new patch.
+/// Adds a patch.
 struct AddPatch {
-    PatchDef patch;  ///< What it is.
+    PatchDef patch;  ///< Its definition.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -201,10 +202,10 @@ struct AddPatch {
         archive(patch);
     }
 };
-/// A patch gets another shape, position, path or motion.
+/// Changes shape, position, path or motion of a patch.
 struct ChangePatch {
-    PatchId id;      ///< Which one.
-    PatchDef patch;  ///< What it becomes.
+    PatchId id;      ///< Its id.
+    PatchDef patch;  ///< Its new definition.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -212,9 +213,9 @@ struct ChangePatch {
         archive(id, patch);
     }
 };
-/// A patch is removed.
+/// Removes a patch.
 struct RemovePatch {
-    PatchId id;  ///< Which one.
+    PatchId id;  ///< Its id.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -222,10 +223,10 @@ struct RemovePatch {
         archive(id);
     }
 };
-/// A parameter gets another value.
+/// Changes the value of a parameter.
 struct SetParameter {
-    std::string name;    ///< As in parameterTable(): "plan.exponent".
-    double value = 0.0;  ///< In its range.
+    std::string name;    ///< Name in parameterTable(): "plan.exponent".
+    double value = 0.0;  ///< New value, in the range of the parameter.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -240,22 +241,23 @@ using CommandBody = std::variant<TouchDown, TouchMove, TouchUp, TouchCancel, Add
                                  RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch,
                                  ChangePatch, RemovePatch, SetParameter>;
 
-/// A change of a world, when it applies and who sent it. Applied in (step, client, sequence) order.
+/// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).
 struct Command {
-    std::uint32_t step = 0;      ///< Applied at the start of the step that leads from `step` to `step + 1`.
-    std::uint32_t client = 0;    ///< Who sent it.
+    std::uint32_t step = 0;      ///< It applies at the start of the step from `step` to `step + 1`.
+    std::uint32_t client = 0;    ///< Number of the sender.
     std::uint32_t sequence = 0;  ///< Rises with each command of a client.
-    CommandBody body;            ///< What it changes.
+    CommandBody body;            ///< The change.
 };
 
-/// A command as bytes, to send it to another world.
+/// Encodes a command as bytes, for files and messages.
 std::vector<std::uint8_t> encodeCommand(const Command& command);
-/// A command from these bytes. Fails with ParseError where they are short or too many, the kind is unknown or
+/// Decodes a command. Fails with ParseError where there are too few or too many bytes, the kind is unknown or
 /// a value is out of its range.
 Result<Command> decodeCommand(std::span<const std::uint8_t> bytes);
 /// The kind as a word, for logs: "TouchDown".
 const char* commandName(const Command& command);
-/// InvalidArgument where a number is not finite or out of its range, whatever the world.
+/// Checks what does not depend on the world. Fails with InvalidArgument where a number is not finite or out
+/// of its range.
 Status validateCommand(const Command& command);
 
 }  // namespace muster

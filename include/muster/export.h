@@ -1,4 +1,4 @@
-// Takes as files of other programs: animated bodies, or trajectories.
+// Export of takes as animated bodies or trajectories for other programs.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace muster {
 
-/// A file format, by name.
+/// A file format of exports.
 struct ExportFormat {
-    const char* name;    ///< "glb", "bvh"...
-    const char* ending;  ///< Of file names: ".glb". Of the folder that bvh makes: "-bvh".
-    const char* about;   ///< One line for people.
+    const char* name;    ///< Unique name: "glb", "bvh"...
+    const char* ending;  ///< Ending of the file name (".glb"), or of the folder that bvh writes ("-bvh").
+    const char* about;   ///< Description in one line.
 };
 
 /// All formats of this build.
@@ -25,17 +25,17 @@ std::span<const ExportFormat> exportFormats();
 /// The format of that name. Fails with NotFound, naming all formats.
 Result<ExportFormat> exportFormat(std::string_view name);
 
-/// Which part of a take is exported, and how often.
+/// The part of a take to export, and the frame rate.
 struct ExportDef {
     double from = 0.0;         ///< Time of the first frame [s] >= 0.
     double to = -1.0;          ///< Time of the last frame [s] >= from, within the take; negative: its end.
-    double fps = 30.0;         ///< Frames a second, 1 to 240.
-    std::int32_t threads = 1;  ///< As for World::create.
+    double fps = 30.0;         ///< Frames per second, 1 to 240.
+    std::int32_t threads = 1;  ///< Number of threads, as for World::create.
 };
 
 /// Replays `take`, its characters moved by the clips of `library`, and writes `path` in the format of that
 /// name. Positions and poses between steps are interpolated. `progress` gets the share done, 0 to 1; it may
-/// be empty. Where it fails it leaves nothing behind. Fails as exportFormat() does; with InvalidArgument
+/// be empty. A failed export leaves no file. Fails as exportFormat() does; with InvalidArgument
 /// where the part does not lie in the take; with Corrupt where the replay gives other hashes; with
 /// LimitExceeded where the format cannot hold so much; with Unsupported where this build cannot write the
 /// format; with IoError.

@@ -12,7 +12,7 @@ namespace muster {
 
 /// The library of shapes.
 enum class FormationKind : std::uint8_t {
-    Square,
+    Square,    ///< A filled square.
     Line,      ///< Two ranks abreast.
     Column,    ///< Two files along the heading.
     Wedge,     ///< A filled triangle with its tip in front.
@@ -29,9 +29,9 @@ std::string_view formationName(FormationKind kind);
 /// The kind with that name. Fails with NotFound, listing the names.
 Result<FormationKind> formationKind(std::string_view name);
 
-/// Describes a formation in its local frame: it faces +x, its centre is the origin.
+/// Definition of a formation in its local axes: it faces +x, its centre is the origin.
 struct FormationDef {
-    FormationKind kind = FormationKind::Square;
+    FormationKind kind = FormationKind::Square;  ///< Shape.
     double spacing = 1.0;      ///< Distance between neighbouring places [m], above 1e-6 and below 1e6.
     double opening = 1.2;      ///< Full angle of Pacman's mouth or of the crescent's gap [rad] in (0, 6].
     PolygonWithHoles outline;  ///< For Outline: the shape, in any size [m].

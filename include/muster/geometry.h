@@ -9,7 +9,7 @@
 
 namespace muster {
 
-/// Corners in order [m], the last joined to the first. Counter-clockwise unless said otherwise.
+/// Corners in order [m]; an edge joins the last to the first. Counter-clockwise unless noted otherwise.
 using Polygon = std::vector<Vec2>;
 
 /// An outline with holes; the outline runs counter-clockwise, holes clockwise.
@@ -29,7 +29,7 @@ using Triangle = std::array<std::int32_t, 3>;
 
 /// Vertices and triangles.
 struct TriangleMesh {
-    std::vector<Vec2> vertices;       ///< [m]
+    std::vector<Vec2> vertices;       ///< Positions [m].
     std::vector<Triangle> triangles;  ///< Counter-clockwise; every vertex is used.
 
     /// Lets an archive read or write the mesh.

@@ -18,17 +18,18 @@ namespace muster {
 struct MotionState {
     std::uint16_t clip = 0;      ///< Index into the library.
     std::uint16_t fromClip = 0;  ///< The clip that fades out.
-    float time = 0.0f;           ///< In `clip` [s], within one play.
-    float fromTime = 0.0f;       ///< In `fromClip` [s].
+    float time = 0.0f;           ///< Time in `clip` [s], within one play.
+    float fromTime = 0.0f;       ///< Time in `fromClip` [s].
     float fade = 0.0f;           ///< Share of `fromClip` still shown, 0 to 1.
-    Vec2 position;               ///< Of the character's axes: the simulated position [m].
-    float yaw = 0.0f;            ///< It faces (cos, sin) of this [rad].
-    float size = 1.0f;           ///< Of the skeleton: characterSize of its id.
+    Vec2 position;               ///< Origin of the body axes in the world: the simulated position [m].
+    float yaw = 0.0f;            ///< Heading, counter-clockwise from +x [rad].
+    float size = 1.0f;           ///< Factor of the skeleton: characterSize() of its id.
 };
 
-/// Options; the defaults are usable as they stand.
+/// Options of CrowdMotion.
 struct CrowdMotionDef {
-    bool allNear = true;  ///< All characters get whole poses until setNear() is called; else none does.
+    /// True: all characters get whole poses until setNear() is called. False: none does.
+    bool allNear = true;
 };
 
 struct CrowdView;
@@ -42,9 +43,10 @@ public:
     CrowdMotion(CrowdMotion&&) noexcept;  ///< Moves.
     CrowdMotion& operator=(CrowdMotion&&) noexcept;
 
-    /// Forgets all characters; the next update begins anew.
+    /// Forgets all characters; the next update starts their motion again.
     void restart();
-    /// Call after every step of the world. Characters that are new or were put elsewhere begin anew.
+    /// Call after every step of the world. The motion of new characters, and of those that
+    /// were moved by a command, starts again.
     void update(const World& world);
     /// The same for a crowd that is not a World; internal.
     void update(const CrowdView& crowd);
@@ -53,12 +55,12 @@ public:
     /// ignored. Empty for none.
     void setNear(std::span<const std::uint32_t> ids);
 
-    /// One per character, in the world's order.
+    /// The clip and time of each character, in the world's order.
     std::span<const MotionState> states() const;
     /// Indices of characters with whole poses, ascending.
     std::span<const std::uint32_t> near() const;
-    /// The pose of near()[k], feet locked, for a body of size 1: the world holds it scaled by `size`, turned
-    /// by `yaw`, at `position`.
+    /// The pose of near()[k], with locked feet, for a body of size 1. In the world it is scaled by `size`,
+    /// rotated by `yaw` and moved to `position`.
     const BodyPose& pose(std::size_t k) const;
     /// True while that limb of near()[k] is locked in a contact.
     bool locked(std::size_t k, Limb limb) const;
@@ -70,7 +72,7 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// The joints of near()[k] in the world [m].
+/// Computes the joints of a character in the world [m] from its state and its pose.
 void worldJoints(const MotionState& state, const BodyPose& pose, JointTransforms& joints);
 
 }  // namespace muster

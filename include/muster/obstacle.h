@@ -9,11 +9,11 @@
 
 namespace muster {
 
-/// Where a moving thing is at a time.
+/// Position and angle of a moving object at one time.
 struct Waypoint {
     double time = 0.0;   ///< World time [s], -1e7 to 1e7.
-    Vec2 position;       ///< Offset from the thing's defined position [m], each coordinate -1e7 to 1e7.
-    double angle = 0.0;  ///< Rotation about the thing's centre of area [rad], -1e5 to 1e5.
+    Vec2 position;       ///< Offset from the object's defined position [m], each coordinate -1e7 to 1e7.
+    double angle = 0.0;  ///< Rotation about the object's centre of area [rad], -1e5 to 1e5.
 
     /// Lets an archive read or write the waypoint.
     template <class Archive>
@@ -24,18 +24,18 @@ struct Waypoint {
 
 /// Piecewise linear motion through waypoints of strictly rising time.
 struct TimedPath {
-    std::vector<Waypoint> waypoints;  ///< At least 1e-6 s apart; empty for a thing that stands still.
-    bool loop = false;                ///< True where it starts again after the last; else it stays there.
+    std::vector<Waypoint> waypoints;  ///< At least 1e-6 s apart; empty for an object that stands still.
+    bool loop = false;                ///< True to start again after the last waypoint; false to stay there.
 
     /// True where it never moves.
     bool still() const { return waypoints.empty(); }
-    /// Where the thing is at `time` [s].
+    /// Position and angle at `time` [s].
     Waypoint at(double time) const;
     /// Velocity at `time` [m/s].
     Vec2 velocity(double time) const;
     /// Angular velocity at `time` [rad/s].
     double angularVelocity(double time) const;
-    /// InvalidArgument, naming the waypoint, where times do not rise or a number is out of its range.
+    /// Fails with InvalidArgument, naming the waypoint, where times do not rise or a number is out of range.
     Status validate() const;
 
     /// Lets an archive read or write the path.
@@ -47,13 +47,13 @@ struct TimedPath {
 
 /// Describes an obstacle: a polygon or a disc.
 struct ObstacleDef {
-    std::string name;     ///< For people; may be empty.
+    std::string name;     ///< Name for display; may be empty.
     Polygon polygon;      ///< Simple, convex or not [m]; empty for a disc.
     Vec2 centre;          ///< Centre of the disc [m].
-    double radius = 0.0;  ///< Of the disc [m], above 0; 0 for a polygon.
-    TimedPath path;       ///< Moves it; empty for one that stands still.
-    double
-        range = -1.0;  ///< Reach r of its potential field [m], 0 or more; negative for the world's default.
+    double radius = 0.0;  ///< Radius of the disc [m], above 0; 0 for a polygon.
+    TimedPath path;       ///< Its motion; empty for an obstacle that stands still.
+    /// Reach r of its potential field [m], 0 or more; negative for the world's default.
+    double range = -1.0;
     double strength = -1.0;  ///< Factor of its potential field, 0 or more; negative for the world's default.
     double height = 3.0;     ///< For display only [m], above 0.
 

@@ -1,4 +1,4 @@
-// Muster's own motion clips, made by computation.
+// Muster's own motion clips, which are generated at run time.
 #pragma once
 
 #include "muster/clip.h"

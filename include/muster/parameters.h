@@ -5,11 +5,11 @@
 
 namespace muster {
 
-/// How often characters get places anew.
+/// How often places are assigned to characters.
 enum class PlanMode : std::uint8_t {
     Transport = 0,     ///< In every period.
     AssignedOnce = 1,  ///< At the start and after each change of formation.
-    Fixed = 2,         ///< Never: character i keeps place i.
+    Fixed = 2,         ///< Never: character i has place i.
 };
 
 /// Which method makes plans.
@@ -21,7 +21,7 @@ enum class PlanSolver : std::uint8_t {
 /// What a plan minimises.
 enum class PlanObjective : std::uint8_t {
     Power = 0,        ///< The sum of cost^p, p by Parameters::Plan::exponent.
-    LongestWalk = 1,  ///< The cost of the dearest pair, and then that sum.
+    LongestWalk = 1,  ///< The cost of the costliest pair first, then the sum of cost^p.
 };
 
 /// The definition of a world's behaviour. The defaults are the preset `muster`. Ranges are those of
@@ -29,21 +29,21 @@ enum class PlanObjective : std::uint8_t {
 struct Parameters {
     /// Touches and drawn trajectories (SPEC U1 to U3).
     struct Input {
-        double window = 0.15;            ///< Touches that begin within it form one control [s], 0 to 2.
-        double reach = 1.5;              ///< A touch farther from every mesh holds nothing [m], 0 to 100.
-        double checkpointSpacing = 0.5;  ///< Between checkpoints of a trajectory [m], 0.01 to 100.
+        double window = 0.15;  ///< Touches that begin within this time form one control [s], 0 to 2.
+        double reach = 1.5;    ///< A touch farther than this from every mesh has no effect [m], 0 to 100.
+        double checkpointSpacing = 0.5;  ///< Distance between checkpoints of a trajectory [m], 0.01 to 100.
     };
 
     /// Control points (SPEC U4, U5).
     struct Control {
         double speed = 1.6;       ///< Top speed of control points [m/s], 0.01 to 100.
-        double clockRate = 4.0;   ///< Most drawing seconds followed per second to catch up, 1 to 100.
+        double clockRate = 4.0;   ///< Largest number of drawing seconds followed per second, 1 to 100.
         double softWeight = 6.0;  ///< Weight of supplementary points against stiffness, 1e-6 to 1e6.
     };
 
     /// The opposing force: the mesh waits for a crowd that falls behind (SPEC U6).
     struct Opposing {
-        bool enabled = true;  ///< False where the mesh waits for nobody.
+        bool enabled = true;  ///< False: the mesh does not wait for characters.
         double gain = 0.35;   ///< Share of control speed lost per metre of mean lag [1/m], 0 to 100.
     };
 
@@ -55,9 +55,9 @@ struct Parameters {
 
     /// The potential field by which obstacles bend meshes (SPEC M5; paper eq. 1).
     struct Field {
-        bool enabled = true;    ///< False where obstacles do not push vertices away and out.
-        double range = 1.5;     ///< Of obstacles that give none [m], 0 to 100.
-        double strength = 1.0;  ///< Of obstacles that give none, 0 to 100.
+        bool enabled = true;    ///< False: obstacles do not displace vertices.
+        double range = 1.5;     ///< Range of obstacles that do not define one [m], 0 to 100.
+        double strength = 1.0;  ///< Strength of obstacles that do not define one, 0 to 100.
         double gain = 1.0;      ///< Displacement of a vertex per unit of field [m], 0 to 100.
         double speed = 1.5;     ///< Top rate of change of a vertex's displacement [m/s], 0.01 to 100.
     };
@@ -65,7 +65,7 @@ struct Parameters {
     /// Travelling places (SPEC M5).
     struct Place {
         double speed = 2.0;       ///< Top speed in the open [m/s], 0.01 to 100.
-        double clearance = 0.02;  ///< Kept to obstacles beyond the characters' radius [m], 0 to 1.5.
+        double clearance = 0.02;  ///< Distance to obstacles beyond the characters' radius [m], 0 to 1.5.
     };
 
     /// The unit cost (SPEC A3; paper eq. 7).
@@ -78,64 +78,65 @@ struct Parameters {
 
     /// What the density of the crowd adds to the unit cost (SPEC A4).
     struct Density {
-        bool enabled = true;     ///< False where crowded ground costs no more.
+        bool enabled = true;     ///< False: density does not raise the unit cost.
         double cell = 1.0;       ///< Edge of a density cell [m], 0.1 to 100.
         double lambda = 1.0;     ///< Exponent of the shares that a character gives to cells, 0.1 to 10.
-        double min = 1.3;        ///< Density below which nobody is slowed [1/m^2], 0 to 100.
-        double max = 3.5;        ///< Density above which one moves with the flow [1/m^2], above `min`.
-        double lookAhead = 0.5;  ///< How far ahead density is read [m], 0 to 10.
+        double min = 1.3;        ///< Density below which the speed is the free speed [1/m^2], 0 to 100.
+        double max = 3.5;        ///< Density above which the speed is that of the flow [1/m^2], above `min`.
+        double lookAhead = 0.5;  ///< Distance ahead at which density is sampled [m], 0 to 10.
     };
 
     /// What moving obstacles add to the unit cost (SPEC A5).
     struct Discomfort {
-        bool enabled = true;  ///< False where ground ahead of moving obstacles costs no more.
-        double time = 1.5;    ///< How far ahead obstacles are predicted [s], 0 to 60.
-        double range = 1.0;   ///< How far it reaches beyond the swept surface [m], 0.01 to 100.
-        double gain = 8.0;    ///< Discomfort on the obstacle's own track, 0 to 1000.
+        bool enabled = true;  ///< False: moving obstacles do not raise the unit cost.
+        double time = 1.5;    ///< Time over which obstacles are predicted [s], 0 to 60.
+        double range = 1.0;   ///< Reach beyond the swept surface [m], 0.01 to 100.
+        double gain = 8.0;    ///< Discomfort on the surface that the obstacle sweeps, 0 to 1000.
     };
 
-    /// The plan (SPEC A1).
+    /// Planning: the assignment of places (SPEC A1).
     struct Plan {
-        PlanMode mode = PlanMode::Transport;             ///< How often places are assigned anew.
+        PlanMode mode = PlanMode::Transport;             ///< How often places are assigned.
         PlanSolver solver = PlanSolver::Fast;            ///< Which method makes plans.
         PlanObjective objective = PlanObjective::Power;  ///< What they minimise.
-        std::int32_t period = 0;        ///< Steps from plan to plan, 1 to 600; 0 for what suits the solver.
-        double exponent = 2.0;          ///< Exponent p: 1 least sum, 2 least squares; 1 to 8.
-        double threshold = 0.02;        ///< An exchange must gain more than this [cost^p], 0 to 1e9.
-        double thresholdShare = 0.003;  ///< It must gain more than this share of what it concerns, 0 to 1.
-        bool geodesic = true;           ///< False for straight-line distances as costs.
+        std::int32_t period = 0;        ///< Steps from plan to plan, 1 to 600; 0 for the solver's default.
+        double exponent = 2.0;          ///< Exponent p, 1 to 8: 1 for least sum, 2 for least squares.
+        double threshold = 0.02;        ///< Commit threshold: least gain of an exchange [cost^p], 0 to 1e9.
+        double thresholdShare = 0.003;  ///< Least gain as a share of the cost of its moves, 0 to 1.
+        bool geodesic = true;           ///< False: costs are straight-line distances.
     };
 
     /// The characters (SPEC A6).
     struct Character {
-        double radius = 0.25;           ///< [m], 0.05 to 1.5.
-        double maxSpeed = 2.0;          ///< Top speed in the open [m/s], 0.01 to 50.
-        double acceleration = 10.0;     ///< Top acceleration [m/s^2], 0.01 to 1000.
-        double velocityGain = 12.0;     ///< Gain of the PD controller on velocity [1/s], 0 to 60.
-        double positionGain = 3.0;      ///< Gain of the PD controller on distance [1/s], 0 to 60.
-        double directReach = 1.5;       ///< Within this clear line it heads for its place [m], 0 to 100.
-        double separationGain = 1.0;    ///< Speed at which close neighbours part [m/s], 0 to 100.
-        double separationReach = 0.15;  ///< Gap below which neighbours part [m], 0 to 10.
+        double radius = 0.25;        ///< Radius of the body [m], 0.05 to 1.5.
+        double maxSpeed = 2.0;       ///< Top speed in the open [m/s], 0.01 to 50.
+        double acceleration = 10.0;  ///< Top acceleration [m/s^2], 0.01 to 1000.
+        double velocityGain = 12.0;  ///< Gain of the PD controller on velocity [1/s], 0 to 60.
+        double positionGain = 3.0;   ///< Gain of the PD controller on distance [1/s], 0 to 60.
+        /// Distance to its place below which it walks straight there if the line is clear [m], 0 to 100.
+        double directReach = 1.5;
+        double separationGain = 1.0;    ///< Speed of separation from close neighbours [m/s], 0 to 100.
+        double separationReach = 0.15;  ///< Gap below which neighbours separate [m], 0 to 10.
     };
 
     /// Contacts between characters (SPEC A6).
     struct Contact {
-        std::int32_t iterations = 8;  ///< Rounds that resolve contacts in a step, 1 to 100.
+        std::int32_t iterations = 8;  ///< Iterations of contact resolution per step, 1 to 100.
     };
 
     double stepTime = 1.0 / 60.0;  ///< Simulated time of one step [s], 1/240 to 1/20; "time.step".
     Input input;                   ///< Touches and drawn trajectories.
     Control control;               ///< Control points.
-    Opposing opposing;             ///< The mesh waits for the crowd.
+    Opposing opposing;             ///< Slows the mesh when the crowd falls behind.
     Mesh mesh;                     ///< The deformable mesh.
-    Field field;                   ///< Obstacles bend meshes.
+    Field field;                   ///< Deformation of meshes by obstacles.
     Place place;                   ///< Travelling places.
     Cost cost;                     ///< The unit cost.
-    Density density;               ///< Crowded ground costs more.
-    Discomfort discomfort;         ///< Ground ahead of moving obstacles costs more.
-    Plan plan;                     ///< Who goes where.
-    Character character;           ///< How characters move.
-    Contact contact;               ///< How overlaps are resolved.
+    Density density;               ///< Cost of crowded ground.
+    Discomfort discomfort;         ///< Cost of ground ahead of moving obstacles.
+    Plan plan;                     ///< The assignment of places.
+    Character character;           ///< Motion of characters.
+    Contact contact;               ///< Resolution of overlaps.
 };
 
 }  // namespace muster

@@ -1,5 +1,4 @@
-// Patches, which are ground that calls for another motion (SPEC C1), and what simulation knows of motion
-// clips.
+// Patches: ground with a motion clip of its own (SPEC C1), and the facts of clips that simulation needs.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +13,15 @@ namespace muster {
 /// Index of a motion clip in the world's table of clips; 0 is running in the open.
 using MotionId = std::int32_t;
 
-/// What simulation needs to know of a motion clip (the paper's table 1).
+/// Facts of a motion clip that simulation needs (the paper's table 1).
 struct ClipFacts {
-    std::string name;             ///< "run", "crawl", "climb"...
-    std::string file;             ///< The clip's file; empty for one of Muster's own clips.
+    std::string name;             ///< Name of the motion: "run", "crawl", "climb"...
+    std::string file;             ///< File of the clip; empty for one of Muster's own.
     double speed = 1.0;           ///< Travel speed relative to running, above 0 (running is 1).
     double length = 0.0;          ///< Ground covered by one play [m]; 0 where unknown.
-    double duration = 0.0;        ///< Of one play [s], 0 or more.
+    double duration = 0.0;        ///< Duration of one play [s], 0 or more.
     bool cyclic = true;           ///< False for single-step motions (jump, climb).
-    double transitionTime = 0.0;  ///< Of the transition played on entering and on leaving [s]; 0 for none.
+    double transitionTime = 0.0;  ///< Duration of the transition on entering and on leaving [s]; 0 for none.
 
     /// Lets an archive read or write the facts.
     template <class Archive>
@@ -34,11 +33,11 @@ struct ClipFacts {
 /// The clips that every world knows: run, walk, duck, crawl, swim, jump, climb, idle, in this order.
 std::vector<ClipFacts> defaultClipFacts();
 
-/// Describes a patch.
+/// Definition of a patch.
 struct PatchDef {
-    std::string name;     ///< "Net", "Pool"...; shown on its tag.
-    Polygon polygon;      ///< Simple, convex or not [m].
-    TimedPath path;       ///< Moves it; empty for one that stands still.
+    std::string name;     ///< Name for display: "Net", "Pool"...
+    Polygon polygon;      ///< Corners of a simple polygon, convex or not [m].
+    TimedPath path;       ///< Its motion; empty for a patch that stands still.
     MotionId motion = 0;  ///< Clip played on it; an index into the world's clips.
     double speed = -1.0;  ///< Travel speed relative to running, above 0; negative for the clip's.
 

@@ -14,7 +14,7 @@
 
 namespace muster {
 
-inline constexpr std::size_t kMaxScenarioBytes = 64u << 20;  ///< Largest file read.
+inline constexpr std::size_t kMaxScenarioBytes = 64u << 20;  ///< Largest file that is read [bytes].
 
 /// Reads a scenario file. Every failure is one sentence `FILE: JSON-PATH: found X, expected Y`
 /// (syntax errors name line and column instead of the path).
@@ -23,7 +23,7 @@ Result<WorldDef> loadScenario(const std::string& path);
 /// files are looked for (empty: files are refused, only embedded maps are allowed).
 Result<WorldDef> parseScenario(std::string_view text, const std::string& sourceName,
                                const std::string& baseFolder);
-/// The whole definition as text, its map embedded: parsing it gives the same definition, bit for bit.
+/// The whole definition as text with its map embedded: parsing it gives the same definition, bit for bit.
 std::string writeScenario(const WorldDef& def);
 /// Writes the text to a file. Fails with IoError.
 Status saveScenario(const WorldDef& def, const std::string& path);
@@ -31,8 +31,8 @@ Status saveScenario(const WorldDef& def, const std::string& path);
 /// The JSON Schema (draft 2020-12) of scenario files, made from the same tables as the loader.
 std::string scenarioSchema();
 
-/// What is legal but likely a mistake: gaps narrower than a character, starts inside obstacles, groups that
-/// overlap. One sentence each, at most `most`.
+/// Lists what is valid but likely a mistake: gaps narrower than a character, starts inside obstacles, groups
+/// that overlap. One sentence each, at most `most`.
 std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most = 20);
 
 /// Reads a gestures file into commands for a world of that step time, ordered by (step, client, sequence).
@@ -46,7 +46,7 @@ Result<std::vector<Command>> parseGestures(std::string_view text, const std::str
 /// scenario's folder or below, for a world of its step time. Empty where it carries none. Fails as
 /// loadGestures does, naming the scenario.
 Result<std::vector<Command>> loadScenarioGestures(const std::string& scenarioPath, const WorldDef& def);
-/// Any command log as a gestures file: reading it gives the same commands, numbered anew per client.
+/// Commands as the text of a gestures file: reading it gives the same commands, numbered again per client.
 std::string writeGestures(std::span<const Command> commands, double stepTime);
 /// Writes that text to a file. Fails with IoError.
 Status saveGestures(std::span<const Command> commands, double stepTime, const std::string& path);

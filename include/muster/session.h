@@ -20,43 +20,43 @@ namespace muster {
 /// gives the same hashes as a run of its gestures. Who connects gets a higher one.
 inline constexpr std::uint32_t kLastDemonstrator = 1000;
 
-/// Bounds of what clients may ask for; anything beyond gets a Notice and changes nothing.
+/// Limits of requests by clients. A request beyond a limit gets a Notice and changes nothing.
 struct SessionLimits {
-    /// Touch events of one client, on average; as many at once.
+    /// Touch events of one client per second on average, and the largest number at once.
     double touchesPerSecond = 5000.0;
-    std::size_t touchesPerMessage = 1024;           ///< Events of one Touches message.
-    std::size_t pointsPerControl = 64;              ///< Points of one AddControl message.
-    std::size_t waitingCommands = 20000;            ///< For one step: reached only while paused.
-    std::int32_t charactersPerGroup = 20000;        ///< By SetCount.
-    std::size_t takeBytes = std::size_t{64} << 20;  ///< Of the log kept since the world began; it ends there.
-    std::size_t openTakeBytes = std::size_t{64} << 20;  ///< Of a take to open.
-    std::size_t wholePoses = 500;                       ///< Of the characters a client looks at.
-    double noticesPerSecond = 5.0;                      ///< To one client; more are left out.
-    double overlaysPerSecond = 5.0;                     ///< To one client.
+    std::size_t touchesPerMessage = 1024;     ///< Events of one Touches message.
+    std::size_t pointsPerControl = 64;        ///< Points of one AddControl message.
+    std::size_t waitingCommands = 20000;      ///< Commands queued for one step; only reached while paused.
+    std::int32_t charactersPerGroup = 20000;  ///< Characters that SetCount may ask for.
+    std::size_t takeBytes = std::size_t{64} << 20;  ///< Size of the log since the world began; it ends there.
+    std::size_t openTakeBytes = std::size_t{64} << 20;  ///< Size of a take to open.
+    std::size_t wholePoses = 500;                       ///< Whole poses that one client gets.
+    double noticesPerSecond = 5.0;                      ///< Notices to one client; others are dropped.
+    double overlaysPerSecond = 5.0;                     ///< Overlays to one client.
 };
 
 /// A scenario that clients may load.
 struct ScenarioEntry {
-    std::string name;              ///< What LoadScenario calls it.
-    std::string title;             ///< For people.
+    std::string name;              ///< Name in LoadScenario messages.
+    std::string title;             ///< Title for display.
     std::string description;       ///< One or two sentences.
-    std::uint32_t characters = 0;  ///< Of all groups.
+    std::uint32_t characters = 0;  ///< Number of characters in all groups.
 };
 
-/// Where a recording is kept while it runs.
+/// Storage of a recording while it runs.
 class TakeSink {
 public:
     virtual ~TakeSink() = default;
     /// Appends bytes so that they outlive the process.
     virtual Status append(std::span<const std::uint8_t> bytes) = 0;
-    /// No more will come.
+    /// Ends the recording.
     virtual Status finish() = 0;
 };
 
-/// What a session is made from.
+/// Definition of a session.
 struct SessionDef {
-    std::string version;                   ///< Told to clients.
-    std::vector<ScenarioEntry> scenarios;  ///< In the order of the picker.
+    std::string version;                   ///< Version that is sent to clients.
+    std::vector<ScenarioEntry> scenarios;  ///< Scenarios in the order of display.
     /// Reads one of them. Null where there is nothing to load from.
     std::function<Result<WorldDef>(const std::string& name)> loadScenario;
     /// Reads the touches that a scenario of that name and definition carries. Null where there are none to
@@ -66,8 +66,8 @@ struct SessionDef {
     std::function<Result<ClipLibrary>(const std::string& name, const WorldDef& def)> loadClips;
     /// Begins a file for a recording of that scenario. Null keeps recordings in memory only.
     std::function<Result<std::unique_ptr<TakeSink>>(const std::string& name)> openSink;
-    std::int32_t threads = 1;  ///< Of the world, as for ThreadPool.
-    SessionLimits limits;
+    std::int32_t threads = 1;  ///< Threads of the world, as for ThreadPool.
+    SessionLimits limits;      ///< Limits of requests by clients.
 };
 
 /// Bytes of one message.
@@ -96,34 +96,34 @@ public:
     /// Ends a recording that runs.
     void finish();
 
-    /// A new client; its number is never used again.
+    /// Adds a client and returns its number, which is not reused.
     std::uint32_t connect();
-    /// The client has gone: its fingers lift.
+    /// Removes a client, which lifts its fingers.
     void disconnect(std::uint32_t client);
     /// Takes a client's message. What is malformed or not allowed gets a Notice and changes nothing.
     void receive(std::uint32_t client, std::span<const std::uint8_t> bytes);
-    /// Tells one client something.
+    /// Sends a Notice to one client.
     void notice(std::uint32_t client, bool error, const std::string& code, const std::string& text);
-    /// Moves what there is to send to `messages` (emptied first), in order. While the client has not
-    /// acknowledged a frame it gets no other: then the newest.
+    /// Replaces `messages` by those to send to the client, in order. A client gets no frame until it has
+    /// acknowledged the last one, and then the newest.
     void outgoing(std::uint32_t client, std::vector<MessageBytes>& messages);
 
-    /// Real time has passed [s] >= 0. What the world cannot keep up with is dropped, so it slows instead.
+    /// Advances real time by `seconds` [s], 0 or more. Time that the world cannot keep up with is dropped.
     void elapse(double seconds);
     /// True where step() has something to do.
     bool stepDue() const;
-    /// Makes the step that is due (at speeds above 1 as many as belong to a sixtieth of a second).
+    /// Makes the step that is due; at speeds above 1, the steps of a sixtieth of a second.
     void step();
-    /// Real time until a step is due [s]; a long one while paused.
+    /// Real time until a step is due [s]; a long time while paused.
     double untilNextStep() const;
 
     /// The world; null before the first load.
     const World* world() const;
-    /// True while it runs by itself.
+    /// True while the world is playing.
     bool playing() const;
     /// True while a take is replayed.
     bool replaying() const;
-    /// True while touches that the scenario carries are still to come.
+    /// True while touches of the scenario's gestures are still to come.
     bool demonstrating() const;
 
     struct Impl;  ///< Private.

@@ -20,9 +20,9 @@ inline constexpr std::uint32_t kTakeMarkSpacing = 60;  ///< Steps between hash m
 
 /// The hash of a world's state after that many steps.
 struct HashMark {
-    std::uint32_t step = 0;  ///< Steps done.
-    std::uint64_t hash = 0;  ///< World::hash() then.
-    /// Recorded before it: those were submitted by then (not in the file's mark itself).
+    std::uint32_t step = 0;  ///< Number of steps done.
+    std::uint64_t hash = 0;  ///< World::hash() after these steps.
+    /// Number of commands recorded before this mark. The file does not store it.
     std::uint32_t commands = 0;
     friend bool operator==(const HashMark&, const HashMark&) = default;
 };
@@ -30,10 +30,10 @@ struct HashMark {
 /// A whole take in memory.
 struct Take {
     std::string scenario;           ///< Text of the scenario, map and clip facts embedded.
-    WorldDef def;                   ///< The same, parsed.
-    std::vector<Command> commands;  ///< In the order they were given.
-    std::vector<HashMark> marks;    ///< In ascending order.
-    bool finished = false;          ///< It ends with an end record.
+    WorldDef def;                   ///< The scenario, parsed.
+    std::vector<Command> commands;  ///< Commands in the order of submission.
+    std::vector<HashMark> marks;    ///< Hash marks in ascending order of steps.
+    bool finished = false;          ///< True where the take has an end record.
     std::size_t tornBytes = 0;      ///< Bytes of an unfinished last record that were left out.
     /// Steps whose hashes are known: up to the last mark.
     std::uint32_t markedSteps() const { return marks.empty() ? 0 : marks.back().step; }
@@ -76,10 +76,10 @@ Result<Take> parseTake(std::span<const std::uint8_t> bytes, const std::string& s
 
 /// Outcome of a replay.
 struct ReplayReport {
-    std::uint32_t steps = 0;     ///< Simulated.
-    std::uint32_t compared = 0;  ///< Marks that matched.
-    std::uint32_t unmarked = 0;  ///< Steps behind the last mark: simulated, compared with nothing.
-    std::uint64_t hash = 0;      ///< At the end.
+    std::uint32_t steps = 0;     ///< Number of steps simulated.
+    std::uint32_t compared = 0;  ///< Number of marks that matched.
+    std::uint32_t unmarked = 0;  ///< Steps after the last mark, which no hash confirms.
+    std::uint64_t hash = 0;      ///< Hash of the final state.
 };
 
 /// Simulates the take again and compares every mark; then, where the take is unfinished, goes on to its last

@@ -50,7 +50,7 @@ constexpr double dot(Vec2 a, Vec2 b) {
 constexpr double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
-/// `a` turned left by a quarter.
+/// `a` rotated left by 90 degrees.
 constexpr Vec2 perpendicular(Vec2 a) {
     return {-a.y, a.x};
 }
@@ -71,7 +71,7 @@ inline Vec2 normalized(Vec2 a, Vec2 fallback = {0.0, 0.0}) {
     const double l = length(a);
     return l > 1e-12 ? a / l : fallback;
 }
-/// The point at share `t` of the way from `a` to `b`.
+/// The point at share `t` of the distance from `a` to `b`.
 constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {
     return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
 }
@@ -85,25 +85,25 @@ inline bool isFinite(Vec2 a) {
     return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
-/// A rotation by an angle, kept as its cosine and sine.
+/// A rotation in the plane, stored as cosine and sine of its angle.
 struct Rotation {
     double c = 1.0;  ///< Cosine.
     double s = 0.0;  ///< Sine.
 
-    /// `a` turned by this rotation.
+    /// `a` rotated.
     constexpr Vec2 apply(Vec2 a) const { return {c * a.x - s * a.y, s * a.x + c * a.y}; }
-    /// `a` turned back.
+    /// `a` rotated by the inverse.
     constexpr Vec2 applyInverse(Vec2 a) const { return {c * a.x + s * a.y, -s * a.x + c * a.y}; }
 };
 
-/// A rigid placement: rotate about the origin, then translate.
+/// A rigid transform: rotation about the origin, then translation.
 struct Pose {
-    Vec2 position;      ///< [m]
+    Vec2 position;      ///< Translation [m].
     Rotation rotation;  ///< Unit rotation.
 
-    /// Local to world.
+    /// From local to world coordinates.
     constexpr Vec2 apply(Vec2 local) const { return rotation.apply(local) + position; }
-    /// World to local.
+    /// From world to local coordinates.
     constexpr Vec2 applyInverse(Vec2 world) const { return rotation.applyInverse(world - position); }
 };
 

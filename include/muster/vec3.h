@@ -5,8 +5,8 @@
 
 namespace muster {
 
-/// A point or vector in space [m]. In the world x right, y forward, z up; in a character's own frame x
-/// forward, y to its left, z up.
+/// A point or vector in space [m]. In the world x right, y forward, z up; in body axes x forward,
+/// y left, z up.
 struct Vec3 {
     float x = 0.0f;
     float y = 0.0f;
@@ -66,7 +66,7 @@ inline Vec3 normalized(Vec3 a, Vec3 fallback = {}) {
     const float l = length(a);
     return l > 1e-9f ? a * (1.0f / l) : fallback;
 }
-/// The point at share `t` of the way from `a` to `b`.
+/// The point at share `t` of the distance from `a` to `b`.
 constexpr Vec3 lerp(Vec3 a, Vec3 b, float t) {
     return a + (b - a) * t;
 }

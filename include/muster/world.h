@@ -1,4 +1,4 @@
-// A world: environment, groups, characters, and the step that joins all layers.
+// A world: environment, groups, characters, and the simulation step.
 #pragma once
 
 #include <cstdint>
@@ -21,47 +21,48 @@ struct WorldEngine;
 /// Deterministic simulation at a fixed time step. Not thread-safe; threads inside never change results.
 class World {
 public:
-    /// Builds a world. `threads` as for ThreadPool. Fails with InvalidArgument naming the culprit.
+    /// Builds a world that uses this number of threads (0 for all cores). Fails with InvalidArgument, naming
+    /// the faulty value.
     static Result<World> create(const WorldDef& def, std::int32_t threads = 1);
-    /// The same, with its work handed to the caller's own task runner, which outlives the world. Results are
-    /// the same.
+    /// Builds a world that runs on the caller's task runner, which must outlive the world. Results are the
+    /// same.
     static Result<World> create(const WorldDef& def, const TaskRunner& runner);
-    /// A world from snapshot(): goes on bit for bit. Fails with ParseError on anything else.
+    /// Restores a world from snapshot(); it continues bit for bit. Fails with ParseError on other bytes.
     static Result<World> restore(std::span<const std::uint8_t> snapshot, std::int32_t threads = 1);
-    /// The same on the caller's own task runner.
+    /// Restores a world that runs on the caller's task runner.
     static Result<World> restore(std::span<const std::uint8_t> snapshot, const TaskRunner& runner);
     World(World&&) noexcept;  ///< Moves.
     World& operator=(World&&) noexcept;
     ~World();
 
-    /// Queues a command. Fails where it is malformed or its step has passed; whether it applies (does the
-    /// group exist?) shows when its step comes: see rejections().
+    /// Queues a command. Fails where it is malformed or its step has passed; whether it can
+    /// be applied is only known in its step: see rejections().
     Status submit(const Command& command);
     /// Advances by one time step.
     void step();
 
-    std::uint32_t stepCount() const;       ///< Steps done.
-    double time() const;                   ///< [s] = stepCount * stepTime.
-    const Parameters& parameters() const;  ///< As they are now.
+    std::uint32_t stepCount() const;       ///< Number of steps done.
+    double time() const;                   ///< stepCount() * stepTime [s].
+    const Parameters& parameters() const;  ///< Current values.
 
-    CharactersView characters() const;           ///< Of all groups.
-    std::size_t groupCount() const;              ///< Groups now.
-    GroupView group(std::size_t index) const;    ///< In ascending order of ids.
-    GroupDef groupDef(std::size_t index) const;  ///< Name, count and formation as they are now.
+    CharactersView characters() const;           ///< Characters of all groups.
+    std::size_t groupCount() const;              ///< Current number of groups.
+    GroupView group(std::size_t index) const;    ///< Groups are in ascending order of ids.
+    GroupDef groupDef(std::size_t index) const;  ///< Current name, count and formation.
 
-    std::span<const ObstacleId> obstacleIds() const;  ///< In ascending order.
-    ObstacleView obstacle(ObstacleId id) const;
-    std::span<const PatchId> patchIds() const;  ///< In ascending order.
-    PatchView patch(PatchId id) const;
-    std::span<const ItemDef> items() const;
-    std::span<const std::uint8_t> collected() const;  ///< Per item, 1 once collected.
-    std::span<const FormationCheckpointDef> checkpoints() const;
+    std::span<const ObstacleId> obstacleIds() const;              ///< In ascending order.
+    ObstacleView obstacle(ObstacleId id) const;                   ///< The obstacle of that id.
+    std::span<const PatchId> patchIds() const;                    ///< In ascending order.
+    PatchView patch(PatchId id) const;                            ///< The patch of that id.
+    std::span<const ItemDef> items() const;                       ///< All items.
+    std::span<const std::uint8_t> collected() const;              ///< Per item: 1 once collected, else 0.
+    std::span<const FormationCheckpointDef> checkpoints() const;  ///< All formation checkpoints.
 
-    std::span<const Event> events() const;          ///< Of the last step.
-    std::span<const Rejection> rejections() const;  ///< Of the last step.
-    StageTimes stageTimes() const;                  ///< Of the last step.
-    ContactReport contacts() const;                 ///< After the last step.
-    /// Step of the last applied command (0 for none): the clock of "arrived" starts there.
+    std::span<const Event> events() const;          ///< Events of the last step.
+    std::span<const Rejection> rejections() const;  ///< Commands that failed in the last step.
+    StageTimes stageTimes() const;                  ///< Wall times of the last step.
+    ContactReport contacts() const;                 ///< Overlaps after the last step.
+    /// Step of the last applied command; 0 for none.
     std::uint32_t lastCommandStep() const;
 
     /// Hash of all state.

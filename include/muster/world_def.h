@@ -1,4 +1,4 @@
-// What a world is made from: plain data, as scenarios hold it.
+// Definitions from which a world is made: the data of a scenario.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,14 @@ namespace muster {
 
 /// A group of characters with one mesh.
 struct GroupDef {
-    std::string name = "Group";  ///< Shown on its chip.
-    std::int32_t count = 36;     ///< Characters, 1 to 200,000; with exact plans 5,000 in all groups.
-    FormationDef formation;      ///< Kind and spacing.
-    Vec2 position;               ///< Centre of the formation [m].
-    double angle = 0.0;          ///< Where it faces, from +x counter-clockwise [rad].
-    std::vector<Vec2> starts;    ///< Where characters stand at first [m]; empty: on their places.
-    double jitter = 0.0;         ///< Start positions are moved by up to this, by the seed [m] >= 0.
+    std::string name = "Group";  ///< Name for display.
+    /// Number of characters, 1 to 200,000; at most 5,000 in all groups with exact plans.
+    std::int32_t count = 36;
+    FormationDef formation;    ///< Shape and spacing of the places.
+    Vec2 position;             ///< Centre of the formation [m].
+    double angle = 0.0;        ///< Heading, counter-clockwise from +x [rad].
+    std::vector<Vec2> starts;  ///< Initial positions of characters [m]; empty to start on their places.
+    double jitter = 0.0;       ///< Largest random displacement of initial positions [m], 0 or more.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
@@ -31,13 +32,13 @@ struct GroupDef {
     }
 };
 
-/// A spot that changes the formation of a group whose mesh centre comes within its radius (SPEC M7).
+/// A disc that changes the formation of a group whose mesh centre enters it (SPEC M7).
 struct FormationCheckpointDef {
-    Vec2 position;            ///< [m]
-    double radius = 2.0;      ///< [m] > 0
-    FormationDef formation;   ///< What the group becomes.
-    std::int32_t group = -1;  ///< Index of the group it concerns; -1 for any.
-    bool once = true;         ///< Works once per group; else each time the group comes anew.
+    Vec2 position;            ///< Centre [m].
+    double radius = 2.0;      ///< Radius [m], above 0.
+    FormationDef formation;   ///< New formation of the group.
+    std::int32_t group = -1;  ///< Index of the group that it applies to; -1 for all groups.
+    bool once = true;         ///< True: it applies once per group. False: whenever a group enters.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
@@ -46,10 +47,10 @@ struct FormationCheckpointDef {
     }
 };
 
-/// Something to collect: gone when a character comes within the radius.
+/// An item, which a character collects by coming within its radius.
 struct ItemDef {
-    Vec2 position;        ///< [m]
-    double radius = 0.5;  ///< [m] > 0
+    Vec2 position;        ///< Centre [m].
+    double radius = 0.5;  ///< Radius [m], above 0.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
@@ -70,24 +71,24 @@ struct MapGround {
     }
 };
 
-/// Everything a world starts from.
+/// Definition of a world.
 struct WorldDef {
-    std::string name = "Untitled";  ///< Shown in the studio.
-    std::string description;        ///< One or two sentences.
-    std::string credit;             ///< Whose data it uses; may be empty.
+    std::string name = "Untitled";  ///< Title for display.
+    std::string description;        ///< Description in one or two sentences.
+    std::string credit;             ///< Credit for the data it uses; may be empty.
     /// File of its gestures, in the scenario's folder or below; empty for none. World does not read it.
     std::string gestures;
-    Box box{{-16, -16}, {16, 16}};                      ///< [m]
-    double cell = 0.25;                                 ///< Edge of a ground cell [m] > 0.
-    std::uint64_t seed = 1;                             ///< Of all random numbers.
-    std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
-    std::vector<ObstacleDef> obstacles;                 ///< At most 20,000.
-    std::vector<PatchDef> patches;                      ///< At most 20,000.
-    std::optional<MapGround> map;                       ///< Adds obstacles and patches.
-    std::vector<GroupDef> groups;                       ///< At most 200.
-    std::vector<FormationCheckpointDef> checkpoints;    ///< Spots that change formations.
-    std::vector<ItemDef> items;                         ///< Things to collect.
-    Parameters parameters;                              ///< How it behaves.
+    Box box{{-16, -16}, {16, 16}};                      ///< Extent of the ground [m].
+    double cell = 0.25;                                 ///< Edge of a ground cell [m], above 0.
+    std::uint64_t seed = 1;                             ///< Seed of all random numbers.
+    std::vector<ClipFacts> clips = defaultClipFacts();  ///< Facts of clips, indexed by MotionId.
+    std::vector<ObstacleDef> obstacles;                 ///< At most 20,000 obstacles.
+    std::vector<PatchDef> patches;                      ///< At most 20,000 patches.
+    std::optional<MapGround> map;                       ///< Map that adds obstacles and patches; may be none.
+    std::vector<GroupDef> groups;                       ///< At most 200 groups.
+    std::vector<FormationCheckpointDef> checkpoints;    ///< Discs that change formations.
+    std::vector<ItemDef> items;                         ///< Items to collect.
+    Parameters parameters;                              ///< Parameters of behaviour.
 };
 
 }  // namespace muster

@@ -4,12 +4,12 @@ namespace muster {
 namespace {
 
 constexpr Vec2 kNowhere{1e300, 1e300};
-// More strays than one of so many points: all are listed anew.
+// All points are listed again where more than one in this many has moved too far.
 constexpr std::size_t kStrayShare = 32;
-// All are listed anew where the overflow holds more links than one for so many points.
+// All points are listed again where the overflow chains have more than one link per this many points.
 constexpr std::size_t kLinkShare = 4;
 // Memory is reserved so that it need not grow later: points that keep the reach from each other have at most
-// 6 neighbours each within a skin of 0.8, and few points are listed anew one by one.
+// 6 neighbours each within a skin of 0.8, and few points are listed again one by one.
 constexpr std::size_t kPairsPerPoint = 7;
 constexpr std::size_t kLinksPerPoint = 2;
 
@@ -52,7 +52,7 @@ void NeighbourList::updateRows(std::span<const Vec2> points, std::span<const Vec
     buildRows(points, active);
 }
 
-// Finds the points for which the list is invalid. False where all points had better be listed anew.
+// Finds the points for which the list is invalid. False where all points had better be listed again.
 bool NeighbourList::findStrays(std::span<const Vec2> points, std::span<const Vec2> next,
                                std::span<const std::uint8_t> active) {
     strays_.clear();

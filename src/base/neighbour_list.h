@@ -18,11 +18,10 @@ struct NeighbourPair {
 };
 
 /// A list of close pairs, which reuses its memory. It is kept in one of two ways:
-///  - build() and update() list all pairs anew whenever a point has moved too far.
-///  - updateRows() is for points of which most move alike and some are inactive. It takes the mean
-///  displacement out,
-///    keeps a row of neighbours per point, and lists single points anew: new entries go to overflow chains,
-///    and outdated ones stay, so a pair may be visited twice.
+///  - build() and update() list all pairs again whenever a point has moved too far.
+///  - updateRows() is for points of which most move alike and some are inactive. It subtracts the mean
+///    displacement, keeps a row of neighbours per point, and lists single points again: new entries go to
+///    overflow chains, and outdated ones stay, so a pair may be visited twice.
 /// The order of pairs depends on positions and indices only.
 class NeighbourList {
 public:
@@ -99,7 +98,7 @@ private:
     std::vector<Vec2> cellPoints_;      // Positions of the points that buildRows() listed [m].
     std::vector<std::int32_t> rowStart_;  // Of each point, the first of its neighbours in row_; and the end.
     std::vector<std::int32_t> row_;       // Neighbours, row by row.
-    std::vector<std::int32_t> strays_;    // Points that updateRows() lists anew.
+    std::vector<std::int32_t> strays_;    // Points that updateRows() lists again.
     std::vector<Link> overflow_;          // Neighbours and points that relist() added.
     std::vector<std::int32_t> overflowOfRow_;   // Of each point, its chain of further neighbours.
     std::vector<std::int32_t> overflowOfCell_;  // Of each cell, its chain of further points.

@@ -62,7 +62,8 @@ public:
         return true;
     }
 
-    /// The bucket that is being emptied. It may grow meanwhile: its size has to be read anew for every cell.
+    /// The bucket that is being emptied. It may grow meanwhile, so its size must be read again for every
+    /// cell.
     const std::vector<FrontCell>& bucket() const { return buckets_[slot(current_)]; }
     /// The number of that bucket.
     std::int32_t current() const { return current_; }

@@ -135,8 +135,8 @@ CostEstimate Geodesics::Impl::estimateRefracted(Vec2 from, std::int32_t place, d
     return {path.cost + added, CostSource::RefractedPath, path.firstVertex};
 }
 
-// A local field knows no path that leaves it. Through slow ground the local path may be much dearer than one
-// around; where far fields know a cheaper one, that counts. They say little of short paths.
+// A local field knows no path that leaves it. Through slow ground the local path may cost much more than
+// one around; where the far fields know a cheaper path, its cost is used. They are inexact for short paths.
 CostEstimate Geodesics::Impl::orByFarFields(CostEstimate local, Vec2 from, std::int32_t place) const {
     const Vec2 to = places[place];
     const double line = distance(from, to);

@@ -16,7 +16,7 @@ struct Detour {
     double extra = 0.0;  // How much longer it is than the straight line [m].
 };
 
-// The most promising vertex beside `middle`, if the dynamic cost fell everywhere as it does there. It stays
+// The most promising vertex next to `middle`, if the dynamic cost fell everywhere as it does there. It stays
 // `middle` where none is better than the straight line.
 Detour bestDetour(const DynamicCost& dynamicCost, Vec2 a, Vec2 b, double line, double fraction, Vec2 middle,
                   double straight, double worst) {

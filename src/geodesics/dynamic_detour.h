@@ -8,7 +8,7 @@
 namespace muster {
 
 /// The dynamic cost between two points [m of open ground]: along the straight line of this length, or, where
-/// that is cheaper, along a path with one vertex beside moving obstacles, including what the path is longer
+/// that is cheaper, along a path with one vertex next to moving obstacles, including what the path is longer
 /// than the line. An upper bound of that of the cheapest path.
 double dynamicCostBetween(const StaticGround& ground, const DynamicCost& dynamicCost, Vec2 a, Vec2 b,
                           double length);

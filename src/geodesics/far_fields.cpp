@@ -26,12 +26,12 @@ void FarFields::beginStep(const StaticGround& ground, std::size_t places) {
     while (static_cast<double>(places) / (metres * metres) > kMaxLandmarks) metres *= 2.0;
     const Grid& grid = ground.coarse().grid;
     const auto spacing = std::max(2, static_cast<std::int32_t>(metres / grid.cell + 0.5));
-    const bool anew = ground_ == nullptr || version_ != ground.version() || spacing != spacing_;
-    const bool changed = ground_ != nullptr && anew;
+    const bool isNew = ground_ == nullptr || version_ != ground.version() || spacing != spacing_;
+    const bool changed = ground_ != nullptr && isNew;
     ground_ = &ground;
     version_ = ground.version();
     spacing_ = spacing;
-    if (anew) {
+    if (isNew) {
         lattice_.reset(grid, spacing);
         slowLattice_.reset(grid, std::max(1, spacing / 2));
     }

@@ -28,7 +28,7 @@ struct PlanDef {
     /// The gain of an exchange must also exceed this share of the objective of the characters that it moves
     /// >= 0.
     double commitThresholdShare = Parameters::Plan{}.thresholdShare;
-    /// Lexicographic objective: the least bottleneck (cost of the dearest pair) comes first, then the sum
+    /// Lexicographic objective: the least bottleneck (cost of the costliest pair) comes first, then the sum
     /// above among the matchings that attain it.
     bool bottleneck = false;
     /// True for geodesic costs; false for straight-line distances (paths still follow the cost field).

@@ -8,11 +8,12 @@ namespace muster {
 inline constexpr std::int32_t kMaxCharacters = 200000;  ///< Of a world.
 /// Of a world with exact plans: they keep a cost for every pair.
 inline constexpr std::int32_t kMaxExact = 5000;
-inline constexpr std::size_t kMaxGroups = 200;       ///< Of a world: their indices travel as bytes.
-inline constexpr std::size_t kMaxCorners = 10000;    ///< Of one polygon, and waypoints of one path.
-inline constexpr std::size_t kMaxObstacles = 20000;  ///< Of a scenario; patches, items likewise.
-inline constexpr std::size_t kMaxText = 4096;        ///< Bytes of a name or description.
-inline constexpr double kMaxCoordinate = 1e6;        ///< Of any position [m].
+inline constexpr std::size_t kMaxGroups = 200;     ///< Of a world: their indices travel as bytes.
+inline constexpr std::size_t kMaxCorners = 10000;  ///< Of one polygon, and waypoints of one path.
+inline constexpr std::size_t
+    kMaxObstacles = 20000;                     ///< Of a scenario; also the limit for patches and for items.
+inline constexpr std::size_t kMaxText = 4096;  ///< Bytes of a name or description.
+inline constexpr double kMaxCoordinate = 1e6;  ///< Of any position [m].
 
 /// InvalidArgument where the spacing, the opening or the shape is bad.
 Status validateFormation(const FormationDef& formation);

@@ -93,7 +93,7 @@ TEST_CASE("two exchanged characters have the gap of analysis, for both judges") 
     CHECK(bound.gap(2.0) == doctest::Approx(0.02).epsilon(1e-3));
 }
 
-TEST_CASE("a gap where the optimum is next to nothing is told against a quarter of a metre each") {
+TEST_CASE("a gap at an optimum near zero is relative to a quarter of a metre per character") {
     const UnitCost cost = ground(false);
     ThreadPool pool(1);
     Committed plan = following(9, {0, 0}, {0, 0}, 0.0, 1);

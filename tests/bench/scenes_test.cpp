@@ -165,7 +165,7 @@ TEST_CASE("growth is the slope of each series on its own") {
     CHECK(growthOf(rows, Regime::Far).points == 0);
 }
 
-TEST_CASE("bad options are told in one sentence, good ones make the cases asked for") {
+TEST_CASE("bad options fail with one sentence, good ones make the requested cases") {
     const auto read = [](std::vector<const char*> words, Options& options) {
         words.insert(words.begin(), "muster-bench");
         return readOptions(static_cast<int>(words.size()), words.data(), options);

@@ -47,7 +47,7 @@ struct Scene {
 
 }  // namespace
 
-TEST_CASE("a detour is near the cheapest path around a cart, and never dearer than the straight line") {
+TEST_CASE("a detour is near the cheapest path around a cart, and never costlier than the straight line") {
     const Environment environment = withCart(0.25);
     const Environment fine = withCart(0.125);
     const Scene scene(environment);

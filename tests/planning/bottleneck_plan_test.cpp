@@ -26,12 +26,12 @@ PlanDef bottleneckDef(double threshold, bool geodesic) {
     return def;
 }
 
-// Cost of the dearest matched pair.
+// Cost of the costliest matched pair.
 double bottleneckOf(const PlanResult& result) {
-    double dearest = 0.0;
+    double costliest = 0.0;
     for (const double c : result.cost)
-        if (c < muster_test::kUnreachable) dearest = std::max(dearest, c);
-    return dearest;
+        if (c < muster_test::kUnreachable) costliest = std::max(costliest, c);
+    return costliest;
 }
 
 // Bottleneck and sum of squares of the straight distances, lexicographically least over all permutations.

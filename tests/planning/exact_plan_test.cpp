@@ -99,7 +99,7 @@ TEST_CASE("a shift inward is not committed for less than the threshold") {
     CHECK(result.gapBound == 0.0);
 }
 
-TEST_CASE("a wall makes a near place dear") {
+TEST_CASE("a wall makes a near place costly") {
     OwnedInput input;
     input.cost = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
     muster_test::addWall(input.cost, {{-0.3, -6}, {0.3, 8}});
@@ -158,7 +158,7 @@ TEST_CASE("unusable and unreachable places are given up") {
     CHECK(placesOf(result, 2) == Places{-1, 1});
 }
 
-TEST_CASE("without reassignment places stay, however dear") {
+TEST_CASE("without reassignment places stay, however costly") {
     OwnedInput input = onLine({1, 2, 4}, {2, 1}, {0, 1, -1});
     PlanDef def = definition(2.0, 0.0);
     def.reassign = false;

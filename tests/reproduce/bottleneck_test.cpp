@@ -54,7 +54,7 @@ TEST_CASE("the least longest walk of crossing pairs") {
     CHECK(bottleneckWalk(starts, places) == doctest::Approx(3.0));
 }
 
-TEST_CASE("nobody needs to walk nowhere, and too few places are told") {
+TEST_CASE("nobody needs to walk nowhere, and too few places are reported") {
     CHECK(bottleneckWalk({}, std::vector<Vec2>{{1, 1}}) == 0.0);
     const std::vector<Vec2> two{{0, 0}, {1, 0}};
     CHECK(bottleneckWalk(two, two) == 0.0);

@@ -102,7 +102,7 @@ TEST_CASE("any linear map, against trying all rotations") {
     }
 }
 
-TEST_CASE("halves are told apart by where triangles were at rest, areas weigh") {
+TEST_CASE("halves are distinguished by where triangles were at rest, areas weigh") {
     TriangleMesh mesh = twoTriangles();
     // A third triangle at the right, of area 1; only the one at the left and this one are stretched.
     mesh.vertices.insert(mesh.vertices.end(), {{6.0, 0.0}, {8.0, 0.0}, {6.0, 1.0}});

@@ -62,7 +62,7 @@ TEST_CASE("a strip holds every picture with its time and words, in rows") {
         CHECK(picture.number("y") + picture.number("height") <= root.number("height"));
     }
     CHECK(pictures[2].number("height") == 220.0);
-    // Words stay within the width of their picture, as far as that can be told without a font.
+    // Words stay within the width of their picture, as far as that is known without a font.
     for (const Element& text : xml.all("text")) {
         CHECK(text.number("y") <= root.number("height"));
         if (text.depth == 1) CHECK(text.text.size() <= 40);

@@ -48,7 +48,7 @@ TEST_CASE("a crossing counts from left to right, in its lane and at its time") {
         world.step();
         watch.observe(world);
         const std::span<const Vec2> now = world.characters().position;
-        // What it says of this step, looked at anew.
+        // The expected counts of this step, computed again.
         std::vector<std::size_t> crossed;
         for (std::size_t i = 0; i < now.size(); ++i)
             if (before[i].x < 0.0 && now[i].x >= 0.0) crossed.push_back(i);

@@ -148,7 +148,7 @@ TEST_CASE("medians and ranges of the table") {
     CHECK(count(figuresTables(wide, 1), "<table") == 2);
 }
 
-TEST_CASE("what was measured in some seeds only is told apart from what was not reached") {
+TEST_CASE("what was measured in some seeds only is distinguished from what was not reached") {
     ExperimentResult x = testing::fakeHalves(0);
     for (int seed = 1; seed <= 5; ++seed) {
         RunSample run;

@@ -45,7 +45,7 @@ TEST_CASE("experiments have ids, titles and arms of their own") {
     }
 }
 
-TEST_CASE("what cannot be run is told by name before the first run") {
+TEST_CASE("what cannot be run is reported by name before the first run") {
     const Status unknown = refused({{"X2", "X99"}, 1, 1, kFolder});
     CHECK(unknown.code() == StatusCode::NotFound);
     CHECK(unknown.message().find("\"X99\"") != std::string::npos);
@@ -76,11 +76,12 @@ TEST_CASE("a scenario that is there but cannot be read ends it, naming experimen
     REQUIRE(file != nullptr);
     std::fputs("{\"format\":", file);
     std::fclose(file);
-    std::size_t told = 0;
-    const auto result = reproduce({{"X2"}, 3, 2, folder.string()}, [&](const ReproduceProgress&) { ++told; });
+    std::size_t reports = 0;
+    const auto result = reproduce({{"X2"}, 3, 2, folder.string()},
+                                  [&](const ReproduceProgress&) { ++reports; });
     REQUIRE_FALSE(result.ok());
     CHECK(result.status().message().rfind("X2: " + path + ":", 0) == 0);
-    CHECK(told == 0);
+    CHECK(reports == 0);
     fs::remove_all(folder);
 }
 

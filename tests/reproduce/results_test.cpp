@@ -76,7 +76,7 @@ TEST_CASE("lines for a terminal tell every verdict and the sum") {
     }
 }
 
-TEST_CASE("the report's files are written into a new folder; a file in its place is told") {
+TEST_CASE("the report's files are written into a new folder; a file in its place is an error") {
     const fs::path folder = fs::temp_directory_path() / ("muster_report_test_" + std::to_string(::getpid()));
     const fs::path deep = folder / "deep" / "er";
     REQUIRE(writeReport(fakeReproduction(2), deep.string()).ok());

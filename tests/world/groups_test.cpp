@@ -140,7 +140,7 @@ TEST_CASE("groups come and go while others stand; ids and places stay their own"
     REQUIRE(world.groupCount() == 2);
     CHECK(world.group(0).id == second);
     CHECK(world.characters().size() == 20);
-    CHECK(world.characters().id.front() == 10);  // The first nine are gone, nobody is numbered anew.
+    CHECK(world.characters().id.front() == 10);  // The first nine are gone, nobody gets a new number.
     checkPlaces(world);
     const auto still = ofGroup(world, 0);
     REQUIRE(still.size() == standing.size());

@@ -196,7 +196,7 @@ TEST_CASE("plan.geodesic: a wall between near things makes them far; straight li
     }
 }
 
-TEST_CASE("plan.mode after a change of formation: assigned anew, or by number") {
+TEST_CASE("plan.mode after a change of formation: assigned again, or by number") {
     for (const PlanMode mode : {PlanMode::Transport, PlanMode::AssignedOnce, PlanMode::Fixed}) {
         WorldDef def = openFloor(16);
         def.parameters.plan.mode = mode;

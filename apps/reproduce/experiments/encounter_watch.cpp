@@ -51,15 +51,15 @@ void EncounterWatch::observe(const World& world) {
     look(world, false);
     const CharactersView characters = world.characters();
     for (std::size_t i = 0; i < characters.size(); ++i) {
-        std::int32_t told = 0;
+        std::int32_t reported = 0;
         for (const Event& event : world.events())
             if (event.kind == EventKind::SingleStep && event.subject == characters.id[i] &&
                 event.value == static_cast<std::uint32_t>(motion_))
-                ++told;
-        events_ += told;
+                ++reported;
+        events_ += reported;
         encounters_ += begins_[i];
         byCharacter_[i] += begins_[i];
-        mismatches_ += std::abs(told - begins_[i]);
+        mismatches_ += std::abs(reported - begins_[i]);
     }
 }
 

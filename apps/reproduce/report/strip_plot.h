@@ -12,7 +12,7 @@ struct StripRow {
     std::size_t series = 0;      ///< Its colour and mark.
     bool hollow = false;         ///< Marks not filled.
     std::vector<double> values;  ///< One per seed.
-    std::size_t missing = 0;     ///< Seeds without a value; told beside the row.
+    std::size_t missing = 0;     ///< Seeds without a value; printed next to the row.
 };
 
 /// Definition of a plot.

@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-// The duals are fitted anew where more than one in so many nodes is violated.
+// The duals are fitted again where more than one in so many nodes is violated.
 constexpr std::int32_t kNodesPerViolated = 8;
 constexpr std::int32_t kFitDelay = 8;      // Repairs between two fits of the duals.
 constexpr std::int32_t kFarFitDelay = 40;  // The same while the crowd is far and little changes.
@@ -116,7 +116,7 @@ RefreshSchedule DynamicAssignment::schedule(const DynamicAssignmentDef& def) con
 
 void DynamicAssignment::repair(const AssignmentStep& step) {
     const DynamicAssignmentDef& def = step.def;
-    // Where much is violated, searches find no direction, so the duals are fitted anew.
+    // Where much is violated, searches find no direction, so the duals are fitted again.
     if (fitDelay_ > 0) --fitDelay_;
     if (fitDelay_ == 0 && violatedNodes_ > graph_.count() / kNodesPerViolated) {
         initialDuals_.run(step, graph_);

@@ -157,7 +157,7 @@ private:
     AssignmentNodes nodes_;
     ExchangeArcs arcs_;
     std::vector<double> dual_;              // Per node, less the dual shift [units of CostPower].
-    std::vector<std::uint8_t> headsStale_;  // Per node: its heads are to be chosen anew.
+    std::vector<std::uint8_t> headsStale_;  // Per node: its heads must be chosen again.
     std::vector<std::uint8_t> retryDelay_;  // Per node: steps until it is repaired again.
     std::vector<float> matchedCost_;        // Per node [m].
     std::vector<float> costAtRefresh_;  // Per node: matchedCost_ when all its arcs were evaluated last [m].

@@ -41,14 +41,14 @@ void CommitRule::forEachPair(std::span<const Flow> incumbent, std::span<const Fl
     }
 }
 
-// With the bottleneck objective an exchange is also worthwhile for lowering its own dearest pair to the
+// With the bottleneck objective an exchange is also worthwhile for lowering its own costliest pair to the
 // bottleneck of the optimal flows.
 bool CommitRule::isWorthwhile(const PlanDef& def, const Exchange& exchange, double bottleneck) const {
     const auto threshold = [&](double cost) {
         return std::max(def.commitThreshold, def.commitThresholdShare * cost);
     };
     if (exchange.moreMatched > tolerance_) return true;
-    if (def.bottleneck && exchange.incumbentDearest - bottleneck > threshold(exchange.incumbentDearest))
+    if (def.bottleneck && exchange.incumbentBottleneck - bottleneck > threshold(exchange.incumbentBottleneck))
         return true;
     return exchange.incumbentCost - exchange.optimalCost > threshold(exchange.incumbentCost);
 }
@@ -67,13 +67,13 @@ void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_
     forEachPair(incumbent, optimal, [&](const Flow& flow, double before, double after) {
         if (differ(before, after)) unite(flow.character, characters + flow.place);
     });
-    double bottleneck = 0.0;  // Cost of the dearest pair of the optimal flows.
+    double bottleneck = 0.0;  // Cost of the costliest pair of the optimal flows.
     forEachPair(incumbent, optimal, [&](const Flow& flow, double before, double after) {
         const double c = cost[static_cast<std::size_t>(flow.character) * places + flow.place];
         if (after > tolerance_) bottleneck = std::max(bottleneck, c);
         if (!differ(before, after)) return;
         Exchange& exchange = exchanges_[find(flow.character)];
-        if (before > tolerance_) exchange.incumbentDearest = std::max(exchange.incumbentDearest, c);
+        if (before > tolerance_) exchange.incumbentBottleneck = std::max(exchange.incumbentBottleneck, c);
         exchange.moreMatched += after - before;
         exchange.incumbentCost += c * before;
         exchange.optimalCost += c * after;

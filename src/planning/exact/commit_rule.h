@@ -26,10 +26,10 @@ public:
 private:
     /// One component of the difference. Costs are to the power of the objective.
     struct Exchange {
-        double moreMatched = 0.0;       // Amount that the optimal flows send beyond the incumbent ones.
-        double incumbentCost = 0.0;     // Sum over its incumbent flows.
-        double optimalCost = 0.0;       // Sum over its optimal flows.
-        double incumbentDearest = 0.0;  // Of its incumbent pairs.
+        double moreMatched = 0.0;          // Amount that the optimal flows send beyond the incumbent ones.
+        double incumbentCost = 0.0;        // Sum over its incumbent flows.
+        double optimalCost = 0.0;          // Sum over its optimal flows.
+        double incumbentBottleneck = 0.0;  // Cost of its costliest incumbent pair.
         bool commit = false;
     };
     bool isWorthwhile(const PlanDef& def, const Exchange& exchange, double bottleneck) const;

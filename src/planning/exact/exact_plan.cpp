@@ -64,7 +64,7 @@ void ExactPlan::collectIncumbents() {
     }
 }
 
-// With the bottleneck objective pairs dearer than the bottleneck are forbidden, and the least sum is found
+// With the bottleneck objective pairs costlier than the bottleneck are forbidden, and the least sum is found
 // among the others.
 Status ExactPlan::solveAssignment() {
     TransportationProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(),

@@ -69,7 +69,7 @@ private:
     CommitRule commitRule_;
     std::vector<double> cost_;             // Characters x places [m].
     std::vector<double> powered_;          // The same to the power of the objective.
-    std::vector<double> allowed_;          // The same, infinite for pairs dearer than the bottleneck.
+    std::vector<double> allowed_;          // The same, infinite for pairs costlier than the bottleneck.
     std::vector<double> demand_;           // Per place.
     std::vector<double> unclaimedDemand_;  // Per place: what incumbents do not claim.
     std::vector<Flow> incumbents_;         // What the incumbents hold, ordered by character.

@@ -11,7 +11,7 @@ namespace muster {
 
 /// A plan by `plan.solver`; the only place that knows which solvers there are.
 std::unique_ptr<Plan> makePlan(const Parameters& parameters);
-/// Gives every group a new plan, for another solver: all are planned anew in the next step, with the places
+/// Gives every group a new plan, for another solver: all are planned again in the next step, with the places
 /// that characters have as incumbents. No background work may be running.
 void exchangePlans(WorldState& state);
 

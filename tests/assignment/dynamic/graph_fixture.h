@@ -43,7 +43,7 @@ struct GraphFixture {
         graph.assignPlaces(placeOf);
         begin();
     }
-    /// Begins a step and makes all arcs anew.
+    /// Begins a step and makes all arcs again.
     void rebuild() {
         begin();
         graph.rebuildArcs(step());
