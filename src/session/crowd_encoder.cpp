@@ -3,8 +3,9 @@
 namespace muster {
 namespace {
 
-constexpr int kLongestStep = 127;    // In quanta.
-constexpr std::size_t kJumpers = 4;  // Where one in so many jumped, whole places are shorter.
+constexpr int kLongestStep = 127;  // The largest change of a position within one frame [quanta].
+// Whole positions are shorter where at least one in so many characters moves farther.
+constexpr std::size_t kFarShare = 4;
 
 void clearLists(protocol::CrowdFrame& frame) {
     for (auto* list : {&frame.x, &frame.y, &frame.jumpedX, &frame.jumpedY}) list->clear();
@@ -13,7 +14,7 @@ void clearLists(protocol::CrowdFrame& frame) {
     frame.clip.clear();
 }
 
-// The upper bytes, and the lower ones where they are told too.
+// Splits numbers into their upper bytes and, where `fine`, their lower bytes.
 void split(const std::vector<std::uint16_t>& numbers, bool fine, std::vector<std::uint8_t>& high,
            std::vector<std::uint8_t>& low) {
     high.resize(numbers.size());
@@ -24,7 +25,7 @@ void split(const std::vector<std::uint16_t>& numbers, bool fine, std::vector<std
 
 }  // namespace
 
-// False where whole places are shorter.
+// Returns false where whole positions are shorter than steps.
 bool CrowdEncoder::encodeSteps(const CrowdPicture& picture, protocol::CrowdFrame& frame) const {
     const std::size_t count = picture.size();
     frame.stepX.resize(count);
@@ -36,7 +37,7 @@ bool CrowdEncoder::encodeSteps(const CrowdPicture& picture, protocol::CrowdFrame
         frame.stepX[i] = static_cast<std::int8_t>(far ? 0 : dx);
         frame.stepY[i] = static_cast<std::int8_t>(far ? 0 : dy);
         if (!far) continue;
-        if (frame.jumped.size() * kJumpers >= count) return false;
+        if (frame.jumped.size() * kFarShare >= count) return false;
         frame.jumped.push_back(static_cast<std::uint32_t>(i));
         frame.jumpedX.push_back(picture.x[i]);
         frame.jumpedY.push_back(picture.y[i]);
@@ -49,9 +50,9 @@ bool CrowdEncoder::encodeSteps(const CrowdPicture& picture, protocol::CrowdFrame
     return true;
 }
 
-void CrowdEncoder::encode(const CrowdPicture& picture, bool anew, protocol::CrowdFrame& frame) {
+void CrowdEncoder::encode(const CrowdPicture& picture, bool restart, protocol::CrowdFrame& frame) {
     clearLists(frame);
-    const bool known = !anew && x_.size() == picture.size() && corner_ == picture.lattice.corner() &&
+    const bool known = !restart && x_.size() == picture.size() && corner_ == picture.lattice.corner() &&
                        quantum_ == picture.lattice.quantum();
     if (!known || !encodeSteps(picture, frame)) {
         clearLists(frame);

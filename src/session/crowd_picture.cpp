@@ -7,11 +7,13 @@ namespace muster {
 namespace {
 
 constexpr double kSteps = 65535.0;
-constexpr double kFinest = 1.0 / 1024.0;      // Quantum of small crowds [m].
-constexpr double kFinestLarge = 1.0 / 512.0;  // Of large ones: who runs is still told of in single bytes [m].
-// Share of the numbers that a new lattice uses: the crowd walks on.
-constexpr double kRoom = 0.75;
-constexpr double kTooCoarse = 4.0;  // A quantum is kept until it is so many times what it need be.
+constexpr double kFinest = 1.0 / 1024.0;  // Quantum of small crowds [m].
+// Quantum of large crowds [m]; a runner's step still fits a single byte.
+constexpr double kFinestLarge = 1.0 / 512.0;
+// Share of the 16-bit range that a new lattice uses. The rest lets the crowd walk on.
+constexpr double kUsedShare = 0.75;
+// A lattice is replaced where its quantum exceeds the necessary one by this factor.
+constexpr double kTooCoarse = 4.0;
 
 struct Bounds {
     Vec2 min{0.0, 0.0};
@@ -39,7 +41,7 @@ std::uint16_t number(double metres, double quantum) {
 void PlaceLattice::cover(std::span<const Vec2> positions) {
     const Bounds bounds = boundsOf(positions);
     double needed = positions.size() > kFineCrowd ? kFinestLarge : kFinest;
-    while (bounds.span() > needed * kSteps * kRoom) needed *= 2.0;
+    while (bounds.span() > needed * kSteps * kUsedShare) needed *= 2.0;
     const double reach = quantum_ * kSteps;
     const bool inside = bounds.min.x >= corner_.x && bounds.min.y >= corner_.y &&
                         bounds.max.x <= corner_.x + reach && bounds.max.y <= corner_.y + reach;

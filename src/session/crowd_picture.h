@@ -1,4 +1,4 @@
-// The crowd in whole numbers, as frames tell of it: the same for all clients.
+// The crowd's state in whole numbers, as frames hold it. It is the same for all clients.
 #pragma once
 
 #include <cstddef>
@@ -10,43 +10,45 @@
 
 namespace muster {
 
-/// Crowds up to this size are told of in fine headings and phases; larger ones in coarse ones and wider
-/// quanta.
+/// The largest crowd with fine headings and phases. Larger crowds have coarse ones and a larger quantum.
 inline constexpr std::size_t kFineCrowd = 1000;
 
-/// Whole numbers of 16 bits for places: multiples of a power of two from one corner. Where the crowd walks
-/// on, the corner moves by whole quanta, so that who stands still keeps its place to the bit.
+/// Maps positions to 16-bit whole numbers: multiples of a power of two from a corner. When the crowd walks
+/// on, the corner moves by whole quanta, so that a standing character keeps its exact position.
 class PlaceLattice {
 public:
-    /// Makes sure that all these have numbers; keeps what it has as long as that serves.
+    /// Changes the lattice only where it cannot represent all these positions well.
     void cover(std::span<const Vec2> positions);
 
-    double quantum() const { return quantum_; }  ///< [m]
-    Vec2 corner() const { return corner_; }      ///< Where both numbers are 0 [m].
-    std::uint16_t x(Vec2 p) const;               ///< Its first number.
-    std::uint16_t y(Vec2 p) const;               ///< Its second number.
+    double quantum() const { return quantum_; }  ///< Size of one unit [m].
+    Vec2 corner() const { return corner_; }      ///< The position where both numbers are 0 [m].
+    std::uint16_t x(Vec2 p) const;               ///< The number for the x coordinate.
+    std::uint16_t y(Vec2 p) const;               ///< The number for the y coordinate.
 
 private:
-    double quantum_ = 0.0;  // 0: none yet.
+    double quantum_ = 0.0;  // 0 before the first cover().
     Vec2 corner_;
 };
 
-/// Everybody as a frame shows them.
+/// The state of all characters as a frame shows it.
 struct CrowdPicture {
     PlaceLattice lattice;
-    std::vector<std::uint16_t> x;  ///< By the lattice.
+    std::vector<std::uint16_t> x;  ///< Positions as numbers of the lattice.
     std::vector<std::uint16_t> y;
-    std::vector<std::uint16_t> heading;   ///< 65536ths of a turn.
-    std::vector<std::uint8_t> clip;       ///< Index into the library.
-    std::vector<std::uint16_t> phase;     ///< 65536ths of the clip.
-    bool longClips = false;               ///< Some clip is too long for coarse phases.
-    std::vector<std::uint32_t> near;      ///< Indices of those with whole poses, ascending.
-    std::vector<float> nearPlaces;        ///< Per such x, y [m], heading [rad].
-    std::vector<std::int16_t> nearPoses;  ///< Per such as CrowdFrame has it.
+    std::vector<std::uint16_t> heading;  ///< Headings in 65536ths of a full turn.
+    std::vector<std::uint8_t> clip;      ///< Indices into the clip library.
+    std::vector<std::uint16_t> phase;    ///< Times within the clips in 65536ths of the clip.
+    bool longClips = false;              ///< True where a clip is too long for coarse phases.
+    std::vector<std::uint32_t> near;     ///< Indices of the characters with whole poses, ascending.
+    /// x, y [m] and heading [rad] of each character with a whole pose.
+    std::vector<float> nearPlaces;
+    std::vector<std::int16_t> nearPoses;  ///< Their poses, in the layout of CrowdFrame::nearPoses.
 
     std::size_t size() const { return x.size(); }  ///< Number of characters.
-    void resize(std::size_t count);                ///< Makes room; new ones face along x, in the first pose.
-    void place(std::span<const Vec2> positions);   ///< Takes everybody's positions; resizes.
+    /// Resizes all lists. New characters face along x in the first pose.
+    void resize(std::size_t count);
+    /// Copies all positions; resizes the lists where the count differs.
+    void place(std::span<const Vec2> positions);
 };
 
 }  // namespace muster

@@ -13,7 +13,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kSwapWindow = 120;  // Steps that the rate of swaps looks back.
+constexpr std::size_t kSwapWindow = 120;  // Number of steps that the swap rate averages over.
 
 float narrow(double value) {
     return static_cast<float>(value);
@@ -100,8 +100,8 @@ void FrameBuilder::observe(const World& world) {
     swapSum_ -= slot;
     slot = swaps;
     const double took = world.stageTimes().total;
-    slowestStep_ = stepsTold_ ? took : std::max(slowestStep_, took);
-    stepsTold_ = false;
+    slowestStep_ = stepsReported_ ? took : std::max(slowestStep_, took);
+    stepsReported_ = false;
 }
 
 void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
@@ -146,7 +146,7 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     fillMoving(inspect::environment(world), frame.moving);
     frame.collected.assign(world.collected().begin(), world.collected().end());
     frame.stepMs = narrow(slowestStep_);
-    stepsTold_ = true;
+    stepsReported_ = true;
     frame.lagP95 = narrow(lagP95(world));
     const double seconds = static_cast<double>(std::min(observed_, kSwapWindow)) *
                            world.parameters().stepTime;
@@ -179,7 +179,8 @@ protocol::GroupMesh buildGroupMesh(const World& world, std::size_t index) {
 
 void appendEvents(const World& world, std::vector<protocol::EventFrame>& events) {
     for (const Event& event : world.events()) {
-        if (event.kind == EventKind::Swap) continue;  // Many in a large crowd; their rate is told.
+        // A large crowd has many swaps; a frame holds their rate instead.
+        if (event.kind == EventKind::Swap) continue;
         events.push_back({static_cast<std::uint8_t>(event.kind), event.subject, event.value,
                           narrow(event.position.x), narrow(event.position.y)});
     }

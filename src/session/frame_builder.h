@@ -1,4 +1,4 @@
-// The world as a frame.
+// Builds the frame message from the world.
 #pragma once
 
 #include <vector>
@@ -10,42 +10,42 @@
 
 namespace muster {
 
-/// Builds what is the same for all clients, and remembers what lies further back than one step.
+/// Builds the part of a frame that all clients share, and keeps the history that some of its values need.
 class FrameBuilder {
 public:
-    /// A new world.
+    /// Starts with a new world.
     void restart();
-    /// Call after every step.
+    /// Must be called after every step.
     void observe(const World& world);
-    /// Writes ids, groups, moving things and figures of the world as it stands to `frame`.
+    /// Writes ids, groups, moving obstacles and statistics of the world's present state to `frame`.
     void build(const World& world, protocol::Frame& frame);
-    /// Everybody's places at the last build; motion adds what they play.
+    /// All characters at the last build, without motion; MotionFrames adds it.
     CrowdPicture& crowd() { return crowd_; }
-    /// Places of each group at the last build.
+    /// The places of each group at the last build.
     const std::vector<PlacesPicture>& places() const { return places_; }
-    /// Grows whenever the characters or their groups change; of the last build.
+    /// Version of the last build's ids; it grows whenever the characters or their groups change.
     std::uint32_t idsVersion() const { return idsVersion_; }
 
 private:
     void buildCharacters(const World& world, protocol::Frame& frame);
     double lagP95(const World& world);
 
-    std::vector<std::uint32_t> swaps_;  // Of the last steps, a ring.
+    std::vector<std::uint32_t> swaps_;  // Swaps per step over the last steps, a ring buffer.
     std::uint64_t swapSum_ = 0;
-    std::size_t observed_ = 0;        // Steps.
-    std::vector<std::uint32_t> ids_;  // Of the last build.
+    std::size_t observed_ = 0;        // Number of steps observed.
+    std::vector<std::uint32_t> ids_;  // Ids at the last build.
     std::vector<std::uint8_t> groups_;
     std::uint32_t idsVersion_ = 0;
     CrowdPicture crowd_;
     std::vector<PlacesPicture> places_;
-    std::vector<float> lags_;   // Working memory.
-    double slowestStep_ = 0.0;  // Of the steps that the next frame tells of, or the last told of [ms].
-    bool stepsTold_ = true;     // A frame has told of them.
+    std::vector<float> lags_;    // Working memory.
+    double slowestStep_ = 0.0;   // Duration of the slowest step since the last frame [ms].
+    bool stepsReported_ = true;  // True when a frame has reported slowestStep_.
 };
 
-/// Topology of a group's mesh.
+/// The topology of a group's mesh.
 protocol::GroupMesh buildGroupMesh(const World& world, std::size_t index);
-/// Events as the page gets them: all but swaps, whose rate frames tell.
+/// Converts events for the page. Swaps are left out; frames hold their rate.
 void appendEvents(const World& world, std::vector<protocol::EventFrame>& events);
 
 }  // namespace muster

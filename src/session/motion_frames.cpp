@@ -9,15 +9,16 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kStepsBetweenChoices = 6;
-constexpr std::size_t kMostClips = 256;  // Their indices are single bytes.
-constexpr double kLongestClip = 65.0;    // Phases in them are 16 bits: a millisecond each [s].
-constexpr float kCoarseClip = 5.0f;      // Phases of 8 bits do for clips up to this length [s].
+constexpr std::size_t kMostClips = 256;  // Indices of clips are single bytes.
+// Phases have 16 bits, so that one unit of the longest clip is about a millisecond [s].
+constexpr double kLongestClip = 65.0;
+constexpr float kCoarseClip = 5.0f;  // Phases of 8 bits suffice for clips up to this length [s].
 constexpr std::size_t kLargeCrowd = 2000;
-// Whole poses for each client then: frames stay within 8 bytes for each.
+// Largest number of whole poses per client in a large crowd. It keeps frames within 8 bytes per character.
 constexpr std::size_t kNearOfLarge = 100;
 constexpr std::size_t
     kMostPoses = 50'000;            // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
-constexpr float kWhole = 32767.0f;  // What 1 is in the numbers of a rotation.
+constexpr float kWhole = 32767.0f;  // The integer that stands for 1 in quaternion components.
 
 std::int16_t share(float value) {
     return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0f, 1.0f) * kWhole));
@@ -43,27 +44,27 @@ void appendRotations(const BodyPose& pose, std::vector<std::int16_t>& list) {
         for (const float value : {q.x, q.y, q.z, q.w}) list.push_back(share(value));
 }
 
-// Three numbers of 16 bits: of a unit quaternion the largest component follows from the others, which are at
-// most sqrt(1/2). Which it is, is told by the lowest bits of the first two.
-void appendTurn(const Quat& q, std::vector<std::int16_t>& list) {
+// Encodes a unit quaternion in three 16-bit numbers (smallest three). The largest component follows from the
+// others, which are at most sqrt(1/2). The lowest bits of the first two numbers are its index.
+void appendSmallestThree(const Quat& q, std::vector<std::int16_t>& list) {
     constexpr float kMost = 0.70710678f, kUnits = 16383.0f;
     const float parts[4] = {q.x, q.y, q.z, q.w};
     int largest = 0;
     for (int k = 1; k < 4; ++k)
         if (std::fabs(parts[k]) > std::fabs(parts[largest])) largest = k;
     const float sign = parts[largest] < 0.0f ? -1.0f : 1.0f;
-    for (int k = 0, told = 0; k < 4; ++k) {
+    for (int k = 0, written = 0; k < 4; ++k) {
         if (k == largest) continue;
         const long whole = std::lround(std::clamp(sign * parts[k] / kMost, -1.0f, 1.0f) * kUnits);
-        const int bit = told < 2 ? (largest >> told) & 1 : 0;
+        const int bit = written < 2 ? (largest >> written) & 1 : 0;
         list.push_back(static_cast<std::int16_t>(2 * whole + bit));
-        ++told;
+        ++written;
     }
 }
 
 void appendPose(const BodyPose& pose, std::vector<std::int16_t>& list) {
     for (const float value : {pose.hips.x, pose.hips.y, pose.hips.z}) list.push_back(millimetres(value));
-    for (const Quat& q : pose.rotation) appendTurn(q, list);
+    for (const Quat& q : pose.rotation) appendSmallestThree(q, list);
 }
 
 Status tooMany(const std::string& what, std::size_t found, std::size_t most) {
@@ -130,7 +131,7 @@ void MotionFrames::encodeMotions() {
     ++revision_;
 }
 
-// Everyone whom some client looks at; those nearest to where it looks, the lower id first where equally near.
+// Chooses the characters nearest to each client's attention; the lower id comes first at equal distance.
 void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& attentions) {
     const CharactersView characters = world.characters();
     near_.clear();

@@ -1,4 +1,4 @@
-// The characters' motion as frames tell of it.
+// The motion part of frames: clips, phases and whole poses.
 #pragma once
 
 #include <map>
@@ -11,42 +11,42 @@
 
 namespace muster {
 
-/// Where a client looks: it wants whole poses of the `count` characters nearest to `centre`.
+/// The point that a client looks at. It receives whole poses of the `count` characters nearest to `centre`.
 struct Attention {
     Vec2 centre;            ///< [m]
     std::size_t count = 0;  ///< 0 for none.
 };
 
-/// Plays the crowd's motion beside a world, for all clients together.
+/// Plays the crowd's motion along with a world, once for all clients.
 class MotionFrames {
 public:
-    /// Fails, naming the culprit, where frames cannot tell of these clips: one may last as long as a time in
-    /// it fits 16 bits of milliseconds, their number fits 8 bits, and all poses fit a page's memory.
+    /// Fails, naming the clip, where frames cannot represent these clips: a clip lasts longer than 65 s,
+    /// there are more than 256 clips, or all poses together exceed the page's memory limit.
     static Status fits(const ClipLibrary& library);
-    /// A new world, moved by these clips, which fit.
+    /// Starts with a new world whose characters play these clips. fits() must accept them.
     void restart(ClipLibrary library);
-    /// Call after every step, with where all clients look.
+    /// Must be called after every step, with the attention of all clients.
     void observe(const World& world, const std::vector<Attention>& attentions);
     /// Writes headings, clips, phases and whole poses to `picture`.
     void build(CrowdPicture& picture) const;
 
-    /// Skeleton and clips as an encoded Motions message.
+    /// The skeleton and the clips as an encoded Motions message.
     const std::vector<std::uint8_t>& motions() const { return motions_; }
-    /// Grows with every other library.
+    /// Revision of motions(); it grows with every change of the library.
     std::uint32_t revision() const { return revision_; }
 
 private:
     void chooseNear(const World& world, const std::vector<Attention>& attentions);
     void encodeMotions();
 
-    std::unique_ptr<ClipLibrary> library_;  // Where it stands CrowdMotion looks.
+    std::unique_ptr<ClipLibrary> library_;  // On the heap, because CrowdMotion points to it.
     std::unique_ptr<CrowdMotion> motion_;
     std::vector<std::uint8_t> motions_;
-    std::vector<float> durations_;  // Of clips [s].
-    bool longClips_ = false;        // Some are too long for phases of 8 bits.
+    std::vector<float> durations_;  // Duration of each clip [s].
+    bool longClips_ = false;        // True where a clip is too long for 8-bit phases.
     std::uint32_t revision_ = 0;
-    std::uint32_t untilChoice_ = 0;  // Steps until whose poses are whole is chosen anew.
-    std::size_t attended_ = 0;       // Asked for at the last choice.
+    std::uint32_t untilChoice_ = 0;  // Steps until the characters with whole poses are chosen again.
+    std::size_t attended_ = 0;       // Number of whole poses requested at the last choice.
     std::vector<std::pair<double, std::uint32_t>> byDistance_;  // Working memory.
     std::vector<std::uint32_t> near_;
 };

@@ -10,7 +10,7 @@ std::optional<Vec2> finite(Vec2 position) {
     return isFinite(position) ? std::optional<Vec2>(position) : std::nullopt;
 }
 
-// The mean of pointAt(0) to pointAt(count - 1).
+// Returns the mean of pointAt(0) to pointAt(count - 1).
 template <class PointAt>
 std::optional<Vec2> middle(std::size_t count, PointAt pointAt) {
     if (count == 0) return std::nullopt;

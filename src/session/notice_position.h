@@ -9,9 +9,9 @@
 
 namespace muster {
 
-/// Where a finger came down or a new control should stand; nothing for other commands.
+/// The position at which a finger came down or a new control should be; nothing for other commands.
 std::optional<Vec2> positionOf(const CommandBody& command);
-/// The same for a message, of its first finger that came down.
+/// The same for a message; it uses the first finger that came down.
 std::optional<Vec2> positionOf(const protocol::ClientMessage& message);
 
 }  // namespace muster

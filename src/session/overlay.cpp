@@ -14,19 +14,19 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kMaxPathPoints = 4000;
-constexpr double kCostMargin = 8.0;  // Shown round the group [m].
+constexpr double kCostMargin = 8.0;  // Margin around the group that the overlay covers [m].
 
-// One group's places as one of its characters sees them.
+// The cost field of one character's place.
 struct Destination {
     const Plan* plan = nullptr;
     std::int32_t place = -1;
-    Vec2 from;  // The character [m].
-    Vec2 to;    // Its place [m].
+    Vec2 from;  // The character's position [m].
+    Vec2 to;    // The position of its place [m].
 
     double cost(Vec2 p) const { return plan->costAt(place, p); }
 };
 
-// Whole ground cells in a box, coarsened until they are few enough.
+// A box of whole ground cells, coarsened until their number is within the limit.
 Grid overlayGrid(const Grid& ground, const Box& box) {
     const Cell low = ground.nearestCell(box.min);
     const Cell high = ground.nearestCell(box.max);
@@ -78,7 +78,7 @@ Box boundsOfGroup(const World& world, const Destination& destination) {
     return box;
 }
 
-// Downhill from the character, a cell at a time, by the cheapest of sixteen directions.
+// Descends the field from the character in steps of one cell, along the cheapest of sixteen directions.
 void tracePath(const Destination& destination, double step, protocol::Overlay& overlay) {
     constexpr int kDirections = 16;
     Vec2 at = destination.from;

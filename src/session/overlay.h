@@ -1,4 +1,4 @@
-// What the ground can be coloured by.
+// Overlays: the values that the page colours the ground by.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,10 @@
 
 namespace muster {
 
-/// Largest number of cells of an overlay; a larger ground is shown in coarser cells.
+/// Largest number of cells of an overlay; a larger ground uses coarser cells.
 inline constexpr std::int32_t kOverlayCells = 1 << 16;
 
-/// Values of the kind asked for, over the ground; None where there are none (an unknown character, no plan
-/// yet).
+/// The requested values over the ground; nothing for an unknown character, or before the first plan.
 std::optional<protocol::Overlay> buildOverlay(const World& world, protocol::OverlayKind kind,
                                               std::uint32_t character);
 

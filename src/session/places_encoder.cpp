@@ -9,8 +9,8 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kPerFrame = 1000;  // Places told of in one frame, at least where so many changed.
-constexpr std::size_t kShare = 16;       // ... and at least one in so many.
+constexpr std::size_t kPerFrame = 1000;  // A frame updates at most so many changed places,
+constexpr std::size_t kShare = 16;       // or one in so many of a larger group.
 
 std::int16_t centimetres(double metres) {
     return static_cast<std::int16_t>(std::clamp(std::floor(metres * 100.0 + 0.5), -32767.0, 32767.0));
@@ -38,7 +38,7 @@ void PlacesPicture::take(const World& world, std::size_t group) {
 void PlacesEncoder::restart() {
     offsets_.clear();
     unfit_.clear();
-    turn_ = 0;
+    next_ = 0;
 }
 
 void PlacesEncoder::encode(const PlacesPicture& picture, protocol::GroupFrame& frame) {
@@ -51,7 +51,7 @@ void PlacesEncoder::encode(const PlacesPicture& picture, protocol::GroupFrame& f
     const std::size_t most = std::max(kPerFrame, count / kShare);
     std::size_t looked = 0;
     for (; looked < count && frame.moved.size() < most; ++looked) {
-        const std::size_t k = (turn_ + looked) % count;
+        const std::size_t k = (next_ + looked) % count;
         if (offsets_[2 * k] == picture.offsets[2 * k] && offsets_[2 * k + 1] == picture.offsets[2 * k + 1])
             continue;
         frame.moved.push_back(static_cast<std::uint32_t>(k));
@@ -60,7 +60,7 @@ void PlacesEncoder::encode(const PlacesPicture& picture, protocol::GroupFrame& f
             frame.offsets.push_back(picture.offsets[n]);
         }
     }
-    if (count > 0) turn_ = (turn_ + looked) % count;
+    if (count > 0) next_ = (next_ + looked) % count;
     if (unfit_ == picture.unfit) return;
     unfit_ = picture.unfit;
     frame.unfit = picture.unfit;

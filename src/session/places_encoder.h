@@ -1,4 +1,4 @@
-// What one client is told of a group's places: how far each lies from its point of the mesh, where that
+// Delta encoding of a group's places for one client: the offsets of places from their mesh points, where they
 // changed.
 #pragma once
 
@@ -10,26 +10,27 @@
 
 namespace muster {
 
-/// A group's places in whole numbers: the same for all clients.
+/// The places of a group in whole numbers. They are the same for all clients.
 struct PlacesPicture {
-    std::vector<std::int16_t> offsets;  ///< x, y per place from its point of the mesh [cm].
-    std::vector<std::uint8_t> unfit;    ///< A bit per place, the lowest first.
+    std::vector<std::int16_t> offsets;  ///< x, y per place: offset from its mesh point [cm].
+    std::vector<std::uint8_t> unfit;    ///< One bit per place, the lowest bit first; 1 for an unfit place.
 
-    void take(const World& world, std::size_t group);  ///< As they lie now.
+    void take(const World& world, std::size_t group);  ///< Copies the present state of a group's places.
 };
 
-/// Remembers what a client knows.
+/// Remembers what a client knows of a group's places.
 class PlacesEncoder {
 public:
-    /// The client has just been sent the group's mesh: every place is on its point, and fit.
+    /// Must be called when the group's mesh is sent: the client then assumes every place fit and on its mesh
+    /// point.
     void restart();
-    /// Writes what changed; in a large group at most a share of the places per frame, in turn.
+    /// Writes the changes. In a large group a frame updates only a share of the places, in cyclic order.
     void encode(const PlacesPicture& picture, protocol::GroupFrame& frame);
 
 private:
     std::vector<std::int16_t> offsets_;
     std::vector<std::uint8_t> unfit_;
-    std::size_t turn_ = 0;  // Place that is looked at first.
+    std::size_t next_ = 0;  // The place at which the next frame begins its search for changes.
 };
 
 }  // namespace muster

@@ -10,7 +10,7 @@
 namespace muster {
 namespace {
 
-constexpr int kColours = 6;  // Accents that the page knows.
+constexpr int kColours = 6;  // Number of accent colours that the page has.
 
 Json point(Vec2 p) {
     return Json::array({p.x, p.y});
@@ -129,7 +129,7 @@ std::string buildSceneJson(const std::string& name, const WorldDef& def, const W
     scene["items"] = items(world);
     scene["checkpoints"] = checkpoints(world);
     scene["parameters"] = parameters(world);
-    // Names come from files: what is no UTF-8 is replaced, never thrown about.
+    // Names come from files. Bytes that are not UTF-8 are replaced, without an exception.
     return compactJson(scene);
 }
 

@@ -10,8 +10,9 @@
 namespace muster {
 namespace {
 
-constexpr double kLongWait = 1.0;         // Told as the time to the next step while paused [s].
-constexpr std::size_t kMaxEvents = 4096;  // Kept for a client that takes no frames; the oldest go.
+constexpr double kLongWait = 1.0;  // Reported as the time to the next step while paused [s].
+// Events kept for a client that takes no frames; older ones are dropped.
+constexpr std::size_t kMaxEvents = 4096;
 
 }  // namespace
 
@@ -36,7 +37,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
         replay.emplace(*replayedTake);
     else
         log.begin(worldDef, def.limits.takeBytes);
-    toldFull = false;
+    fullReported = false;
     demonstratedUntil = 0;
     waitingCommands = 0;
     singleSteps = 0;
@@ -57,7 +58,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     return {};
 }
 
-// Where the scenario names clips that cannot be read, its people move by Muster's own.
+// Characters play Muster's own clips where the scenario names clips that cannot be read.
 void Session::Impl::beginMotion() {
     auto clips = def.loadClips ? def.loadClips(name, worldDef) : Result<ClipLibrary>(ownClips());
     if (Status s = clips.ok() ? MotionFrames::fits(*clips) : Status(); !s.ok()) clips = std::move(s);
@@ -74,7 +75,7 @@ void Session::Impl::observeMotion() {
     motion.observe(*world, attentions);
 }
 
-// What is likely a mistake in a scenario is told once to everybody, and to those who come later.
+// Warnings about a scenario go once to all clients, and to clients that join later.
 void Session::Impl::warn() {
     const auto warnings = scenarioWarnings(worldDef);
     warning = warnings.empty() ? "" : "Likely a mistake: " + warnings.front();
@@ -87,8 +88,8 @@ Status Session::Impl::restart() {
     return begin(name, worldDef, replayedTake);
 }
 
-// All touches are given before the first step, as a run of the gestures gives them: what waits is part of the
-// hash.
+// Submits all touches before the first step, as `muster play --gestures` does, because waiting commands are
+// part of the hash.
 Status Session::Impl::demonstrate() {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
     if (replay)
@@ -198,7 +199,7 @@ void Session::Impl::stopRecording() {
     if (!status.ok()) noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
 }
 
-// A file that takes no more is told once; the log in memory goes on.
+// Reports once that the file cannot be written; the log in memory continues.
 void Session::Impl::reportLostFile() {
     const Status status = log.takeFailure();
     if (status.ok()) return;
@@ -260,8 +261,8 @@ void Session::Impl::stepOnce() {
     } else if (replay && replay->atEnd(*world)) {
         replayEnded();
     }
-    if (log.full() && !toldFull && !replay) {
-        toldFull = true;
+    if (log.full() && !fullReported && !replay) {
+        fullReported = true;
         noticeAll(protocol::NoticeLevel::Warning, "take-full",
                   "The take is full; restart to record a new one.");
     }
@@ -271,8 +272,8 @@ void Session::Impl::stepOnce() {
         client.touchShown = std::max(client.touchShown, client.touchWaiting);
         client.events.insert(client.events.end(), stepEvents.begin(), stepEvents.end());
         if (client.events.size() > kMaxEvents) {
-            const auto excess = static_cast<std::ptrdiff_t>(client.events.size() - kMaxEvents);
-            client.events.erase(client.events.begin(), client.events.begin() + excess);
+            const auto surplus = static_cast<std::ptrdiff_t>(client.events.size() - kMaxEvents);
+            client.events.erase(client.events.begin(), client.events.begin() + surplus);
         }
     }
     reportRejections();
@@ -293,7 +294,7 @@ void Session::Impl::replayEnded() {
 void Session::Impl::reportRejections() {
     for (const Rejection& rejection : world->rejections()) {
         const CommandBody& body = rejection.command.body;
-        // The rest of a finger whose beginning was refused needs no words.
+        // A finger whose beginning was refused causes no further notices.
         if (std::holds_alternative<TouchMove>(body) || std::holds_alternative<TouchUp>(body) ||
             std::holds_alternative<TouchCancel>(body))
             continue;

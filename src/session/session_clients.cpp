@@ -1,4 +1,4 @@
-// A session's clients: who is there and what is sent to them.
+// A session's clients: joining, leaving and sending.
 #include <algorithm>
 
 #include "session/overlay.h"
@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-// A display that blends between frames needs no more of them where they are large [s]. A little less than the
-// rate promises: what comes with a step is not to wait for the next.
+// Shortest interval between large frames [s]; the page interpolates between frames. It is a little below the
+// nominal interval, so that a frame that comes with a step does not wait for the next step.
 double frameSpacing(std::size_t characters) {
     constexpr double kSlack = 0.004;
     if (characters > 20'000) return 1.0 / 20.0 - kSlack;
@@ -90,12 +90,12 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     messages.swap(to.outbox);
 }
 
-// What a frame refers to goes before it.
+// Sends everything that a frame refers to before the frame.
 void Session::Impl::sendScene(SessionClient& client) {
     if (client.sentScene != sceneRevision) {
         client.outbox.push_back(sceneBytes);
         client.sentScene = sceneRevision;
-        // A new scene starts the page's picture afresh: what it knew of characters and meshes is gone.
+        // The page forgets all characters and meshes when it gets a new scene.
         client.sentIds = 0;
         client.sentMeshes.clear();
     }
@@ -113,7 +113,7 @@ void Session::Impl::sendScene(SessionClient& client) {
     }
 }
 
-// What is the same for all clients, once for each state.
+// Builds the part of the frame that all clients share, once per state.
 void Session::Impl::buildFrame() {
     if (frameState == state) return;
     frames.build(*world, frame);
@@ -137,7 +137,7 @@ void Session::Impl::sendFrame(SessionClient& client) {
     frame.frame = ++client.frame;
     frame.touchEcho = client.touchShown;
     frame.events.swap(client.events);
-    // The ids are taken out for this one message where the client has them already.
+    // The ids are left out of this message where the client already has them.
     std::vector<std::uint32_t> ids;
     std::vector<std::uint8_t> groups;
     if (known) ids.swap(frame.ids), groups.swap(frame.group);

@@ -1,4 +1,4 @@
-// A session's inbox: each message becomes commands, or changes how the session runs.
+// A session's inbox: a message becomes commands or changes how the session runs.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kMaxSingleSteps = 60;  // Waiting at once.
+constexpr std::int32_t kMaxSingleSteps = 60;  // Largest number of single steps that may wait.
 
 CommandBody touchCommand(const protocol::TouchEvent& event, double time) {
     const Vec2 position{event.x, event.y};
@@ -34,7 +34,7 @@ Status limitExceeded(const std::string& what, std::size_t found, std::size_t mos
             "found " + std::to_string(found) + " " + what + ", expected at most " + std::to_string(most)};
 }
 
-// Does what one message asks for.
+// Handles one message.
 class Handler {
 public:
     Handler(Session::Impl& session, std::uint32_t id, SessionClient& client)
@@ -58,7 +58,7 @@ public:
                                                    std::to_string(static_cast<int>(limits.touchesPerSecond)) +
                                                    " touch events a second"};
         }
-        TouchClock clock = client_.clock;  // Kept only where all goes well.
+        TouchClock clock = client_.clock;  // Stored only if every event of the message is valid.
         std::vector<CommandBody> bodies;
         double newest = client_.touchWaiting;
         for (const protocol::TouchEvent& event : message.events) {
@@ -195,7 +195,7 @@ public:
         }
         client_.overlay = message.kind;
         client_.overlayCharacter = message.character;
-        client_.overlayState = 0;  // Also while paused there is something new to show.
+        client_.overlayState = 0;  // Sends an overlay even while the world is paused.
         return {};
     }
 
@@ -280,7 +280,7 @@ Status Session::Impl::handle(std::uint32_t id, SessionClient& client,
 Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies) {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
     if (replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
-    // Lifting the fingers of a client that has gone always finds room: it comes once per client.
+    // Lifting the fingers of a client that has left bypasses the limit; this happens once per client.
     const bool released = bodies.size() == 1 && std::holds_alternative<ReleaseClient>(bodies.front());
     if (!released && waitingCommands + bodies.size() > def.limits.waitingCommands) {
         return {StatusCode::LimitExceeded, "more than " + std::to_string(def.limits.waitingCommands) +

@@ -1,4 +1,4 @@
-// What a session keeps: shared by the files that implement it.
+// The session's state, shared by the files that implement it.
 #pragma once
 
 #include <map>
@@ -21,42 +21,43 @@
 
 namespace muster {
 
-/// A client as the session knows it.
+/// A client of the session.
 struct SessionClient {
     explicit SessionClient(const SessionLimits& limits)
         : notices(limits.noticesPerSecond, limits.noticesPerSecond),
           touches(limits.touchesPerSecond, limits.touchesPerSecond) {}
 
-    bool greeted = false;        ///< Its Hello came.
-    bool steers = false;         ///< It has given commands to this world.
-    std::uint32_t sequence = 0;  ///< Of its last command.
+    bool greeted = false;        ///< True after its Hello message.
+    bool steers = false;         ///< True after it has given commands to this world.
+    std::uint32_t sequence = 0;  ///< Sequence number of its last command.
     TouchClock clock;
     TokenBucket notices;
     TokenBucket touches;
-    std::vector<MessageBytes> outbox;  ///< Beside frames; bounded by what the client asks for.
+    /// Messages other than frames. The client's requests bound their number.
+    std::vector<MessageBytes> outbox;
 
     std::uint32_t frame = 0;        ///< Number of the last frame sent.
-    bool awaitsAck = false;         ///< That frame has not been acknowledged.
-    std::uint64_t sentState = 0;    ///< Session state that it showed; 0 for none.
-    std::uint32_t sentScene = 0;    ///< Revision; 0 for none.
-    std::uint32_t sentMotions = 0;  ///< Revision; 0 for none.
-    std::uint32_t sentIds = 0;      ///< Version; 0 for none.
-    double frameDue = 0.0;          ///< Real time of the next frame of a world that plays [s].
-    CrowdEncoder crowd;             ///< What it knows of the characters.
-    std::map<std::uint32_t, std::uint32_t> sentMeshes;  ///< Version by group.
-    std::map<std::uint32_t, PlacesEncoder> places;      ///< What it knows of places, by group.
-    std::vector<protocol::EventFrame> events;           ///< Since that frame.
-    Attention attention;                                ///< Where it looks.
+    bool awaitsAck = false;         ///< True while that frame is not acknowledged.
+    std::uint64_t sentState = 0;    ///< Session state that the last frame showed; 0 for none.
+    std::uint32_t sentScene = 0;    ///< Revision of the last scene sent; 0 for none.
+    std::uint32_t sentMotions = 0;  ///< Revision of the last motions sent; 0 for none.
+    std::uint32_t sentIds = 0;      ///< Version of the last ids sent; 0 for none.
+    double frameDue = 0.0;          ///< Real time at which the next frame is due while the world plays [s].
+    CrowdEncoder crowd;             ///< The characters as the client knows them.
+    std::map<std::uint32_t, std::uint32_t> sentMeshes;  ///< Version of the mesh sent, by group.
+    std::map<std::uint32_t, PlacesEncoder> places;      ///< The places as the client knows them, by group.
+    std::vector<protocol::EventFrame> events;           ///< Events since the last frame.
+    Attention attention;                                ///< The point that the client looks at.
     double touchWaiting = 0.0;  ///< Newest page time among touches that wait for a step [s].
     double touchShown = 0.0;    ///< Newest page time among touches that a step has applied [s].
 
     protocol::OverlayKind overlay = protocol::OverlayKind::None;
     std::uint32_t overlayCharacter = 0;
-    double overlayDue = 0.0;         ///< Real time of the next one [s].
-    std::uint64_t overlayState = 0;  ///< Session state that the last one showed; 0 for none.
+    double overlayDue = 0.0;         ///< Real time at which the next overlay is due [s].
+    std::uint64_t overlayState = 0;  ///< Session state that the last overlay showed; 0 for none.
 };
 
-/// All of a session.
+/// The complete state of a session.
 struct Session::Impl {
     explicit Impl(SessionDef sessionDef) : def(std::move(sessionDef)) {}
 
@@ -67,7 +68,7 @@ struct Session::Impl {
     void observeMotion();
     Status restart();
     Status demonstrate();
-    /// The scenario carries touches that can be watched now.
+    /// True where the scenario carries touches that can be watched now.
     bool canDemonstrate() const { return !replay && !worldDef.gestures.empty() && def.loadGestures; }
     bool demonstrating() const { return world && world->stepCount() < demonstratedUntil; }
     void stepOnce();
@@ -75,7 +76,7 @@ struct Session::Impl {
     void reportRejections();
     void warn();
     void touchState() { ++state; }
-    /// Somebody waits for the next step: it may come up to one step time early, at once where it can.
+    /// True where a client waits for the next step. That step may come up to one time step early.
     bool eager() const { return waitingCommands > 0; }
 
     // Recording (session.cpp).
@@ -98,38 +99,40 @@ struct Session::Impl {
     Status submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies);
 
     SessionDef def;
-    std::map<std::uint32_t, SessionClient> clients;  // By number.
+    std::map<std::uint32_t, SessionClient> clients;  // By client number.
     std::uint32_t lastClient = kLastDemonstrator;
 
-    std::string name;  // Of the scenario.
+    std::string name;  // The scenario's name.
     WorldDef worldDef;
-    std::string warning;  // What is likely a mistake in it; empty for nothing.
-    // Why its people move by Muster's own clips, where they should by others.
+    std::string warning;  // The warnings about the scenario; empty for none.
+    // The error that made the characters play Muster's own clips instead of the scenario's.
     Status clipsRead;
     std::optional<World> world;
-    std::shared_ptr<const Take> replayedTake;  // Null unless a take is replayed.
-    std::optional<Replayer> replay;            // Of that take.
-    std::uint32_t demonstratedUntil = 0;       // The step after the demonstration's last touch; 0 for none.
+    std::shared_ptr<const Take> replayedTake;  // The take that is replayed; null otherwise.
+    std::optional<Replayer> replay;            // The replayer of that take.
+    // The step after the last touch of the demonstration; 0 for no demonstration.
+    std::uint32_t demonstratedUntil = 0;
     TakeLog log;
-    bool toldFull = false;
-    std::size_t waitingCommands = 0;  // Submitted since the last step.
+    bool fullReported = false;
+    std::size_t waitingCommands = 0;  // Commands submitted since the last step.
 
-    double realTime = 0.0;  // Passed since the session began [s].
+    double realTime = 0.0;  // Real time since the session began [s].
     Pacer pacer;
     bool playing = true;
-    std::int32_t singleSteps = 0;  // Asked for while paused.
+    std::int32_t singleSteps = 0;  // Single steps requested while paused.
     double speed = 1.0;
-    double recordedFrom = -1.0;  // World time [s]; negative: not recording.
+    // World time at which the recording began [s]; negative while not recording.
+    double recordedFrom = -1.0;
 
-    std::uint64_t state = 1;  // Grows with every step and every change that a frame shows.
+    std::uint64_t state = 1;  // It grows with every step and every change that a frame shows.
     std::uint32_t sceneRevision = 0;
-    std::uint64_t signature = 0;  // Of the scene with that revision.
+    std::uint64_t signature = 0;  // Signature of the scene with that revision.
     MessageBytes sceneBytes;      // The Scene message with that revision.
     FrameBuilder frames;
     MotionFrames motion;
-    std::vector<Attention> attentions;             // Of all clients; working memory.
-    protocol::Frame frame;                         // Shared by clients; built when first asked for.
-    std::uint64_t frameState = 0;                  // State that it shows.
+    std::vector<Attention> attentions;             // Attention of all clients; working memory.
+    protocol::Frame frame;                         // The frame that all clients share; built on demand.
+    std::uint64_t frameState = 0;                  // Session state that `frame` shows.
     std::vector<protocol::EventFrame> stepEvents;  // Working memory.
 
     void refreshScene();

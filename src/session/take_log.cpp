@@ -7,7 +7,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kEndBytes = 64;  // Kept free for the end record.
+constexpr std::size_t kEndBytes = 64;  // Space reserved for the end record.
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void TakeLog::append(const std::vector<std::uint8_t>& record) {
     }
     bytes_.insert(bytes_.end(), record.begin(), record.end());
     if (!sink_) return;
-    // A file that cannot be written is given up; the log in memory stays whole.
+    // A file that cannot be written is detached; the log in memory stays complete.
     failure_ = sink_->append(record);
     if (!failure_.ok()) sink_.reset();
 }

@@ -1,4 +1,4 @@
-// The log of everything that was done to a world since it began.
+// The log of all commands that a world has received since it began.
 #pragma once
 
 #include <memory>
@@ -8,27 +8,27 @@
 
 namespace muster {
 
-/// A take in memory, copied to a file while one is attached. A log that grows beyond its limit ends at its
-/// last mark: what it holds still replays.
+/// A take in memory, copied to a file while one is attached. A log that exceeds its limit ends at its last
+/// mark and can still be replayed.
 class TakeLog {
 public:
-    /// The log of a new world.
+    /// Starts the log of a new world.
     void begin(const WorldDef& def, std::size_t limit);
-    /// Call for each command, after it was submitted.
+    /// Must be called for each command, after it is submitted.
     void command(const Command& command);
-    /// Call after every step.
+    /// Must be called after every step.
     void observe(const World& world);
-    /// All so far, ended now.
+    /// The take up to now, with an end record.
     std::vector<std::uint8_t> bytes(const World& world) const;
-    /// Copies all so far, and what comes, to a file.
+    /// Attaches a file: writes the log so far to it, then everything that follows.
     Status attach(std::unique_ptr<TakeSink> sink);
-    /// Ends the file.
+    /// Writes the end record and detaches the file.
     Status detach(const World& world);
-    /// True where a file is attached.
+    /// True while a file is attached.
     bool attached() const { return sink_ != nullptr; }
-    /// Why a file was given up since the last call; it is detached then.
+    /// The error that detached a file since the last call; OK for none.
     Status takeFailure();
-    /// True once the limit was reached.
+    /// True after the limit was reached.
     bool full() const { return full_; }
 
 private:

@@ -1,5 +1,5 @@
-// What a client is told of a crowd: whole at first, then what changed, within eight bytes for each of ten
-// thousand.
+// The delta encoding of the crowd: the first frame is complete, later frames hold the changes, within eight
+// bytes per character for ten thousand.
 #include <doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-/// A crowd that walks by itself: a block on a lattice, each at its own pace and heading.
+/// A walking crowd: a block on a lattice whose characters have their own paces and headings.
 class Walkers {
 public:
     Walkers(std::size_t count, double spacing) {
@@ -32,7 +32,7 @@ public:
         picture.place(position);
     }
 
-    /// Moves everybody for that long; as often as real bodies do some change their clip.
+    /// Moves all characters for that time; some change their clips as often as real characters do.
     void walk(double seconds) {
         for (std::size_t i = 0; i < position.size(); ++i) {
             heading[i] += (random_.uniform() - 0.5) * 0.1;
@@ -48,7 +48,7 @@ public:
         }
     }
 
-    /// So many whole poses.
+    /// Selects that many characters for whole poses.
     void look(std::uint32_t count) {
         picture.near.clear();
         for (std::uint32_t k = 0; k < count; ++k) picture.near.push_back(k);
@@ -64,18 +64,18 @@ private:
     Random random_{42};
 };
 
-/// An encoder and the page that reads it.
+/// An encoder and the page that decodes its frames.
 struct Link {
     CrowdEncoder encoder;
     PageDecoder decoder;
     protocol::Frame frame;
 
-    const PageFrame& send(const CrowdPicture& picture, bool anew) {
+    const PageFrame& send(const CrowdPicture& picture, bool restart) {
         frame.ids.clear();
         frame.group.clear();
-        for (std::uint32_t i = 0; anew && i < picture.size(); ++i)
+        for (std::uint32_t i = 0; restart && i < picture.size(); ++i)
             frame.ids.push_back(i + 1), frame.group.push_back(0);
-        encoder.encode(picture, anew, frame.crowd);
+        encoder.encode(picture, restart, frame.crowd);
         const auto bytes = protocol::encode(frame);
         const auto read = protocol::decodeServer(bytes);
         REQUIRE(read.ok());
@@ -102,7 +102,7 @@ double worstTurn(const PageFrame& page, const Walkers& crowd) {
 
 }  // namespace
 
-TEST_CASE("A hundred are told of within half a millimetre, for as long as they walk") {
+TEST_CASE("A hundred characters are decoded within half a millimetre, for as long as they walk") {
     Walkers crowd(100, 1.0);
     Link link;
     std::size_t whole = 0;
@@ -114,10 +114,10 @@ TEST_CASE("A hundred are told of within half a millimetre, for as long as they w
         whole += link.frame.crowd.stepX.empty() ? 1u : 0u;
     }
     CHECK(whole >= 1);
-    CHECK(whole < 5);  // Where the lattice moved with the crowd.
+    CHECK(whole < 5);  // These are the frames in which the lattice moved with the crowd.
 }
 
-TEST_CASE("Ten thousand walk in eight bytes each, whole poses, mesh and places included") {
+TEST_CASE("Ten thousand walking characters take eight bytes each, including whole poses, mesh and places") {
     Walkers crowd(10'000, 1.0);
     crowd.look(100);
     Link link;
@@ -150,7 +150,7 @@ TEST_CASE("Ten thousand walk in eight bytes each, whole poses, mesh and places i
     CHECK(most <= 80'000);
 }
 
-TEST_CASE("Across a kilometre places are within a centimetre") {
+TEST_CASE("Across a kilometre decoded positions are within a centimetre") {
     Walkers crowd(10'000, 10.0);
     Link link;
     checkSame(link.send(crowd.picture, true), crowd, 0.0157);
@@ -159,7 +159,8 @@ TEST_CASE("Across a kilometre places are within a centimetre") {
     CHECK(crowd.picture.lattice.quantum() <= 1.0 / 32.0);
 }
 
-TEST_CASE("Who is put elsewhere arrives at once; where all are, whole places come") {
+TEST_CASE(
+    "A character moved far away arrives in the next frame; where all move far, whole positions are sent") {
     Walkers crowd(64, 1.0);
     Link link;
     link.send(crowd.picture, true);
@@ -175,7 +176,7 @@ TEST_CASE("Who is put elsewhere arrives at once; where all are, whole places com
     CHECK(link.frame.crowd.x.size() == 64);
 }
 
-TEST_CASE("Who stands still keeps the same place while the lattice moves on with others") {
+TEST_CASE("A standing character keeps its exact position while the lattice moves on with the others") {
     Walkers crowd(2, 1.0);
     crowd.picture.place(crowd.position);
     const double before = crowd.picture.lattice.corner().x +
@@ -193,7 +194,7 @@ TEST_CASE("Who stands still keeps the same place while the lattice moves on with
     CHECK(moves >= 1);
 }
 
-TEST_CASE("A crowd that grows, shrinks or is empty is told of anew") {
+TEST_CASE("A crowd that grows, shrinks or becomes empty is sent completely") {
     Link link;
     for (const std::size_t count : {3u, 8u, 0u, 5u}) {
         const Walkers crowd(count, 1.0);
@@ -213,22 +214,22 @@ TEST_CASE("Long clips have fine phases in large crowds too") {
     CHECK(link.frame.crowd.headingFine.empty());
 }
 
-TEST_CASE("Places that change come in turn, each soon, and once") {
+TEST_CASE("Changed places are sent in cyclic order, each within a few frames and once") {
     PlacesEncoder encoder;
     PlacesPicture picture;
     picture.offsets.assign(2 * 3'000, 5);
     picture.unfit.assign(375, 0);
     picture.unfit[2] = 129;
     protocol::GroupFrame frame;
-    std::vector<int> told(3'000, 0);
+    std::vector<int> sentCount(3'000, 0);
     for (int k = 0; k < 4; ++k) {
         encoder.encode(picture, frame);
         CHECK(frame.moved.size() == (k < 3 ? 1'000u : 0u));
         CHECK(frame.offsets.size() == 2 * frame.moved.size());
         CHECK(frame.unfit.size() == (k == 0 ? 375u : 0u));
-        for (const std::uint32_t place : frame.moved) ++told[place];
+        for (const std::uint32_t place : frame.moved) ++sentCount[place];
     }
-    CHECK(std::all_of(told.begin(), told.end(), [](int times) { return times == 1; }));
+    CHECK(std::all_of(sentCount.begin(), sentCount.end(), [](int times) { return times == 1; }));
     picture.offsets[2 * 17 + 1] = -9;
     encoder.encode(picture, frame);
     CHECK(frame.moved == std::vector<std::uint32_t>{17});

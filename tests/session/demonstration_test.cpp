@@ -1,4 +1,4 @@
-// Scenarios that carry gestures can be watched.
+// Demonstrations: watching the gestures that a scenario carries.
 #include <doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Session startedBlock() {
     return session;
 }
 
-/// As `muster play` runs it.
+/// The hash that `muster play` gives.
 World played(bool withGestures) {
     const WorldDef def = blockDef();
     auto world = World::create(def);
@@ -94,7 +94,7 @@ TEST_CASE("People touch while a demonstration runs, as fingers of their own; the
     CHECK(client.id > kLastDemonstrator);
     demonstrate(client);
     run(session, 1.0, {&client});
-    // The finger that the demonstration uses as well.
+    // The demonstration uses the same finger number.
     client.touchAt(protocol::TouchPhase::Down, {-11, 0}, 1.0, 1);
     client.touchAt(protocol::TouchPhase::Move, {-11, 2}, 1.2, 1);
     run(session, 0.5, {&client});
@@ -109,7 +109,7 @@ TEST_CASE("People touch while a demonstration runs, as fingers of their own; the
     CHECK(plain.hash() != session.world()->hash());
 }
 
-TEST_CASE("Pause holds a demonstration, restarting ends it, and so does its last touch") {
+TEST_CASE("Pausing halts a demonstration; restarting it or its last touch ends it") {
     Session session = startedBlock();
     FakeClient client(session);
     demonstrate(client);
@@ -136,7 +136,7 @@ TEST_CASE("Pause holds a demonstration, restarting ends it, and so does its last
     CHECK(session.playing());
 }
 
-TEST_CASE("A scene tells whether there is something to watch; asking for nothing changes nothing") {
+TEST_CASE("A scene reports whether it has a demonstration; a request without one changes nothing") {
     Session session = startedBlock();
     FakeClient client(session);
     client.poll();
@@ -165,7 +165,7 @@ TEST_CASE("A scene tells whether there is something to watch; asking for nothing
     CHECK(viewer.scenes.back().json.find("\"demonstration\":false") != std::string::npos);
 }
 
-TEST_CASE("Gestures that cannot be watched are told, and the world goes on") {
+TEST_CASE("Gestures that cannot be loaded give a notice, and the world goes on") {
     for (const bool missing : {true, false}) {
         SessionDef def = sessionDef();
         def.loadGestures = [missing](const std::string&, const WorldDef&) -> Result<std::vector<Command>> {

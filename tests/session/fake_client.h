@@ -1,4 +1,4 @@
-// A page without a browser: talks to a session in bytes and keeps what it is told.
+// A client without a browser: it exchanges bytes with a session and records what it receives.
 #pragma once
 
 #include <doctest.h>
@@ -48,7 +48,7 @@ public:
     }
     void sendBytes(const std::vector<std::uint8_t>& bytes) { session_.receive(id, bytes); }
 
-    /// Takes what there is; acknowledges frames where `acknowledge`.
+    /// Takes all waiting messages; acknowledges frames where `acknowledge` is set.
     void poll(bool acknowledge = true) {
         std::vector<MessageBytes> messages;
         session_.outgoing(id, messages);
@@ -124,7 +124,7 @@ inline Session startedSession(SessionDef def = sessionDef()) {
     return session;
 }
 
-/// Lets `seconds` of real time pass at 60 looks a second.
+/// Lets `seconds` of real time pass in 60 updates per second.
 inline void run(Session& session, double seconds, const std::vector<FakeClient*>& clients = {}) {
     const int looks = static_cast<int>(seconds * 60.0 + 0.5);
     for (int i = 0; i < looks; ++i) {

@@ -1,4 +1,4 @@
-// What a hostile or broken client can send.
+// Messages that a hostile or broken client can send.
 #include <doctest.h>
 
 #include <limits>
@@ -39,7 +39,7 @@ std::vector<std::vector<std::uint8_t>> everyMessage() {
             protocol::encode(protocol::Ping{1.0})};
 }
 
-// A refused message: a notice comes and the world and its log stay as they were.
+// Expects that a message is refused: a notice comes, and the world and its log do not change.
 void checkRefused(Session& session, const std::vector<std::uint8_t>& bytes, const std::string& code) {
     FakeClient client(session);
     client.poll();
@@ -62,7 +62,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("Messages cut short or prolonged are malformed, whatever their kind") {
+TEST_CASE("Messages that are too short or too long are malformed, whatever their kind") {
     Session session = startedSession();
     run(session, 0.2);
     for (const auto& whole : everyMessage()) {
@@ -119,13 +119,13 @@ TEST_CASE("Random bytes never break a session") {
     }
     for (std::size_t i = 0; i < session.world()->characters().size(); ++i)
         CHECK(isFinite(session.world()->characters().position[i]));
-    // It still does what an honest client asks.
+    // The session still serves an honest client.
     watcher.send(protocol::LoadScenario{"small"});
     run(session, 0.2, {&watcher});
     CHECK(watcher.frames.back().crowd.count == 16);
 }
 
-TEST_CASE("Numbers out of range are refused, at the limit accepted") {
+TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
     Session session = startedSession();
     run(session, 0.1);
     using protocol::TouchPhase;
@@ -134,7 +134,7 @@ TEST_CASE("Numbers out of range are refused, at the limit accepted") {
           FakeClient::touch(TouchPhase::Down, {0, 0}, kNan),
           FakeClient::touch(TouchPhase::Move, {0, std::numeric_limits<double>::infinity()}, 1)}) {
         protocol::Touches touches;
-        // The good one must not apply either.
+        // The valid event of the same message must not apply either.
         touches.events = {FakeClient::touch(TouchPhase::Down, {0, 0}, 1.0), bad};
         checkRefused(session, touches, "Touches");
     }
@@ -168,7 +168,7 @@ TEST_CASE("Numbers out of range are refused, at the limit accepted") {
     CHECK(client.notices.empty());
 }
 
-TEST_CASE("Nothing but a Hello is heard first") {
+TEST_CASE("A client's first message must be a Hello") {
     Session session = startedSession();
     const std::uint64_t hash = session.world()->hash();
     FakeClient client(session, false);
@@ -179,7 +179,7 @@ TEST_CASE("Nothing but a Hello is heard first") {
     CHECK(session.world()->hash() == hash);
 }
 
-TEST_CASE("Events of one message: the limit passes, one more does not") {
+TEST_CASE("Events of one message: the limit is accepted, one more is refused") {
     SessionDef def = sessionDef();
     def.limits.touchesPerMessage = 10;
     Session session = startedSession(def);
@@ -196,7 +196,9 @@ TEST_CASE("Events of one message: the limit passes, one more does not") {
     CHECK(client.noticed("Touches") == "found 11 touch events, expected at most 10");
 }
 
-TEST_CASE("Touch events a second: the limit passes, one more does not, and a second later they pass again") {
+TEST_CASE(
+    "Touch events per second: the limit is accepted, one more is refused, and a second later they are "
+    "accepted again") {
     SessionDef def = sessionDef();
     def.limits.touchesPerSecond = 20;
     Session session = startedSession(def);
@@ -234,7 +236,7 @@ TEST_CASE("Commands that wait while paused are bounded") {
     CHECK(client.notices.empty());
 }
 
-TEST_CASE("Who goes while as many commands wait as may lifts the fingers all the same") {
+TEST_CASE("A client that leaves while the command queue is full still lifts its fingers") {
     SessionDef def = sessionDef();
     def.limits.waitingCommands = 30;
     Session session = startedSession(def);
@@ -253,7 +255,7 @@ TEST_CASE("Who goes while as many commands wait as may lifts the fingers all the
     CHECK(watcher.frames.back().groups[0].controls.empty());
 }
 
-TEST_CASE("Points of one control: the limit passes, one more does not") {
+TEST_CASE("Points of one control: the limit is accepted, one more is refused") {
     SessionDef def = sessionDef();
     def.limits.pointsPerControl = 3;
     Session session = startedSession(def);

@@ -1,4 +1,4 @@
-// Motion in frames: clips for all, whole poses where a client looks.
+// Motion in frames: clips for all characters, whole poses near the points that clients look at.
 #include <doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kNumbersPerPose = 3 + 3 * kJointCount;
 
-/// The ids nearest to a spot, by sorting everybody.
+/// The ids nearest to a point, found by sorting all characters.
 std::vector<std::uint32_t> nearest(const PageFrame& page, Vec2 spot, std::size_t count) {
     std::vector<std::pair<double, std::uint32_t>> all;
     for (std::size_t i = 0; i < page.ids.size(); ++i)
@@ -69,7 +69,7 @@ TEST_CASE("motions come once, before the first frame, with skeleton and clips") 
     }
 }
 
-TEST_CASE("every character has a clip; nobody a whole pose until somebody looks") {
+TEST_CASE("every character has a clip; none has a whole pose until a client looks") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.3, {&client});
@@ -83,7 +83,7 @@ TEST_CASE("every character has a clip; nobody a whole pose until somebody looks"
     CHECK(frame.crowd.nearPoses.empty());
 }
 
-TEST_CASE("those nearest to where a client looks come with whole poses") {
+TEST_CASE("the characters nearest to where a client looks have whole poses") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.1, {&client});
@@ -98,11 +98,11 @@ TEST_CASE("those nearest to where a client looks come with whole poses") {
     REQUIRE(frame.crowd.nearPoses.size() == 5 * kNumbersPerPose);
     for (std::size_t k = 0; k < 5; ++k) {
         const std::int16_t* pose = frame.crowd.nearPoses.data() + k * kNumbersPerPose;
-        CHECK(pose[2] > 700);  // Standing: hips [mm] above the ground.
+        CHECK(pose[2] > 700);  // The character stands: height of the hips above the ground [mm].
         CHECK(pose[2] < 1100);
         for (const Quat& q : PageDecoder::turns(pose))
             CHECK(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w == doctest::Approx(1.0).epsilon(1e-5));
-        // A standing head is level: its turns from the hips on come to little.
+        // The head of a standing character is level: the rotations from the hips on nearly cancel.
         const Quat hips = PageDecoder::turns(pose).front();
         CHECK(std::fabs(hips.w) > 0.9);
         const std::size_t who = frame.crowd.near[k];
@@ -115,7 +115,7 @@ TEST_CASE("those nearest to where a client looks come with whole poses") {
     CHECK(client.frames.back().crowd.near.empty());
 }
 
-TEST_CASE("two clients look at two spots") {
+TEST_CASE("two clients look at two points") {
     Session session = startedSession();
     FakeClient one(session), two(session);
     run(session, 0.1, {&one, &two});
@@ -126,7 +126,7 @@ TEST_CASE("two clients look at two spots") {
     CHECK(one.frames.back().crowd.near == two.frames.back().crowd.near);
 }
 
-TEST_CASE("asking for too many or for nowhere is refused and changes nothing") {
+TEST_CASE("a request for too many poses or without a position is refused and changes nothing") {
     Session session = startedSession();
     FakeClient client(session);
     attend(client, 0.0f, 0.0f, 500);
@@ -152,7 +152,7 @@ TEST_CASE("looking changes nothing in the world") {
     CHECK(watched.world()->hash() == alone.world()->hash());
 }
 
-TEST_CASE("clips that cannot be read are told, and people move by Muster's own") {
+TEST_CASE("clips that cannot be read give a notice, and people move by Muster's own") {
     SessionDef def = sessionDef();
     def.loadClips = [](const std::string&, const WorldDef&) -> Result<ClipLibrary> {
         return Status(StatusCode::NotFound, "hop.bvh: there is no such file");
@@ -169,7 +169,7 @@ TEST_CASE("clips that cannot be read are told, and people move by Muster's own")
     CHECK(late.noticed("clips").find("hop.bvh") != std::string::npos);
 }
 
-TEST_CASE("clips that frames cannot tell of are refused by name, and people move by Muster's own") {
+TEST_CASE("clips that frames cannot represent are refused by name, and people move by Muster's own") {
     const auto refused = [](const std::function<void(ClipLibrary&)>& change) {
         SessionDef def = sessionDef();
         def.loadClips = [&change](const std::string&, const WorldDef&) -> Result<ClipLibrary> {
@@ -203,7 +203,7 @@ TEST_CASE("clips that frames cannot tell of are refused by name, and people move
     CHECK(long_.find("frames of all motions: found ") != std::string::npos);
 }
 
-TEST_CASE("another library is sent anew, the same one is not") {
+TEST_CASE("another library is sent again, the same one is not") {
     SessionDef def = sessionDef();
     bool two = false;
     def.loadClips = [&two](const std::string&, const WorldDef&) -> Result<ClipLibrary> {
@@ -225,7 +225,7 @@ TEST_CASE("another library is sent anew, the same one is not") {
     CHECK(client.motions.back().clips.back().name == "hop");
 }
 
-TEST_CASE("whole poses follow the crowd as it grows, shrinks and begins anew") {
+TEST_CASE("whole poses follow the crowd as it grows, shrinks and restarts") {
     Session session = startedSession();
     FakeClient client(session);
     attend(client, 0.0f, 0.0f, 500);
@@ -247,7 +247,7 @@ TEST_CASE("whole poses follow the crowd as it grows, shrinks and begins anew") {
     CHECK(client.motions.size() == 1);
 }
 
-TEST_CASE("while paused nothing moves; one step moves on by a sixtieth") {
+TEST_CASE("while paused nothing moves; a single step advances motion by a sixtieth of a second") {
     Session session = startedSession();
     FakeClient client(session);
     attend(client, 0.0f, 0.0f, 4);
@@ -263,13 +263,13 @@ TEST_CASE("while paused nothing moves; one step moves on by a sixtieth") {
     const std::vector<double>& after = client.page.phase;
     REQUIRE(after.size() == before.size());
     for (std::size_t i = 0; i < after.size(); ++i) {
-        // Idle, each by a cadence of its own; or over the end into the next cycle.
+        // An idle character has its own cadence; a clip may also wrap into its next cycle.
         const double moved = 1000.0 * (after[i] - before[i]) * ownClips().clips[clips[i]].duration();
         CHECK_MESSAGE(((moved >= 11 && moved <= 23) || moved < 0), moved);
     }
 }
 
-TEST_CASE("a replay shows the motion that was seen") {
+TEST_CASE("a replay shows the recorded motion") {
     Session session = startedSession();
     FakeClient client(session);
     attend(client, 0.0f, 0.0f, 16);

@@ -1,4 +1,4 @@
-// When steps come: at an even rate, and early where somebody waits for one.
+// The times at which steps come: at an even rate, and early where a client waits for one.
 #include <algorithm>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStep = 1.0 / 60.0;
 
-/// Lets time pass in small pieces, as the studio's loop does; gives the real times at which steps were made.
+/// Lets time pass in short intervals, as the studio's loop does; returns the real times of the steps.
 std::vector<double> stepTimes(Session& session, FakeClient& client, double seconds, double touchEvery) {
     constexpr double kPiece = 1e-3;
     std::vector<double> times;
@@ -34,7 +34,7 @@ std::vector<double> stepTimes(Session& session, FakeClient& client, double secon
 
 }  // namespace
 
-TEST_CASE("A touch is stepped at once, and the step after it comes no earlier than it would have") {
+TEST_CASE("A touch is stepped at once, and the next step comes no earlier than it would have") {
     Session session(sessionDef());
     REQUIRE(session.load("small", smallFloor()).ok());
     FakeClient client(session);
@@ -56,7 +56,7 @@ TEST_CASE("A touch is stepped at once, and the step after it comes no earlier th
     CHECK(session.stepDue());
 }
 
-TEST_CASE("Touches at any rate leave the rate of steps as it is") {
+TEST_CASE("Touches at any rate do not change the rate of steps") {
     for (const double every : {0.003, 0.011, 1.0 / 60.0, 0.03, 0.4}) {
         Session session(sessionDef());
         REQUIRE(session.load("small", smallFloor()).ok());

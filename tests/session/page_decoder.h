@@ -1,4 +1,4 @@
-// The page's side of frames, as docs/protocol.md tells it: from what changed back to everybody.
+// The page's decoder of frames (docs/protocol.md): restores the whole crowd from changes.
 #pragma once
 
 #include <doctest.h>
@@ -19,7 +19,7 @@ struct PageFrame {
     std::vector<std::uint32_t> ids;
     std::vector<std::uint8_t> group;
     std::vector<double> x, y;     ///< [m]
-    std::vector<double> heading;  ///< [rad], 0 to a turn.
+    std::vector<double> heading;  ///< [rad], from 0 to a full turn.
     std::vector<std::uint8_t> clip;
     std::vector<double> phase;                     ///< 0 to 1.
     std::vector<std::vector<double>> places;       ///< By group: x, y per place [m].
@@ -29,10 +29,10 @@ struct PageFrame {
 /// Follows the frames of one session.
 class PageDecoder {
 public:
-    /// A group's mesh has come.
+    /// Handles a group's mesh.
     void take(const protocol::GroupMesh& mesh) { groups_[mesh.group] = {mesh, {}, {}}; }
 
-    /// A frame has come.
+    /// Handles a frame.
     const PageFrame& take(const protocol::Frame& frame) {
         page_.frame = frame.frame;
         if (!frame.ids.empty() || frame.crowd.count == 0) page_.ids = frame.ids, page_.group = frame.group;
@@ -43,7 +43,7 @@ public:
         return page_;
     }
 
-    /// The turns of the joints of one whole pose.
+    /// The rotations of the joints of one whole pose.
     static std::vector<Quat> turns(const std::int16_t* pose) {
         std::vector<Quat> all;
         for (std::size_t j = 0; j < kJointCount; ++j) all.push_back(turn(pose + 3 + 3 * j));

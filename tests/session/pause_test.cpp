@@ -1,4 +1,4 @@
-// Stamps and parameters on their way from a client to the world.
+// Time stamps and parameters on their path from a client to the world.
 #include <doctest.h>
 
 #include "muster/control.h"
@@ -8,17 +8,17 @@
 using namespace muster;
 using namespace muster::testing;
 
-TEST_CASE("While paused stamps run on with real time; when the world runs again they are its own") {
+TEST_CASE("While paused, stamps advance with real time; when the world runs again, they are world time") {
     TouchClock clock;
     CHECK(clock.stamp(100.0, 5.0, 3.0, 1.0) == 3.0);
-    CHECK(clock.stamp(101.0, 6.0, 4.0, 0.0) == 4.0);  // Paused.
+    CHECK(clock.stamp(101.0, 6.0, 4.0, 0.0) == 4.0);  // The world is paused.
     CHECK(clock.stamp(103.5, 8.5, 4.0, 0.0) == 6.5);
     CHECK(clock.stamp(103.6, 8.6, 4.0, 0.0) == doctest::Approx(6.6));
     CHECK(clock.stamp(104.0, 9.0, 4.1, 1.0) == doctest::Approx(4.1));
-    CHECK(clock.stamp(105.0, 10.0, 4.2, 0.0) == doctest::Approx(4.2));  // Paused anew.
+    CHECK(clock.stamp(105.0, 10.0, 4.2, 0.0) == doctest::Approx(4.2));  // The world is paused again.
 }
 
-TEST_CASE("Fingers set down seconds apart on a paused world make no line, together they do") {
+TEST_CASE("Fingers set down seconds apart on a paused world make no line; set down together they do") {
     for (const double later : {0.05, 3.0}) {
         Session session = startedSession();
         FakeClient client(session);

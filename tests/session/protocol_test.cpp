@@ -91,7 +91,7 @@ TEST_CASE("Bytes on the wire are those the protocol promises") {
     CHECK(hex(protocol::encode(protocol::Pong{1.0})) == "07000000000000f03f");
 }
 
-TEST_CASE("A frame comes back as it went") {
+TEST_CASE("A frame is the same after encoding and decoding") {
     const protocol::Frame sent = sampleFrame();
     const auto bytes = protocol::encode(sent);
     const auto message = protocol::decodeServer(bytes);
@@ -109,8 +109,8 @@ TEST_CASE("A frame comes back as it went") {
         CHECK_FALSE(protocol::decodeServer(std::span(bytes).first(length)).ok());
 }
 
-// The page's tests decode this file, so both sides agree on every kind of field. Run with
-// MUSTER_UPDATE_GOLDEN=1 to write it anew.
+// The page's tests decode this file, so both sides agree on every kind of field. MUSTER_UPDATE_GOLDEN=1
+// writes it again.
 TEST_CASE("The frame that the page's tests read is what we write") {
     const std::string path = sourceFolder() + "/tests/golden/frame.bin";
     const auto bytes = protocol::encode(sampleFrame());
@@ -138,16 +138,16 @@ TEST_CASE("Token bucket: burst, refill, edge") {
     CHECK_FALSE(bucket.take(0.0));
     CHECK_FALSE(bucket.take(0.09));
     CHECK(bucket.take(0.1000001));
-    CHECK_FALSE(bucket.take(100.0, 4.0));  // Never more than the burst.
+    CHECK_FALSE(bucket.take(100.0, 4.0));  // The bucket never holds more than the burst.
     CHECK(bucket.take(100.0, 3.0));
 }
 
-TEST_CASE("Pacer: real time at every speed, no spiral") {
+TEST_CASE("Pacer: real time at every speed, no growing backlog") {
     const double step = 1.0 / 60.0;
     for (const double speed : {0.1, 0.5, 1.0, 3.0, 8.0}) {
         Pacer pacer;
         int steps = 0;
-        for (int look = 0; look < 1200; ++look) {  // Ten seconds at 120 looks a second.
+        for (int look = 0; look < 1200; ++look) {  // Ten seconds at 120 updates per second.
             pacer.elapse(1.0 / 120.0, speed, step);
             for (; pacer.due(step, false); ++steps) pacer.pay(step);
         }
@@ -165,15 +165,19 @@ TEST_CASE("Pacer: real time at every speed, no spiral") {
 TEST_CASE("Touch clock: offset, order, bounds, pause") {
     TouchClock clock;
     const double epoch = 1.7e9;
-    CHECK(clock.stamp(epoch, 5.0, 3.0, 1.0) == 3.0);                            // The first sets the offset.
-    CHECK(clock.stamp(epoch + 0.1, 5.11, 3.11, 1.0) == doctest::Approx(3.1));   // 10 ms later than usual.
-    CHECK(clock.stamp(epoch + 0.05, 5.12, 3.12, 1.0) == doctest::Approx(3.1));  // Never back.
+    // The first message sets the offset.
+    CHECK(clock.stamp(epoch, 5.0, 3.0, 1.0) == 3.0);
+    // This message travelled 10 ms longer.
+    CHECK(clock.stamp(epoch + 0.1, 5.11, 3.11, 1.0) == doctest::Approx(3.1));
+    CHECK(clock.stamp(epoch + 0.05, 5.12, 3.12, 1.0) == doctest::Approx(3.1));  // Stamps never decrease.
     CHECK(clock.stamp(epoch + 0.2, 5.15, 3.15, 1.0) ==
-          doctest::Approx(3.15));  // Faster than the first: no future.
+          // This message travelled faster than the first; its stamp is not in the future.
+          doctest::Approx(3.15));
     CHECK(clock.stamp(epoch + 0.25, 5.2, 3.2, 1.0) ==
-          doctest::Approx(3.2));                                // ... and the offset is better now.
-    CHECK(clock.stamp(epoch + 0.3, 15.0, 13.0, 1.0) == 12.5);   // At most half a second old.
-    CHECK(clock.stamp(epoch + 20.0, 25.2, 13.0, 0.0) == 13.0);  // Paused: now.
+          doctest::Approx(3.2));                               // The offset is more precise now.
+    CHECK(clock.stamp(epoch + 0.3, 15.0, 13.0, 1.0) == 12.5);  // A stamp is at most half a second old.
+    // While paused the stamp is the present time.
+    CHECK(clock.stamp(epoch + 20.0, 25.2, 13.0, 0.0) == 13.0);
     clock.restart();
     CHECK(clock.stamp(epoch + 30.0, 34.96, 0.25, 1.0) == doctest::Approx(0.24));
 }

@@ -33,7 +33,7 @@ private:
     std::shared_ptr<KeptTake> kept_;
 };
 
-// Steers for a while, some of it in the middle of a step and while paused.
+// Steers for a while, partly between two steps and while paused.
 void steer(Session& session, FakeClient& client) {
     client.touchAt(protocol::TouchPhase::Down, {0.2, 0.0}, 10.0);
     for (int i = 1; i <= 45; ++i) {
@@ -85,7 +85,7 @@ TEST_CASE("An opened take replays in the session, ends, and starts again") {
     CHECK(viewer.noticed("replay-end") != "");
     CHECK(viewer.noticed("replay") == "");
 
-    // Nobody changes a replay.
+    // Commands do not change a replay.
     viewer.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
     viewer.poll();
     CHECK(viewer.noticed("Touches").find("replayed") != std::string::npos);
@@ -101,7 +101,7 @@ TEST_CASE("An opened take replays in the session, ends, and starts again") {
     CHECK(second.playing());
 }
 
-TEST_CASE("A take whose state does not come out as recorded is told at its mark") {
+TEST_CASE("A take that gives another state than recorded is reported at its mark") {
     Session first = startedSession();
     FakeClient director(first);
     run(first, 2.5, {&director});
@@ -155,14 +155,14 @@ TEST_CASE("Recording keeps a whole take in a file, from the first step on") {
     client.send(protocol::Playback{protocol::PlaybackAction::Play});
     run(session, 0.25, {&client});
     CHECK(client.frames.back().recordedSeconds == doctest::Approx(2.0).epsilon(0.02));
-    // Killed now, the file replays up to its last mark.
+    // If the process were killed now, the file would replay up to its last mark.
     const auto torn = parseTake(kept->bytes, "torn");
     REQUIRE(torn.ok());
     CHECK_FALSE(torn->finished);
     CHECK(torn->markedSteps() == 120);
-    CHECK(torn->steps() > 120);  // A finger came down behind the last mark.
+    CHECK(torn->steps() > 120);  // A finger came down after the last mark.
     CHECK(replayTake(torn.value()).ok());
-    // The studio replays it as far, says what was not compared, and hands it out as it came.
+    // The studio replays it up to there, reports what was not compared, and returns it unchanged.
     Session other = startedSession();
     FakeClient viewer(other);
     REQUIRE(other.openTake(kept->bytes, "torn").ok());
@@ -205,7 +205,7 @@ TEST_CASE("Restart, load and the end of the session finish the file") {
     }
 }
 
-TEST_CASE("A recording without a file says so and goes on in memory") {
+TEST_CASE("A recording without a file gives a notice and goes on in memory") {
     SessionDef def = sessionDef();
     def.openSink = [](const std::string&) -> Result<std::unique_ptr<TakeSink>> {
         return Status(StatusCode::IoError, "takes: no room");
@@ -219,7 +219,7 @@ TEST_CASE("A recording without a file says so and goes on in memory") {
     CHECK(parseTake(session.take().value(), "memory").ok());
 }
 
-TEST_CASE("A file that takes no more is told once, and the recording goes on in memory") {
+TEST_CASE("A file that cannot be written is reported once, and the recording goes on in memory") {
     class FullSink : public TakeSink {
     public:
         Status append(std::span<const std::uint8_t>) override {
@@ -237,23 +237,23 @@ TEST_CASE("A file that takes no more is told once, and the recording goes on in 
     Session session = startedSession(def);
     FakeClient client(session);
     client.send(protocol::Record{true});
-    const auto told = [&] {
+    const auto notices = [&] {
         return std::count_if(client.notices.begin(), client.notices.end(),
                              [](const protocol::Notice& notice) { return notice.code == "record"; });
     };
     run(session, 0.5, {&client});
-    CHECK(told() == 0);
+    CHECK(notices() == 0);
     run(session, 5.0, {&client});
-    CHECK(told() == 1);
+    CHECK(notices() == 1);
     CHECK(client.noticed("record").find("no room") != std::string::npos);
     CHECK(client.frames.back().recordedSeconds > 5.0f);
     client.send(protocol::Record{false});
     run(session, 0.1, {&client});
-    CHECK(told() == 1);
+    CHECK(notices() == 1);
     CHECK(parseTake(session.take().value(), "memory")->finished);
 }
 
-TEST_CASE("A log that reaches its limit ends, says so once, and still replays") {
+TEST_CASE("A log that reaches its limit ends, gives one notice, and still replays") {
     SessionDef def = sessionDef();
     def.limits.takeBytes = TakeEncoder::begin(smallFloor()).size() + 2000;
     Session session = startedSession(def);

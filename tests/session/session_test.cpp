@@ -62,7 +62,7 @@ TEST_CASE("The scene holds what the page draws") {
     CHECK(scene["parameters"].size() == parameterTable().size());
     const auto& moving = client.frames.back().moving;
     REQUIRE(moving.size() == 1);
-    // The frame shows where the car stood in the last step: 3 m in 4 s.
+    // The frame shows the car's position after the last step: 3 m in 4 s.
     CHECK(moving[0].x == doctest::Approx(0.75 * inspect::environment(*session.world()).time()).epsilon(1e-5));
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("Frames show the world") {
         CHECK(std::fabs(client.page.places[0][2 * k + 1] - place.y) < 0.006);
     }
     CHECK(frame.groups[0].vertices.size() == 2 * session.world()->group(0).finalMesh.size());
-    // Triangles and boundary refer to those vertices.
+    // Triangles and boundary refer to these vertices.
     REQUIRE(client.meshes.size() == 1);
     for (const std::uint32_t v : client.meshes[0].triangles) CHECK(2 * v < frame.groups[0].vertices.size());
     std::size_t at = 0;
@@ -145,7 +145,7 @@ TEST_CASE("A client that acknowledges nothing gets one frame, then the newest; i
     CHECK(stalled.frames[1].frame == 2);
 }
 
-TEST_CASE("Nothing is sent twice while the world stands still") {
+TEST_CASE("Nothing is sent twice while the world does not change") {
     Session session = startedSession();
     FakeClient client(session);
     client.send(protocol::Playback{protocol::PlaybackAction::Pause});
@@ -179,7 +179,7 @@ TEST_CASE("Playback: pause, single step, speed, restart") {
     CHECK(client.frames.back().step == 0);
 }
 
-TEST_CASE("Touches of a paused world apply on the next step") {
+TEST_CASE("Touches of a paused world apply in the next step") {
     Session session = startedSession();
     FakeClient client(session);
     client.send(protocol::Playback{protocol::PlaybackAction::Pause});
@@ -206,12 +206,12 @@ TEST_CASE("Formation, count and parameters change the world and the scene") {
     const auto scene = nlohmann::json::parse(client.scenes.back().json);
     CHECK(scene["groups"][0]["count"] == 20);
     CHECK(client.scenes.back().revision == client.frames.back().sceneRevision);
-    // The new mesh came before the first frame that uses it, with a new list of ids for the new characters.
+    // The new mesh comes before the first frame that uses it, with a new list of ids for the new characters.
     CHECK(client.meshes.back().version == client.frames.back().groups[0].meshVersion);
     CHECK(client.notices.empty());
 }
 
-TEST_CASE("A whole control by message, pinned, then removed") {
+TEST_CASE("A control added by one message, pinned, then removed") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.1, {&client});
@@ -314,7 +314,7 @@ TEST_CASE("Overlays: the field, one character's cost, density; at most five a se
     CHECK(client.overlays.size() == before);
 }
 
-TEST_CASE("A client that goes lifts its fingers, and is logged") {
+TEST_CASE("A client that leaves lifts its fingers, and the log records it") {
     Session session = startedSession();
     auto client = std::make_unique<FakeClient>(session);
     client->touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
@@ -342,17 +342,16 @@ TEST_CASE(
     run(session, 0.5, {&client});
     REQUIRE(client.scenes.size() == 2);
     CHECK(client.meshes.size() > meshes);
-    bool told = false;
+    bool idsSent = false;
     for (std::size_t k = frames; k < client.frames.size(); ++k) {
         if (client.frames[k].sceneRevision != client.scenes[1].revision) continue;
-        told = !client.frames[k].ids.empty();
+        idsSent = !client.frames[k].ids.empty();
         break;
     }
-    CHECK(told);
+    CHECK(idsSent);
 }
 
-TEST_CASE(
-    "What is likely a mistake in a scenario is told on load and to those who come later, not on restart") {
+TEST_CASE("Warnings about a scenario are sent on load and to clients that join later, not on restart") {
     WorldDef def = smallFloor();
     for (const double x : {6.0, 7.3}) {
         ObstacleDef disc;

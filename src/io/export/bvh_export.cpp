@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kBufferBytes = 1u << 15;  // Of each character's text, before it goes to its file.
+constexpr std::size_t kBufferBytes = 1u << 15;  // Each character's text is buffered up to this size.
 
-/// The files of all characters, of which none stays open: there may be more than a program can hold open.
+/// The files of all characters. None stays open, because there may be more than a process can open.
 class BvhExporter : public Exporter {
 public:
     explicit BvhExporter(std::string folder) : folder_(std::move(folder)) {}
@@ -42,7 +42,7 @@ public:
             const Travel root{static_cast<float>(character.position.x),
                               static_cast<float>(character.position.y), character.yaw};
             track.writer.append(root, *character.pose, track.line);
-            // Where it was missing, it stands as it does now.
+            // While the character is missing, it stands in its present pose.
             if (Status s = fill(character.id, track, frame.index + 1); !s.ok()) return s;
         }
         return {};
@@ -67,10 +67,10 @@ private:
     struct Track {
         explicit Track(float size) : writer(size) {}
         BvhFrameWriter writer;
-        std::string text;        ///< Not yet written.
-        std::string line;        ///< The last frame.
-        std::size_t frames = 0;  ///< In text and file.
-        bool begun = false;      ///< There is a file.
+        std::string text;        ///< Text not yet written.
+        std::string line;        ///< The last frame's line.
+        std::size_t frames = 0;  ///< Number of frames in text and file.
+        bool begun = false;      ///< True when the file exists.
     };
 
     static Status cannotWrite(const std::string& path, const std::string& why) {

@@ -25,7 +25,7 @@ constexpr std::array<NamedColour, kSkinTones> kHair{{{"hair 1", 0x15120F},
 }  // namespace
 
 CharacterLook characterLook(std::uint32_t id, std::uint32_t group, const World& world) {
-    // The finaliser of murmur3 scrambles the id; the page does the same.
+    // The finaliser of murmur3 mixes the id; the page uses the same function.
     std::uint32_t h = id;
     h = (h ^ (h >> 16)) * 0x85ebca6bu;
     h = (h ^ (h >> 13)) * 0xc2b2ae35u;

@@ -1,4 +1,4 @@
-// What a character looks like in files, by its id and group: as the studio shows it.
+// The look of a character in exported files, by its id and group: the same as in the studio.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace muster {
 
-inline constexpr std::uint32_t kAccents = 6;    ///< Colours of shirts.
-inline constexpr std::uint32_t kSkinTones = 5;  ///< Colours of skins, and of hairs.
+inline constexpr std::uint32_t kAccents = 6;    ///< Number of shirt colours.
+inline constexpr std::uint32_t kSkinTones = 5;  ///< Number of skin colours and of hair colours.
 
-/// Indices of colours.
+/// Indices of a character's colours.
 struct CharacterLook {
     BodyKind body = BodyKind::Broad;
     std::uint32_t skin = 0;    ///< Below kSkinTones.
@@ -21,14 +21,15 @@ struct CharacterLook {
     friend auto operator<=>(const CharacterLook&, const CharacterLook&) = default;
 };
 
-/// Of the character with that id, in the group of that index.
+/// The look of the character with that id, in the group of that index.
 CharacterLook characterLook(std::uint32_t id, std::uint32_t group, const World& world);
 
-/// A colour as 0xRRGGBB, and what to call it.
+/// A colour as 0xRRGGBB, and its name.
 struct NamedColour {
     const char* name;
     std::uint32_t colour;
 };
-NamedColour regionColour(BodyRegion region, const CharacterLook& look);  ///< Of a part of that character.
+/// The colour of a part of that character's body.
+NamedColour regionColour(BodyRegion region, const CharacterLook& look);
 
 }  // namespace muster

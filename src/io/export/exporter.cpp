@@ -12,7 +12,7 @@
 namespace muster {
 namespace {
 
-constexpr double kTimeGrain = 1e-7;  // Times so near are the same [s].
+constexpr double kTimeGrain = 1e-7;  // Times closer than this are equal [s].
 
 /// All characters after one step.
 struct Moment {
@@ -21,7 +21,7 @@ struct Moment {
     std::vector<BodyPose> poses;
 };
 
-/// Turns steps into frames.
+/// Interpolates frames between steps.
 class Resampler {
 public:
     Resampler(const ClipLibrary& library, const ExportDef& def, std::size_t frames, Exporter& exporter)
@@ -29,11 +29,11 @@ public:
         if (exporter.wantsPoses()) motion_.emplace(library);
     }
 
-    /// Takes the next step; false where no more are wanted.
+    /// Takes the next step; returns false when no further steps are needed.
     bool observe(const World& world) {
         std::swap(before_, now_);
         if (motion_) motion_->update(world);
-        // Steps far from any frame are only simulated.
+        // Steps that are not adjacent to a frame are only simulated.
         const double step = world.parameters().stepTime;
         if (world.time() + step * 1.5 >= frameTime()) fill(world);
         while (!done() && frameTime() <= world.time() + kTimeGrain) {
@@ -113,7 +113,7 @@ private:
     Status status_;
 };
 
-/// How many frames the part has, or why it has none.
+/// The number of frames in the exported part, or the reason why there are none.
 Result<std::size_t> framesOf(const Take& take, ExportDef& def) {
     const double end = static_cast<double>(take.steps()) * take.def.parameters.stepTime;
     const auto bad = [end](const char* what, double found, const char* expected) {

@@ -1,5 +1,4 @@
-// The interface that all export formats implement: a take is replayed and its frames are handed on one by
-// one.
+// The interface of all export formats: a take is replayed and its frames are passed on one by one.
 #pragma once
 
 #include <cstddef>
@@ -17,56 +16,56 @@ namespace muster {
 
 /// A character in one frame.
 struct ExportCharacter {
-    std::uint32_t id = 0;     ///< Of the character: its own in the whole take.
-    std::uint32_t group = 0;  ///< Index of its group.
-    Vec2 position;            ///< Of its own frame on the ground [m].
-    float yaw = 0.0f;         ///< It faces (cos, sin) of this [rad].
-    float size = 1.0f;        ///< Of the skeleton; hips and offsets of the pose are to be scaled by it.
-    const BodyPose* pose = nullptr;  ///< For a body of size 1; null where the exporter wants none.
+    std::uint32_t id = 0;     ///< Id of the character; it is the same in the whole take.
+    std::uint32_t group = 0;  ///< Index of the character's group.
+    Vec2 position;            ///< Origin of the character's own frame, on the ground [m].
+    float yaw = 0.0f;         ///< The character faces (cos yaw, sin yaw) [rad].
+    float size = 1.0f;        ///< Scale of the skeleton; it applies to the hips and offsets of the pose.
+    const BodyPose* pose = nullptr;  ///< The pose for a body of size 1; null where the exporter needs none.
 };
 
-/// One moment of a take, between two steps of the simulation if need be.
+/// The state at one moment of a take; it may lie between two steps of the simulation.
 struct ExportFrame {
-    std::size_t index = 0;  ///< From 0.
-    double time = 0.0;      ///< In the take [s].
+    std::size_t index = 0;  ///< Number of the frame, from 0.
+    double time = 0.0;      ///< Time in the take [s].
     std::span<const ExportCharacter>
-        characters;                ///< In ascending order of ids; may grow and shrink within a take.
-    const World* world = nullptr;  ///< At the first step not before that time. Never null.
+        characters;                ///< Ordered by id. Characters may appear and leave within a take.
+    const World* world = nullptr;  ///< The world at the first step not before that time. Never null.
 };
 
-/// What is going to come.
+/// Facts about an export, known before its first frame.
 struct ExportInfo {
-    std::string name;              ///< Of the scenario.
-    double fps = 30.0;             ///< Frames a second > 0.
+    std::string name;              ///< The scenario's name.
+    double fps = 30.0;             ///< Frames per second, > 0.
     double from = 0.0;             ///< Time of the first frame in the take [s].
-    std::size_t frames = 0;        ///< Exactly so many will come, at least one.
-    const World* world = nullptr;  ///< Before the take's first step. Only valid within begin().
+    std::size_t frames = 0;        ///< Exact number of frames, at least one.
+    const World* world = nullptr;  ///< The world before the take's first step. Only valid within begin().
 };
 
-/// Writes a take in some format. begin() once, frame() as often as said, finish() once; a call that fails is
-/// the last.
+/// Writes a take in some format. The calls are begin() once, frame() once per frame and finish() once; none
+/// follows a call that fails.
 class Exporter {
 public:
-    Exporter() = default;                ///< Nothing is open.
+    Exporter() = default;                ///< Opens nothing.
     Exporter(const Exporter&) = delete;  ///< A file has one writer.
     Exporter& operator=(const Exporter&) = delete;
-    /// Removes what was written, unless finish() went well.
+    /// Removes the written files, unless finish() succeeded.
     virtual ~Exporter() = default;
 
-    /// False where no poses are needed, which saves making them.
+    /// False where the format needs no poses; they are not computed then.
     virtual bool wantsPoses() const { return true; }
-    /// Opens what is written to. Fails with IoError.
+    /// Opens the output. Fails with IoError.
     virtual Status begin(const ExportInfo& info) = 0;
-    /// Takes one frame; nothing of it may be kept by pointer.
+    /// Writes one frame. It must not keep pointers into it.
     virtual Status frame(const ExportFrame& frame) = 0;
-    /// Completes the file, so that it is in its place as a whole.
+    /// Completes the file and moves it to its final path.
     virtual Status finish() = 0;
 };
 
-/// Replays `take`, the characters moved by the clips of `library`, and hands frames to `exporter`: positions
-/// and poses between steps are interpolated. `progress` gets the share done; it may be empty. Fails with
+/// Replays `take` with the clips of `library` and passes its frames to `exporter`. Positions and poses
+/// between steps are interpolated. `progress` is called with the completed share; it may be empty. Fails with
 /// InvalidArgument where the part does not lie in the take, with Corrupt where the replay gives other hashes,
-/// and as the exporter does.
+/// and with the exporter's failures.
 Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef& def, Exporter& exporter,
                   const std::function<void(double)>& progress = {});
 

@@ -22,7 +22,7 @@ constexpr std::array kFormats{
     ExportFormat{"pedpy", ".txt", "trajectories as text for PedPy"},
 };
 
-/// Makes an exporter that writes to that path; in the order of kFormats.
+/// Functions that make an exporter for a path, in the order of kFormats.
 using MakeExporter = std::unique_ptr<Exporter> (*)(const std::string&);
 constexpr std::array<MakeExporter, kFormats.size()> kMakers{
     makeGltfExporter,      makeUsdExporter,      makeBvhExporter,

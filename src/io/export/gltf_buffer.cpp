@@ -8,8 +8,8 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kTrackFrames = 64;      // Frames that a track buffers.
-constexpr std::size_t kCopyBytes = 1u << 20;  // At a time.
+constexpr std::size_t kTrackFrames = 64;      // Number of frames that a track buffers.
+constexpr std::size_t kCopyBytes = 1u << 20;  // Number of bytes copied at a time.
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Status GltfBuffer::copyTo(OutputFile& file) {
             std::min<std::uint64_t>(kCopyBytes, size_ - done));
         const std::size_t got = std::fread(block.data(), 1, wanted, file_.get());
         if (std::ferror(file_.get())) return failed();
-        // Behind the last byte written.
+        // The file ends at the last byte written; the rest of the range is zeros.
         std::fill(block.begin() + static_cast<std::ptrdiff_t>(got), block.end(), '\0');
         if (Status s = file.write({block.data(), wanted}); !s.ok()) return s;
         done += wanted;

@@ -1,4 +1,4 @@
-// The binary part of a glTF file while its parts grow: on disk, at places known beforehand.
+// The binary part of a glTF file while it is being written: a temporary file with reserved ranges.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace muster {
 
-/// Bytes in a file of its own, which goes when this goes.
+/// A temporary file of bytes; it is removed with this object.
 class GltfBuffer {
 public:
     GltfBuffer() = default;
@@ -23,16 +23,16 @@ public:
     GltfBuffer& operator=(const GltfBuffer&) = delete;
     ~GltfBuffer();
 
-    /// Begins with no bytes. Fails with IoError, naming the path.
+    /// Creates the empty file. Fails with IoError, naming the path.
     Status open(const std::string& path);
-    /// Sets aside a stretch at the end; returns where it begins, a multiple of 4.
+    /// Reserves a range at the end; returns its offset, a multiple of 4.
     std::uint64_t reserve(std::uint64_t bytes);
-    /// Writes within what was set aside.
+    /// Writes within a reserved range.
     Status write(std::uint64_t offset, std::string_view bytes);
-    /// Sets aside and writes.
+    /// Reserves a range and writes it.
     Status append(std::string_view bytes, std::uint64_t& offset);
-    std::uint64_t size() const { return size_; }  ///< Set aside so far, a multiple of 4.
-    /// Adds all bytes to `file`; stretches never written are zeros.
+    std::uint64_t size() const { return size_; }  ///< Number of bytes reserved so far, a multiple of 4.
+    /// Appends all bytes to `file`; bytes never written are zeros.
     Status copyTo(OutputFile& file);
 
 private:
@@ -46,30 +46,33 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// Several values a frame, each kept together over all frames: buffered for some frames, then written.
+/// Writes an animation track: several values per frame, each contiguous over all frames. Some frames are
+/// buffered before they are written.
 class GltfTrack {
 public:
-    /// `widths`: bytes of each value, multiples of 4. Sets aside what all frames need.
+    /// `widths` are the bytes of each value, multiples of 4. Reserves the range for all frames.
     GltfTrack(GltfBuffer& buffer, std::size_t frames, std::span<const std::uint32_t> widths);
 
-    /// Where a value's frames begin, from the front of the stretch.
+    /// Offset of a value's frames within the track's range.
     std::uint64_t offset(std::size_t value) const { return starts_[value] * frames_; }
-    std::uint64_t begin() const { return begin_; }                    ///< Of the stretch in the buffer.
-    std::uint64_t bytes() const { return starts_.back() * frames_; }  ///< Of the stretch.
-    std::size_t filled() const { return filled_; }                    ///< Frames so far.
-    /// Adds frames until there are `frames`, all like the last, or like `record` where there is none yet.
+    /// Offset of the track's range in the buffer.
+    std::uint64_t begin() const { return begin_; }
+    std::uint64_t bytes() const { return starts_.back() * frames_; }  ///< Size of the track's range.
+    std::size_t filled() const { return filled_; }                    ///< Number of frames so far.
+    /// Adds frames up to `frames`; they repeat the last frame, or `record` where there is none yet.
     Status fill(std::size_t frames, std::string_view record);
-    /// Adds a frame: all values one behind another.
+    /// Adds a frame: all values in their order.
     Status add(std::string_view record);
-    /// Writes what is buffered.
+    /// Writes the buffered frames.
     Status flush();
 
 private:
     GltfBuffer* buffer_;
     std::size_t frames_;
-    std::vector<std::uint64_t> starts_;  ///< Of each value within a frame's record, and the record's end.
+    /// Offset of each value within a frame's record, then the record's size.
+    std::vector<std::uint64_t> starts_;
     std::uint64_t begin_ = 0;
-    std::string records_;  ///< Not yet written.
+    std::string records_;  ///< Frames not yet written.
     std::string last_;
     std::string column_;
     std::size_t filled_ = 0;

@@ -20,7 +20,7 @@ std::string jsonList(std::span<const T> values, const Write& write) {
 
 std::string jsonNumber(double value) {
     char text[40];
-    // Minus zero would be read as another number than it prints.
+    // Minus zero would be read as a different number than it prints.
     std::snprintf(text, sizeof(text), "%.9g", value == 0.0 ? 0.0 : value);
     return text;
 }

@@ -1,4 +1,4 @@
-// Takes as glTF: bodies in motion on their ground.
+// Export of takes as glTF: animated bodies on their ground.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,12 @@
 
 namespace muster {
 
-/// Writes one binary glTF 2.0 file (GLB): a skinned body with skeleton for everyone, its shirt in the colour
-/// of its group; ground, obstacles and patches as they are at the first frame; a camera that sees the whole
-/// way. One animation moves all; it begins at 0 s, whatever the take's time. Y is up, bodies face +Z in the
-/// rest pose, one unit is one metre. While it is written a second file, PATH.data.part, lies beside it.
-/// Fails with LimitExceeded where characters and frames are more than the 4 GiB of such files can hold.
+/// Writes one binary glTF 2.0 file (GLB): a skinned body with skeleton for each character, its shirt in the
+/// colour of its group; ground, obstacles and patches as they are at the first frame; a camera that sees all
+/// positions of the take. One animation moves everything; it begins at 0 s, at any time of the take. Y is up,
+/// bodies face +Z in the rest pose, and one unit is one metre. During the export a second file,
+/// PATH.data.part, lies in the same folder. Fails with LimitExceeded where characters and frames exceed the 4
+/// GiB of such files.
 std::unique_ptr<Exporter> makeGltfExporter(const std::string& path);
 
 }  // namespace muster

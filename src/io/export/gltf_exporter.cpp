@@ -11,11 +11,12 @@
 namespace muster {
 namespace {
 
-constexpr std::uint64_t kMostBytes = 0xFFFFFFFFull - (64u << 20);  // Of the buffer; the text needs room too.
+// Largest buffer; 64 MiB remain for the JSON text.
+constexpr std::uint64_t kMostBytes = 0xFFFFFFFFull - (64u << 20);
 
-/// The rotation whose matrix has these columns; they are at right angles and right-handed.
+/// The rotation whose matrix has these columns; they are orthogonal and right-handed.
 Quat rotationOf(Vec3 x, Vec3 y, Vec3 z) {
-    // The largest of the four is found first, so that nothing is divided by what is almost nothing.
+    // The largest of the four components is computed first, to avoid division by nearly zero.
     const float w = 1.0f + x.x + y.y + z.z, i = 1.0f + x.x - y.y - z.z;
     const float j = 1.0f - x.x + y.y - z.z, k = 1.0f - x.x - y.y + z.z;
     const float most = std::max({w, i, j, k});
@@ -25,7 +26,7 @@ Quat rotationOf(Vec3 x, Vec3 y, Vec3 z) {
     return normalized(Quat{z.x + x.z, y.z + z.y, k, x.y - y.x});
 }
 
-/// Something that follows a path.
+/// A moving obstacle or patch.
 struct MovingThing {
     GltfTrack track;
     SceneThing thing;

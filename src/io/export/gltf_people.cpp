@@ -6,17 +6,18 @@
 namespace muster {
 namespace {
 
-constexpr float kShort = 32767.0f;  // Stands for 1.
+constexpr float kShort = 32767.0f;  // The 16-bit integer that stands for 1.
 
-// A frame of a character: all joints' rotations, where the hips and the root are, how the root is turned.
-constexpr std::size_t kHips = kJointCount, kRootPlace = kHips + 1, kRootTurn = kHips + 2;
+// The values of a character in a frame: rotations of all joints, translation of hips and root, rotation of
+// the root.
+constexpr std::size_t kHips = kJointCount, kRootPosition = kHips + 1, kRootRotation = kHips + 2;
 constexpr std::size_t kValues = kHips + 3;
 
 constexpr std::array<std::uint32_t, kValues> widths() {
     std::array<std::uint32_t, kValues> list{};
     list.fill(4 * sizeof(std::int16_t));
-    list[kHips] = list[kRootPlace] = 3 * sizeof(float);
-    list[kRootTurn] = 4 * sizeof(float);
+    list[kHips] = list[kRootPosition] = 3 * sizeof(float);
+    list[kRootRotation] = 4 * sizeof(float);
     return list;
 }
 constexpr std::array<std::uint32_t, kValues> kWidths = widths();
@@ -31,7 +32,7 @@ void putShorts(std::string& record, Quat q) {
     record.append(reinterpret_cast<const char*>(values.data()), sizeof(values));
 }
 
-/// The same rotation, with the sign nearer to the one before, so that what lies between is right.
+/// The same rotation with the sign nearer to the previous one, so that interpolation takes the short arc.
 Quat beside(Quat q, Quat& before) {
     q = normalized(q);
     return before = dot(q, before) < 0.0f ? -q : q;
@@ -164,8 +165,8 @@ void GltfPeople::animate(const Person& person, std::uint32_t times) {
         document_.animate(of, path, times, document_.addAccessor(view, person.track.offset(value), values));
     };
     floats(person.root + 1, "translation", kHips, "VEC3");
-    floats(person.root, "translation", kRootPlace, "VEC3");
-    floats(person.root, "rotation", kRootTurn, "VEC4");
+    floats(person.root, "translation", kRootPosition, "VEC3");
+    floats(person.root, "rotation", kRootRotation, "VEC4");
 }
 
 Status GltfPeople::hide(const Person& person, double fps) {

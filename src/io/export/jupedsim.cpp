@@ -25,7 +25,7 @@ constexpr const char* kTables =
     "CREATE TABLE geometry(hash INTEGER NOT NULL UNIQUE PRIMARY KEY, wkt TEXT NOT NULL);"
     "CREATE TABLE frame_data(frame INTEGER NOT NULL UNIQUE PRIMARY KEY, geometry_hash INTEGER NOT NULL);";
 
-/// A statement made ready; values are bound from the left.
+/// A prepared SQL statement; values are bound from the left.
 class Statement {
 public:
     Statement(sqlite3* base, const char* text) { sqlite3_prepare_v2(base, text, -1, &statement_, nullptr); }
@@ -38,7 +38,7 @@ public:
     Statement& with(const std::string& value) {
         return bound(sqlite3_bind_text(statement_, ++column_, value.c_str(), -1, SQLITE_TRANSIENT));
     }
-    /// Does it; false where it failed.
+    /// Executes the statement; returns false where it failed.
     bool run() {
         good_ = good_ && sqlite3_step(statement_) == SQLITE_DONE;
         sqlite3_reset(statement_);
@@ -67,7 +67,8 @@ public:
     bool wantsPoses() const override { return false; }
 
     Status begin(const ExportInfo& info) override {
-        // SQLite writes by name; the file only keeps the place and removes what is unfinished.
+        // SQLite opens the file by name; the output file only reserves the path and removes an unfinished
+        // file.
         if (Status s = file_.open(path_); !s.ok()) return s;
         sqlite3* base = nullptr;
         const int opened = sqlite3_open(file_.partPath().c_str(), &base);
@@ -131,14 +132,14 @@ private:
         return {StatusCode::IoError, path_ + ": cannot be written: " + sqlite3_errmsg(base_.get())};
     }
 
-    /// The number of the walkable area as it stands; written where it is new.
+    /// The number of the present walkable area; writes the area where it is new.
     bool addArea(const Environment& environment, std::int64_t& area) {
         if (area_ == 0 || version_ != environment.staticVersion()) {
             version_ = environment.staticVersion();
             const std::string text = walkableArea(environment);
             Hash hash;
             hash.add(text);
-            // Positive, so that every reader takes it.
+            // Positive, so that every reader accepts it.
             area_ = static_cast<std::int64_t>(hash.value() >> 1) | 1;
             Statement add(base_.get(), "INSERT OR IGNORE INTO geometry VALUES(?, ?)");
             if (!add.with(area_).with(text).run()) return false;

@@ -1,4 +1,4 @@
-// Takes as SQLite files of JuPedSim.
+// Export of takes as SQLite files of JuPedSim.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 namespace muster {
 
 /// Writes JuPedSim's SQLite format, version 2: trajectories with directions, metadata, and the walkable area
-/// as WKT, anew whenever the obstacles that stand still change; moving ones are left out. begin() fails with
-/// Unsupported where this build has no SQLite.
+/// as WKT. The area is written again whenever the static obstacles change; moving obstacles are left out.
+/// begin() fails with Unsupported where this build has no SQLite.
 std::unique_ptr<Exporter> makeJupedsimExporter(const std::string& path);
 
-/// The ground outside all obstacles that stand still, as WKT: a POLYGON, or a MULTIPOLYGON where it is in
-/// several parts. Discs have 32 corners. Empty where this build has no SQLite.
+/// The ground outside all static obstacles as WKT: a POLYGON, or a MULTIPOLYGON where it is in several parts.
+/// Discs have 32 corners. Empty where this build has no SQLite.
 std::string walkableArea(const Environment& environment);
 
 }  // namespace muster

@@ -37,7 +37,7 @@ Shape shapeOf(const ObstaclePiece& piece) {
     return shape;
 }
 
-/// All shapes as one, halves first, so that no large one is rebuilt for each small one.
+/// The union of all shapes by recursive halving, so that no large shape is rebuilt for each small one.
 Shapes united(const std::vector<Shape>& shapes, std::size_t begin, std::size_t end) {
     Shapes result;
     if (end - begin == 1) result.push_back(shapes[begin]);

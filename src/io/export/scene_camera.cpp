@@ -8,13 +8,13 @@ namespace muster {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
-constexpr double kTurn = 0.33;  // Of the view from +y, to the left [rad].
+constexpr double kTurn = 0.33;  // Rotation of the camera from +y to the left [rad].
 constexpr double kPitch = 46.0 * kDegree;
 constexpr double kFieldOfView = 24.0 * kDegree;
 constexpr double kAspect = 16.0 / 9.0;
-constexpr double kRoom = 0.92;     // Share of the picture that points fill.
-constexpr double kNearest = 8.0;   // From a point to the eye, at least [m].
-constexpr double kBeyond = 500.0;  // Seen behind what matters [m].
+constexpr double kFilled = 0.92;   // Share of the picture that the points fill.
+constexpr double kNearest = 8.0;   // Least distance from the eye to a point [m].
+constexpr double kBeyond = 500.0;  // Visible distance behind the farthest point [m].
 
 Vec3 unit(double x, double y, double z) {
     return normalized(Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
@@ -29,13 +29,13 @@ CameraFit::CameraFit() {
     view_.forward = unit(-st * cp, ct * cp, -sp);
     view_.fieldOfView = kFieldOfView;
     view_.aspect = kAspect;
-    along_ = kRoom * sine(0.5 * kFieldOfView) / cosine(0.5 * kFieldOfView);
+    along_ = kFilled * sine(0.5 * kFieldOfView) / cosine(0.5 * kFieldOfView);
     across_ = kAspect * along_;
 }
 
 void CameraFit::add(Vec3 point) {
     const double f = dot(point, view_.forward), r = dot(point, view_.right), u = dot(point, view_.up);
-    // The eye e sees the point where |r - e.r| <= across (f - e.f): both sides bound e.r against e.f.
+    // The eye e sees the point where |r - e.r| <= across (f - e.f). Both sides bound e.r against e.f.
     sideways_.low = std::min(sideways_.low, r + across_ * f);
     sideways_.high = std::max(sideways_.high, r - across_ * f);
     upright_.low = std::min(upright_.low, u + along_ * f);

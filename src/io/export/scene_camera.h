@@ -1,4 +1,4 @@
-// A camera that sees a crowd and all its way, as the studio's does.
+// A camera that sees all positions of a crowd, like the studio's.
 #pragma once
 
 #include <limits>
@@ -7,36 +7,36 @@
 
 namespace muster {
 
-inline constexpr double kSeenHeight = 1.8;  ///< Height of a character that the camera has in view [m].
+inline constexpr double kSeenHeight = 1.8;  ///< Height of a character that the camera keeps in view [m].
 
-/// A camera that stands still; it looks along `forward`.
+/// A fixed camera; it looks along `forward`.
 struct SceneCamera {
     Vec3 eye;    ///< [m]
-    Vec3 right;  ///< Unit, as are up and forward; at right angles.
+    Vec3 right;  ///< Unit vectors, orthogonal to each other.
     Vec3 up;
     Vec3 forward;
-    double fieldOfView = 0;  ///< Vertical [rad].
-    double aspect = 0;       ///< Width over height.
-    double farthest = 0;     ///< Nothing beyond is seen [m].
+    double fieldOfView = 0;  ///< Vertical angle of view [rad].
+    double aspect = 0;       ///< Width divided by height.
+    double farthest = 0;     ///< Distance of the far plane [m].
 };
 
-/// Finds the place from which all points given are seen: 24 degrees of view, looking 46 degrees down.
+/// Finds the camera that sees all given points, with 24 degrees of view and looking 46 degrees down.
 class CameraFit {
 public:
     CameraFit();
-    /// One more point to be seen [m].
+    /// Adds a point [m].
     void add(Vec3 point);
-    /// The nearest camera that sees all points, with some room round them. At least one point.
+    /// The nearest camera that sees all points with a margin. Needs at least one point.
     SceneCamera camera() const;
 
 private:
-    /// Edges of the view in one direction: all points lie between these.
+    /// Bounds of the view in one direction: all points lie between them.
     struct Reach {
         double low = std::numeric_limits<double>::infinity();
         double high = -std::numeric_limits<double>::infinity();
     };
     SceneCamera view_;
-    double across_ = 0.0, along_ = 0.0;  ///< Slopes of the view's sides, less the room.
+    double across_ = 0.0, along_ = 0.0;  ///< Slopes of the view's sides, less the margin.
     Reach sideways_, upright_;
     double nearest_ = std::numeric_limits<double>::infinity();
 };

@@ -1,4 +1,4 @@
-// What stands in a world, as meshes: ground, obstacles, patches. Shared by all formats that hold meshes.
+// Ground, obstacles and patches of a world as meshes, for all formats that hold meshes.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline Vec3 pointAt(Vec2 p, double z) {
     return {toFloat(p.x), toFloat(p.y), toFloat(z)};
 }
 
-/// What a surface is made of.
+/// The material of a surface.
 enum class Finish : std::uint8_t {
     Ground,
     Wall,
@@ -48,62 +48,63 @@ enum class Finish : std::uint8_t {
     Count
 };
 
-/// How a finish looks.
+/// The look of a finish.
 struct FinishLook {
-    const char* name;      ///< "ground"...
-    std::uint32_t colour;  ///< 0xRRGGBB, as screens take it (sRGB).
-    float alpha = 1.0f;    ///< Below 1 for what one sees through.
+    const char* name;      ///< For example "ground".
+    std::uint32_t colour;  ///< 0xRRGGBB in sRGB.
+    float alpha = 1.0f;    ///< Opacity; below 1 for transparent finishes.
     float roughness = 0.9f;
 };
-/// Of that finish.
+/// The look of that finish.
 const FinishLook& finishLook(Finish finish);
 /// Red, green and blue of 0xRRGGBB in linear light, 0 to 1.
 Vec3 linearColour(std::uint32_t colour);
 
-/// Triangles of one finish, shaded flat; anticlockwise seen from outside.
+/// Triangles of one finish with flat shading, anticlockwise when seen from outside.
 struct SceneSurface {
     Finish finish = Finish::Ground;
-    std::vector<Vec3> positions;  ///< From the thing's pivot [m]; three a triangle unless shared.
-    std::vector<Vec3> normals;    ///< Unit; as many.
+    std::vector<Vec3> positions;  ///< Relative to the thing's pivot [m]; three per triangle unless shared.
+    std::vector<Vec3> normals;    ///< Unit vectors, one per position.
     std::vector<std::uint32_t> indices;
 };
 
-/// Something that stands or moves as a whole.
+/// An object that stands or moves as a whole.
 struct SceneThing {
     std::string name;                    ///< Unique within the scene, not empty.
-    Vec2 pivot;                          ///< It turns about here; its surfaces start from here [m].
-    TimedPath path;                      ///< Moves it; empty for one that stands still.
-    std::vector<SceneSurface> surfaces;  ///< At least one, each of another finish.
+    Vec2 pivot;                          ///< Centre of rotation and origin of its surfaces [m].
+    TimedPath path;                      ///< Its motion; empty for a static object.
+    std::vector<SceneSurface> surfaces;  ///< At least one; each has a different finish.
 
-    /// Where its pivot is at `time` [s], and how it is turned there [rad].
+    /// Position of the pivot at `time` [s]; turn() gives the rotation there.
     Vec2 place(double time) const { return pivot + path.at(time).position; }
     double turn(double time) const { return path.at(time).angle; }  ///< [rad]
 };
 
-/// The ground, then obstacles, then patches, as they are in the world now.
+/// The ground, then obstacles, then patches, in the world's present state.
 std::vector<SceneThing> makeScene(const World& world);
 
-/// Collects the surfaces of one thing.
+/// Collects the surfaces of one object.
 class SceneMeshBuilder {
 public:
-    /// All that is added is moved by -pivot.
+    /// Everything added is moved by -pivot.
     explicit SceneMeshBuilder(Vec2 pivot) : pivot_(pivot) {}
 
-    /// A flat triangle, anticlockwise seen from outside.
+    /// Adds a flat triangle, anticlockwise when seen from outside.
     void triangle(Finish finish, Vec3 a, Vec3 b, Vec3 c);
-    /// A flat quadrangle likewise.
+    /// Adds a flat quadrangle, anticlockwise when seen from outside.
     void quad(Finish finish, Vec3 a, Vec3 b, Vec3 c, Vec3 d);
-    /// A polygon, counter-clockwise, at a height [m], seen from above.
+    /// Adds a horizontal polygon at a height [m], counter-clockwise, seen from above.
     void floor(Finish finish, const Polygon& outline, double z);
-    /// Upright walls along a polygon, counter-clockwise, seen from outside or from inside.
+    /// Adds vertical walls along a counter-clockwise polygon, seen from outside or from inside.
     void walls(Finish finish, const Polygon& outline, double low, double high, bool inside = false);
-    /// Walls with a lid.
+    /// Adds walls with a lid.
     void prism(Finish side, Finish lid, const Polygon& outline, double low, double high);
-    /// An upright cone cut off, with a lid; its sides are smooth.
+    /// Adds a truncated vertical cone with a lid; its sides have smooth shading.
     void frustum(Finish finish, Vec3 base, double height, double lowRadius, double highRadius, int sides);
-    /// A beam of square section between two points.
+    /// Adds a beam of square section between two points.
     void beam(Finish finish, Vec3 a, Vec3 b, double width);
-    /// A lumpy ball of facets: radius on the ground and half its height [m]; `seed` makes the lumps.
+    /// Adds an irregular ball of flat facets: radius on the ground and half its height [m]; `seed` varies its
+    /// shape.
     void blob(Finish finish, Vec3 centre, double radius, double height, std::uint32_t seed, int rows = 5,
               int sides = 9);
 
@@ -118,18 +119,18 @@ private:
     std::vector<SceneSurface> surfaces_;
 };
 
-/// The rectangle round an outline whose longest side gives the direction.
+/// The rectangle around an outline, aligned with the outline's longest side.
 struct OutlineBox {
     Vec2 centre;
-    Rotation turn;            ///< Of the long side from +x.
+    Rotation turn;            ///< Rotation from +x to the long side.
     double halfLength = 0.0;  ///< [m]
     double halfWidth = 0.0;   ///< [m]
-    /// A point, from the centre along the long side and across it [m].
+    /// The point at these distances from the centre, along the long side and across it [m].
     Vec2 at(double along, double across) const { return centre + turn.apply({along, across}); }
 };
-OutlineBox outlineBox(const Polygon& outline);  ///< Of that outline; at least two corners.
+OutlineBox outlineBox(const Polygon& outline);  ///< The box of an outline with at least two corners.
 
-/// A number from 0 to 1 that looks thrown, always the same for the same two.
+/// A pseudo-random number from 0 to 1; the same arguments give the same number.
 double thrown(std::uint32_t a, std::uint32_t b);
 
 /// A regular polygon about `centre`, counter-clockwise.
@@ -137,8 +138,8 @@ Polygon circle(Vec2 centre, double radius, int corners);
 
 /// Adds an obstacle as defined.
 void addObstacle(const ObstacleDef& obstacle, SceneMeshBuilder& builder);
-/// Adds a patch as defined, played by the clip of that name; `open` where the ground below it is left out,
-/// `floor` how high its own lies [m].
+/// Adds a patch as defined, with the look of the clip of that name. `open` is true where the ground below it
+/// is left out; `floor` is the height of its own floor [m].
 void addPatch(const PatchDef& patch, const std::string& clip, bool open, double floor,
               SceneMeshBuilder& builder);
 

@@ -1,4 +1,4 @@
-// Obstacles: buildings, pillars, fountains, trees, hedges and cars, told apart by their names.
+// Obstacles: buildings, pillars, fountains, trees, hedges and cars, distinguished by their names.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -8,11 +8,11 @@
 namespace muster {
 namespace {
 
-constexpr double kCarLength[] = {2.8, 7.0};  // Of what moves and is taken for a car [m].
+constexpr double kCarLength[] = {2.8, 7.0};  // Length of moving obstacles that look like cars [m].
 constexpr double kCarWidth[] = {1.3, 2.6};
 constexpr double kVanHeight = 1.9;
 
-/// True where one of the words stands in the name, in letters of any size.
+/// True where the name contains one of the words, ignoring case.
 template <std::size_t N>
 bool named(const std::string& name, const std::array<const char*, N>& words) {
     std::string small = name;
@@ -33,7 +33,7 @@ bool carSized(const Polygon& outline) {
 }
 
 void addTree(const ObstacleDef& tree, SceneMeshBuilder& builder) {
-    // Lower than trees are, as in the studio, so that people under them stay visible.
+    // Lower than real trees, as in the studio, so that people under them stay visible.
     const double s = std::clamp(tree.radius / 0.4, 0.65, 1.0);
     const auto seed = static_cast<std::uint32_t>(thrown(static_cast<std::uint32_t>(tree.centre.x * 64.0),
                                                         static_cast<std::uint32_t>(tree.centre.y * 64.0)) *
@@ -64,13 +64,13 @@ void addFountain(const ObstacleDef& fountain, SceneMeshBuilder& builder) {
                     0.17 * fountain.radius, 16);
 }
 
-/// Four corners of a car's slab, at shares of its half length and half width.
+/// Four corners of a car's layer, as shares of its half length and half width.
 Polygon slab(const OutlineBox& box, double back, double front, double side) {
     const double l = box.halfLength, w = box.halfWidth * side;
     return {box.at(back * l, -w), box.at(front * l, -w), box.at(front * l, w), box.at(back * l, w)};
 }
 
-/// Sloping sides between two outlines of as many corners.
+/// Adds sloping sides between two outlines with the same number of corners.
 void addSkirt(SceneMeshBuilder& builder, Finish finish, const Polygon& low, const Polygon& top, double from,
               double to) {
     for (std::size_t i = 0; i < low.size(); ++i) {

@@ -1,4 +1,4 @@
-// What patches look like, by the clip played on them: a net, a pool, a wall, a hurdle, branches.
+// The look of patches by their clip: a net, a pool, a wall, a hurdle, branches.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -10,17 +10,17 @@
 namespace muster {
 namespace {
 
-constexpr double kWallHeight = 1.3;   // As the clips expect it [m].
-constexpr double kWallHalf = 0.2;     // Half its thickness [m].
-constexpr double kCap = 0.08;         // Of its top [m].
-constexpr double kHurdle = 0.5;       // [m]
-constexpr double kNet = 0.82;         // Of its posts [m].
-constexpr double kSag = 0.11;         // Of the net between them [m].
-constexpr double kMesh = 0.45;        // Between the net's threads [m].
-constexpr double kWaterLevel = -0.1;  // [m]
-constexpr double kBottom = -1.15;     // Of the pool [m].
-constexpr double kCoping = 0.34;      // Width of its rim [m].
-constexpr double kLeavesFrom = 1.3;   // Who ducks is below [m].
+constexpr double kWallHeight = 1.3;   // The height that the clips expect [m].
+constexpr double kWallHalf = 0.2;     // Half of the wall's thickness [m].
+constexpr double kCap = 0.08;         // Height of the wall's cap [m].
+constexpr double kHurdle = 0.5;       // Height of the hurdle [m].
+constexpr double kNet = 0.82;         // Height of the net's posts [m].
+constexpr double kSag = 0.11;         // Sag of the net between the posts [m].
+constexpr double kMesh = 0.45;        // Distance between the net's threads [m].
+constexpr double kWaterLevel = -0.1;  // Height of the water [m].
+constexpr double kBottom = -1.15;     // Height of the pool's bottom [m].
+constexpr double kCoping = 0.34;      // Width of the pool's rim [m].
+constexpr double kLeavesFrom = 1.3;   // Lowest leaves; ducking characters stay below [m].
 
 /// Points along an outline, no farther apart than `spacing`, corners included.
 Polygon along(const Polygon& outline, double spacing) {
@@ -33,7 +33,7 @@ Polygon along(const Polygon& outline, double spacing) {
     return points;
 }
 
-/// A thread that hangs between two points, where it is inside the outline.
+/// Adds a thread that sags between two points, where it is inside the outline.
 void addThread(const Polygon& outline, Vec2 from, Vec2 to, SceneMeshBuilder& builder) {
     constexpr int kPieces = 10;
     const auto height = [&](double t) { return kNet - 4.0 * kSag * t * (1.0 - t); };
@@ -62,7 +62,7 @@ void addNet(const Polygon& outline, double floor, SceneMeshBuilder& builder) {
     }
     for (int i = 1; i < lengthwise; ++i) {
         const double v = box.halfWidth * (2.0 * i / lengthwise - 1.0);
-        // Long threads lie on those across, as deep as these hang there.
+        // Long threads lie on the cross threads, at the height to which those sag.
         const double t = static_cast<double>(i) / lengthwise;
         const double deep = kNet - 4.0 * kSag * t * (1.0 - t);
         builder.beam(Finish::Net, pointAt(box.at(-box.halfLength, v), deep),
@@ -172,7 +172,7 @@ void addBranches(const Polygon& outline, double floor, SceneMeshBuilder& builder
     const int count = std::max(4, static_cast<int>(5.0 * box.halfLength * box.halfWidth));
     for (int i = 0; i < count; ++i) {
         const auto k = static_cast<std::uint32_t>(i);
-        // Spread as seeds are in a sunflower, so that no two tufts coincide.
+        // A sunflower spiral (golden angle), so that no two tufts coincide.
         const double far = 0.94 * std::sqrt((i + 0.5) / count);
         const double turn = 2.39996 * i;
         const Vec2 p = box.at(far * cosine(turn) * box.halfLength, far * sine(turn) * box.halfWidth);

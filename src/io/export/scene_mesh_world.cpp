@@ -1,4 +1,4 @@
-// All that stands in a world, put together.
+// All objects of a world.
 #include <algorithm>
 #include <set>
 
@@ -10,12 +10,13 @@
 namespace muster {
 namespace {
 
-constexpr double kFloor = 0.006;          // Of patches above the ground [m],
-constexpr double kFloorStep = 0.0007;     // each a little higher than the one before,
-constexpr double kHighestFloor = 0.0155;  // so that where they overlap one is seen.
-constexpr double kApron = 40.0;           // Ground beyond the world's edge [m].
+constexpr double kFloor = 0.006;  // Height of the lowest patch floor above the ground [m].
+// Each further floor lies higher by this much [m], so that the upper one shows where floors overlap.
+constexpr double kFloorStep = 0.0007;
+constexpr double kHighestFloor = 0.0155;  // Height of the highest floor [m].
+constexpr double kApron = 40.0;           // Width of the ground beyond the world's edge [m].
 
-/// A name that nothing else has: things without one are called by `kind`, later ones get a number.
+/// A unique name. An unnamed object is called by `kind`; later ones get a number.
 std::string nameOf(const std::string& given, const char* kind, std::set<std::string>& names) {
     const std::string base = given.empty() ? kind : given;
     std::string name = base;
@@ -29,7 +30,7 @@ const std::string& clipOf(const Environment& environment, const PatchDef& patch)
     return motion < environment.def().clips.size() ? environment.def().clips[motion].name : kRun;
 }
 
-/// The ground around pools; false, adding nothing, where their holes cannot be cut.
+/// Adds the ground with holes for pools; returns false and adds nothing where the holes cannot be cut.
 bool addGround(const Environment& environment, const std::vector<Polygon>& pools, SceneMeshBuilder& builder) {
     const Box box = environment.def().box.grown(kApron);
     PolygonWithHoles shape;

@@ -12,8 +12,8 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMostChanges = 8;   // Of a character's coming and going that are told.
-constexpr std::size_t kChangeWidth = 32;  // Bytes of each.
+constexpr std::size_t kMostChanges = 8;   // Largest number of a character's visibility changes in the file.
+constexpr std::size_t kChangeWidth = 32;  // Number of bytes per visibility change.
 constexpr const char* kStarts[] = {
     "        double3 xformOp:translate.timeSamples = {\n", "        float xformOp:rotateZ.timeSamples = {\n",
     "            quatf[] rotations.timeSamples = {\n", "            float3[] translations.timeSamples = {\n"};
@@ -21,7 +21,7 @@ constexpr const char* kStarts[] = {
 /// One frame of a character: a line for each of its four lists of samples.
 using Lines = std::array<std::string, 4>;
 
-/// Lines of a character; all frames' are equally long.
+/// The lines of a character. Lines of one kind have the same length in all frames.
 Lines linesOf(std::size_t frame, const ExportCharacter& c, double turn) {
     Lines lines;
     char number[24];
@@ -101,14 +101,15 @@ public:
 
 private:
     struct Person {
-        std::vector<UsdSamples> samples;   ///< Where it is, how it is turned, rotations, hips.
-        ExportCharacter last;              ///< As last seen.
-        BodyPose pose;                     ///< Of `last`.
-        double turn = 0.0;                 ///< Without jumps [rad].
-        std::size_t filled = 0;            ///< Frames written.
-        std::size_t seen = 0;              ///< One more than the last frame it was in.
-        std::vector<std::size_t> changes;  ///< Frames at which it comes, goes, comes again...
-        std::uint64_t visibility = 0;      ///< Where in the file its changes are said.
+        /// Translation, rotation of the root, rotations of joints, and hips.
+        std::vector<UsdSamples> samples;
+        ExportCharacter last;              ///< The character in its last frame.
+        BodyPose pose;                     ///< The pose of `last`.
+        double turn = 0.0;                 ///< Rotation without jumps by full turns [rad].
+        std::size_t filled = 0;            ///< Number of frames written.
+        std::size_t seen = 0;              ///< One more than the last frame that contains it.
+        std::vector<std::size_t> changes;  ///< Frames at which the character appears or leaves, alternating.
+        std::uint64_t visibility = 0;      ///< Offset of its visibility changes in the file.
     };
 
     Status addScene(const World& world) {
@@ -116,7 +117,7 @@ private:
         middle_ = (box.min + box.max) * 0.5;
         std::map<std::string, int> names{{"World", 1}, {"Materials", 1}, {"Bodies", 1}, {"Camera", 1}};
         for (SceneThing& thing : makeScene(world)) {
-            // Names that differ elsewhere may be one here.
+            // Different names may become the same USD name.
             const std::string name = usdName(thing.name);
             const int known = names[name]++;
             thing.name = known == 0 ? name : name + "__" + std::to_string(known);
@@ -134,7 +135,8 @@ private:
             if (Status s = begin(character, frame, found->second); !s.ok()) return s;
         }
         Person& person = found->second;
-        // Until it comes it waits where it will be; while it is away it stands as it did.
+        // Before the character appears it waits at its first position; while it is absent it keeps its last
+        // pose.
         if (person.filled == 0) remember(character, person);
         if (Status s = fill(person, frame.index); !s.ok()) return s;
         remember(character, person);
@@ -166,7 +168,7 @@ private:
         return {};
     }
 
-    /// Everything of a character but its samples, for which stretches are set aside.
+    /// Writes everything of a character but its samples, and reserves their ranges.
     Status begin(const ExportCharacter& character, const ExportFrame& frame, Person& person) {
         const CharacterLook look = characterLook(character.id, character.group, *frame.world);
         char name[40];

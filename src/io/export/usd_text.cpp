@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kLineFrames = 16;  // Frames that are buffered.
+constexpr std::size_t kLineFrames = 16;  // Number of frames that are buffered.
 constexpr double kDegrees = 180.0 / kPi;
 
 template <class T, class Write>
@@ -209,7 +209,7 @@ std::string usdCamera(const SceneCamera& camera) {
                usdNumber(static_cast<double>(v.y)) + ", " + usdNumber(static_cast<double>(v.z)) + ", " +
                std::to_string(w) + ")";
     };
-    const double half = 0.5 * camera.fieldOfView, high = 24.0;  // As on film of 24 mm.
+    const double half = 0.5 * camera.fieldOfView, high = 24.0;  // The film is 24 mm high.
     return "    def Camera \"Camera\"\n    {\n        float2 clippingRange = (0.1, " +
            usdNumber(camera.farthest) +
            ")\n        float focalLength = " + usdNumber(0.5 * high * cosine(half) / sine(half)) +

@@ -1,4 +1,4 @@
-// Pieces of USD text.
+// Building blocks of USD text.
 #pragma once
 
 #include <cstdint>
@@ -14,35 +14,35 @@
 
 namespace muster {
 
-/// A name as USD takes it: letters, digits and underscores, no digit in front.
+/// A valid USD name: letters, digits and underscores, not beginning with a digit.
 std::string usdName(std::string_view name);
-std::string usdNumber(double value);  ///< With seven digits.
-std::string usdPoint(Vec3 p);         ///< "(x, y, z)".
+std::string usdNumber(double value);  ///< Formats with seven digits.
+std::string usdPoint(Vec3 p);         ///< Formats as "(x, y, z)".
 /// A number in exactly `width` columns, with `decimals` where they fit.
 void usdFixed(double value, int width, int decimals, std::string& text);
 
-/// All materials, as one scope.
+/// All materials in one scope.
 std::string usdMaterials();
-/// The bodies and the skeleton that characters refer to, as one abstract scope.
+/// The bodies and the skeleton that characters refer to, in one abstract scope.
 std::string usdBodies();
-/// A thing with its meshes; its path as samples, `frames` of them from `from` [s].
+/// An object with its meshes. Its path becomes samples, `frames` of them from `from` [s].
 std::string usdThing(const SceneThing& thing, double from, double fps, std::size_t frames);
-std::string usdCamera(const SceneCamera& camera);  ///< The camera.
-/// "[Hips, Hips/Spine, ...]" in quotes, as USD names joints.
+std::string usdCamera(const SceneCamera& camera);  ///< Formats the camera as a prim.
+/// The joint names in USD's form: "[Hips, Hips/Spine, ...]" in quotes.
 std::string usdJoints();
 
-/// Lines of equal length, one a frame, in a stretch of a file set aside for them: buffered for some frames,
-/// then written.
+/// Lines of equal length, one per frame, in a reserved range of a file. Some frames are buffered before they
+/// are written.
 class UsdSamples {
 public:
-    /// For so many lines of `width` bytes each, the line's end included.
+    /// The number of lines and the bytes of each, with its end of line.
     UsdSamples(std::size_t frames, std::size_t width) : frames_(frames), width_(width) {}
 
-    /// Sets aside the stretch at the end of the file. Fails as the file does.
+    /// Reserves the range at the end of the file. Fails with write errors.
     Status reserve(OutputFile& file);
     /// Adds a frame's line.
     Status add(OutputFile& file, std::string_view line);
-    /// Writes what is buffered.
+    /// Writes the buffered lines.
     Status flush(OutputFile& file);
 
 private:

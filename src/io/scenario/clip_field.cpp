@@ -10,7 +10,7 @@
 namespace muster {
 namespace {
 
-constexpr double kGrain = 1e-6;  // Figures of files are rounded to that [m, s].
+constexpr double kGrain = 1e-6;  // Figures taken from files are rounded to this [m, s].
 
 double rounded(double value) {
     return std::floor(value / kGrain + 0.5) * kGrain;
@@ -30,7 +30,7 @@ double runSpeed(const std::vector<ClipFacts>& clips) {
 
 void readClipFile(FieldReader& v, ClipFacts& clip, const std::string& folder, double run) {
     if (v.failed() || clip.file.empty()) return;
-    // Bodies are moved by the file even where all figures stand beside it.
+    // The file is read even where the object gives all figures, because bodies move by it.
     if (!staysInside(clip.file)) return v.fail("file", describeJson(clip.file), kInsideExpected);
     const bool cyclicKnown = v.find("cyclic") != nullptr;
     if (v.find("speed") && v.find("length") && v.find("duration") && cyclicKnown) return;

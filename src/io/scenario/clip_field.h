@@ -1,4 +1,4 @@
-// Facts of motion clips, some of which their files may tell.
+// Facts of motion clips in a scenario; some come from the clips' files.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace muster {
 
-/// Gives a clip that is called as one of Muster's own that one's facts.
+/// Gives a clip with the name of one of Muster's own clips the facts of that clip.
 void takeOwnFacts(ClipFacts& clip);
 
-/// Takes from the clip's file in `folder` what the object leaves out of speed, length, duration and cyclic.
-/// Speeds are relative to `run` [m/s]; 0 for the clip that is running itself.
+/// Reads speed, length, duration and cyclic from the clip's file in `folder` where the object omits them.
+/// Speeds are relative to `run` [m/s]; 0 for the running clip itself.
 void readClipFile(FieldReader& v, ClipFacts& clip, const std::string& folder, double run);
 
 template <class Visitor>
@@ -31,7 +31,8 @@ void describeClip(Visitor& v, ClipFacts& clip, const std::string& folder, double
              "Played on entering and leaving; 0 for none.");
 }
 
-/// Speed of running by the facts of the clip that stands for it [m/s]; Muster's own where they do not tell.
+/// Speed of running by the facts of the running clip [m/s]; that of Muster's own clip where they do not give
+/// it.
 double runSpeed(const std::vector<ClipFacts>& clips);
 
 }  // namespace muster

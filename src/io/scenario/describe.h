@@ -1,4 +1,4 @@
-// What the objects of scenario and gesture files hold, once for loading, saving and the schema.
+// The fields of all objects in scenario and gesture files, described once for loading, saving and the schema.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace muster {
 inline constexpr NumberRange kAngle{-1e6, 1e6, "rad"};
 inline constexpr NumberRange kTime{0.0, 1e9, "s"};
 
-/// Every formation's name, in the order of FormationKind.
+/// The names of all formations, in the order of FormationKind.
 inline std::vector<std::string> formationNames() {
     std::vector<std::string> names;
     for (int kind = 0; kind <= static_cast<int>(FormationKind::Points); ++kind) {
@@ -23,7 +23,7 @@ inline std::vector<std::string> formationNames() {
     return names;
 }
 
-/// A formation's fields; the enclosing key may also hold the bare kind.
+/// The fields of a formation; the enclosing key may also hold the bare kind.
 template <class Visitor>
 void describeFormation(Visitor& v, FormationDef& formation) {
     const auto names = formationNames();
@@ -49,7 +49,7 @@ void describeFormation(Visitor& v, FormationDef& formation) {
              "For points: places in the local frame, facing +x.");
 }
 
-/// Holes are polygons, so a list of lists of points.
+/// Holes are polygons: a list of lists of points.
 inline void describeHoles(FieldReader& v, std::vector<Polygon>& holes) {
     const Json* found = v.findArray("holes", 1000, Need::Optional);
     if (found == nullptr) return;

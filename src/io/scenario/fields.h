@@ -1,7 +1,7 @@
-// One description of each file object serves loading, saving and the schema.
+// Visitors for file objects. One description of each object serves loading, saving and the schema.
 //
-// describe functions (describe.h) call the same methods on each of three visitors: FieldReader takes values
-// out of JSON, FieldWriter puts them in, FieldSchema writes down what is allowed.
+// The describe functions (describe.h) call the same methods on three visitors: FieldReader reads values from
+// JSON, FieldWriter writes them, and FieldSchema writes the JSON schema.
 #pragma once
 
 #include <cstdint>
@@ -15,32 +15,32 @@
 
 namespace muster {
 
-/// What a number may be.
+/// Limits of a number.
 struct NumberRange {
     double minimum = 0.0;
     double maximum = 0.0;
     std::string_view unit = "1";
-    bool whole = false;  ///< Only whole numbers.
+    bool whole = false;  ///< True where only whole numbers are allowed.
 };
 
-/// Whether a key must be there.
+/// Whether a key is required.
 enum class Need { Optional, Required };
 
-/// Takes the fields of one JSON object. The first failure is kept; after it nothing is read.
+/// Reads the fields of one JSON object. It keeps the first failure and reads nothing after it.
 class FieldReader {
 public:
     /// `path` is the JSON path of `object`; `failure` receives the first sentence.
     FieldReader(const Json& object, std::string path, std::string& failure);
 
-    static constexpr bool kReading = true;  ///< Values are being read.
-    static constexpr bool kSchema = false;  ///< Not a schema.
+    static constexpr bool kReading = true;  ///< This visitor reads values.
+    static constexpr bool kSchema = false;  ///< This visitor makes no schema.
 
-    /// `fallback` is what the text is where the key is left out.
+    /// `fallback` is the text where the key is left out.
     void text(std::string_view key, std::string& value, const char* about, Need need = Need::Optional,
               std::string_view fallback = {});
     void number(std::string_view key, double& value, const NumberRange& range, std::string_view about,
                 Need need = Need::Optional);
-    /// A number that may be left out: the value stays negative then.
+    /// An optional number; the value stays negative where it is left out.
     void optionalNumber(std::string_view key, double& value, const NumberRange& range, const char* about) {
         number(key, value, range, about);
     }
@@ -60,10 +60,10 @@ public:
                 const char* about, Need need = Need::Optional);
     void choice(std::string_view key, std::string& value, const std::vector<std::string>& names,
                 const char* about, Need need = Need::Optional);
-    /// A word out of a list, or its number.
+    /// A word from a list; the value is its index.
     void nameOrIndex(std::string_view key, std::int32_t& value, const std::vector<std::string>& names,
                      const char* about, Need need = Need::Optional);
-    /// Objects; `describe(visitor, item)` is called for each.
+    /// A list of objects; `describe(visitor, item)` is called for each.
     template <class Item, class Describe>
     void list(std::string_view key, std::vector<Item>& items, std::size_t most, const char*,
               Describe describe, Need need = Need::Optional) {
@@ -76,7 +76,7 @@ public:
             child.finish();
         }
     }
-    /// One object inside; `describe(visitor)` is called where it is there. True where it was.
+    /// A nested object. `describe(visitor)` is called where it is present; returns true then.
     template <class Describe>
     bool object(std::string_view key, const char*, Describe describe, Need need = Need::Optional) {
         const Json* found = find(key, need);
@@ -86,7 +86,7 @@ public:
         child.finish();
         return true;
     }
-    /// As object(), but a bare word stands for an object with only that `kind`.
+    /// Like object(), but a bare word stands for an object with only that `kind`.
     template <class Describe>
     bool objectOrKind(std::string_view key, const char*, Describe describe, Need need = Need::Optional) {
         const Json* found = find(key, need);
@@ -99,15 +99,15 @@ public:
         return true;
     }
 
-    /// The value of a key, or null (a failure where it is required).
+    /// The value of a key, or null; null is a failure where the key is required.
     const Json* find(std::string_view key, Need need = Need::Optional);
-    /// The same, and an array of at most `most`.
+    /// The value of a key that must be an array of at most `most` items.
     const Json* findArray(std::string_view key, std::size_t most, Need need);
-    /// Notes a failure at a key of this object (empty: at the object itself).
+    /// Stores a failure at a key of this object; an empty key means the object itself.
     void fail(std::string_view key, const std::string& found, const std::string& expected);
     /// True once anything failed.
     bool failed() const { return !failure_->empty(); }
-    /// Complains about keys that nobody asked for.
+    /// Fails for keys that no description has read.
     void finish();
 
 private:
@@ -119,17 +119,17 @@ private:
     const Json* object_;
     std::string path_;
     std::string* failure_;
-    std::vector<std::string_view> known_;  // Keys asked for.
+    std::vector<std::string_view> known_;  // The keys that were read.
 };
 
-/// Puts fields into one JSON object. Empty lists, negative optional numbers, and texts that are empty where
-/// leaving them out makes them so, are left out.
+/// Writes fields into one JSON object. It leaves out empty lists, negative optional numbers and empty texts
+/// whose key may be left out.
 class FieldWriter {
 public:
     explicit FieldWriter(Json& object) : object_(&object) { *object_ = Json::object(); }
 
-    static constexpr bool kReading = false;  ///< Nothing is read.
-    static constexpr bool kSchema = false;   ///< Not a schema.
+    static constexpr bool kReading = false;  ///< This visitor reads nothing.
+    static constexpr bool kSchema = false;   ///< This visitor makes no schema.
 
     void text(std::string_view key, const std::string& value, const char* about, Need need = Need::Optional,
               std::string_view fallback = {});
@@ -174,7 +174,7 @@ public:
     }
     bool failed() const { return false; }  ///< Writing cannot fail.
 
-    /// Sets a key outright.
+    /// Sets a key directly.
     template <class Value>
     void set(std::string_view key, Value&& value) {
         (*object_)[key] = Json(std::forward<Value>(value));
@@ -184,13 +184,13 @@ private:
     Json* object_;
 };
 
-/// Writes down what one JSON object may hold. Defaults are the values given.
+/// Writes the schema of one JSON object. The given values are the defaults.
 class FieldSchema {
 public:
     explicit FieldSchema(Json& schema);
 
-    static constexpr bool kReading = false;  ///< Nothing is read.
-    static constexpr bool kSchema = true;    ///< A schema.
+    static constexpr bool kReading = false;  ///< This visitor reads nothing.
+    static constexpr bool kSchema = true;    ///< This visitor makes a schema.
 
     void text(std::string_view key, const std::string& value, const char* about, Need need = Need::Optional,
               std::string_view fallback = {});
@@ -242,7 +242,7 @@ public:
     }
     bool failed() const { return false; }  ///< Writing cannot fail.
 
-    /// Sets the schema of a key outright.
+    /// Sets the schema of a key directly.
     void set(std::string_view key, Json schema, std::string_view about, Need need);
 
 private:

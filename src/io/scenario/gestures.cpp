@@ -27,7 +27,7 @@ struct Event {
     Command command;
 };
 
-/// The fields of each kind of command, besides t, kind and client.
+/// The fields of each kind of command, except t, kind and client.
 template <class Visitor>
 struct BodyFields {
     Visitor& v;
@@ -139,7 +139,7 @@ struct BodyFields {
     }
 };
 
-/// Makes the alternative of that index.
+/// Makes the variant's alternative of that index.
 template <std::size_t Index = 0>
 void emplaceBody(CommandBody& body, std::size_t index) {
     if constexpr (Index < std::variant_size_v<CommandBody>) {
@@ -155,7 +155,7 @@ std::uint32_t stepAt(double time, double stepTime) {
     return static_cast<std::uint32_t>(std::min(4e9, std::floor(time / stepTime + 1e-9)));
 }
 
-/// One event; the step is written only where the time does not give it.
+/// One event. The step is written only where the time does not determine it.
 template <class Visitor>
 void describeEvent(Visitor& v, Event& event, double stepTime) {
     static const std::vector<std::string> kinds(std::begin(kKinds), std::end(kKinds));
@@ -189,7 +189,7 @@ void describeFile(Visitor& v, std::vector<Event>& events, double stepTime) {
         [&](auto& item, Event& event) { describeEvent(item, event, stepTime); }, Need::Required);
 }
 
-/// Time stamp of a command that bears one; else the start of its step.
+/// The time stamp of a command that has one; otherwise the start of its step.
 double timeOf(const Command& command, double stepTime) {
     return std::visit(
         [&](const auto& body) {
@@ -231,7 +231,7 @@ Result<std::vector<Command>> parseGestures(std::string_view text, const std::str
         return std::tuple(a.command.step, a.command.client) < std::tuple(b.command.step, b.command.client);
     });
     std::vector<Command> commands;
-    std::map<std::uint32_t, std::uint32_t> next;  // Sequence by client.
+    std::map<std::uint32_t, std::uint32_t> next;  // The next sequence number of each client.
     for (Event& event : events) {
         event.command.sequence = next[event.command.client]++;
         commands.push_back(std::move(event.command));

@@ -1,4 +1,4 @@
-// The `gestures` of a scenario: the name of the file of touches that belong to it.
+// The `gestures` of a scenario: the name of its gestures file.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// What comes before a file's name, with its slash; "./" for none.
+/// The folder part of a path, with its slash; "./" for none.
 std::string folderOf(const std::string& path);
 
 /// True for a relative path that never leaves its folder upwards.

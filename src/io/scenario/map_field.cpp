@@ -16,7 +16,7 @@ void describeScale(Visitor& v, MapDef& def) {
     v.number("swampSpeed", def.swampSpeed, {0.01, 100.0}, "Travel speed of swamp cells.");
 }
 
-/// The map's text: of the file, or made of the rows.
+/// The map's text, from the file or from the rows.
 std::string mapText(FieldReader& v, const std::string& file, const Json* rows, const std::string& folder) {
     if (rows == nullptr) {
         if (folder.empty()) {
@@ -84,7 +84,7 @@ bool describeMap(FieldWriter& v, std::optional<MapGround>& map, const std::strin
         }
         inner.set("rows", std::move(rows));
     });
-    return false;  // The box is written as it stands.
+    return false;  // The box is written as well.
 }
 
 bool describeMap(FieldSchema& v, std::optional<MapGround>&, const std::string&) {

@@ -19,7 +19,7 @@ std::vector<std::string> clipNames(const std::vector<ClipFacts>& clips) {
     return names;
 }
 
-/// `format` and `version`: what the file is.
+/// `format` and `version`: the kind of the file.
 template <class Visitor>
 void describeHead(Visitor& v) {
     std::string format = kScenarioFormat;
@@ -53,7 +53,7 @@ void describePreset(Visitor& v, Parameters& parameters) {
     }
 }
 
-/// All of a scenario. `folder` is where map files lie.
+/// All fields of a scenario. `folder` contains its map files.
 template <class Visitor>
 void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
     describeHead(v);
@@ -68,7 +68,7 @@ void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
     v.list("clips", def.clips, 1000,
            "Facts of motion clips; left out: run, walk, duck, crawl, swim, jump, climb, idle.",
            [&](auto& item, ClipFacts& clip) {
-               // The first is running: all speeds are relative to it.
+               // The first clip is running: all speeds are relative to it.
                const bool running = def.clips.empty() || &clip == &def.clips.front();
                describeClip(item, clip, folder, running ? 0.0 : runSpeed(def.clips));
            });

@@ -9,7 +9,8 @@
 namespace muster {
 namespace {
 
-constexpr double kLengthShare = 0.15;  // By which a single-step patch may differ from its clip.
+// A single-step patch whose length differs from its clip's by more than this share gives a warning.
+constexpr double kLengthShare = 0.15;
 
 std::string at(Vec2 p) {
     char buffer[64];
@@ -17,7 +18,7 @@ std::string at(Vec2 p) {
     return buffer;
 }
 
-/// The definition's ground as it stands at the start.
+/// The ground of the definition at time 0.
 Result<Environment> groundOf(const WorldDef& def) {
     EnvironmentDef ground{def.box, def.cell, def.parameters.field.range, def.parameters.field.strength,
                           def.clips};
@@ -41,7 +42,7 @@ std::string nameOf(const Environment& environment, ObstacleId id) {
     return "obstacle " + std::to_string(id.value);
 }
 
-/// Where a gap lies, in words.
+/// The location of a gap, in words.
 std::string placeOf(const Environment& environment, const NarrowGap& gap) {
     if (!gap.b) return "between " + nameOf(environment, gap.a) + " and the edge of the world";
     if (gap.a == gap.b) return "within " + nameOf(environment, gap.a);
@@ -60,7 +61,7 @@ void warnOfGaps(const WorldDef& def, const Environment& environment, std::size_t
     }
 }
 
-/// The shortest way straight across a shape [m].
+/// The shortest straight path across a shape [m].
 double widthOf(std::span<const Vec2> polygon) {
     const Polygon hull = convexHull(polygon);
     double least = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@ Status Replayer::submitUntil(World& world, std::size_t end) {
 Status Replayer::submit(World& world) {
     // Marks may precede the first step.
     if (Status s = compare(world); !s.ok()) return s;
-    // After the last mark of an unfinished take there may be commands still.
+    // An unfinished take may have commands after its last mark.
     const bool marked = nextMark_ < take_->marks.size();
     return submitUntil(world, marked ? take_->marks[nextMark_].commands : take_->commands.size());
 }
@@ -28,7 +28,8 @@ Status Replayer::compare(World& world) {
     const auto& marks = take_->marks;
     for (; nextMark_ < marks.size() && marks[nextMark_].step == world.stepCount(); ++nextMark_) {
         const HashMark& mark = marks[nextMark_];
-        // Waiting commands are state too, so the hash covers exactly those recorded before the mark.
+        // Waiting commands are part of the state, so the hash covers exactly the commands recorded before the
+        // mark.
         if (Status s = submitUntil(world, mark.commands); !s.ok()) return s;
         lastHash_ = world.hash();
         if (lastHash_ != mark.hash) {

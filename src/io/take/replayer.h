@@ -1,5 +1,5 @@
-// Replays a take step by step. The order in which commands return to a world and hashes are compared is
-// defined here, for replayTake() and for the studio.
+// Replays a take step by step. The order in which commands are submitted and hashes are compared is defined
+// here, for replayTake() and for the studio.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace muster {
 
-/// Gives a take's commands back to a new world and compares its hash marks. Until atEnd(): submit(), step the
-/// world, compare().
+/// Submits a take's commands to a new world and compares its hash marks. Until atEnd(), call submit(), step
+/// the world, and call compare().
 class Replayer {
 public:
     /// The take must outlive this.
@@ -17,13 +17,13 @@ public:
 
     /// True where the take has no further step.
     bool atEnd(const World& world) const { return world.stepCount() >= steps_; }
-    std::uint32_t steps() const { return steps_; }        ///< Of the take.
+    std::uint32_t steps() const { return steps_; }        ///< Number of steps of the take.
     std::uint32_t compared() const { return compared_; }  ///< Marks that matched so far.
-    std::uint64_t lastHash() const { return lastHash_; }  ///< Of the last mark compared; 0 before.
-    /// Steps after the last mark: replayed, compared with nothing.
+    std::uint64_t lastHash() const { return lastHash_; }  ///< The last hash compared; 0 before the first.
+    /// Steps after the last mark; they are replayed but not compared.
     std::uint32_t unmarked() const { return steps_ - take_->markedSteps(); }
 
-    /// Submits the commands that were given before the next mark. Fails as World::submit and compare() do.
+    /// Submits the commands recorded before the next mark. Fails like World::submit and compare().
     Status submit(World& world);
     /// Compares the marks of the world's step. Fails with Corrupt, naming the step, where a hash differs.
     Status compare(World& world);
@@ -32,7 +32,7 @@ private:
     Status submitUntil(World& world, std::size_t end);
 
     const Take* take_;
-    std::uint32_t steps_;  // Counting them takes a while.
+    std::uint32_t steps_;  // Stored, because counting the steps takes long.
     std::size_t nextCommand_ = 0;
     std::size_t nextMark_ = 0;
     std::uint32_t compared_ = 0;

@@ -13,7 +13,7 @@ void putWord(std::vector<std::uint8_t>& bytes, std::uint32_t word) {
     for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-/// Appends one record: u32 length, u8 kind, u32 checksum of these, payload, u32 checksum of the payload.
+/// Appends one record: u32 length, u8 kind, u32 checksum of both, payload, u32 checksum of the payload.
 void putRecord(std::vector<std::uint8_t>& bytes, RecordKind kind, std::span<const std::uint8_t> payload) {
     const std::size_t start = bytes.size();
     putWord(bytes, static_cast<std::uint32_t>(payload.size()));

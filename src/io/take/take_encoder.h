@@ -8,16 +8,16 @@
 
 namespace muster {
 
-/// Makes the bytes of a take record by record (docs/take-format.md).
+/// Encodes a take record by record (docs/take-format.md).
 class TakeEncoder {
 public:
-    /// Header and scenario record.
+    /// Encodes the file header and the scenario record.
     static std::vector<std::uint8_t> begin(const WorldDef& def);
-    /// A command record.
+    /// Encodes a command record.
     static std::vector<std::uint8_t> command(const Command& command);
-    /// A hash mark.
+    /// Encodes a hash mark.
     static std::vector<std::uint8_t> mark(const HashMark& mark);
-    /// The last record, with the last mark.
+    /// Encodes the end record, with the last mark.
     static std::vector<std::uint8_t> end(const HashMark& mark);
 };
 

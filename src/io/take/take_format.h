@@ -9,17 +9,17 @@ namespace muster {
 
 inline constexpr std::array<std::uint8_t, 8> kTakeMagic{'M', 'U', 'S', 'T', 'A', 'K', 'E', '\n'};
 inline constexpr std::uint32_t kTakeVersion = 1;
-inline constexpr std::size_t kTakeHeaderBytes = 12;  ///< Magic and version.
-inline constexpr std::size_t kRecordHeadBytes = 9;   ///< Length, kind, checksum of these two.
-inline constexpr std::size_t kRecordTailBytes = 4;   ///< Checksum of the payload.
+inline constexpr std::size_t kTakeHeaderBytes = 12;  ///< Size of magic and version.
+inline constexpr std::size_t kRecordHeadBytes = 9;   ///< Size of length, kind and checksum of both.
+inline constexpr std::size_t kRecordTailBytes = 4;   ///< Size of the payload's checksum.
 inline constexpr std::uint32_t kMaxRecordBytes = 1u << 28;
 
-/// What a record holds.
+/// The kinds of records.
 enum class RecordKind : std::uint8_t {
-    Scenario = 1,  ///< Text of the scenario; the first record, once.
-    Command = 2,   ///< As encodeCommand() writes it.
+    Scenario = 1,  ///< Text of the scenario; the first record, exactly once.
+    Command = 2,   ///< A command as encodeCommand() writes it.
     Mark = 3,      ///< u32 step, u64 hash.
-    End = 4,       ///< As Mark; nothing follows.
+    End = 4,       ///< Like Mark; it is the last record.
 };
 
 }  // namespace muster

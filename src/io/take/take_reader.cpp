@@ -17,7 +17,7 @@ std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t offset) {
     return word;
 }
 
-/// Walks through the records of a take.
+/// Iterates over the records of a take.
 class TakeParser {
 public:
     TakeParser(std::span<const std::uint8_t> bytes, std::string source)
@@ -53,7 +53,7 @@ private:
                 source_ + ": " + what + " in the record at offset " + std::to_string(offset_)};
     }
 
-    /// Reads one record; `torn` where the file ends inside it.
+    /// Reads one record; sets `torn` where the file ends within it.
     Status record(bool& torn) {
         const std::size_t left = bytes_.size() - offset_;
         torn = left < kRecordHeadBytes;
