@@ -1,4 +1,4 @@
-// Bodies: skinned meshes on Muster's skeleton, made by computation.
+// Bodies: procedural skinned meshes on Muster's skeleton.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace muster {
 
-/// What a corner of a body is made of; files and the page number them as here.
+/// Material of a vertex. The numbers are written to files and known to the page.
 enum class BodyRegion : std::uint8_t { Skin, Shirt, Trousers, Hair, Shoes, Count };
 inline constexpr std::size_t kBodyRegionCount = static_cast<std::size_t>(BodyRegion::Count);
-/// "skin", "shirt"...
+/// The name of a region: "skin", "shirt", "trousers", "hair" or "shoes".
 const char* bodyRegionName(BodyRegion region);
 
-/// Which body.
+/// The two bodies.
 enum class BodyKind : std::uint8_t {
     Broad,   ///< Wide shoulders, short hair.
     Narrow,  ///< Narrow shoulders, wider hips, tied hair.
@@ -25,35 +25,35 @@ enum class BodyKind : std::uint8_t {
 };
 inline constexpr std::size_t kBodyKindCount = static_cast<std::size_t>(BodyKind::Count);
 
-/// How fine a mesh is.
+/// Level of detail of a mesh.
 enum class BodyLevel : std::uint8_t {
     Near,  ///< About 2,000 triangles.
     Far,   ///< About 300.
 };
 
-/// A corner of a body's mesh.
+/// A vertex of a body's mesh.
 struct BodyVertex {
-    Vec3 position;  ///< In the rest pose, in the character's own frame [m].
-    Vec3 normal;    ///< Unit.
-    Vec3 colour;    ///< Red, green, blue, linear light, 0 to 1: how it is dressed by default.
-    BodyRegion region = BodyRegion::Skin;  ///< What it is made of.
-    std::array<std::uint8_t, 4> joints{};  ///< JointRole values, the heaviest first.
-    std::array<float, 4> weights{};        ///< Of the joints; none negative, sum 1.
+    Vec3 position;                         ///< In the rest pose, in the character's own frame [m].
+    Vec3 normal;                           ///< Unit.
+    Vec3 colour;                           ///< Default colour: linear red, green, blue, 0 to 1.
+    BodyRegion region = BodyRegion::Skin;  ///< Its material.
+    std::array<std::uint8_t, 4> joints{};  ///< JointRole values by descending weight.
+    std::array<float, 4> weights{};        ///< Weights of the joints, not negative, sum 1.
 };
 
-/// A body in the rest pose, on the skeleton as it stands (1.75 m).
+/// A body in the rest pose, on the skeleton at its own size (1.75 m).
 struct BodyMesh {
     std::vector<BodyVertex> vertices;
     std::vector<std::uint32_t>
-        indices;  ///< Three a triangle, anticlockwise seen from outside; grouped by region.
+        indices;  ///< Three per triangle, anticlockwise seen from outside, grouped by region.
     std::array<std::size_t, kBodyRegionCount + 1>
-        regionBegin{};  ///< Where each region's indices begin, and the end.
+        regionBegin{};  ///< First index of each region, then the end.
 };
 
-/// The mesh of a body. The same for every call.
+/// The mesh of a body; every call gives the same bits.
 BodyMesh makeBody(BodyKind kind, BodyLevel level);
 
-/// Where a vertex goes when the joints are as given (linear blend skinning) [m].
+/// Position of a vertex for the given joint transforms, by linear blend skinning [m].
 Vec3 skinned(const BodyVertex& vertex, const JointTransforms& joints);
 
 /// The mesh as a binary glTF 2.0 file: one skinned mesh, joints named as the skeleton's, attributes POSITION,

@@ -8,7 +8,7 @@ namespace {
 
 using bodies::GlbFile;
 
-/// Attributes for a primitive.
+/// Adds the vertices to the file; returns the attributes of a glTF primitive.
 Json addVertices(const BodyMesh& mesh, GlbFile& file) {
     std::vector<Vec3> positions, normals;
     std::vector<float> weights, colours, regions;
@@ -31,7 +31,7 @@ Json addVertices(const BodyMesh& mesh, GlbFile& file) {
     return attributes;
 }
 
-/// The skeleton's inverse bind matrices; returns the accessor.
+/// Adds the skeleton's inverse bind matrices; returns their accessor.
 std::size_t addInverseBinds(GlbFile& file) {
     JointTransforms rest;
     jointTransforms(restPose(), {}, rest);
@@ -43,7 +43,7 @@ std::size_t addInverseBinds(GlbFile& file) {
     return file.addMatrices(numbers);
 }
 
-/// The joints' nodes in the rest pose, numbered from `first` in the skeleton's order.
+/// Adds the nodes of the joints in the rest pose, numbered from `first` in the skeleton's order.
 void addJointNodes(std::size_t first, Json& nodes) {
     const auto& bones = skeleton();
     for (std::size_t j = 0; j < kJointCount; ++j) {

@@ -11,19 +11,20 @@
 
 namespace muster::bodies {
 
-/// Buffer, views and accessors of a file. Functions return the index of the accessor that they add.
+/// Collects the buffer, buffer views and accessors of a glTF file. Each add function returns the index of its
+/// new accessor.
 class GlbFile {
 public:
-    /// Floats, `width` to a value, 1 to 4. `bounds` adds the least and the greatest of each component.
+    /// Adds floats, `width` (1 to 4) per value. `bounds` adds minimum and maximum of each component.
     std::size_t addFloats(std::span<const float> numbers, std::size_t width, GltfTarget target,
                           bool bounds = false);
-    /// Vectors, turned into the file's axes.
+    /// Adds vectors, converted to the file's axes.
     std::size_t addVectors(std::span<const Vec3> vectors, GltfTarget target, bool bounds = false);
-    /// Whole numbers below 256, four to a value.
+    /// Adds whole numbers below 256, four per value.
     std::size_t addBytes(std::span<const std::uint8_t> numbers, GltfTarget target);
-    /// Indices of vertices, as wide as the number of `vertices` requires.
+    /// Adds indices of vertices, in the smallest type that fits the number of `vertices`.
     std::size_t addIndices(std::span<const std::uint32_t> indices, std::size_t vertices);
-    /// Matrices of 16 numbers each.
+    /// Adds matrices of 16 numbers each.
     std::size_t addMatrices(std::span<const float> numbers);
 
     /// The whole file; `document` is an object that lacks buffers, views and accessors. Must stay below 4
@@ -35,7 +36,7 @@ private:
     std::size_t add(std::string_view bytes, GltfTarget target, const GltfValues& values);
 
     std::string views_, accessors_;  // As JSON, separated by commas.
-    std::size_t count_ = 0;          // Views, and accessors.
+    std::size_t count_ = 0;          // Number of views, which equals that of accessors.
     std::string bytes_;
 };
 

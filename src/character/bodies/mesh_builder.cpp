@@ -36,7 +36,7 @@ void MeshBuilder::bridge(std::span<const std::uint32_t> from, std::span<const st
     const std::size_t n = from.size();
     for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
         const std::size_t j = (i + 1) % n;
-        // The shorter diagonal bends less.
+        // The quad is split along its shorter diagonal, which bends the surface less.
         if (distance(at(from[i]), at(to[j])) <= distance(at(from[j]), at(to[i]))) {
             triangle(from[i], from[j], to[j]);
             triangle(from[i], to[j], to[i]);
@@ -56,7 +56,7 @@ void MeshBuilder::cap(const Ring& ring, Vec3 tip, const Stuff& stuff, bool left)
 }
 
 void MeshBuilder::findNormals() {
-    // The vector product is as long as twice the area: large triangles count more.
+    // The length of the cross product is twice the area, so normals are weighted by area.
     for (const auto& [a, b, c] : triangles_) {
         const Vec3 origin = vertices_[a].position;
         const Vec3 normal = cross(vertices_[b].position - origin, vertices_[c].position - origin);

@@ -34,7 +34,7 @@ BodyMesh Sculptor::make() {
 
 Vec3 Sculptor::levelPoint(const Section& cut, double angle, float widen) {
     const float c = static_cast<float>(cosine(angle)), s = static_cast<float>(sine(angle));
-    // A chin reaches hardly behind x = 0: its corners are spread about a point further ahead.
+    // A chin hardly extends behind x = 0, so its vertices are spread about a point further ahead.
     const float ahead = std::max(0.0f, 0.5f * (0.06f - cut.back));
     const float reach = c > 0.0f ? cut.front - ahead : cut.back + ahead;
     return {ahead + reach * c * widen, cut.middle + cut.side * s * widen, cut.along};
@@ -76,9 +76,9 @@ void Sculptor::tube(std::span<const Vec3> path, std::span<const float> radii, Ve
     Ring before;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Vec3 next = i + 1 < path.size() ? path[i + 1] : tip;
-        const Vec3 way = normalized(next - path[i == 0 ? 0 : i - 1]);
-        const Vec3 u = normalized(cross({0.0f, 1.0f, 0.0f}, way), {1.0f, 0.0f, 0.0f});
-        const Vec3 v = cross(way, u);
+        const Vec3 direction = normalized(next - path[i == 0 ? 0 : i - 1]);
+        const Vec3 u = normalized(cross({0.0f, 1.0f, 0.0f}, direction), {1.0f, 0.0f, 0.0f});
+        const Vec3 v = cross(direction, u);
         std::vector<Vec3> points;
         for (std::size_t k = 0; k < corners; ++k) {
             const float c = static_cast<float>(cosine(angleOf(k, corners)));

@@ -1,4 +1,4 @@
-// Lofts a body through the cuts of a shape.
+// Builds the mesh of a body by lofting through the cross sections of a shape.
 #pragma once
 
 #include <array>
@@ -25,56 +25,59 @@ inline constexpr Stuff kHeadHair{BodyRegion::Hair, Part::Head, kHair};
 inline constexpr Stuff kShoe{BodyRegion::Shoes, Part::Shoe, kShoes};
 inline constexpr Stuff kSole{BodyRegion::Shoes, Part::Shoe, kSoles};
 
-/// How many corners the rings have.
+/// Numbers of vertices in the rings.
 struct Detail {
     bool fine = true;
     std::size_t trunk = 0, limb = 0, arm = 0, head = 0;
 };
 inline constexpr Detail kFine{true, 16, 12, 8, 12}, kCoarse{false, 8, 6, 4, 6};
 
-/// The angle of corner `k` [rad].
+/// Angle of vertex `k` of a ring [rad].
 double angleOf(std::size_t k, std::size_t corners);
-/// Corners on an ellipse lie inside it; rings are widened by this to keep the area.
+/// A polygon with vertices on an ellipse has less area than it; this factor scales rings to the ellipse's
+/// area.
 float widening(std::size_t corners);
 
-/// Builds one body. A trunk in trousers and shirt from whose corners legs and sleeves grow, so that skin
-/// bends without seams at hips and shoulders; arms, neck, head, hair and shoes are lofts of their own that
-/// begin hidden in the others.
+/// Builds one body. Legs and sleeves share vertices with the trunk, so that the surface bends without seams
+/// at hips and shoulders. Arms, neck, head, hair and shoes are separate lofts that begin hidden inside the
+/// others.
 class Sculptor {
 public:
     Sculptor(const Shape& shape, const Detail& detail) : shape_(shape), detail_(detail) {}
 
-    /// The body. To be called once.
+    /// Builds the body. It may be called once only.
     BodyMesh make();
 
 private:
-    /// On a level cut, at an angle from straight ahead to the left.
+    /// A point on a horizontal section, at an angle from straight ahead to the left [rad].
     static Vec3 levelPoint(const Section& cut, double angle, float widen);
     std::vector<Vec3> levelRing(const Section& cut, std::size_t corners, double first = 0.0) const;
-    /// A cut through an arm, from the top round by the front.
+    /// Points of a section through an arm, from the top round by the front.
     std::vector<Vec3> armRing(const Section& cut, std::size_t corners) const;
-    /// Cloth at an edge goes inwards, unshared so that the edge is sharp.
+    /// Folds cloth inwards at an edge. It shares no vertices with the outside, so that the edge is shaded
+    /// sharp.
     void turnIn(const Ring& edge, const Stuff& stuff, float scale, Vec3 shift, bool left);
-    /// Round cuts along a path, closed at its end.
+    /// A loft of circles along a path, closed at its end.
     void tube(std::span<const Vec3> path, std::span<const float> radii, Vec3 tip, std::size_t corners,
               const Stuff& stuff, float flat = 1.0f);
-    /// The corner of a trunk's ring on the side that is built.
+    /// The vertex of a trunk's ring on the side under construction.
     std::uint32_t column(const Ring& ring, std::size_t k) const;
     void makePelvis();
     void makeShirt();
-    /// The shirt's surface but for the holes of the sleeves.
+    /// Adds the shirt's surface except the holes for the sleeves.
     void coverShirt();
     void makeLeg();
     void makeSleeve();
     void makeArm();
     void makeShoe();
-    /// From the sole's inner corner round by the outer side, seen from the toes.
+    /// A ring of a shoe, from the sole's inner corner round by the outer side, seen from the toes.
     Ring shoeRing(float x, float width, float top);
     void makeNeckAndHead();
     void makeNoseAndEars();
-    /// The head's cut at a height between its first and last.
+    /// The head's section at a height between its first and last section.
     Section sectionAt(float height) const;
-    /// Where hair begins at an angle from straight ahead: high over the face, low at temples and nape.
+    /// Height of the hairline at an angle from straight ahead: high over the face, low at temples and nape
+    /// [m].
     float hairline(double angle) const;
     void makeHair();
     void makeTail();
@@ -83,9 +86,9 @@ private:
     const Shape& shape_;
     Detail detail_;
     MeshBuilder mesh_;
-    Ring hips_, crotch_;  ///< Where the legs begin.
+    Ring hips_, crotch_;  ///< Rings at which the legs begin.
     std::vector<Ring> shirt_;
-    std::array<std::size_t, 2> hole_{};  ///< The sleeves begin between these rings of the shirt.
+    std::array<std::size_t, 2> hole_{};  ///< Rings of the shirt between which the sleeves begin.
     bool mirrored_ = false;
 };
 

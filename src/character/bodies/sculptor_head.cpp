@@ -65,7 +65,7 @@ float Sculptor::hairline(double angle) const {
 }
 
 void Sculptor::makeHair() {
-    // Outwards from the head at shares of the height between hairline and crown.
+    // A row of hair: its distance outwards from the head by the share of the height from hairline to crown.
     struct Row {
         float share, out;
     };

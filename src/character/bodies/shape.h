@@ -1,4 +1,4 @@
-// What the two bodies measure.
+// Measures of the two bodies.
 #pragma once
 
 #include <span>
@@ -7,35 +7,35 @@
 
 namespace muster::bodies {
 
-/// A cut through a trunk, limb or head: two half ellipses.
+/// A cross section of a trunk, limb or head: two half ellipses.
 struct Section {
-    float along = 0.0f;   ///< Height of the cut; for arms how far out to the side it is [m].
-    float side = 0.0f;    ///< Half the width to the sides; for arms half the height [m].
-    float front = 0.0f;   ///< How far it reaches forward of x = 0 [m].
-    float back = 0.0f;    ///< How far backward [m].
-    bool far = false;     ///< Kept in the coarse mesh.
-    float middle = 0.0f;  ///< Of legs: to the side; of arms: height [m].
+    float along = 0.0f;   ///< Height of the section; for arms its distance to the side [m].
+    float side = 0.0f;    ///< Half the width; for arms half the height [m].
+    float front = 0.0f;   ///< Extent forward of x = 0 [m].
+    float back = 0.0f;    ///< Extent backward of x = 0 [m].
+    bool far = false;     ///< It is part of the coarse mesh too.
+    float middle = 0.0f;  ///< Centre: of legs to the side, of arms in height [m].
 };
 
-/// Everything that makes one body differ from another.
+/// The measures in which bodies differ.
 struct Shape {
-    std::span<const Section> pelvis;  ///< From where the legs part to under the shirt.
+    std::span<const Section> pelvis;  ///< From the crotch to under the shirt.
     std::span<const Section> shirt;   ///< From its hem to the collar.
     std::span<const Section> leg;     ///< From below the crotch to the trousers' hem.
     std::span<const Section> sleeve;  ///< From the shoulder to the sleeve's hem.
     std::span<const Section> arm;     ///< From inside the sleeve to the finger tips.
     std::span<const Section> neck;    ///< From inside the collar into the head.
     std::span<const Section> head;    ///< From the chin to the crown.
-    std::size_t holeBegin = 0;  ///< Cuts of the shirt between which the sleeves start, in the fine mesh.
+    std::size_t holeBegin = 0;        ///< First section of the shirt at the sleeves, fine mesh.
     std::size_t holeEnd = 0;
-    float midDrop = 0.0f;    ///< How much lower the first cut of the pelvis is in the middle [m].
-    float crotch = 0.0f;     ///< Height between the legs [m].
+    float midDrop = 0.0f;    ///< Drop of the pelvis' first section in the middle [m].
+    float crotch = 0.0f;     ///< Height of the crotch [m].
     float hairSides = 0.0f;  ///< Height of the hairline at the temples [m].
-    float hairNape = 0.0f;   ///< And behind [m].
-    float hairThick = 0.0f;  ///< [m]
+    float hairNape = 0.0f;   ///< Height of the hairline at the nape [m].
+    float hairThick = 0.0f;  ///< Thickness of the hair [m].
     bool tied = false;       ///< Hair hangs in a tail.
-    float handSize = 1.0f;   ///< Of the thumb.
-    float footWidth = 1.0f;  ///< Of the shoes.
+    float handSize = 1.0f;   ///< Factor on the size of the thumb.
+    float footWidth = 1.0f;  ///< Factor on the width of the shoes.
 };
 
 /// Wide shoulders, short hair.

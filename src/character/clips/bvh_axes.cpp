@@ -13,21 +13,22 @@
 namespace muster {
 namespace {
 
-constexpr double kTypicalExtent = 1.65;  // Of a grown person, arms out or down [m].
-constexpr double kFarFromTypical = 4.0;  // As a factor: no person any more.
+constexpr double kTypicalExtent = 1.65;  // Largest extent of an adult with arms spread or down [m].
+constexpr double
+    kFarFromTypical = 4.0;  // A body whose extent is off by more than this factor is not a person.
 
 std::vector<Vec3> posedPlaces(std::span<const BvhJoint> joints, std::span<const Transform> frame) {
     std::vector<Transform> posed;
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const std::int32_t parent = joints[j].parent;
         posed.push_back(parent < 0 ? frame[j] : posed[parent] * frame[j]);
-        places.push_back(posed.back().translation);
+        positions.push_back(posed.back().translation);
     }
-    return places;
+    return positions;
 }
 
-/// The signed axis that a direction is nearest to; null where it is near none.
+/// The signed axis nearest to a direction; zero if none is near.
 Vec3 nearestAxis(Vec3 v) {
     const float x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z), all = length(v);
     if (!(all > 0.0f) || std::max({x, y, z}) < 0.75f * all) return {};
@@ -36,17 +37,17 @@ Vec3 nearestAxis(Vec3 v) {
     return {0.0f, 0.0f, v.z > 0.0f ? 1.0f : -1.0f};
 }
 
-/// From the feet, or knees, to the hips and on; null where there are no legs.
-Vec3 upward(const RoleJoints& roles, const std::vector<Vec3>& places) {
-    const auto at = [&](JointRole role) { return places[roles[index(role)]]; };
+/// Direction from the feet, or the knees, to the hips; zero without legs.
+Vec3 upward(const RoleJoints& roles, const std::vector<Vec3>& positions) {
+    const auto at = [&](JointRole role) { return positions[roles[index(role)]]; };
     if (!hasBody(roles).ok()) return {};
     return at(JointRole::Hips) - 0.5f * (at(JointRole::LeftFoot) + at(JointRole::RightFoot));
 }
 
-Vec3 leftward(const RoleJoints& roles, const std::vector<Vec3>& places, Vec3 up) {
+Vec3 leftward(const RoleJoints& roles, const std::vector<Vec3>& positions, Vec3 up) {
     if (!hasBody(roles).ok()) return {};
-    const Vec3 across = places[roles[index(JointRole::LeftUpLeg)]] -
-                        places[roles[index(JointRole::RightUpLeg)]];
+    const Vec3 across = positions[roles[index(JointRole::LeftUpLeg)]] -
+                        positions[roles[index(JointRole::RightUpLeg)]];
     return nearestAxis(across - dot(across, up) * up);
 }
 
@@ -63,7 +64,7 @@ AxisMap guessAxes(std::span<const BvhJoint> joints, std::span<const Transform> f
         if (!standing(up)) up = {0.0f, 1.0f, 0.0f};
     }
     if (length(left) == 0.0f) left = leftward(roles, posed, up);
-    // Facing +Z where Y is up, else -Y, as Blender does it: the left is +X in both.
+    // As in Blender, the body faces +Z if Y is up, else -Y; in both cases +X is to the left.
     if (length(left) == 0.0f) left = {1.0f, 0.0f, 0.0f};
     return {cross(left, up), left, up};
 }
@@ -75,10 +76,10 @@ Result<double> guessUnit(std::span<const BvhJoint> joints) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     };
-    const std::vector<Vec3> places = restPlaces(joints);
+    const std::vector<Vec3> positions = restPlaces(joints);
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        if (joints[j].parent >= 0) include(places[j]);
-        for (const Vec3 end : joints[j].ends) include(places[j] + end);
+        if (joints[j].parent >= 0) include(positions[j]);
+        for (const Vec3 end : joints[j].ends) include(positions[j] + end);
     }
     const Vec3 extent = high - low;
     const double size = std::max({extent.x, extent.y, extent.z});

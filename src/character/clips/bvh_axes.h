@@ -1,4 +1,4 @@
-// Which way a file's axes point and how long its unit is, judged by the body.
+// Estimates the axes and the unit of length of a BVH file from the body in it.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace muster {
 
-/// A turn of axes by quarter turns: rows are our forward, left and up in the file's axes.
+/// A rotation of axes by quarter turns. Its rows are Muster's forward, left and up in the file's axes.
 struct AxisMap {
     Vec3 forward, left, up;
 
@@ -18,12 +18,13 @@ struct AxisMap {
     }
 };
 
-/// Judges by the rest pose, or by `frame` where nobody stands in the rest pose; Y up and facing +Z where in
-/// doubt.
+/// Estimates the axes from the rest pose, or from `frame` if the rest pose does not stand. Y up and facing +Z
+/// is the default.
 AxisMap guessAxes(std::span<const BvhJoint> joints, std::span<const Transform> frame);
 
-/// One unit [m] by the largest extent of the rest pose: metres, centimetres, millimetres, inches, feet or
-/// those of CMU's recordings (0.45 of them to the inch). Fails with Unsupported where no body is that large.
+/// Length of one unit [m], estimated from the largest extent of the rest pose: metres, centimetres,
+/// millimetres, inches, feet or the unit of CMU's recordings (1 inch is 0.45 units). Fails with Unsupported
+/// if none gives a plausible body.
 Result<double> guessUnit(std::span<const BvhJoint> joints);
 
 }  // namespace muster

@@ -12,11 +12,11 @@
 namespace muster {
 namespace {
 
-constexpr double kLargestOffset = 1e6;  // Units of the file.
-constexpr double
-    kRateGrain = 2e-4;  // Rates so near to a whole number are that number: frame times are rounded.
+constexpr double kLargestOffset = 1e6;  // Largest offset, in units of the file.
+constexpr double kRateGrain = 2e-4;     // Relative rounding error of frame times: rates this near to a whole
+                                        // number are rounded to it.
 
-/// What a column of the motion moves: position along x, y, z or rotation about x, y, z.
+/// The channel of one column of the motion: position along x, y, z or rotation about x, y, z.
 using Channel = std::uint8_t;
 constexpr std::array<std::string_view, 6> kChannelNames{"xposition", "yposition", "zposition",
                                                         "xrotation", "yrotation", "zrotation"};
@@ -75,7 +75,7 @@ private:
         return expect("{");
     }
 
-    /// One entry between a joint's braces, its first word read.
+    /// Parses one entry of a joint whose first word is already read.
     Status jointEntry(const std::string& word) {
         BvhJoint& joint = motion_.joints[open_];
         if (word == "offset") return point(joint.offset);
@@ -125,7 +125,7 @@ private:
         return {};
     }
 
-    /// "Frames: N" and "Frame Time: T".
+    /// Parses "Frames: N" and "Frame Time: T".
     Status head() {
         if (!sameWord(scanner_.keyword(), "frames")) return scanner_.unexpected("\"Frames:\"");
         scanner_.skipColons();
@@ -163,7 +163,7 @@ private:
         return {};
     }
 
-    /// The channels of one joint in one frame, in the file's axes and units.
+    /// Reads the channels of one joint in one frame, in the file's axes and units.
     Status value(std::size_t joint, Transform& out) {
         static constexpr Vec3 kAxes[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
         for (const Channel channel : channels_[joint]) {
@@ -181,8 +181,8 @@ private:
         return {};
     }
 
-    /// Programs differ in whether position channels stand in the place of the offset or are added to it; the
-    /// first frame tells which is meant.
+    /// In some programs position channels replace the offset, in others they are added to it. The first frame
+    /// decides which is meant.
     void addOffsets() {
         const std::size_t count = motion_.joints.size();
         for (std::size_t j = 0; j < count; ++j) {
@@ -216,7 +216,7 @@ private:
     const std::string& source_;
     BvhOptions options_;
     BvhMotion motion_;
-    std::vector<std::vector<Channel>> channels_;  ///< Of each joint, in the file's order.
+    std::vector<std::vector<Channel>> channels_;  ///< Channels of each joint, in the file's order.
     std::size_t columns_ = 0;
     std::int32_t open_ = -1;
 };

@@ -17,15 +17,15 @@ bool isBrace(char c) {
     return c == '{' || c == '}';
 }
 
-/// A decimal number in parts: `digits` times ten to the `exponent`.
+/// A decimal number: `digits` times ten to the power of `exponent`.
 struct Decimal {
     std::uint64_t digits = 0;
     int exponent = 0;
     bool negative = false;
-    bool exact = true;  ///< False where digits had to be left out.
+    bool exact = true;  ///< False if digits were dropped.
 };
 
-/// Reads digits into `number`; returns how many there were.
+/// Reads digits into `number`; returns their count.
 std::size_t readDigits(std::string_view text, std::size_t& at, Decimal& number, bool fraction) {
     const std::size_t begin = at;
     for (; at < text.size() && isDigit(text[at]); ++at) {
@@ -40,7 +40,7 @@ std::size_t readDigits(std::string_view text, std::size_t& at, Decimal& number, 
     return at - begin;
 }
 
-/// False where `text` as a whole is no decimal number.
+/// Reads a decimal number; false if `text` as a whole is not one.
 bool readDecimal(std::string_view text, Decimal& number) {
     std::size_t at = 0;
     if (at < text.size() && (text[at] == '-' || text[at] == '+')) number.negative = text[at++] == '-';
@@ -64,7 +64,8 @@ bool readDecimal(std::string_view text, Decimal& number) {
     return at == text.size();
 }
 
-/// Correctly rounded: by one exact multiplication or division where that is enough, else by the C library.
+/// The correctly rounded value. One exact multiplication or division is used where that suffices (Clinger
+/// 1990), else the C library.
 double valueOf(const Decimal& number, std::string_view text) {
     static constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                          1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,

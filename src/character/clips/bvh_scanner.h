@@ -1,4 +1,4 @@
-// Words and numbers of a BVH file, with line numbers.
+// Splits the text of a BVH file into words and numbers and counts lines.
 #pragma once
 
 #include <cstddef>
@@ -10,29 +10,28 @@
 
 namespace muster {
 
-/// Walks through text. Words end at white space, braces stand alone. Never reads beyond the text.
+/// Scans a text. Words end at white space; a brace is a word of its own. It never reads beyond the text.
 class BvhScanner {
 public:
     BvhScanner(std::string_view text, std::string sourceName) : text_(text), source_(std::move(sourceName)) {}
 
     /// The next word, "{" or "}"; empty at the end.
     std::string_view word();
-    /// The next word as far as it consists of letters: "Frames" of "Frames:3".
+    /// The leading letters of the next word: "Frames" of "Frames:3".
     std::string_view keyword();
-    /// What is left of the line, or up to a brace, without white space at its ends; colons at its front are
-    /// skipped.
+    /// The rest of the line, or up to a brace, trimmed of white space and of leading colons.
     std::string_view restOfLine();
-    /// A finite number of at most 1e9; false where the next word is none (it is consumed).
+    /// Reads a finite number of at most 1e9. Returns false if the next word is not one; the word is consumed.
     bool number(double& value);
-    /// A count written as a whole number, 0 to 1e9; false where the next word is none.
+    /// Reads a whole number from 0 to 1e9. Returns false if the next word is not one.
     bool count(std::size_t& value);
-    /// Skips colons, alone or at the front of a word.
+    /// Skips colons, whether alone or at the start of a word.
     void skipColons();
     /// Line of the last word, from 1.
     std::size_t line() const { return wordLine_; }
-    /// Bytes not yet read.
+    /// Number of bytes not yet read.
     std::size_t left() const { return text_.size() - at_; }
-    /// `SOURCE:LINE: found FOUND, expected EXPECTED`, with the last word where `found` is empty.
+    /// The error `SOURCE:LINE: found FOUND, expected EXPECTED`; FOUND is the last word if `found` is empty.
     Status unexpected(std::string_view expected, std::string_view found = {}) const;
 
 private:
@@ -46,9 +45,9 @@ private:
     std::string_view last_;
 };
 
-/// True where two words differ in case at most.
+/// True if two words are equal except for case.
 bool sameWord(std::string_view a, std::string_view b);
-/// Letters as small ones; only of ASCII.
+/// The text with ASCII letters in lower case.
 std::string lowered(std::string_view text);
 
 }  // namespace muster

@@ -9,10 +9,10 @@
 namespace muster {
 namespace {
 
-constexpr double kCentimetres = 100.0;  // In a metre.
+constexpr double kCentimetres = 100.0;  // Centimetres per metre.
 constexpr double kDegrees = 180.0 / kPi;
 
-/// "OFFSET ..." of a place in our axes: the file's (X, Y, Z) are our (y, z, x).
+/// The OFFSET line of a point in Muster's axes. The file's (X, Y, Z) are Muster's (y, z, x).
 std::string offsetLine(Vec3 p, float size, const std::string& indent) {
     char text[96];
     const double scale = kCentimetres * static_cast<double>(size);
@@ -40,7 +40,7 @@ void putJoint(std::size_t joint, std::size_t depth, float size, std::string& tex
     text += outer + "}\n";
 }
 
-/// The angle a whole number of turns away that is nearest to `before`.
+/// The angle plus the multiple of 360 degrees that brings it nearest to `before`.
 double nearest(double angle, double before) {
     return angle + 2.0 * kPi * std::floor((before - angle) / (2.0 * kPi) + 0.5);
 }
@@ -48,7 +48,8 @@ double nearest(double angle, double before) {
 }  // namespace
 
 std::string BvhFrameWriter::hierarchy() const {
-    // The hips have no offset: some programs add it to their channels, others put the channels in its place.
+    // The offset of the hips is zero, because some programs add it to the position channels and others
+    // replace it by them.
     std::string text = "HIERARCHY\nROOT Root\n{\n" + offsetLine({}, size_, "\t") +
                        "\tCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
     putJoint(0, 1, size_, text);
@@ -70,13 +71,14 @@ BvhFrameWriter::Angles BvhFrameWriter::anglesOf(Quat rotation, const Angles& bef
     const double r10 = 2.0 * n * (x * y + w * z), r11 = 1.0 - 2.0 * n * (x * x + z * z),
                  r12 = 2.0 * n * (y * z - w * x);
     const double r21 = 2.0 * n * (y * z + w * x);
-    // About z first; where x is at a right angle, any turn about z will do: the one before.
+    // The rotation about z comes first. If that about x is a right angle (gimbal lock), z keeps its previous
+    // angle.
     Angles best;
     double least = 1e9;
     const bool upright = std::fabs(r01) + std::fabs(r11) > 1e-6;
     const double first = upright ? arcTangent2(-r01, r11) : before.z;
     for (int other = 0; other < 2; ++other) {
-        // The rest is read from Rz^-1 R, so that no small lever spoils it.
+        // The other angles follow from Rz^-1 R, which is well conditioned near gimbal lock too.
         const double a = first + other * kPi, c = cosine(a), s = sine(a);
         const Angles found{nearest(a, before.z), nearest(arcTangent2(r21, c * r11 - s * r01), before.x),
                            nearest(arcTangent2(c * r02 + s * r12, c * r00 + s * r10), before.y)};
@@ -111,7 +113,8 @@ void BvhFrameWriter::append(const Travel& root, const BodyPose& pose, std::strin
     put(pose.hips.y * scale, text);
     put(pose.hips.z * scale, text);
     put(pose.hips.x * scale, text);
-    // Joints come in the order of the hierarchy, which is that of the skeleton: parents first, depth first.
+    // Joints are written in the order of the hierarchy, which is the skeleton's: depth first, parents before
+    // children.
     for (std::size_t j = 0; j < kJointCount; ++j) {
         before_[j] = anglesOf(pose.rotation[j], before_[j]);
         putAngles(before_[j], text);

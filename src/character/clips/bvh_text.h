@@ -11,16 +11,16 @@ namespace muster {
 /// Writes poses of Muster's skeleton as BVH, frame by frame.
 class BvhFrameWriter {
 public:
-    /// For a body of that size, 1 for the skeleton's own.
+    /// Writes for a body of this size; 1 is the skeleton's own size.
     explicit BvhFrameWriter(float size = 1.0f) : size_(size) {}
 
-    /// The file up to the word MOTION, that included.
+    /// The file's text up to and including the word MOTION.
     std::string hierarchy() const;
-    /// The two lines behind it; the number of frames takes 10 columns, so that it can be written again in
-    /// place.
+    /// The two lines after it. The number of frames has a fixed width of 10 columns, so that it can be
+    /// overwritten later.
     static std::string motionHead(std::size_t frames, double rate);
-    /// Adds one line to `text`: the root on the ground [m, rad], and the pose, hips as for a body of size 1.
-    /// Angles go on from those of the line before without jumps.
+    /// Appends one frame to `text`: the root on the ground [m, rad] and the pose, whose hips are those of a
+    /// body of size 1. Angles continue those of the previous frame without jumps of 360 degrees.
     void append(const Travel& root, const BodyPose& pose, std::string& text);
 
 private:

@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-/// Frame and share of the way to the next, of a time within one play.
+/// The frame at a time within one play, and the fraction of the interval to the next frame.
 struct FrameAt {
     std::size_t frame = 0;
     float share = 0.0f;
@@ -21,7 +21,7 @@ FrameAt frameAt(double time, double rate, std::size_t last) {
     return {frame, static_cast<float>(at - static_cast<double>(frame))};
 }
 
-/// Whole cycles before a time.
+/// Number of whole cycles before a time.
 double cyclesBefore(double time, double duration) {
     return duration > 0.0 ? std::floor(time / duration) : 0.0;
 }
@@ -29,7 +29,7 @@ double cyclesBefore(double time, double duration) {
 Travel power(const Travel& cycle, double times) {
     Travel base = cycle;
     if (times < 0.0) {
-        // The inverse of a travel: back along it.
+        // The inverse of the travel `base`.
         const double c = cosine(-base.yaw), s = sine(-base.yaw);
         base = {static_cast<float>(-(c * base.x - s * base.y)),
                 static_cast<float>(-(s * base.x + c * base.y)), -base.yaw};

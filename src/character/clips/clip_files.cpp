@@ -50,7 +50,7 @@ Json clipJson(const Clip& clip, double run) {
     return json;
 }
 
-/// Reads fields of one object and remembers the first that is wrong.
+/// Reads the fields of one JSON object and remembers the first error.
 class FieldsOf {
 public:
     explicit FieldsOf(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
@@ -75,7 +75,7 @@ public:
         fail(key, "true or false");
         return false;
     }
-    /// The list of that name; empty where it is wrong.
+    /// The list of that name; empty on an error.
     const Json& list(const char* key, std::size_t most) {
         static const Json kNone = Json::array();
         const Json* found = find(key);
@@ -83,7 +83,7 @@ public:
         fail(key, "a list");
         return kNone;
     }
-    /// The object of that name, or what stands there.
+    /// The value of that name, with an error if it is not an object.
     const Json& object(const char* key) {
         static const Json kNone = Json::object();
         const Json* found = find(key);

@@ -1,4 +1,4 @@
-// A folder of clips: one BVH file each, and clips.json with what BVH cannot say.
+// A folder of clips: one BVH file per clip, and clips.json with the facts that BVH cannot express.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 
 namespace muster {
 
-inline constexpr const char* kClipList = "clips.json";  ///< The list in a folder of clips.
+inline constexpr const char* kClipList = "clips.json";  ///< File name of the list of clips.
 
-/// Writes NAME.bvh for every clip and the list into `folder`, making it. Ratios are to the clip "run";
-/// without one, to 2.6 m/s. Fails with IoError, or InvalidArgument where a name is no file name.
+/// Writes NAME.bvh for every clip and the list into `folder`, which is created. Speed ratios are relative to
+/// the clip "run", or to 2.6 m/s without one. Fails with IoError, or with InvalidArgument if a name is not a
+/// file name.
 Status writeClips(const ClipLibrary& library, const std::string& folder);
 
-/// Reads what writeClips wrote, or what others made like it; see docs/method/motion-clips.md. Fails, naming
-/// file and culprit, where anything is missing or does not fit.
+/// Reads a folder in the format of writeClips (docs/method/motion-clips.md). Fails if anything is missing or
+/// invalid; the message names the file and the field.
 Result<ClipLibrary> loadClips(const std::string& folder);
 
 }  // namespace muster

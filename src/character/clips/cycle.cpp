@@ -10,11 +10,12 @@
 namespace muster {
 namespace {
 
-constexpr double kCloseGap = 0.55;   // Of the way limbs swing: so far may the last frame be from the first.
-constexpr double kSway = 0.17;       // Sine of half the turn that hips make in a step.
-constexpr double kSeamMotion = 0.6;  // Of the mean speed of limbs: so fast must they be at the ends.
+constexpr double
+    kCloseGap = 0.55;  // Largest distance of the last frame from the first [share of the limbs' swing].
+constexpr double kSway = 0.17;       // Sine of half the yaw by which hips sway in a step.
+constexpr double kSeamMotion = 0.6;  // Least speed of the limbs at both ends [share of their mean speed].
 
-/// Where limbs are about the hips in one frame, turned by where the motion faces there [m].
+/// Positions of the joints relative to the hips in one frame, rotated back by `facing` [m].
 std::vector<Vec3> shapeOf(const BvhMotion& motion, std::size_t frame, const RoleJoints& roles,
                           double facing) {
     std::vector<Transform> joints;
@@ -30,26 +31,26 @@ std::vector<Vec3> shapeOf(const BvhMotion& motion, std::size_t frame, const Role
     return shape;
 }
 
-/// Root of the mean squared distance [m].
-double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+/// Root mean square distance of two shapes [m].
+double rmsDistance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(lengthSquared(a[i] - b[i]));
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// The way the hips face, by both hip joints [rad].
+/// Facing of the hips, from both hip joints [rad].
 double facingAt(const BvhMotion& motion, std::size_t frame, const RoleJoints& roles) {
     std::vector<Transform> joints;
     globalTransforms(motion, frame, joints);
-    const auto place = [&](JointRole role) { return joints[roles[index(role)]].translation; };
-    const Vec3 left = place(JointRole::LeftUpLeg) - place(JointRole::RightUpLeg);
+    const auto jointPosition = [&](JointRole role) { return joints[roles[index(role)]].translation; };
+    const Vec3 left = jointPosition(JointRole::LeftUpLeg) - jointPosition(JointRole::RightUpLeg);
     return arcTangent2(-left.x, left.y);
 }
 
-/// How limbs move on the whole.
+/// Amplitude and speed of the limbs over a whole motion.
 struct Swing {
-    double width = 0.0;  ///< Root of the mean squared distance from where they are in the mean [m].
-    double speed = 0.0;  ///< Mean way from frame to frame [m].
+    double width = 0.0;  ///< Root mean square distance from the mean shape [m].
+    double speed = 0.0;  ///< Mean distance from frame to frame [m].
 };
 
 Swing swingOf(const std::vector<std::vector<Vec3>>& shapes) {
@@ -60,9 +61,9 @@ Swing swingOf(const std::vector<std::vector<Vec3>>& shapes) {
     Swing swing;
     double squares = 0.0;
     for (std::size_t f = 0; f < shapes.size(); ++f) {
-        const double off = apart(shapes[f], mean);
+        const double off = rmsDistance(shapes[f], mean);
         squares += off * off / count;
-        if (f > 0) swing.speed += apart(shapes[f], shapes[f - 1]) / (count - 1.0);
+        if (f > 0) swing.speed += rmsDistance(shapes[f], shapes[f - 1]) / (count - 1.0);
     }
     swing.width = std::sqrt(squares);
     return swing;
@@ -78,11 +79,12 @@ bool isCyclic(const BvhMotion& motion) {
     const Swing swing = swingOf(shapes);
     if (!(swing.width > 0.0 && swing.speed > 0.0)) return false;
     const std::size_t last = motion.frames - 1;
-    // A cycle may turn, but a small turn belongs to the sway of the hips.
+    // A cycle may turn, but a small rotation is sway of the hips.
     const double turn = facingAt(motion, last, roles) - facingAt(motion, 0, roles);
     const bool turns = std::fabs(sine(0.5 * turn)) > kSway;
-    const double gap = apart(shapes.front(), shapeOf(motion, last, roles, turns ? turn : 0.0));
-    const double atEnds = 0.5 * (apart(shapes[1], shapes[0]) + apart(shapes[last], shapes[last - 1]));
+    const double gap = rmsDistance(shapes.front(), shapeOf(motion, last, roles, turns ? turn : 0.0));
+    const double atEnds = 0.5 *
+                          (rmsDistance(shapes[1], shapes[0]) + rmsDistance(shapes[last], shapes[last - 1]));
     return gap < kCloseGap * swing.width && atEnds > kSeamMotion * swing.speed;
 }
 

@@ -9,25 +9,27 @@
 namespace muster {
 namespace {
 
-constexpr float kFootHeight = 0.05f;   // Of a sole above the ground, at most [m].
-constexpr float kMostFloor = 0.07f;    // By which a foot may tread too high [m].
-constexpr float kHandHeight = 0.09f;   // Of a wrist [m].
-constexpr float kKneeHeight = 0.12f;   // Of a knee [m].
-constexpr double kSlow = 0.5;          // Of what touches [m/s].
-constexpr double kSlowWhenFast = 1.0;  // The same in clips faster than kFast: feet roll more quickly [m/s].
-constexpr double kFast = 2.0;          // [m/s]
-constexpr double kShortest = 0.05;     // Shorter gaps are closed, shorter contacts left out [s].
+constexpr float kFootHeight = 0.05f;  // Largest height of a sole in contact [m].
+constexpr float kMostFloor = 0.07f;   // Largest floor height estimated for one foot [m].
+constexpr float kHandHeight = 0.09f;  // Largest height of a wrist in contact [m].
+constexpr float kKneeHeight = 0.12f;  // Largest height of a knee in contact [m].
+constexpr double kSlow = 0.5;         // Largest speed of a limb in contact [m/s].
+constexpr double
+    kSlowWhenFast = 1.0;            // The same in clips faster than kFast, in which feet roll faster [m/s].
+constexpr double kFast = 2.0;       // [m/s]
+constexpr double kShortest = 0.05;  // Shorter gaps are closed and shorter contacts dropped [s].
 constexpr float kAnkle = 0.08f, kBall = 0.03f;  // Heights of ankle and ball above a flat sole [m].
 
-/// Slower than that is standing, in a clip of that speed; who goes slowly swings its feet slowly [m/s].
+/// Speed below which a limb is in contact, in a clip of this speed [m/s]. Slow gaits swing their feet slowly
+/// too.
 double slowFor(double speed) {
     return speed > kFast ? kSlowWhenFast : std::min(kSlow, 0.2 + 0.5 * speed);
 }
 
-/// What a limb does in one frame.
+/// State of a limb in one frame.
 struct LimbAt {
     Vec3 joint;           ///< Ankle, wrist or knee in the ground frame [m].
-    Vec3 tip;             ///< Ball of the foot; else the joint [m].
+    Vec3 tip;             ///< Ball of the foot; for other limbs the joint [m].
     float heading = 0.0;  ///< Of the foot [rad].
 };
 
@@ -65,7 +67,8 @@ private:
         return found;
     }
 
-    /// How far above the ground a foot treads: not every recording's two feet agree.
+    /// Height of the floor under one foot [m]. It is estimated per foot, because the feet of a recording may
+    /// differ.
     float floorOf(Limb foot) const {
         std::vector<float> heights;
         for (std::size_t f = 0; f < frames_; ++f) {
@@ -78,7 +81,8 @@ private:
     }
 
     double speed(Limb limb, std::size_t frame, Vec3 LimbAt::*point) const {
-        // Frames of a cycle go on beyond its ends, one travel on; the differences of neighbours do not tell.
+        // A cycle continues beyond its ends with an additional travel, so differences of neighbouring frames
+        // are not valid across them.
         const std::size_t last = joints_.size() - 1;
         const std::size_t a = frame > 0 ? frame - 1 : 0, b = std::min(frame + 1, last);
         return static_cast<double>(distance(at(limb, a).*point, at(limb, b).*point)) * clip_.rate /
@@ -100,7 +104,7 @@ private:
         return heel || ball;
     }
 
-    /// Gives runs of frames other than `value` that are too short that value.
+    /// Sets runs of frames that differ from `value` to it if they are too short.
     void fillShort(std::vector<char>& touch, char value) const {
         const auto least = static_cast<std::size_t>(kShortest * clip_.rate);
         for (std::size_t begin = 0; begin < touch.size();) {
@@ -138,7 +142,7 @@ private:
         }
     }
 
-    /// A contact from frame `begin` to before `end`, and `more` frames into the next cycle.
+    /// Adds a contact from frame `begin` to before frame `end`, and `more` frames into the next cycle.
     void add(Limb limb, std::size_t begin, std::size_t end, std::size_t more) {
         Contact contact;
         contact.limb = limb;
@@ -152,7 +156,7 @@ private:
         clip_.contacts.push_back(contact);
     }
 
-    /// Where the joint would stand if the foot stood flat on its ball.
+    /// Position of the joint if the foot were flat on its ball [m].
     Vec3 flat(Limb limb, std::size_t frame) const {
         const LimbAt here = at(limb, frame);
         if (!isFoot(limb)) return here.joint;

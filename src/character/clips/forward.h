@@ -1,4 +1,4 @@
-// Places of a file's joints.
+// Forward kinematics of a BVH motion.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// Every joint in the world in one frame; reuses the memory of `joints`.
+/// Computes the global transform of every joint in one frame; reuses the memory of `joints`.
 inline void globalTransforms(const BvhMotion& motion, std::size_t frame, std::vector<Transform>& joints) {
     const auto local = motion.frame(frame);
     joints.resize(local.size());
@@ -18,15 +18,15 @@ inline void globalTransforms(const BvhMotion& motion, std::size_t frame, std::ve
     }
 }
 
-/// Every joint in the rest pose, the root where its offset puts it.
+/// Positions of all joints in the rest pose, with the root at its offset.
 inline std::vector<Vec3> restPlaces(std::span<const BvhJoint> joints) {
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     for (const BvhJoint& joint : joints)
-        places.push_back(joint.parent < 0 ? joint.offset : places[joint.parent] + joint.offset);
-    return places;
+        positions.push_back(joint.parent < 0 ? joint.offset : positions[joint.parent] + joint.offset);
+    return positions;
 }
 
-/// The way that hips face, by their left [rad].
+/// Yaw in which the hips face, from their left axis [rad].
 inline double facingOf(Quat hips) {
     const Vec3 left = rotate(hips, {0.0f, 1.0f, 0.0f});
     return arcTangent2(-left.x, left.y);

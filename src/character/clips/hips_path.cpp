@@ -8,10 +8,12 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastTurn = 0.35;    // A cycle that turns less goes straight [rad].
-constexpr double kLeastLength = 0.15;  // A way shorter than that gives no direction [m].
-constexpr double kLeastLever = 0.3;    // Sine of half a turn below which the chord tells nothing of the arc.
-constexpr double kAskance = 0.8;       // Who goes more askance than that keeps its facing [rad].
+constexpr double kLeastTurn = 0.35;    // A cycle that turns by less travels straight [rad].
+constexpr double kLeastLength = 0.15;  // A shorter path has no direction [m].
+constexpr double
+    kLeastLever = 0.3;  // Sine of half the rotation below which the chord does not determine the arc.
+constexpr double
+    kMaxSidewaysAngle = 0.8;  // Beyond this angle between facing and travel, the motion goes sideways [rad].
 
 double wrapped(double angle) {
     return angle - 2.0 * kPi * std::floor(angle / (2.0 * kPi) + 0.5);
@@ -21,7 +23,7 @@ Travel travelOf(double x, double y, double yaw) {
     return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(yaw)};
 }
 
-/// Each value becomes the mean of those within `half` frames to both sides; less near the ends, none at them.
+/// Moving average over `half` frames to both sides; the range shrinks to zero towards the ends.
 void smooth(std::vector<double>& values, std::size_t half) {
     std::vector<double> sums(values.size() + 1, 0.0);
     for (std::size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + values[i];
@@ -31,18 +33,18 @@ void smooth(std::vector<double>& values, std::size_t half) {
     }
 }
 
-/// Length of the arc over a chord; who turns all the way round has no chord that tells, but a way of the
-/// hips.
+/// Length of the arc over a chord [m]. After a full rotation the chord is useless, and the length of the
+/// hips' path is used.
 double arcOf(std::span<const HipsAt> hips, double chord, double turn) {
     const double lever = std::fabs(sine(0.5 * turn));
     if (std::fabs(turn) < kPi || (lever > kLeastLever && std::fabs(turn) < 2.0 * kPi))
         return 0.5 * chord * std::fabs(turn) / lever;
-    double way = 0.0;
+    double travelled = 0.0;
     for (std::size_t i = 1; i < hips.size(); ++i) {
         const double dx = hips[i].x - hips[i - 1].x, dy = hips[i].y - hips[i - 1].y;
-        way += std::sqrt(dx * dx + dy * dy);
+        travelled += std::sqrt(dx * dx + dy * dy);
     }
-    return way;
+    return travelled;
 }
 
 }  // namespace
@@ -59,9 +61,10 @@ std::vector<Travel> evenTravel(std::span<const HipsAt> hips) {
     if (std::fabs(turn) < kLeastTurn) turn = 0.0;
     for (const HipsAt& at : hips) mean += at.facing / static_cast<double>(hips.size());
     const double along = chord > kLeastLength ? arcTangent2(dy, dx) : mean;
-    // The middle of the arc faces along the chord, where the body does so roughly.
-    const double middle = std::fabs(wrapped(along - mean)) < kAskance ? mean + wrapped(along - mean) : mean;
-    const double begin = middle - 0.5 * turn, askance = chord > kLeastLength ? wrapped(along - middle) : 0.0;
+    // The middle of the arc faces along the chord, unless the motion goes sideways.
+    const double middle = std::fabs(wrapped(along - mean)) < kMaxSidewaysAngle ? mean + wrapped(along - mean)
+                                                                               : mean;
+    const double begin = middle - 0.5 * turn, sideways = chord > kLeastLength ? wrapped(along - middle) : 0.0;
     const double arc = turn == 0.0 ? chord : arcOf(hips, chord, turn);
     std::vector<Travel> travel;
     double shiftX = 0.0, shiftY = 0.0;
@@ -70,13 +73,13 @@ std::vector<Travel> evenTravel(std::span<const HipsAt> hips) {
                      turned = share * turn;
         double x = share * arc, y = 0.0;
         if (turn != 0.0) x = arc / turn * sine(turned), y = arc / turn * (1.0 - cosine(turned));
-        const double c = cosine(begin + askance), s = sine(begin + askance);
+        const double c = cosine(begin + sideways), s = sine(begin + sideways);
         travel.push_back(travelOf(a.x + c * x - s * y, a.y + s * x + c * y, begin + turned));
         shiftX += (hips[i].x - static_cast<double>(travel.back().x)) / static_cast<double>(hips.size());
         shiftY += (hips[i].y - static_cast<double>(travel.back().y)) / static_cast<double>(hips.size());
     }
     if (turn != 0.0) return travel;
-    // The frame goes below the middle of the hips' sway.
+    // The travelling frame moves below the mean of the hips' sway.
     for (Travel& at : travel) at = travelOf(at.x + shiftX, at.y + shiftY, at.yaw);
     return travel;
 }

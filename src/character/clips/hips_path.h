@@ -1,4 +1,4 @@
-// Where a character's own frame goes, by the way its hips go.
+// The path of a character's travelling frame, derived from the path of its hips.
 #pragma once
 
 #include <span>
@@ -8,23 +8,24 @@
 
 namespace muster {
 
-/// Hips in one frame, seen from above.
+/// Position and facing of the hips on the ground plane in one frame.
 struct HipsAt {
     double x = 0.0, y = 0.0;  ///< [m]
-    double facing = 0.0;      ///< [rad], going on from frame to frame without jumps.
+    double facing = 0.0;      ///< Yaw without jumps from frame to frame [rad].
 };
 
-/// Takes out the jumps of a whole turn.
+/// Removes jumps of 360 degrees from the facing.
 void unwrap(std::vector<HipsAt>& hips);
 
-/// Evenly from the first frame to the last: straight, or along an arc where the body turns by more than a
-/// fifth of a right angle and a bit. Ends lie under the hips but for a constant shift. As many as hips.
+/// Travel at constant speed from the first frame to the last: straight, or along an arc if the body turns by
+/// more than 0.35 rad. Its ends lie under the hips except for a constant shift. One entry per frame.
 std::vector<Travel> evenTravel(std::span<const HipsAt> hips);
 
-/// As the hips go, smoothed over `window` [s]; both ends lie under the hips. As many as hips.
+/// Travel along the path of the hips, smoothed over `window` [s]; both ends lie under the hips. One entry per
+/// frame.
 std::vector<Travel> smoothTravel(std::span<const HipsAt> hips, double rate, double window);
 
-/// The same from its first frame on: that becomes (0, 0, 0).
+/// Expresses the travel relative to its first frame, which becomes (0, 0, 0).
 void fromStart(std::vector<Travel>& travel);
 
 }  // namespace muster

@@ -10,7 +10,7 @@
 namespace muster {
 namespace {
 
-/// Parts of a body as names tell them, before parents are asked.
+/// Parts of a body recognised by name, before the hierarchy is considered.
 enum class Part { None, Hips, Spine, Neck, Head, Shoulder, Arm, ForeArm, Hand, Hip, UpLeg, Leg, Foot, Toe };
 
 struct PartName {
@@ -61,7 +61,7 @@ bool isSeparator(char c) {
     return c == '_' || c == '.' || c == '-' || c == ' ';
 }
 
-/// Letters only, small.
+/// The letters of a text in lower case.
 std::string lettersOf(std::string_view text) {
     std::string letters;
     for (const char c : lowered(text))
@@ -71,7 +71,7 @@ std::string lettersOf(std::string_view text) {
 
 struct Named {
     Part part = Part::None;
-    int side = 0;  ///< 1 left, -1 right, 0 neither.
+    int side = 0;  ///< 1 for left, -1 for right, 0 for neither.
 };
 
 bool takeOut(std::string& text, std::string_view what) {
@@ -81,7 +81,7 @@ bool takeOut(std::string& text, std::string_view what) {
     return true;
 }
 
-/// The side as a letter of its own, at the front or the end: "l_thigh", "thigh.L", "Bip01 L Thigh".
+/// Removes and returns a side given as a separate letter: "l_thigh", "thigh.L", "Bip01 L Thigh".
 int takeSideLetter(std::string& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] != 'l' && text[i] != 'r') continue;
@@ -95,7 +95,7 @@ int takeSideLetter(std::string& text) {
     return 0;
 }
 
-/// What is behind the last colon or bar, as in "mixamorig:LeftLeg"; without other usual prefixes.
+/// The name without namespace ("mixamorig:LeftLeg") and other usual prefixes.
 std::string bareName(std::string_view name) {
     const std::size_t colon = name.find_last_of(":|");
     if (colon != std::string_view::npos && colon + 1 < name.size()) name.remove_prefix(colon + 1);
@@ -163,7 +163,7 @@ private:
         const bool left = side > 0;
         std::int32_t arm = first(Part::Arm, side), shoulder = first(Part::Shoulder, side);
         if (arm < 0) {
-            // "LeftShoulder" above an elbow is the upper arm; a collar may be above it.
+            // A "LeftShoulder" directly above an elbow is the upper arm; a collar bone may be above it.
             for (std::size_t i = 0; i < named_.size(); ++i)
                 if (named_[i].part == Part::Shoulder && named_[i].side == side)
                     arm = static_cast<std::int32_t>(i);
@@ -175,7 +175,7 @@ private:
         role(left ? JointRole::LeftHand : JointRole::RightHand) = first(Part::Hand, side);
         std::int32_t upLeg = first(Part::UpLeg, side), leg = first(Part::Leg, side);
         if (upLeg < 0 && leg >= 0) {
-            // "Leg" and "Knee" or "Shin": the leg is the thigh.
+            // If there is a "Knee" or "Shin" too, the "Leg" is the thigh.
             for (std::size_t i = static_cast<std::size_t>(leg) + 1; i < named_.size(); ++i) {
                 if (named_[i].part != Part::Leg || named_[i].side != side) continue;
                 upLeg = std::exchange(leg, static_cast<std::int32_t>(i));
@@ -188,7 +188,7 @@ private:
         role(left ? JointRole::LeftToeBase : JointRole::RightToeBase) = first(Part::Toe, side);
     }
 
-    /// By name, else what both legs hang on.
+    /// Finds the hips by name, else as the common parent of both legs.
     std::int32_t findHips() {
         const std::int32_t named = first(Part::Hips, 0), left = role(JointRole::LeftUpLeg),
                            right = role(JointRole::RightUpLeg);
@@ -199,8 +199,8 @@ private:
         return joint;
     }
 
-    /// The chain from the hips to where neck and shoulders part: its last joint is the chest, one below the
-    /// spine.
+    /// Finds the chain from the hips to the joint where neck and shoulders branch. The last joint is the
+    /// chest, one below it the spine.
     void findSpine() {
         std::int32_t end = role(JointRole::Neck) >= 0 ? role(JointRole::Neck) : role(JointRole::Head);
         if (end < 0)

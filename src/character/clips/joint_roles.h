@@ -1,4 +1,4 @@
-// Which joint of a foreign skeleton plays which part, by its name.
+// Identifies the joints of a foreign skeleton by name and hierarchy.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace muster {
 
-/// Index of the joint that plays each role; -1 where none does.
+/// Index of the joint in each role; -1 for none.
 using RoleJoints = std::array<std::int32_t, kJointCount>;
 
-/// Finds roles by the names that CMU's, DeepMimic's, Mixamo's, Biped's, Rokoko's, Blender's and many other
-/// skeletons use, and by who is whose child.
+/// Finds roles by the joint names of CMU, DeepMimic, Mixamo, Biped, Rokoko, Blender and many other skeletons,
+/// and by the hierarchy.
 RoleJoints findRoles(std::span<const BvhJoint> joints);
 
-/// Fails with Unsupported, naming what is missing, where hips and legs to the feet are not all there.
+/// Fails with Unsupported if hips, legs or feet are missing; the message names the missing joints.
 Status hasBody(const RoleJoints& roles);
 
 }  // namespace muster

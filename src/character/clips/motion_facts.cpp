@@ -8,18 +8,18 @@
 namespace muster {
 namespace {
 
-constexpr float kLeastMotion = 1e-6f;  // A joint that stays within that does not move [m].
+constexpr float kLeastMotion = 1e-6f;  // A joint whose positions differ by no more does not move [m].
 
-/// Where a joint is in the world in a frame.
+/// Global position of a joint in a frame.
 Vec3 placeOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
     const auto local = motion.frame(frame);
-    Vec3 place = local[joint].translation;
+    Vec3 position = local[joint].translation;
     for (std::int32_t up = motion.joints[joint].parent; up >= 0; up = motion.joints[up].parent)
-        place = local[up].apply(place);
-    return place;
+        position = local[up].apply(position);
+    return position;
 }
 
-/// The first joint with position channels that moves; else the first.
+/// The first joint whose position channels move it; else the first joint.
 std::size_t rootOf(const BvhMotion& motion) {
     if (isOwnSkeleton(motion)) return 0;
     for (std::size_t j = 0; j < motion.joints.size(); ++j) {
@@ -35,9 +35,10 @@ std::size_t rootOf(const BvhMotion& motion) {
 
 RootPath rootPath(const BvhMotion& motion) {
     const std::size_t root = rootOf(motion);
-    const Vec3 way = placeOf(motion, root, motion.frames - 1) - placeOf(motion, root, 0);
+    const Vec3 displacement = placeOf(motion, root, motion.frames - 1) - placeOf(motion, root, 0);
     RootPath path;
-    path.length = std::sqrt(static_cast<double>(way.x) * way.x + static_cast<double>(way.y) * way.y);
+    path.length = std::sqrt(static_cast<double>(displacement.x) * displacement.x +
+                            static_cast<double>(displacement.y) * displacement.y);
     path.duration = motion.duration();
     return path;
 }

@@ -1,4 +1,4 @@
-// What a motion covers, and how fast: the paper's table 1 for any clip.
+// Distance, duration and speed of a motion, as in table 1 of the paper.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace muster {
 
-inline constexpr double kUsualRun = 2.6;     ///< Speed of running where no clip of it is at hand [m/s].
-inline constexpr double kLeastRatio = 0.02;  ///< To running: no clip, not even of standing, counts as slower.
+inline constexpr double kUsualRun = 2.6;     ///< Speed of running without a clip "run" [m/s].
+inline constexpr double kLeastRatio = 0.02;  ///< Least speed relative to running, even for standing.
 
 /// Figures of one motion.
 struct MotionFacts {
-    std::size_t frames = 0;  ///< As in the file.
-    double rate = 0.0;       ///< Frames a second.
-    double duration = 0.0;   ///< Of one play [s].
-    double length = 0.0;     ///< Net ground covered by one play, at the size of the file's own body [m].
-    double speed = 0.0;      ///< length / duration [m/s].
-    bool cyclic = false;     ///< It repeats.
-    std::vector<Contact> contacts;  ///< Of hands, feet and knees; empty where the skeleton is not a person's.
+    std::size_t frames = 0;         ///< Number of frames in the file.
+    double rate = 0.0;              ///< Frames per second.
+    double duration = 0.0;          ///< Duration of one play [s].
+    double length = 0.0;            ///< Net distance of one play, for the size of the file's body [m].
+    double speed = 0.0;             ///< length / duration [m/s].
+    bool cyclic = false;            ///< True if it repeats.
+    std::vector<Contact> contacts;  ///< Of hands, feet and knees; empty without a human skeleton.
 };
 
 /// Figures of a clip.
@@ -31,12 +31,12 @@ MotionFacts factsOf(const BvhMotion& motion);
 /// Speed relative to running at `runSpeed` [m/s] > 0, at least kLeastRatio.
 double speedRatio(double speed, double runSpeed);
 
-/// What simulation reads of a file: how far its root goes. The root is the first joint that changes its
-/// place; of files of Muster's own skeleton, the first joint.
+/// Net distance and duration of the root's path, which the simulation reads from a file. The root is the
+/// first joint whose position changes; in files of Muster's own skeleton, the first joint.
 struct RootPath {
-    double length = 0.0;    ///< Net ground covered [m].
+    double length = 0.0;    ///< Net distance [m].
     double duration = 0.0;  ///< [s]
 };
-RootPath rootPath(const BvhMotion& motion);  ///< Of that motion.
+RootPath rootPath(const BvhMotion& motion);  ///< The path of a motion's root.
 
 }  // namespace muster

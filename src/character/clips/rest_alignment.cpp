@@ -9,9 +9,11 @@
 namespace muster {
 namespace {
 
-constexpr float kBuild = 0.9f;      // Cosine of the lean of a trunk that build explains, some 25 degrees.
-constexpr float kUntilted = 0.97f;  // Squared cosine of half a turn of the hips that build explains.
-constexpr float kSteep = 0.5f;      // Cosine of the slope from which a foot is not flat in the rest pose.
+constexpr float
+    kBuild = 0.9f;  // Cosine of the largest lean of a trunk that counts as physique, about 25 degrees.
+constexpr float
+    kUntilted = 0.97f;  // Squared cosine of half the largest rotation of the hips that counts as physique.
+constexpr float kSteep = 0.5f;  // Cosine of the slope beyond which a foot is not flat in the rest pose.
 
 bool isFoot(JointRole role) {
     return role == JointRole::LeftFoot || role == JointRole::RightFoot || role == JointRole::LeftToeBase ||
@@ -23,7 +25,8 @@ bool isTrunk(JointRole role) {
            role == JointRole::RightShoulder;
 }
 
-/// The role that a bone of ours leads to; Count where it ends in a tip. The chest leads to the neck.
+/// The role at the end of a bone of Muster's skeleton; Count for a bone without child. The chest's bone ends
+/// at the neck.
 JointRole bodyEnd(JointRole role) {
     for (std::size_t child = index(role) + 1; child < kJointCount; ++child)
         if (skeleton()[child].parent == static_cast<std::int32_t>(index(role)))
@@ -31,12 +34,12 @@ JointRole bodyEnd(JointRole role) {
     return JointRole::Count;
 }
 
-/// Joints of the file in the pose by which skeletons are compared: the rest pose, or a frame where the rest
-/// pose is none, as in files whose bones all lie along one axis.
+/// Joints of the file in the pose in which skeletons are compared: the rest pose, or a frame if the rest pose
+/// is unusable, as in files whose bones all lie along one axis.
 class Reference {
 public:
     Reference(const BvhMotion& motion, const RoleJoints& roles) : roles_(roles) {
-        for (const Vec3 place : restPlaces(motion.joints)) joints_.push_back({{}, place});
+        for (const Vec3 position : restPlaces(motion.joints)) joints_.push_back({{}, position});
         rest_ = stands();
         if (!rest_) globalTransforms(motion, mostUpright(motion), joints_);
     }
@@ -45,19 +48,19 @@ public:
     const Transform& joint(std::size_t j) const { return joints_[j]; }
     Vec3 at(JointRole role) const { return joints_[roles_[index(role)]].translation; }
 
-    /// From the hips to the highest joint of the trunk that there is; up the legs where there is none.
+    /// Direction from the hips to the highest joint of the trunk; upwards along the legs without one.
     Vec3 trunk() const {
         for (const JointRole role : {JointRole::Neck, JointRole::Head, JointRole::Chest, JointRole::Spine})
             if (roles_[index(role)] >= 0) return normalized(at(role) - at(JointRole::Hips));
         return legs();
     }
-    /// Up the thighs.
+    /// Direction upwards along the thighs.
     Vec3 legs() const {
         return normalized(at(JointRole::Hips) - 0.5f * (at(JointRole::LeftLeg) + at(JointRole::RightLeg)));
     }
 
 private:
-    /// True where legs are straight and point the other way than the trunk.
+    /// True if the legs are straight and point away from the trunk.
     bool stands() const {
         using enum JointRole;
         const auto bone = [this](JointRole a, JointRole b) { return normalized(at(b) - at(a)); };
@@ -89,7 +92,8 @@ public:
         : motion_(motion), roles_(roles), reference_(motion, roles) {}
 
     RestAlignment align() {
-        RestAlignment turns, world;  // Of our bones, against the file's joints and in the reference pose.
+        RestAlignment turns, world;  // Rotations of Muster's bones: relative to the file's joints, and global
+                                     // in the reference pose.
         for (std::size_t r = 0; r < kJointCount; ++r) {
             const std::int32_t parent = skeleton()[r].parent;
             world[r] = parent < 0 ? bodyTurn() : world[parent];
@@ -104,7 +108,7 @@ public:
     }
 
 private:
-    /// The turn of the whole body: by its left and its up.
+    /// Rotation of the whole body, from its left and up directions.
     Quat bodyTurn() const {
         const Vec3 left = normalized(
             reference_.at(JointRole::LeftUpLeg) - reference_.at(JointRole::RightUpLeg), {0.0f, 1.0f, 0.0f});
@@ -115,7 +119,7 @@ private:
         return reference_.isRest() && turn.w * turn.w > kUntilted ? Quat{} : turn;
     }
 
-    /// Direction of the file's bone in the reference pose; null where it has none.
+    /// Direction of the file's bone in the reference pose; zero without one.
     Vec3 theirBone(JointRole role) const {
         if (roles_[index(role)] < 0) return {};
         const auto joint = static_cast<std::size_t>(roles_[index(role)]);
@@ -132,7 +136,7 @@ private:
         return ends.empty() ? Vec3{} : rotate(here.rotation, normalized(ends.front()));
     }
 
-    /// Our bone in the world, in the reference pose; `base` is how its parent is turned there.
+    /// Global rotation of Muster's bone in the reference pose; `base` is the rotation of its parent.
     Quat align(JointRole role, Quat base, Vec3 theirs) const {
         const JointRole end = bodyEnd(role);
         const Joint& bone = skeleton()[index(role)];

@@ -1,4 +1,4 @@
-// How another skeleton's rest pose differs from ours.
+// Aligns Muster's rest pose with the rest pose of another skeleton.
 #pragma once
 
 #include <array>
@@ -8,14 +8,15 @@
 
 namespace muster {
 
-/// For each role, the turn that brings our bone from our rest pose to where the file's bone lies in its own.
+/// For each role, the rotation from the direction of Muster's bone in its rest pose to that of the file's
+/// bone in its own rest pose.
 using RestAlignment = std::array<Quat, kJointCount>;
 
-/// Limbs by the shortest arc between bone directions; the trunk only where it lies quite otherwise, as backs
-/// lean by build; feet by their heading, as soles lie flat in rest poses.
+/// Aligns limbs by the shortest arc between bone directions and feet by their heading, since soles are flat
+/// in rest poses. The trunk is aligned only if it differs by more than physique explains.
 RestAlignment restAlignment(const BvhMotion& motion, const RoleJoints& roles);
 
-/// Our length of leg over theirs, hip joint to ankle.
+/// Leg length of Muster's skeleton divided by that of the file, from hip joint to ankle.
 float legScale(const BvhMotion& motion, const RoleJoints& roles);
 
 }  // namespace muster

@@ -12,17 +12,17 @@
 namespace muster {
 namespace {
 
-constexpr double kSmoothing = 0.5;    // Window of the travel of clips that do not repeat [s].
-constexpr double kFloorShare = 0.05;  // Of frames may be lower than the floor: noise.
+constexpr double kSmoothing = 0.5;    // Smoothing window of the travel of clips that do not repeat [s].
+constexpr double kFloorShare = 0.05;  // Share of frames that may be below the floor, as noise.
 
-/// Hips and rotations of all frames, not yet in a travelling frame.
+/// Hips and rotations of all frames in the ground frame.
 struct Track {
     std::vector<HipsAt> hips;
-    std::vector<Transform> root;  ///< Place and rotation of the hips [m], scaled.
-    std::vector<BodyPose> poses;  ///< Rotations but the hips'.
+    std::vector<Transform> root;  ///< Scaled position [m] and rotation of the hips.
+    std::vector<BodyPose> poses;  ///< Rotations of all joints but the hips.
 };
 
-/// Rotations of our joints in the world from those of the file's.
+/// Computes global rotations of Muster's joints from those of the file's joints.
 class RoleRotations {
 public:
     RoleRotations(const BvhMotion& motion, const RoleJoints& roles)
@@ -36,7 +36,7 @@ public:
             else if (parent >= 0)
                 world_[r] = world_[parent];
         }
-        // Who has no joint of its own bends half as its neighbours do.
+        // A missing joint gets half the rotation between its neighbours.
         halve(JointRole::Hips, JointRole::Spine, JointRole::Chest);
         halve(JointRole::Chest, JointRole::Neck, JointRole::Head);
         return world_;
@@ -72,8 +72,8 @@ Track trackOf(const BvhMotion& motion, const RoleJoints& roles) {
     return track;
 }
 
-/// Poses in the frame that travels.
-void place(const Track& track, const std::vector<Travel>& travel, std::vector<BodyPose>& poses) {
+/// Expresses the poses in the travelling frame.
+void toTravellingFrame(const Track& track, const std::vector<Travel>& travel, std::vector<BodyPose>& poses) {
     poses = track.poses;
     for (std::size_t f = 0; f < poses.size(); ++f) {
         const Quat back = yawTurn(-static_cast<double>(travel[f].yaw));
@@ -82,7 +82,7 @@ void place(const Track& track, const std::vector<Travel>& travel, std::vector<Bo
     }
 }
 
-/// The lowest point of a body that may touch the ground, as high as its sole or skin.
+/// Height of the lowest point that may touch the ground, measured at the sole or skin [m].
 float lowestPoint(const BodyPose& pose) {
     using enum JointRole;
     static constexpr std::pair<JointRole, float> kPoints[] = {
@@ -97,7 +97,7 @@ float lowestPoint(const BodyPose& pose) {
     return lowest;
 }
 
-/// Puts the whole motion on the floor: what it touches lies at height 0.
+/// Shifts the whole motion vertically so that its contacts are at height 0.
 void settle(std::vector<BodyPose>& poses) {
     std::vector<float> lowest;
     for (const BodyPose& pose : poses) lowest.push_back(lowestPoint(pose));
@@ -108,7 +108,7 @@ void settle(std::vector<BodyPose>& poses) {
     for (BodyPose& pose : poses) pose.hips.z -= floor;
 }
 
-/// Drops the last pose, which is the first again, and spreads what they differ over the cycle.
+/// Drops the last pose, which repeats the first, and distributes their difference over the cycle.
 void closeCycle(std::vector<BodyPose>& poses) {
     const BodyPose first = poses.front(), last = poses.back();
     poses.pop_back();
@@ -122,7 +122,7 @@ void closeCycle(std::vector<BodyPose>& poses) {
     }
 }
 
-/// A file of bvhText: nothing is to be found out.
+/// Reads a file that bvhText wrote, which needs no retargeting.
 void takeOwn(const BvhMotion& motion, Clip& clip) {
     for (std::size_t f = 0; f < motion.frames; ++f) {
         const auto values = motion.frame(f);
@@ -169,7 +169,7 @@ Result<Clip> retarget(const BvhMotion& motion, const RetargetOptions& options) {
         const Track track = trackOf(motion, roles);
         clip.travel = clip.cyclic ? evenTravel(track.hips)
                                   : smoothTravel(track.hips, motion.rate, kSmoothing);
-        place(track, clip.travel, clip.poses);
+        toTravellingFrame(track, clip.travel, clip.poses);
         settle(clip.poses);
         if (clip.cyclic) closeCycle(clip.poses);
     }

@@ -1,4 +1,4 @@
-// Motion of other skeletons on Muster's own.
+// Retargets motions of other skeletons to Muster's skeleton.
 #pragma once
 
 #include <optional>
@@ -9,29 +9,29 @@
 
 namespace muster {
 
-/// How to bring a motion onto the skeleton.
+/// Options of retargeting.
 struct RetargetOptions {
-    std::string name;            ///< Of the clip.
-    std::string motion = "run";  ///< Of the clip.
-    std::optional<bool> cyclic;  ///< Whether it repeats; nothing: judged by the motion, see isCyclic().
+    std::string name;            ///< Name of the clip.
+    std::string motion = "run";  ///< Name of the clip's motion.
+    std::optional<bool> cyclic;  ///< Whether it repeats; if not set, isCyclic() decides.
 };
 
-/// Brings a motion onto Muster's skeleton by the parts joints play: bones point where the file's point, hips
-/// and travel are scaled by the length of the legs, contacts are found by height and speed. A cyclic clip
-/// travels straight, or along an arc where it turns, and what its ends differ is spread over it; else it
-/// travels as the hips do, smoothed. Files of Muster's own skeleton come back as they were written. Fails
-/// with Unsupported, naming what is missing, where the skeleton has no hips or no legs, with InvalidArgument
-/// below three frames.
+/// Retargets a motion to Muster's skeleton. Bones get the directions of the file's bones, hips and travel are
+/// scaled by the length of the legs, and contacts are found by height and speed. A cyclic clip travels
+/// straight, or along an arc if it turns, and the difference of its ends is distributed over it. Other clips
+/// follow the smoothed path of the hips. Files of Muster's own skeleton are read unchanged. Fails with
+/// Unsupported if the skeleton lacks hips or legs (the message names the missing joints), and with
+/// InvalidArgument below three frames.
 Result<Clip> retarget(const BvhMotion& motion, const RetargetOptions& options = {});
 
 /// True for files of Muster's own skeleton, as bvhText writes it.
 bool isOwnSkeleton(const BvhMotion& motion);
 
-/// True where the last frame is the first again, one travel on, with the body in motion as in between.
+/// True if the last frame repeats the first after one travel and the limbs still move at both ends.
 bool isCyclic(const BvhMotion& motion);
 
-/// Adds to a clip the contacts that heights and speeds of its limbs tell, in place of those it has
-/// (a foot within 5 cm of the ground and slower than 0.5 m/s, 1 m/s where the clip is fast).
+/// Replaces the contacts of a clip by those found from heights and speeds of its limbs (a foot within 5 cm of
+/// the ground and slower than 0.5 m/s, or 1 m/s in a fast clip).
 void findContacts(Clip& clip);
 
 }  // namespace muster

@@ -30,7 +30,7 @@ const std::array<Joint, kJointCount>& skeleton() {
 }
 
 float characterSize(std::uint32_t id) {
-    // The finaliser of murmur3 scrambles the id; the page does the same.
+    // The finaliser of MurmurHash3 hashes the id. The page uses the same function.
     std::uint32_t h = id;
     h = (h ^ (h >> 16)) * 0x85ebca6bu;
     h = (h ^ (h >> 13)) * 0xc2b2ae35u;

@@ -1,4 +1,4 @@
-// How trunk, head and free arms are held: numbers that gaits compute and transitions blend.
+// Pose parameters of trunk, head and free arms. Gaits compute them and transitions blend them.
 #pragma once
 
 #include <array>
@@ -6,9 +6,9 @@
 
 namespace muster::generator {
 
-/// Angles [rad] and places [m] in the travelling frame (x forward, y left, z up). Pitch is positive forwards
-/// and down, roll lifts the left side, yaw turns to the left. Arms are relative to the chest, hanging at
-/// zero.
+/// Pose parameters: angles [rad] and positions [m] in the travelling frame (x forward, y left, z up).
+/// Positive pitch tilts forwards and down, positive roll lifts the left side, positive yaw turns to the left.
+/// Arm angles are relative to the chest; at zero the arms hang down.
 enum class Channel : std::size_t {
     HipsX,
     HipsY,
@@ -24,9 +24,9 @@ enum class Channel : std::size_t {
     HeadYaw,
     LeftArmForward,  ///< Raised forwards.
     LeftArmOut,      ///< Away from the body.
-    LeftArmTurn,     ///< Turned inwards about its own length.
-    LeftElbow,       ///< Bent; 0 is straight.
-    LeftWrist,       ///< Bent towards the palm.
+    LeftArmTurn,     ///< Rotation inwards about the arm's own axis.
+    LeftElbow,       ///< Flexion; 0 is straight.
+    LeftWrist,       ///< Flexion towards the palm.
     RightArmForward,
     RightArmOut,
     RightArmTurn,
@@ -42,7 +42,7 @@ struct Body {
 
     double& operator[](Channel channel) { return values[static_cast<std::size_t>(channel)]; }
     double operator[](Channel channel) const { return values[static_cast<std::size_t>(channel)]; }
-    /// An arm's channel by that of the left arm; `side` 0 is left, 1 right.
+    /// The channel of one arm, given as the left arm's channel; `side` is 0 for left, 1 for right.
     double& arm(std::size_t side, Channel left) {
         return values[static_cast<std::size_t>(left) + side * kArmChannels];
     }
@@ -51,7 +51,7 @@ struct Body {
     }
 };
 
-/// At share `t` of the way from `a` to `b`.
+/// Linear interpolation from `a` (`t` = 0) to `b` (`t` = 1).
 inline Body blend(const Body& a, const Body& b, double t) {
     Body out;
     for (std::size_t i = 0; i < out.values.size(); ++i)

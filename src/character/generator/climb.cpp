@@ -11,11 +11,11 @@ constexpr int kClimbFrames = 185;
 constexpr double kClimbEnd = kClimbFrames / kFrameRate;  // [s]
 constexpr double kLength = 0.39 * kClimbEnd;             // [m]
 constexpr ClipObstacle kWall{1.3f, 0.4f};
-constexpr double kTouchDown = 2.50;  // [s] of the right foot behind the wall.
+constexpr double kTouchDown = 2.50;  // When the right foot lands behind the wall [s].
 
-// When each foot is led by keys instead of standing [s].
+// Each foot follows keys from its "Up" time to its "Down" time and stands otherwise [s].
 constexpr double kLeftUp = 0.94, kRightUp = 0.74, kLeftDown = 2.58;
-constexpr double kLandingPitch = -24;  // Degrees: toes first.
+constexpr double kLandingPitch = -24;  // Of the foot at landing [degrees]; negative lands on the toes.
 
 constexpr Vec3 kFaceFoot{0.275f, -0.16f,
                          0.49f};  // The right ankle while its sole presses the wall's face [m].
@@ -26,8 +26,8 @@ const std::vector<HandContact> kRightHand{{0.14, 0.24, {0.20f, -0.26f, 1.32f}, 0
                                           {0.48, 1.70, {0.50f, -0.21f, 1.345f}},
                                           {1.92, 2.03, {0.755f, -0.28f, 1.345f}, 0.22, 0.35}};
 
-/// The way of the travelling frame: below the hips.
-const Curve& way() {
+/// Distance of the travelling frame along x by time; it moves below the hips.
+const Curve& travelCurve() {
     static const Curve kWay = Curve::spline({{0.0, 0.0},
                                              {0.38, 0.09},
                                              {0.66, 0.06},
@@ -44,7 +44,7 @@ const Curve& way() {
     return kWay;
 }
 
-const BodyKeys& held() {
+const BodyKeys& bodyKeys() {
     using enum Channel;
     static const BodyKeys kHeld({
         {HipsX, {{0.0, 0.0}}},
@@ -118,7 +118,7 @@ const BodyKeys& held() {
     return kHeld;
 }
 
-/// The jog before and after, in the time of this clip.
+/// The jog before the wall and the jog after it, in the time of this clip.
 struct Jogs {
     GaitTrack before{jogGait(), 0.0};
     GaitTrack after{jogGait(), kClimbEnd - 0.70 * jogGait().cycle};
@@ -127,9 +127,9 @@ struct Jogs {
 Course climbCourse() {
     const Jogs jogs;
     Course course;
-    course.travel = straight([](double time) { return way().at(time); });
+    course.travel = straight([](double time) { return travelCurve().at(time); });
     course.body = [jogs](double time) {
-        const Body body = blend(jogs.before.body(time), held().at(time, {}), rise(0.0, 0.35, time));
+        const Body body = blend(jogs.before.body(time), bodyKeys().at(time, {}), rise(0.0, 0.35, time));
         return blend(body, jogs.after.body(time), rise(kClimbEnd - 0.32, kClimbEnd, time));
     };
     return course;
@@ -164,7 +164,7 @@ FootCurve rightPath(Leg from, Leg to) {
                       {kTouchDown, to.ankle, kLandingPitch, ahead, kLandingPitch}});
 }
 
-/// Standing parts of both legs before and after the wall.
+/// Steps of both legs before and after the wall.
 struct Stands {
     LegTrack before[2], after[2];
 };

@@ -1,4 +1,4 @@
-// Over a wall.
+// The clip of climbing over a wall.
 #pragma once
 
 #include "muster/clip.h"

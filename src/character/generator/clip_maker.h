@@ -1,4 +1,4 @@
-// Turns functions of time into clips.
+// Samples functions of time into clips.
 #pragma once
 
 #include <functional>
@@ -10,26 +10,27 @@
 
 namespace muster::generator {
 
-inline constexpr double kFrameRate = 60.0;  ///< Frames a second of every clip.
+inline constexpr double kFrameRate = 60.0;  ///< Frames per second of every clip.
 
-/// What a clip is made of.
+/// The description of a clip as functions of time.
 struct ClipDef {
     std::string name;
     std::string motion;
     bool cyclic = false;
-    int frames = 60;                          ///< Intervals between poses in one play.
-    std::function<Figure(double)> figure;     ///< In the travelling frame, by time [s].
-    std::function<Placement(double)> travel;  ///< Starts at the ground's origin.
-    std::vector<Contact> contacts;            ///< In any order.
+    int frames = 60;                       ///< Number of frame intervals in one play.
+    std::function<Figure(double)> figure;  ///< Figure in the travelling frame by time [s].
+    std::function<Placement(double)>
+        travel;                     ///< Travelling frame by time [s]; it starts at the origin of the ground.
+    std::vector<Contact> contacts;  ///< In any order.
     double entryPhase = 0.0;
     double exitPhase = 0.0;
     ClipObstacle obstacle;
 };
 
-/// The clip.
+/// Samples the description into a clip.
 Clip makeClip(ClipDef plan);
 
-/// Adds a foot's stays that reach into the clip; in a cyclic one those that begin in it.
+/// Adds the contacts of a foot's steps that overlap the clip. A cyclic clip gets the steps that begin in it.
 void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<Step>& steps,
                  double duration, bool cyclic);
 

@@ -1,4 +1,4 @@
-// Where a character goes and how it holds its body, as functions of time.
+// The path of a character and the pose of its trunk, head and arms, as functions of time.
 #pragma once
 
 #include <functional>
@@ -15,17 +15,17 @@ struct Placement {
     double yaw = 0.0;
 };
 
-/// From the travelling frame at `place` to the ground's frame, and back.
+/// Transforms a point from the travelling frame at `place` to the ground frame, and back.
 Vec3 toGround(const Placement& place, Vec3 point);
 Vec3 fromGround(const Placement& place, Vec3 point);
 
-/// Functions of time [s].
+/// Travel and body as functions of time [s].
 struct Course {
     std::function<Placement(double)> travel;
-    std::function<Body(double)> body;  ///< In the travelling frame.
+    std::function<Body(double)> body;  ///< Body in the travelling frame.
 };
 
-/// A straight way: `x` [m] by time.
+/// A straight path along x, given as distance [m] by time.
 std::function<Placement(double)> straight(std::function<double(double)> x);
 
 }  // namespace muster::generator

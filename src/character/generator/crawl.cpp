@@ -7,15 +7,15 @@
 namespace muster::generator {
 namespace {
 
-constexpr double kKneeHeight = 0.065;  // [m] of a knee on the ground.
-constexpr double kWristHeight = 0.05;  // [m] of a wrist over a hand laid flat.
-constexpr double kKneeX = -0.36;       // [m] middle of a knee's stay.
+constexpr double kKneeHeight = 0.065;  // Height of the joint of a knee on the ground [m].
+constexpr double kWristHeight = 0.05;  // Height of the wrist of a hand that lies flat [m].
+constexpr double kKneeX = -0.36;       // Position of a knee in the middle of its contact [m].
 constexpr double kKneeY = 0.10;
 constexpr double kHandX = 0.20;
 constexpr double kHandY = 0.17;
-constexpr double kHandLate = 0.04;  // Share of the cycle by which a hand lands after the knee across.
+constexpr double kHandLate = 0.04;  // A hand lands this share of the cycle after the opposite knee.
 
-/// Fore and aft about the middle of the stay, and the height of the swing, by phase since landing.
+/// Motion of a limb over one cycle: forward distance from the middle of the contact, and swing height.
 struct Stroke {
     double along = 0.0;  // [m]
     double lift = 0.0;   // 0 to 1
@@ -43,7 +43,7 @@ Body crawlBody(double phase) {
     body[Channel::ChestRoll] = -degrees(3) * cycleWave(phase - 0.3);
     body[Channel::HeadPitch] = degrees(44);
     body[Channel::HeadYaw] = degrees(2) * cycleWave(phase);
-    // Near where the hands are led, for clips in which they come and go.
+    // The arms contact near the hands' contacts, so that clips can blend the hands in and out.
     for (std::size_t side = 0; side < 2; ++side) {
         body.arm(side, Channel::LeftArmForward) = degrees(68);
         body.arm(side, Channel::LeftArmOut) = degrees(10);
@@ -53,7 +53,7 @@ Body crawlBody(double phase) {
     return body;
 }
 
-/// Sets height and roll of the pelvis so that both knees can be where they should.
+/// Sets height and roll of the pelvis so that both knees reach their targets.
 void rest(Body& body, const Vec3 knees[2]) {
     body[Channel::HipsZ] = 0.45;
     for (int round = 0; round < 12; ++round) {
@@ -68,7 +68,7 @@ void rest(Body& body, const Vec3 knees[2]) {
     }
 }
 
-/// A leg that kneels: the knee towards `target`, the shin laid back and raised by `rise` [rad].
+/// A kneeling leg: the knee points to `target`, the shin lies backwards and is raised by `rise` [rad].
 Leg kneelingLeg(const Body& body, std::size_t side, Vec3 target, double rise) {
     const Vec3 hip = hipJoint(body, side), thigh = normalized(target - hip) * static_cast<float>(kThigh);
     const Vec3 knee = hip + thigh;
@@ -142,13 +142,13 @@ Clip crawlClip() {
     plan.frames = static_cast<int>(CrawlTrack::kCycle * kFrameRate + 0.5);
     plan.figure = [&](double time) { return track.figure(time); };
     plan.travel = [&](double time) { return track.travel(time); };
-    const double stay = CrawlTrack::kContact * CrawlTrack::kCycle;
+    const double contact = CrawlTrack::kContact * CrawlTrack::kCycle;
     for (std::size_t side = 0; side < 2; ++side) {
         const double knee = track.kneeLanding(side, 0), hand = track.handLanding(side, 0);
         plan.contacts.push_back(
-            {side == 0 ? Limb::LeftKnee : Limb::RightKnee, knee, knee + stay, track.kneeAnchor(side, 0)});
+            {side == 0 ? Limb::LeftKnee : Limb::RightKnee, knee, knee + contact, track.kneeAnchor(side, 0)});
         plan.contacts.push_back(
-            {side == 0 ? Limb::LeftHand : Limb::RightHand, hand, hand + stay, track.handAnchor(side, 0)});
+            {side == 0 ? Limb::LeftHand : Limb::RightHand, hand, hand + contact, track.handAnchor(side, 0)});
     }
     return makeClip(std::move(plan));
 }

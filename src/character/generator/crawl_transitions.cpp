@@ -10,22 +10,22 @@ namespace {
 
 constexpr int kCrawlFrames = 60;
 constexpr double kCrawlEnd = kCrawlFrames / kFrameRate;  // [s]
-constexpr double kStay = CrawlTrack::kContact * CrawlTrack::kCycle;
+constexpr double kContactTime = CrawlTrack::kContact * CrawlTrack::kCycle;
 
-/// A stay of a knee or hand, shifted along the ground to where the clip is then.
+/// Adds the contact of a knee or hand, shifted by the distance that the clip has travelled.
 void addStay(ClipDef& plan, Limb limb, Vec3 anchor, double shift, double begin, double end) {
     anchor.x += static_cast<float>(shift);
     plan.contacts.push_back({limb, begin, std::min(kCrawlEnd, end), anchor});
 }
 
-/// Down from running: the right foot lunges, the left knee comes down first.
+/// From running to crawling: the right foot lunges, then the left knee lands first.
 namespace down {
 
-constexpr double kKnee = 0.56;      // The left knee's landing in the rhythm of the crawl [s].
-constexpr double kLow = 0.60;       // From here on the body crawls [s].
-constexpr double kRightLow = 0.92;  // And the right leg, too [s].
+constexpr double kKnee = 0.56;      // The left knee lands, in phase with the crawl [s].
+constexpr double kLow = 0.60;       // The body crawls from this time on [s].
+constexpr double kRightLow = 0.92;  // The right leg crawls from this time on [s].
 constexpr double kLunge = 0.30;     // The right foot lands [s].
-constexpr double kLift = 0.66;      // And leaves [s].
+constexpr double kLift = 0.66;      // The right foot lifts off [s].
 
 Course courseOf(const GaitTrack& jog, const CrawlTrack& crawl) {
     Course course;
@@ -62,9 +62,12 @@ void addContactsTo(ClipDef& plan, const Step& push, const Step& lunge, const Cou
     addContacts(plan.contacts, 0, {push}, kCrawlEnd, false);
     addContacts(plan.contacts, 1, {lunge}, kCrawlEnd, false);
     const double shift = course.travel(kCrawlEnd).x - crawl.travel(kCrawlEnd).x;
-    addStay(plan, Limb::LeftKnee, crawl.kneeAnchor(0, 0), shift, kLow, crawl.kneeLanding(0, 0) + kStay);
-    addStay(plan, Limb::RightHand, crawl.handAnchor(1, 0), shift, kLow, crawl.handLanding(1, 0) + kStay);
-    addStay(plan, Limb::LeftHand, crawl.handAnchor(0, -1), shift, kLow, crawl.handLanding(0, -1) + kStay);
+    addStay(plan, Limb::LeftKnee, crawl.kneeAnchor(0, 0), shift, kLow,
+            crawl.kneeLanding(0, 0) + kContactTime);
+    addStay(plan, Limb::RightHand, crawl.handAnchor(1, 0), shift, kLow,
+            crawl.handLanding(1, 0) + kContactTime);
+    addStay(plan, Limb::LeftHand, crawl.handAnchor(0, -1), shift, kLow,
+            crawl.handLanding(0, -1) + kContactTime);
 }
 
 Clip clip() {
@@ -102,13 +105,13 @@ Clip clip() {
 
 }  // namespace down
 
-/// Up to running: the right foot steps forward, the left leg swings through.
+/// From crawling to running: the right foot steps forward, the left leg swings through.
 namespace up {
 
-constexpr double kPhase = 0.08;    // Of the crawl at the beginning.
+constexpr double kPhase = 0.08;    // Phase of the crawl at the beginning of the clip.
 constexpr double kRightUp = 0.04;  // The right leg leaves the crawl [s].
 constexpr double kFoot = 0.36;     // The right foot stands [s].
-constexpr double kUp = 0.38;       // The left leg leaves the crawl, and the body [s].
+constexpr double kUp = 0.38;       // The left leg and the body leave the crawl [s].
 constexpr double kStrike = 0.80;   // The left foot lands [s].
 
 Course courseOf(const GaitTrack& jog, const CrawlTrack& crawl) {

@@ -21,7 +21,7 @@ Curve Curve::spline(std::vector<Key> keys, double slopeBegin, double slopeEnd) {
     curve.slopes_.assign(n, 0.0);
     curve.slopes_.front() = slopeBegin;
     curve.slopes_.back() = slopeEnd;
-    // Equal second derivatives on both sides of each inner key: a tridiagonal system, eliminated downwards.
+    // Second derivatives are continuous at inner keys. The Thomas algorithm solves the tridiagonal system.
     std::vector<double> factor(n, 0.0);
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const double before = keys[i].time - keys[i - 1].time, after = keys[i + 1].time - keys[i].time;

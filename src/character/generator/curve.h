@@ -1,4 +1,4 @@
-// Smooth curves through keys.
+// Piecewise cubic curves through keys: splines and monotone easing curves.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@ struct Key {
     double value = 0.0;
 };
 
-/// A piecewise cubic through keys in order of time, held before the first and after the last.
+/// A piecewise cubic through keys in order of time; constant before the first key and after the last.
 class Curve {
 public:
     Curve() = default;
-    /// Twice continuously differentiable, with these slopes at its ends.
+    /// The cubic spline with continuous second derivative and these slopes at its ends.
     static Curve spline(std::vector<Key> keys, double slopeBegin, double slopeEnd);
-    /// Never overshoots a key: it rests at turning points and at both ends.
+    /// The curve that never overshoots a key: its slope is zero at local extrema and at both ends.
     static Curve eased(std::vector<Key> keys);
 
     double at(double time) const;
@@ -27,26 +27,25 @@ private:
     std::vector<double> slopes_;
 };
 
-/// A place, its speed and its acceleration at a time.
+/// A position with its speed and acceleration at a time.
 struct State {
     double time = 0.0;
     double place = 0.0;
     double speed = 0.0;
     double acceleration = 0.0;
 };
-/// At a time between two states, by the one polynomial of fifth degree that meets both.
+/// Position between two states, by the quintic polynomial that matches both.
 double between(const State& begin, const State& end, double time);
 
-/// 0 before `begin`, 1 after `end`, between them a rise whose first and second derivatives vanish at its
-/// ends.
+/// A smooth step from 0 at `begin` to 1 at `end`; first and second derivatives are zero at both.
 double rise(double begin, double end, double time);
-/// 0 outside (begin, end), 1 in the middle, as smooth as rise().
+/// A smooth bump: 0 outside (begin, end), 1 in the middle, twice continuously differentiable as rise().
 double hump(double begin, double end, double time);
 
-/// The cosine of a phase, which is a share of a cycle; 1 at whole cycles.
+/// Cosine of a phase given in cycles; 1 at whole cycles.
 double cycleWave(double phase);
 
-/// Degrees in radians.
+/// Converts degrees to radians.
 constexpr double degrees(double angle) {
     return angle * (3.14159265358979323846 / 180.0);
 }

@@ -17,13 +17,13 @@ Vec3 mirrored(Vec3 p) {
 Quat mirrored(Quat q) {
     return {-q.x, q.y, -q.z, q.w};
 }
-/// To the left side and back: limbs are worked out as left ones.
+/// Mirrors a right limb to the left side or back, because all limbs are computed as left ones.
 template <class T>
 T sided(std::size_t side, T value) {
     return side == 0 ? value : mirrored(value);
 }
 
-/// The rotation that takes the axes to these three right-angled unit vectors.
+/// The rotation that maps the coordinate axes to these three orthonormal vectors.
 Quat fromAxes(Vec3 x, Vec3 y, Vec3 z) {
     const float trace = x.x + y.y + z.z;
     if (trace > 0.0f) return normalized(Quat{y.z - z.y, z.x - x.z, x.y - y.x, 1.0f + trace});
@@ -33,17 +33,17 @@ Quat fromAxes(Vec3 x, Vec3 y, Vec3 z) {
     return normalized(Quat{x.z + z.x, y.z + z.y, 1.0f - x.x - y.y + z.z, x.y - y.x});
 }
 
-/// Two bones from `origin` to `target`, their joint towards `pole`.
+/// Directions of two bones that reach a target, with their middle joint towards a pole.
 struct TwoBones {
     Vec3 first;   ///< Direction of the first bone.
-    Vec3 second;  ///< Of the second.
-    Vec3 bend;    ///< At right angles to the plane: first turns to second about it.
+    Vec3 second;  ///< Direction of the second bone.
+    Vec3 bend;    ///< Normal of the bones' plane; `first` rotates to `second` about it.
 };
 
 TwoBones solve(Vec3 origin, Vec3 target, float l1, float l2, Vec3 pole) {
-    const Vec3 way = target - origin;
-    const float d = std::clamp(length(way), std::fabs(l1 - l2) + 1e-3f, (l1 + l2) * 0.9999f);
-    const Vec3 u = normalized(way, {0.0f, 0.0f, -1.0f});
+    const Vec3 toTarget = target - origin;
+    const float d = std::clamp(length(toTarget), std::fabs(l1 - l2) + 1e-3f, (l1 + l2) * 0.9999f);
+    const Vec3 u = normalized(toTarget, {0.0f, 0.0f, -1.0f});
     const Vec3 n = normalized(pole - dot(pole, u) * u, {0.0f, 1.0f, 0.0f});
     const float c = (l1 * l1 + d * d - l2 * l2) / (2.0f * l1 * d),
                 s = std::sqrt(std::max(0.0f, 1.0f - c * c));
@@ -52,14 +52,14 @@ TwoBones solve(Vec3 origin, Vec3 target, float l1, float l2, Vec3 pole) {
 }
 
 struct Frames {
-    std::array<Quat, kJointCount> turn;  // In the travelling frame.
-    std::array<Vec3, kJointCount> place;
+    std::array<Quat, kJointCount> rotation;  // Rotations in the travelling frame.
+    std::array<Vec3, kJointCount> position;
 
     void put(std::size_t joint, Quat q) {
         const auto& bone = skeleton()[joint];
-        turn[joint] = q;
+        rotation[joint] = q;
         const auto parent = static_cast<std::size_t>(bone.parent);
-        place[joint] = place[parent] + rotate(turn[parent], bone.offset);
+        position[joint] = position[parent] + rotate(rotation[parent], bone.offset);
     }
 };
 
@@ -68,9 +68,9 @@ void putTrunk(const Body& body, Frames& frames) {
                                body[Channel::PelvisYaw]);
     const Quat chest = turned(body[Channel::ChestPitch], body[Channel::ChestRoll], body[Channel::ChestYaw]);
     const Quat head = turned(body[Channel::HeadPitch], body[Channel::HeadRoll], body[Channel::HeadYaw]);
-    frames.turn[0] = pelvis;
-    frames.place[0] = {static_cast<float>(body[Channel::HipsX]), static_cast<float>(body[Channel::HipsY]),
-                       static_cast<float>(body[Channel::HipsZ])};
+    frames.rotation[0] = pelvis;
+    frames.position[0] = {static_cast<float>(body[Channel::HipsX]), static_cast<float>(body[Channel::HipsY]),
+                          static_cast<float>(body[Channel::HipsZ])};
     frames.put(index(JointRole::Spine), nlerp(pelvis, chest, 0.5f));
     frames.put(index(JointRole::Chest), chest);
     frames.put(index(JointRole::Neck), nlerp(chest, head, 0.5f));
@@ -81,48 +81,49 @@ void putLeg(const Leg& leg, std::size_t side, Frames& frames) {
     using enum JointRole;
     const std::size_t upper = at(LeftUpLeg, side, RightUpLeg);
     frames.put(upper, {});
-    const TwoBones bones = solve(frames.place[upper], leg.ankle, 0.42f, 0.41f, leg.knee);
+    const TwoBones bones = solve(frames.position[upper], leg.ankle, 0.42f, 0.41f, leg.knee);
     const auto hinge = [&](Vec3 bone) { return fromAxes(cross(bones.bend, -bone), bones.bend, -bone); };
-    frames.turn[upper] = hinge(bones.first);
+    frames.rotation[upper] = hinge(bones.first);
     frames.put(at(LeftLeg, side, RightLeg), hinge(bones.second));
     frames.put(at(LeftFoot, side, RightFoot), leg.foot);
     frames.put(at(LeftToeBase, side, RightToeBase), leg.foot * axisAngle({0.0f, 1.0f, 0.0f}, leg.toe));
 }
 
-/// Turn of the left upper arm against the chest.
+/// Rotation of the left upper arm relative to the chest.
 Quat armTurn(const Body& body, std::size_t side) {
     return turned(-body.arm(side, Channel::LeftArmForward), 0.0, 0.0) *
            turned(0.0, body.arm(side, Channel::LeftArmOut), 0.0) * turned(0.0, -0.5 * kPi, -0.0) *
            axisAngle({0.0f, 1.0f, 0.0f}, body.arm(side, Channel::LeftArmTurn));
 }
 
-/// How far the collar bone lifts with the arm [rad].
+/// Angle by which the collar bone lifts with the arm [rad].
 double collarLift(Vec3 arm) {
     const double raised = arcTangent2(
         std::sqrt(static_cast<double>(arm.x) * arm.x + static_cast<double>(arm.y) * arm.y), -arm.z);
     return std::clamp(0.35 * (raised - 1.4), 0.0, 0.45);
 }
 
-/// Shares the turn of the hand about the forearm between both; less so the less of a turn it is about that
-/// axis.
+/// Distributes the hand's twist about the forearm over forearm and hand. The share falls with the part of the
+/// rotation that is not twist.
 void shareTwist(Quat& fore, Quat hand) {
     const Quat local = conjugate(fore) * hand;
     const float about = local.y * local.y + local.w * local.w;
     fore = fore * nlerp({}, normalized(Quat{0.0f, local.y, 0.0f, local.w}), 0.5f * about);
 }
 
-/// The three rotations of a left arm, each against the one before; the first against the chest.
+/// The three local rotations of a left arm; the first is relative to the chest.
 struct ArmTurns {
     Quat upper, fore, hand;
 };
 
-/// As the body's channels say.
+/// The arm given by the body's channels.
 ArmTurns freeArm(const Body& body, std::size_t side) {
     return {armTurn(body, side), turned(0.0, 0.0, -body.arm(side, Channel::LeftElbow)),
             turned(0.0, -body.arm(side, Channel::LeftWrist), 0.0)};
 }
 
-/// The wrist where `reach` says, all in the frame of a left arm; `shoulder` is the upper arm's joint.
+/// The arm whose wrist is at the target of `reach`, in the frame of a left arm; `shoulder` is the position of
+/// the upper arm's joint.
 ArmTurns reachingArm(const Reach& reach, std::size_t side, Quat chest, Vec3 shoulder) {
     const TwoBones bones = solve(shoulder, sided(side, reach.wrist), 0.28f, 0.25f,
                                  normalized(sided(side, reach.elbow)));
@@ -134,14 +135,14 @@ ArmTurns reachingArm(const Reach& reach, std::size_t side, Quat chest, Vec3 shou
     return {conjugate(chest) * upper, conjugate(upper) * fore, conjugate(fore) * palm};
 }
 
-/// Works out the arm as a left one; `chest` and results are mirrored for the right.
+/// Computes the arm as a left one; the chest and the results are mirrored for the right arm.
 void putArm(const Body& body, const Reach& reach, std::size_t side, Frames& frames) {
     using enum JointRole;
     const std::size_t collar = at(LeftShoulder, side, RightShoulder), upper = at(LeftArm, side, RightArm);
     const std::size_t fore = at(LeftForeArm, side, RightForeArm), hand = at(LeftHand, side, RightHand);
-    const Quat chest = sided(side, frames.turn[index(Chest)]);
+    const Quat chest = sided(side, frames.rotation[index(Chest)]);
     const auto put = [&](std::size_t joint, Quat q) { frames.put(joint, sided(side, q)); };
-    const auto shoulder = [&] { return sided(side, frames.place[upper]); };
+    const auto shoulder = [&] { return sided(side, frames.position[upper]); };
     const auto share = static_cast<float>(reach.weight);
     ArmTurns arm = freeArm(body, side);
     put(collar, chest);
@@ -171,7 +172,7 @@ Quat turned(double pitch, double roll, double yaw) {
 }
 
 Quat flatHand(std::size_t side, double yaw, double tilt) {
-    // Fingers point to +y in the left hand's rest, to -y in the right's.
+    // In the rest pose the fingers point to +y at the left hand and to -y at the right.
     const double quarter = side == 0 ? 0.5 * kPi : -0.5 * kPi;
     return yawTurn(yaw) * axisAngle({0.0f, 1.0f, 0.0f}, -tilt) * yawTurn(-quarter);
 }
@@ -186,7 +187,7 @@ Figure blend(const Figure& a, const Figure& b, double t) {
                           la.toe + (lb.toe - la.toe) * t, normalized(lerp(la.knee, lb.knee, share), lb.knee)};
         const Reach &ra = a.reach[side], &rb = b.reach[side];
         const double sum = ra.weight * (1.0 - t) + rb.weight * t;
-        // Where only one of both reaches, its target stands.
+        // If only one of the two has a weight, its target is used unchanged.
         const float mix = sum > 0.0 ? static_cast<float>(rb.weight * t / sum) : share;
         out.reach[side] = {sum, lerp(ra.wrist, rb.wrist, mix), nlerp(ra.hand, rb.hand, mix),
                            lerp(ra.elbow, rb.elbow, mix), ra.follow + (rb.follow - ra.follow) * mix};
@@ -210,11 +211,11 @@ BodyPose poseOf(const Figure& figure) {
         putArm(figure.body, figure.reach[side], side, frames);
     }
     BodyPose pose;
-    pose.hips = frames.place[0];
-    pose.rotation[0] = frames.turn[0];
+    pose.hips = frames.position[0];
+    pose.rotation[0] = frames.rotation[0];
     for (std::size_t j = 1; j < kJointCount; ++j) {
         const auto parent = static_cast<std::size_t>(skeleton()[j].parent);
-        pose.rotation[j] = normalized(conjugate(frames.turn[parent]) * frames.turn[j]);
+        pose.rotation[j] = normalized(conjugate(frames.rotation[parent]) * frames.rotation[j]);
     }
     return pose;
 }

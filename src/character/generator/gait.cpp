@@ -9,22 +9,22 @@ namespace muster::generator {
 GaitTrack::GaitTrack(const Gait& gait, double start) : gait_(gait), start_(start) {}
 
 Placement GaitTrack::travel(double time) const {
-    const double way = gait_.speed * (time - start_);
-    if (gait_.bend == 0.0) return {way, 0.0, 0.0};
-    const double yaw = way * gait_.bend;
+    const double distance = gait_.speed * (time - start_);
+    if (gait_.bend == 0.0) return {distance, 0.0, 0.0};
+    const double yaw = distance * gait_.bend;
     return {sine(yaw) / gait_.bend, (1.0 - cosine(yaw)) / gait_.bend, yaw};
 }
 
 double GaitTrack::height(double phase) const {
     const double middle = 0.5 * gait_.contact;
     if (!gait_.flies()) return gait_.height + 0.5 * gait_.bob * cycleWave(2.0 * (phase - middle));
-    // Half a cycle is a stay, from falling to rising, then free flight.
+    // Half a cycle is a contact, in which the hips fall and rise, followed by free flight.
     const double half = 2.0 * phase, since = (half - std::floor(half)) * 0.5 * gait_.cycle;
-    const double stay = gait_.contact * gait_.cycle, flight = 0.5 * gait_.cycle - stay;
+    const double contact = gait_.contact * gait_.cycle, flight = 0.5 * gait_.cycle - contact;
     const double up = 0.5 * kGravity * flight - gait_.lift / flight, high = gait_.height + gait_.lift,
-                 t = since - stay;
+                 t = since - contact;
     if (t > 0.0) return high + up * t - 0.5 * kGravity * t * t;
-    return between({0.0, gait_.height, up - kGravity * flight, -kGravity}, {stay, high, up, -kGravity},
+    return between({0.0, gait_.height, up - kGravity * flight, -kGravity}, {contact, high, up, -kGravity},
                    since);
 }
 
@@ -45,7 +45,7 @@ void GaitTrack::addTrunk(double phase, Body& body) const {
 
 void GaitTrack::addArms(double phase, Body& body) const {
     for (std::size_t side = 0; side < 2; ++side) {
-        // Each arm goes with the leg of the other side.
+        // Each arm swings in phase with the opposite leg.
         const double half = side == 0 ? 0.0 : 0.5;
         const double forward = -cycleWave(phase + half - gait_.arm.late);
         body.arm(side, Channel::LeftArmForward) = gait_.arm.middle + gait_.arm.swing * forward;

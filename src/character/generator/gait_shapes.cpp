@@ -1,4 +1,4 @@
-// Muster's gaits, in numbers. The targets come from measured people: see docs/method/motion-generator.md.
+// Parameters of Muster's gaits, fitted to measurements of people (docs/method/motion-generator.md).
 #include "character/generator/clip_maker.h"
 #include "character/generator/gait.h"
 

@@ -12,16 +12,16 @@ constexpr double kJumpEnd = kJumpFrames / kFrameRate;  // [s]
 constexpr double kSpeed = 2.08;                        // [m/s] on average
 constexpr double kJumpMoment = 1e-3;                   // [s]
 
-/// What tells one jump from another. Times [s], heights of the hips [m].
+/// Parameters of a jump. Times [s], heights of the hips [m].
 struct JumpShape {
     const char* name;
-    double plant, off, land;  ///< The left foot lands, leaves; the right one lands.
+    double plant, off, land;  ///< The left foot lands and leaves; the right foot lands.
     double offHeight, landHeight;
-    Swing lead, trail;  ///< Of the right leg, of the left one.
+    Swing lead, trail;  ///< Swings of the leading right leg and the trailing left leg.
     ClipObstacle obstacle;
 };
 
-/// Height of the hips: in free fall between `off` and `land`, that of running before and after.
+/// Height of the hips: free fall between `off` and `land`, the height of running before and after.
 class Arc {
 public:
     Arc(const JumpShape& shape, const GaitTrack& before, const GaitTrack& after)
@@ -64,8 +64,8 @@ Body heldInJump(const JumpShape& shape, Body body, double time) {
     body[Channel::PelvisPitch] += degrees(2) * air + degrees(6) * crouch - degrees(4) * spring;
     body[Channel::HeadPitch] += degrees(6) * air;
     for (std::size_t side = 0; side < 2; ++side) {
-        // Arms are thrown up and forwards, the one across from the leading leg highest, and come down on
-        // landing.
+        // Both arms swing up and forwards and come down on landing. The arm opposite to the leading leg rises
+        // highest.
         const double most = side == 0 ? 60.0 : 12.0;
         body.arm(side, Channel::LeftArmForward) += degrees(most) * air;
         body.arm(side, Channel::LeftArmOut) += degrees(side == 0 ? 14 : 30) * air + degrees(14) * crouch;

@@ -1,4 +1,4 @@
-// Jumping.
+// The clips of jumping.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace muster::generator {
 
-/// "jump" (a running jump with feet tucked) and "jump-over" (over a low thing, one leg leading).
+/// Adds "jump" (a running jump with tucked feet) and "jump-over" (over a low obstacle, one leg leading).
 void addJumps(std::vector<Clip>& clips);
 
 }  // namespace muster::generator

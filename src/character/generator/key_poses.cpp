@@ -31,14 +31,14 @@ bool isPlace(Channel channel) {
 }
 
 LegShape shapeOf(const Leg& leg, Vec3 hip) {
-    const Vec3 way = leg.ankle - hip;
+    const Vec3 toAnkle = leg.ankle - hip;
     const double d = std::clamp(
-        std::sqrt(static_cast<double>(way.x) * way.x + static_cast<double>(way.z) * way.z), 0.05,
-        (kThigh + kShin) * 0.9999);
+        std::sqrt(static_cast<double>(toAnkle.x) * toAnkle.x + static_cast<double>(toAnkle.z) * toAnkle.z),
+        0.05, (kThigh + kShin) * 0.9999);
     const auto arcCosine = [](double c) { return arcTangent2(std::sqrt(std::max(0.0, 1.0 - c * c)), c); };
     LegShape shape;
     shape.knee = kPi - arcCosine((kThigh * kThigh + kShin * kShin - d * d) / (2.0 * kThigh * kShin));
-    shape.thigh = arcTangent2(way.x, -way.z) +
+    shape.thigh = arcTangent2(toAnkle.x, -toAnkle.z) +
                   arcCosine((kThigh * kThigh + d * d - kShin * kShin) / (2.0 * kThigh * d));
     if (shape.thigh > 0.75 * kPi) shape.thigh -= 2.0 * kPi;
     const Vec3 toes = rotate(leg.foot, {1.0f, 0.0f, 0.0f});
@@ -47,7 +47,7 @@ LegShape shapeOf(const Leg& leg, Vec3 hip) {
     shape.ankle = arcTangent2(toes.z, toes.x < 0.0f ? -flat : flat) - (shape.thigh - shape.knee);
     if (shape.ankle > 1.5) shape.ankle -= 2.0 * kPi;
     if (shape.ankle < -2.5) shape.ankle += 2.0 * kPi;
-    shape.side = way.y;
+    shape.side = toAnkle.y;
     shape.yaw = toes.x < 0.0f ? arcTangent2(-toes.y, -toes.x) : arcTangent2(toes.y, toes.x);
     shape.toe = leg.toe;
     return shape;
@@ -88,7 +88,7 @@ Reach reachAt(const std::vector<HandContact>& holds, std::size_t side, double ti
         const double near = time < hold.begin ? rise(hold.begin - hold.come, hold.begin, time)
                                               : 1.0 - rise(hold.end, hold.end + hold.go, time);
         if (near <= 0.0) continue;
-        // Between two holds the hand goes from one to the other.
+        // Between two contacts the target moves from one to the other.
         sum += near;
         const Vec3 above = hold.wrist +
                            Vec3{0.0f, 0.0f, hold.touches ? static_cast<float>(0.15 * (1.0 - near)) : 0.0f};

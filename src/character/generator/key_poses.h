@@ -1,4 +1,4 @@
-// Key poses: paths of limbs by hand-set keys, for actions that happen once.
+// Key poses: paths of limbs through authored keys, for actions that happen once.
 #pragma once
 
 #include <initializer_list>
@@ -11,7 +11,7 @@
 
 namespace muster::generator {
 
-/// A path in space, at rest where two keys are equal.
+/// A path in space; it rests between two equal keys.
 class PointCurve {
 public:
     struct Point {
@@ -25,16 +25,16 @@ private:
     Curve x_, y_, z_;
 };
 
-/// A foot at a time: its ankle [m], its pitch with toes up [degrees], and where the knee points.
+/// A foot at a time: position of the ankle [m], pitch [degrees, positive toes up], direction of the knee.
 struct FootKey {
     double time;
     Vec3 ankle;
     double pitch;
     Vec3 knee;
-    double toe = 0.0;  ///< Toes bent down against the foot [degrees].
+    double toe = 0.0;  ///< Flexion of the toes, downwards relative to the foot [degrees].
 };
 
-/// A leg by keys, in the frame of the keys.
+/// The motion of a leg through keys, in the frame of the keys.
 class FootCurve {
 public:
     explicit FootCurve(const std::vector<FootKey>& keys);
@@ -45,28 +45,28 @@ private:
     Curve pitch_, toe_;
 };
 
-/// A time in which a hand lies flat somewhere, in the ground's frame.
+/// A time in which a hand rests on a surface, in the ground frame.
 struct HandContact {
     double begin = 0.0;   ///< [s]
     double end = 0.0;     ///< [s]
     Vec3 wrist;           ///< [m]
-    double come = 0.25;   ///< It leaves its free way so long before [s].
-    double go = 0.25;     ///< And is back so long after [s].
-    bool touches = true;  ///< False for a place on the way that holds nothing.
+    double come = 0.25;   ///< Time before `begin` at which it leaves its free path [s].
+    double go = 0.25;     ///< Time after `end` at which it is back on its free path [s].
+    bool touches = true;  ///< False for a mere waypoint without contact.
 };
 
-/// The hand's reach at a time: its holds one after the other.
+/// The target of the arm at a time, through its contacts one after the other.
 Reach reachAt(const std::vector<HandContact>& holds, std::size_t side, double time);
-/// The holds as contacts.
+/// Adds those that touch to the contacts of a clip.
 void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<HandContact>& holds);
 
-/// A channel's keys: times [s] and values (degrees, or metres for places).
+/// The keys of a channel: times [s] and values [degrees; m for positions].
 struct ChannelKeys {
     Channel channel;
     std::vector<Key> keys;
 };
 
-/// Channels by keys; those without keys keep what `base` says.
+/// Channels through keys; a channel without keys takes its value from `base`.
 class BodyKeys {
 public:
     explicit BodyKeys(const std::vector<ChannelKeys>& channels);
@@ -81,11 +81,11 @@ private:
     std::vector<Line> lines_;
 };
 
-/// From the ground's frame to the travelling one.
+/// Transforms a leg from the ground frame to the travelling frame.
 Leg fromGround(const Placement& place, const Leg& leg);
 Reach fromGround(const Placement& place, Reach reach);
 
-/// The shape of a leg at a time and how it changes, to begin or end a swing with; `figure` is in the
+/// The shape of a leg and its rate of change at a time, as the begin or end of a swing; `figure` is in the
 /// travelling frame.
 LegJoin joinOf(const std::function<Figure(double)>& figure, std::size_t side, double time);
 

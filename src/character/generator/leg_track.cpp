@@ -8,7 +8,7 @@
 namespace muster::generator {
 namespace {
 
-constexpr double kRateStep = 5e-4;  // [s] for rates by differences.
+constexpr double kRateStep = 5e-4;  // Time step of finite differences [s].
 
 double pitchOf(const Step& step, double time) {
     const double landing = time - step.begin, leaving = step.end - time;
@@ -23,15 +23,15 @@ double pitchOf(const Step& step, double time) {
     return 0.0;
 }
 
-constexpr Vec3 kSole{0.0f, 0.0f, 0.03f};  // From the sole to the toes' joint [m].
+constexpr Vec3 kSole{0.0f, 0.0f, 0.03f};  // From the sole to the joint of the toes [m].
 
-/// Where a knee points: forwards of the line from hip to ankle, wherever that points, turned by `yaw`.
+/// Direction of a knee: perpendicular to the line from hip to ankle, forwards, rotated by `yaw`.
 Vec3 kneeAhead(Vec3 hip, Vec3 ankle, double yaw) {
-    const Vec3 way = ankle - hip;
-    return rotate(yawTurn(yaw), normalized(Vec3{-way.z, 0.0f, way.x}, {1.0f, 0.0f, 0.0f}));
+    const Vec3 toAnkle = ankle - hip;
+    return rotate(yawTurn(yaw), normalized(Vec3{-toAnkle.z, 0.0f, toAnkle.x}, {1.0f, 0.0f, 0.0f}));
 }
 
-/// Lifts the foot so that heel and toes keep above the ground, by the more the larger `share`.
+/// Lifts the foot until heel and toes are above the ground; `share` (0 to 1) scales the lift.
 void keepClear(double share, Leg& leg) {
     const Quat toes = leg.foot * axisAngle({0.0f, 1.0f, 0.0f}, leg.toe);
     const Vec3 ball = rotate(leg.foot, kBall);
@@ -42,7 +42,7 @@ void keepClear(double share, Leg& leg) {
     leg.ankle.z += static_cast<float>(0.5 * (lack + std::sqrt(lack * lack + soft * soft)));
 }
 
-/// Arc cosine by our own arc tangent.
+/// Arc cosine by the engine's own arc tangent, which gives equal bits on all platforms.
 double arcCosine(double c) {
     c = std::clamp(c, -1.0, 1.0);
     return arcTangent2(std::sqrt(1.0 - c * c), c);
@@ -60,7 +60,7 @@ LegShape difference(const LegShape& a, const LegShape& b) {
             a.side - b.side,   a.yaw - b.yaw,   a.toe - b.toe};
 }
 
-/// Through the keys between the ends, with the ends' rates.
+/// The spline through both ends and the keys between them, with the rates of the ends.
 Curve through(const LegJoin& from, const LegJoin& to, const std::vector<Key>& keys, double LegShape::*part) {
     const double length = to.time - from.time;
     std::vector<Key> all{{from.time, from.shape.*part}};
@@ -69,7 +69,7 @@ Curve through(const LegJoin& from, const LegJoin& to, const std::vector<Key>& ke
     return Curve::spline(std::move(all), from.rate.*part, to.rate.*part);
 }
 
-/// What is left of a swing's keys when it begins or ends in its middle.
+/// The keys of a swing that remain if it begins late or ends early.
 std::vector<Key> inside(const std::vector<Key>& keys, double wholeBegin, double wholeEnd, double begin,
                         double end) {
     std::vector<Key> out;
@@ -153,7 +153,7 @@ LegTrack::Flight LegTrack::flight(const LegJoin& from, const LegJoin& to, const 
     out.side = through(from, to, {}, &LegShape::side);
     out.yaw = through(from, to, {}, &LegShape::yaw);
     std::vector<Key> toe{{from.time, from.shape.toe}, {to.time, to.shape.toe}};
-    // Toes straighten soon, unless the swing is left while they still do.
+    // The toes are straight after 35 % of the swing, unless the swing ends before that.
     if (to.shape.toe > -0.01) toe.insert(toe.begin() + 1, {from.time + 0.35 * (to.time - from.time), 0.0});
     out.toe = Curve::eased(std::move(toe));
     return out;

@@ -1,4 +1,4 @@
-// Feet: steps that stand still on the ground, and swings between them.
+// The motion of a leg: steps, in which the foot is fixed to the ground, and swings between them.
 #pragma once
 
 #include <optional>
@@ -9,67 +9,67 @@
 
 namespace muster::generator {
 
-/// How a leg recovers between two steps: keys by the share of the swing [0, 1] and angle [rad].
+/// The swing of a leg between two steps: angles [rad] by the share of the swing, 0 to 1.
 struct Swing {
-    std::vector<Key> thigh;  ///< Forward of the vertical.
-    std::vector<Key> knee;   ///< Bent.
-    std::vector<Key> ankle;  ///< Foot raised against the shin.
+    std::vector<Key> thigh;  ///< Angle forward of the vertical.
+    std::vector<Key> knee;   ///< Flexion.
+    std::vector<Key> ankle;  ///< Foot raised relative to the shin.
 };
 
-/// A key of a swing: share of it, 0 to 1, and angle [degrees].
+/// A key of a swing by its share, 0 to 1, and angle [degrees].
 inline Key swingKey(double share, double angle) {
     return {share, degrees(angle)};
 }
 
-/// A foot's contact with the ground. It lands on the heel where `strike` > 0, lies flat, and leaves over the
-/// ball.
+/// A foot's contact with the ground. It lands on the heel if `strike` > 0, then lies flat, and leaves over
+/// the ball.
 struct Step {
     double begin = 0.0;   ///< [s]
     double end = 0.0;     ///< [s]
-    Vec3 anchor;          ///< The flat foot's ankle, in the ground's frame [m].
-    double yaw = 0.0;     ///< Of the foot, in the ground's frame [rad].
+    Vec3 anchor;          ///< Ankle of the flat foot, in the ground frame [m].
+    double yaw = 0.0;     ///< Yaw of the foot in the ground frame [rad].
     double strike = 0.0;  ///< Toes raised at landing [rad].
-    double flat = 0.0;    ///< From landing until flat [s].
-    double rise = 0.0;    ///< From where the heel begins to rise until the end [s].
+    double flat = 0.0;    ///< Duration from landing until flat [s].
+    double rise = 0.0;    ///< Duration from heel-off to toe-off [s].
     double push = 0.0;    ///< Heel raised at the end [rad].
-    Swing swing;          ///< What follows.
+    Swing swing;          ///< The swing that follows the step.
 };
 
-/// A leg's shape as a swing interpolates it, in the travelling frame.
+/// The angles of a leg that a swing interpolates, in the travelling frame.
 struct LegShape {
-    double thigh = 0.0;  ///< Forward of the vertical [rad].
-    double knee = 0.0;   ///< Bent [rad].
-    double ankle = 0.0;  ///< Foot raised against the shin [rad].
-    double side = 0.0;   ///< Ankle left of the hip [m].
-    double yaw = 0.0;    ///< Of the foot [rad].
-    double toe = 0.0;    ///< Toes bent down against the foot [rad].
+    double thigh = 0.0;  ///< Angle forward of the vertical [rad].
+    double knee = 0.0;   ///< Flexion [rad].
+    double ankle = 0.0;  ///< Foot raised relative to the shin [rad].
+    double side = 0.0;   ///< Distance of the ankle to the left of the hip [m].
+    double yaw = 0.0;    ///< Yaw of the foot [rad].
+    double toe = 0.0;    ///< Flexion of the toes, downwards [rad].
 };
 
-/// A leg's shape and how it changes at one time: where a clip joins another in mid-swing.
+/// A leg's shape and its rate of change at the time where a clip joins another in mid-swing.
 struct LegJoin {
     double time = 0.0;
     LegShape shape;
     LegShape rate;       ///< Per second.
-    double clear = 0.0;  ///< How much the foot keeps clear of the ground then, 0 to 1.
+    double clear = 0.0;  ///< Share of the lift that clears the ground, 0 to 1.
 };
 
-/// The ankle of a foot rolled by `pitch` [rad] (toes up: on its heel; else on its ball) with its sole's place
-/// kept.
+/// The ankle of a foot rolled by `pitch` [rad] while its sole stays on the ground: it rolls on the heel if
+/// the toes are up, else on the ball.
 Vec3 rolledAnkle(Vec3 anchor, double yaw, double pitch);
-/// The leg of a flat or rolled foot on the ground, toes flat.
+/// A leg whose flat or rolled foot is on the ground, with flat toes.
 Leg standingLeg(Vec3 anchor, double yaw, double pitch);
 
 /// One leg's motion over time.
 class LegTrack {
 public:
-    /// `steps` in order; before the first and after the last it stands. A join takes the place of all that
-    /// lies before or after its time.
+    /// `steps` are in order of time. The foot stands before the first step and after the last. A join
+    /// replaces all steps before or after its time.
     LegTrack(std::size_t side, std::vector<Step> steps, Course course, std::optional<LegJoin> before = {},
              std::optional<LegJoin> after = {});
 
-    /// In the travelling frame.
+    /// The leg at a time, in the travelling frame.
     Leg at(double time) const;
-    /// The same where swings go below the ground's level: into water, beside a rim.
+    /// The same without ground clearance, for swings below the ground's level, into water or next to a rim.
     Leg inAir(double time) const;
     /// The join at a time.
     LegJoin join(double time) const;

@@ -1,4 +1,4 @@
-// Clips between running and what is done with hands: crawling, swimming.
+// Transition clips between running and motions that use the hands: crawling and swimming.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace muster::generator {
 
-/// The same step moved to `begin` [s], outside the clip: for a leg that comes from or goes to something that
-/// is no step.
+/// The same step moved to `begin` [s], outside the clip, for a leg that comes from or goes to another motion
+/// than a step.
 Step stepOutside(Step step, double begin);
 
-/// "crawl-enter" and "crawl-exit".
+/// Adds "crawl-enter" and "crawl-exit".
 void addCrawlTransitions(std::vector<Clip>& clips);
-/// "swim-enter" and "swim-exit".
+/// Adds "swim-enter" and "swim-exit".
 void addSwimTransitions(std::vector<Clip>& clips);
 
 }  // namespace muster::generator

@@ -7,7 +7,7 @@
 namespace muster::generator {
 namespace {
 
-/// A wrist's place from its shoulder over one stroke: x forward, y out, z up [m].
+/// Position of a wrist relative to its shoulder in one stroke: x forward, y outwards, z up [m].
 struct StrokeKey {
     double phase;
     Vec3 wrist;
@@ -26,7 +26,7 @@ Curve around(float Vec3::*part) {
     return Curve::spline(std::move(keys), 0.0, 0.0);
 }
 
-/// The wrist by phase since its hand entered the water.
+/// Position of the wrist by phase since its hand entered the water [m].
 Vec3 swimStroke(double phase) {
     static const Curve x = around(&Vec3::x), y = around(&Vec3::y), z = around(&Vec3::z);
     phase -= std::floor(phase);
@@ -34,7 +34,7 @@ Vec3 swimStroke(double phase) {
             static_cast<float>(z.at(phase))};
 }
 
-/// How much of the way an arm is over the water.
+/// Progress of an arm's recovery above the water, 0 to 1.
 double recovery(double phase) {
     phase -= std::floor(phase);
     return hump(0.58, 1.02, phase) + hump(0.58, 1.02, phase + 1.0);
@@ -42,7 +42,7 @@ double recovery(double phase) {
 
 Body swimBody(double phase) {
     Body body;
-    // The body rolls towards the arm that reaches; the head turns with it to breathe on the right.
+    // The body rolls towards the arm that reaches forward. The head rotates with it to breathe on the right.
     const double roll = cycleWave(phase - 0.14), breath = recovery(phase + 0.5);
     body[Channel::HipsX] = -0.18;
     body[Channel::HipsY] = 0.015 * cycleWave(phase - 0.3);
@@ -74,7 +74,7 @@ Leg kickingLeg(const Body& body, std::size_t side, double phase) {
     return leg;
 }
 
-/// The left shoulder joint or the right one, in the travelling frame.
+/// Position of one shoulder joint in the travelling frame [m].
 Vec3 shoulderOf(const Figure& figure, std::size_t side) {
     JointTransforms joints;
     jointTransforms(poseOf(figure), {}, joints);

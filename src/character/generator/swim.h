@@ -9,7 +9,8 @@ inline constexpr double kWaterLevel = -0.10;             ///< [m]
 inline constexpr double kSwimCycle = 96.0 / kFrameRate;  ///< One stroke of each arm [s].
 inline constexpr double kSwimSpeed = 0.78;               ///< [m/s]
 
-/// In the travelling frame; phase 0 (the left hand enters the water) at time `start`.
+/// The figure at a time, in the travelling frame. At time `start` the phase is 0 (the left hand enters the
+/// water).
 Figure swimFigure(double time, double start = 0.0);
 /// The clip "swim".
 Clip swimClip();

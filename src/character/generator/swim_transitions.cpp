@@ -9,17 +9,17 @@ namespace {
 constexpr int kSwimFrames = 48;
 constexpr double kSwimEnd = kSwimFrames / kFrameRate;  // [s]
 
-/// Off the rim and flat into the water: the left foot pushes off.
+/// A shallow dive from the rim into the water; the left foot pushes off.
 namespace in {
 
 constexpr double kOff = 0.27;    // The left foot leaves the rim [s].
-constexpr double kPhase = 0.10;  // Of swimming at the end.
+constexpr double kPhase = 0.10;  // Phase of swimming at the end of the clip.
 
 Figure swimming(double time) {
     return swimFigure(time, kSwimEnd - kPhase * kSwimCycle);
 }
 
-/// Both arms forwards, straight and close, for the dive.
+/// Stretches both arms forwards, straight and close together, for the dive.
 void stretchArms(Body& body, double share) {
     for (std::size_t side = 0; side < 2; ++side) {
         const auto towards = [&](Channel channel, double angle) {
@@ -89,13 +89,13 @@ Clip clip() {
 
 }  // namespace in
 
-/// Hands on the rim, up, the left foot steps out.
+/// Out of the water: the hands press on the rim, then the left foot steps out.
 namespace out {
 
-constexpr double kPhase = 0.95;    // Of swimming at the beginning.
-constexpr double kEntry = 0.30;    // Of jogging at the end.
+constexpr double kPhase = 0.95;    // Phase of swimming at the beginning of the clip.
+constexpr double kEntry = 0.30;    // Phase of jogging at the end of the clip.
 constexpr double kGrip = 0.20;     // Both hands lie on the rim [s].
-constexpr double kRelease = 0.32;  // And leave it [s].
+constexpr double kRelease = 0.32;  // Both hands leave the rim [s].
 constexpr double kStep = 0.44;     // The left foot stands on the ground [s].
 
 Figure swimming(double time) {
@@ -140,7 +140,7 @@ Course courseOf(const GaitTrack& jog) {
     return course;
 }
 
-/// From the stroke to the rim, and off it.
+/// The target of an arm from the swimming stroke to the rim, and off the rim.
 Reach reachOf(const Course& course, std::size_t side, double time) {
     const std::vector<HandContact> hold{
         {kGrip, kRelease, {0.64f, side == 0 ? 0.20f : -0.20f, 0.045f}, kGrip, 0.42}};

@@ -17,7 +17,7 @@ double shareOfCycle(const GaitTrack& track, double time) {
     return phase - std::floor(phase);
 }
 
-/// A standing foot that leaves over its ball, heel raised by `push`.
+/// A standing foot that leaves over its ball, with the heel raised by `push` [rad].
 Step leaving(std::size_t side, double end, double push) {
     Step step = idleStep(side, {});
     step.begin = kStandingSince;
@@ -28,7 +28,7 @@ Step leaving(std::size_t side, double end, double push) {
     return step;
 }
 
-/// A foot that comes to stand for good where `place` is.
+/// A foot that lands at `begin` [s] and stays, with the character at `place`.
 Step arriving(std::size_t side, double begin, const Placement& place, double strike) {
     Step step = idleStep(side, place);
     step.begin = begin;
@@ -38,7 +38,7 @@ Step arriving(std::size_t side, double begin, const Placement& place, double str
     return step;
 }
 
-/// From standing into a gait: the left foot lands first, at `landing`; the right one leaves at `leave`.
+/// From standing to a gait. The left foot lands first, at `landing`; the right foot leaves at `leave` [s].
 Transition startOf(const char* name, const Gait& gait, int frames, double landing, double leave,
                    double fullSpeed) {
     const GaitTrack track(gait, landing);
@@ -66,7 +66,8 @@ Transition startOf(const char* name, const Gait& gait, int frames, double landin
     return transition;
 }
 
-/// From a gait to standing: the right foot lands at half a cycle and stays, the left joins it at `landing`.
+/// From a gait to standing. The right foot lands at half a cycle and stays; the left foot lands next to it at
+/// `landing` [s].
 Transition stopOf(const char* name, const Gait& gait, int frames, double leave, double landing,
                   double still) {
     const GaitTrack track(gait);
@@ -95,7 +96,7 @@ Transition stopOf(const char* name, const Gait& gait, int frames, double leave, 
     return transition;
 }
 
-/// A quarter turn where it stands, to the left (+1) or the right (-1); the foot of that side goes first.
+/// A quarter turn on the spot to the left (`sign` = 1) or right (-1); the foot of that side moves first.
 Transition turnOf(const char* name, double sign) {
     constexpr int kFrames = 60;
     constexpr double kEnd = kFrames / kFrameRate;
@@ -121,13 +122,13 @@ Transition turnOf(const char* name, double sign) {
     return transition;
 }
 
-/// Between two gaits within 0.4 s: the left foot stands and leaves, the right foot lands.
+/// A change between two gaits within 0.4 s: the left foot stands and leaves, then the right foot lands.
 struct Change {
     const char* name;
     Gait from, to;
-    double phase;    ///< Of `from` at the beginning.
-    double leave;    ///< When the left foot leaves [s].
-    double landing;  ///< When the right foot lands [s].
+    double phase;    ///< Phase of `from` at the beginning.
+    double leave;    ///< Time at which the left foot leaves [s].
+    double landing;  ///< Time at which the right foot lands [s].
 };
 
 Transition changeOf(const Change& change, int frames) {
