@@ -30,7 +30,7 @@ double slowFor(double speed) {
 struct LimbAt {
     Vec3 joint;           ///< Ankle, wrist or knee in the ground frame [m].
     Vec3 tip;             ///< Ball of the foot; for other limbs the joint [m].
-    float heading = 0.0;  ///< Of the foot [rad].
+    float heading = 0.0;  ///< Yaw of the foot [rad].
 };
 
 class ContactFinder {
