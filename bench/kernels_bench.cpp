@@ -1,4 +1,4 @@
-// Kernels beside their bounds: what they take, what they touch, and how long touching it alone would take.
+// Benchmarks of kernels with the memory that each must touch and a lower bound of its time by that.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -84,11 +84,11 @@ UnitCost openGround(std::int64_t cells) {
     const double half = 0.125 * static_cast<double>(cells);
     cost.grid = Grid::covering({{-half, -half}, {half, half}}, 0.25);
     cost.cells.assign(static_cast<std::size_t>(cost.grid.count()), {});
-    // Uneven, so that no field is a straight way's.
+    // Random unit costs, so that no cheapest path is a straight line.
     Random random(3);
     for (CellCost& c : cost.cells) {
-        const auto price = static_cast<float>(random.uniform(1.0, 1.5));
-        c = {price, price, price, price};
+        const auto value = static_cast<float>(random.uniform(1.0, 1.5));
+        c = {value, value, value, value};
     }
     return cost;
 }
@@ -147,7 +147,7 @@ void assignmentCold(benchmark::State& state) {
     }
 }
 
-// A crowd 2 m behind its places, in a thin wood: a post between every fourth of them, both ways.
+// A crowd 2 m behind its places, in a thin wood: a post between every fourth of them, in both directions.
 struct Following {
     explicit Following(std::int64_t n);
 
@@ -215,14 +215,14 @@ void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
     state.counters["changed"] = result.reassigned;
 }
 
-// One solve of the mesh of a square formation whose two flanks are held: vertices and triangles are read, in
-// each of its iterations, and vertices written.
+// One solve of the mesh of a square formation with two constrained corners: vertices and triangles are read,
+// in each of its iterations, and vertices written.
 void meshSolve(benchmark::State& state) {
     const Formation formation = makeFormation({}, static_cast<std::int32_t>(state.range(0))).value();
     ArapSolver solver;
     const std::vector<Vec2>& rest = formation.mesh.vertices;
-    const std::vector<std::int32_t> held{0, static_cast<std::int32_t>(rest.size()) - 1};
-    if (!solver.setMesh(formation.mesh).ok() || !solver.setConstraints(held, {}).ok()) {
+    const std::vector<std::int32_t> constrained{0, static_cast<std::int32_t>(rest.size()) - 1};
+    if (!solver.setMesh(formation.mesh).ok() || !solver.setConstraints(constrained, {}).ok()) {
         state.SkipWithError("the mesh was refused");
         return;
     }

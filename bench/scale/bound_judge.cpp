@@ -11,9 +11,11 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kReachFactor = 1.2;  // A place's front first goes so many times the way of who holds it...
-constexpr double kReachMore = 5.5;    // ... and so much farther: about a hundred characters [m].
-constexpr double kTolerance = 1e-9;   // Of what spoils the bound, as a share of the mean cost.
+// The first cost field of a place reaches kReachFactor times the distance to its assignee plus kReachOffset,
+// which takes in about a hundred characters.
+constexpr double kReachFactor = 1.2;
+constexpr double kReachOffset = 5.5;  // [m]
+constexpr double kTolerance = 1e-9;   // Reduced costs are compared up to this share of the least one.
 
 struct Worker {
     EikonalSolver solver;
@@ -22,7 +24,7 @@ struct Worker {
     std::vector<std::int32_t> near;
 };
 
-// One judgement. Rows are held places, columns characters.
+// A lower bound of the optimum by linear programming duality. Rows are matched places, columns characters.
 class Judgement {
 public:
     Judgement(const UnitCost& cost, const Committed& plan, ThreadPool& pool)
@@ -32,11 +34,11 @@ public:
 
 private:
     void prepare();
-    void price(const std::vector<std::int32_t>& rows);
-    void priceRow(std::int32_t row, Worker& worker);
+    void evaluate(const std::vector<std::int32_t>& rows);
+    void evaluateRow(std::int32_t row, Worker& worker);
     void dropUnreachable();
-    std::vector<double> startPrices() const;
-    double certify(std::vector<std::int32_t>& spoilt);
+    std::vector<double> initialDuals() const;
+    double certify(std::vector<std::int32_t>& unproven);
     double boundOf(std::int32_t row, double& reach) const;
     double straightBound(std::int32_t row, std::size_t column) const;
     double powered(double c) const { return plan_.exponent == 2.0 ? c * c : power(c, plan_.exponent); }
@@ -46,14 +48,14 @@ private:
     ThreadPool& pool_;
     std::vector<Worker> workers_;
     ConnectedRegions regions_;
-    std::vector<Vec2> standing_;
-    std::vector<std::int32_t> region_;    // Of characters.
+    std::vector<Vec2> standing_;          // Per character: nearest free point [m].
+    std::vector<std::int32_t> region_;    // Per character: connected region.
     std::vector<std::int32_t> byX_;       // Characters from left to right.
-    std::vector<std::int32_t> placeOf_;   // Per row.
-    std::vector<std::int32_t> holder_;    // Per row: who holds the place.
-    std::vector<double> reach_;           // Per row: pairs this near have their true costs [m].
-    std::vector<std::vector<Arc>> arcs_;  // Per row.
-    std::vector<double> own_;             // Per row: cost of its holder.
+    std::vector<std::int32_t> placeOf_;   // Per row: index of the place.
+    std::vector<std::int32_t> assignee_;  // Per row: character at the place.
+    std::vector<double> reach_;           // Per row: pairs nearer than this have their exact costs [m].
+    std::vector<std::vector<Arc>> arcs_;  // Per row: pairs with exact costs.
+    std::vector<double> own_;             // Per row: cost of its assignee.
     SparseAssignment solver_;
 };
 
@@ -65,9 +67,9 @@ void Judgement::prepare() {
         byX_.push_back(static_cast<std::int32_t>(i));
         if (plan_.placeOf[i] < 0) continue;
         placeOf_.push_back(plan_.placeOf[i]);
-        holder_.push_back(static_cast<std::int32_t>(i));
+        assignee_.push_back(static_cast<std::int32_t>(i));
         const Vec2 place = plan_.places[plan_.placeOf[i]];
-        reach_.push_back(kReachFactor * distance(plan_.characters[i], place) + kReachMore);
+        reach_.push_back(kReachFactor * distance(plan_.characters[i], place) + kReachOffset);
     }
     std::sort(byX_.begin(), byX_.end(), [&](std::int32_t a, std::int32_t b) {
         return plan_.characters[a].x != plan_.characters[b].x ? plan_.characters[a].x < plan_.characters[b].x
@@ -77,8 +79,8 @@ void Judgement::prepare() {
     own_.assign(placeOf_.size(), kInfinite);
 }
 
-// One field, and the costs of all characters within reach.
-void Judgement::priceRow(std::int32_t row, Worker& worker) {
+// Solves one cost field and evaluates the costs of all characters within reach.
+void Judgement::evaluateRow(std::int32_t row, Worker& worker) {
     const Vec2 place = plan_.places[placeOf_[row]];
     const std::int32_t ground = regions_.at(place);
     worker.targets.clear();
@@ -100,48 +102,49 @@ void Judgement::priceRow(std::int32_t row, Worker& worker) {
                          distance(plan_.characters[i], standing_[i]);
         if (!(c < kInfinite)) continue;
         arcs_[row].push_back({i, powered(c)});
-        if (i == holder_[row]) own_[row] = arcs_[row].back().cost;
+        if (i == assignee_[row]) own_[row] = arcs_[row].back().cost;
     }
 }
 
-void Judgement::price(const std::vector<std::int32_t>& rows) {
-    const auto work = [&](std::int32_t item, std::int32_t worker) { priceRow(rows[item], workers_[worker]); };
+void Judgement::evaluate(const std::vector<std::int32_t>& rows) {
+    const auto work = [&](std::int32_t item, std::int32_t worker) {
+        evaluateRow(rows[item], workers_[worker]);
+    };
     pool_.run(static_cast<std::int32_t>(rows.size()), work);
 }
 
-// A place that its holder cannot come to on this ground is out of the question, for the plan and for the
-// bound.
+// Leaves out places that their assignees cannot reach on this ground, from the plan and from the bound.
 void Judgement::dropUnreachable() {
-    std::size_t kept = 0;
+    std::size_t count = 0;
     for (std::size_t row = 0; row < placeOf_.size(); ++row) {
         if (!(own_[row] < kInfinite)) continue;
-        placeOf_[kept] = placeOf_[row];
-        holder_[kept] = holder_[row];
-        reach_[kept] = reach_[row];
-        own_[kept] = own_[row];
-        std::swap(arcs_[kept], arcs_[row]);
-        ++kept;
+        placeOf_[count] = placeOf_[row];
+        assignee_[count] = assignee_[row];
+        reach_[count] = reach_[row];
+        own_[count] = own_[row];
+        std::swap(arcs_[count], arcs_[row]);
+        ++count;
     }
-    placeOf_.resize(kept);
-    holder_.resize(kept);
-    reach_.resize(kept);
-    own_.resize(kept);
-    arcs_.resize(kept);
+    placeOf_.resize(count);
+    assignee_.resize(count);
+    reach_.resize(count);
+    own_.resize(count);
+    arcs_.resize(count);
 }
 
-// A crowd that follows as a whole pays in proportion to where it stands: without this, prices would have to
-// climb from one end of it to the other. Only where every column is taken are first prices free.
-std::vector<double> Judgement::startPrices() const {
+// Where a crowd follows a moving formation, optimal duals are nearly linear in position. Starting from that
+// linear function saves most augmentations. It is only valid where every column is matched.
+std::vector<double> Judgement::initialDuals() const {
     if (placeOf_.size() != plan_.characters.size()) return {};
     Vec2 mean;
     for (std::size_t row = 0; row < placeOf_.size(); ++row)
-        mean += plan_.places[placeOf_[row]] - plan_.characters[holder_[row]];
+        mean += plan_.places[placeOf_[row]] - plan_.characters[assignee_[row]];
     mean = mean / static_cast<double>(std::max<std::size_t>(1, placeOf_.size()));
     const double slope = length(mean) > 1e-9 ? plan_.exponent * power(length(mean), plan_.exponent - 2.0)
                                              : 0.0;
-    std::vector<double> prices;
-    for (const Vec2 p : plan_.characters) prices.push_back(-slope * dot(mean, p));
-    return prices;
+    std::vector<double> duals;
+    for (const Vec2 p : plan_.characters) duals.push_back(-slope * dot(mean, p));
+    return duals;
 }
 
 double Judgement::straightBound(std::int32_t row, std::size_t column) const {
@@ -149,38 +152,39 @@ double Judgement::straightBound(std::int32_t row, std::size_t column) const {
                    distance(plan_.characters[column], plan_.places[placeOf_[row]]));
 }
 
-// The least that the place can cost anybody at these prices. `reach` tells how far its front ought to go for
-// the bound to be as good as the costs known.
+// The least reduced cost of the row. `reach` is raised to the distance up to which exact costs are needed for
+// the bound to reach the least known reduced cost.
 double Judgement::boundOf(std::int32_t row, double& reach) const {
-    const std::vector<double>& price = solver_.price();
+    const std::vector<double>& dual = solver_.duals();
     double known = kInfinite;
-    for (const Arc& arc : arcs_[row]) known = std::min(known, arc.cost - price[arc.column]);
+    for (const Arc& arc : arcs_[row]) known = std::min(known, arc.cost - dual[arc.column]);
     const double tolerance = kTolerance * std::max(1.0, std::fabs(known));
     double least = known;
     const Vec2 place = plan_.places[placeOf_[row]];
     for (std::size_t i = 0; i < plan_.characters.size(); ++i) {
         const double away = distance(plan_.characters[i], place);
         if (away <= reach_[row]) continue;
-        const double bound = straightBound(row, i) - price[i];
+        const double bound = straightBound(row, i) - dual[i];
         least = std::min(least, bound);
         if (bound < known - tolerance) reach = std::max(reach, away + 1e-6);
     }
     return least;
 }
 
-// Sum of prices: a lower bound whatever the prices are, as long as nobody unneeded is paid for.
-double Judgement::certify(std::vector<std::int32_t>& spoilt) {
+// The dual objective. By weak duality it is a lower bound for any duals that are at most zero, and for any
+// duals at all where every column is matched.
+double Judgement::certify(std::vector<std::int32_t>& unproven) {
     std::vector<double> least(placeOf_.size());
     std::vector<double> wanted(reach_);
     const auto work = [&](std::int32_t row, std::int32_t) { least[row] = boundOf(row, wanted[row]); };
     pool_.run(static_cast<std::int32_t>(placeOf_.size()), work);
-    spoilt.clear();
+    unproven.clear();
     double sum = 0.0;
     for (std::size_t row = 0; row < placeOf_.size(); ++row) {
         sum += least[row];
-        if (wanted[row] > reach_[row]) spoilt.push_back(static_cast<std::int32_t>(row));
+        if (wanted[row] > reach_[row]) unproven.push_back(static_cast<std::int32_t>(row));
     }
-    for (const double v : solver_.price()) sum += v;
+    for (const double v : solver_.duals()) sum += v;
     reach_ = std::move(wanted);
     return sum;
 }
@@ -189,19 +193,19 @@ Verdict Judgement::run(std::int32_t rounds) {
     prepare();
     std::vector<std::int32_t> rows(placeOf_.size());
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = static_cast<std::int32_t>(k);
-    price(rows);
+    evaluate(rows);
     dropUnreachable();
     Verdict verdict;
-    verdict.held = static_cast<std::int32_t>(placeOf_.size());
+    verdict.matched = static_cast<std::int32_t>(placeOf_.size());
     for (const double c : own_) verdict.committed += c;
-    if (verdict.held == 0) return verdict;
-    const std::vector<double> start = startPrices();
+    if (verdict.matched == 0) return verdict;
+    const std::vector<double> start = initialDuals();
     while (verdict.rounds < rounds) {
         ++verdict.rounds;
         solver_.solve(arcs_, static_cast<std::int32_t>(plan_.characters.size()), start);
         verdict.bound = std::max(verdict.bound, certify(rows));
         if (rows.empty()) break;
-        if (verdict.rounds < rounds) price(rows);
+        if (verdict.rounds < rounds) evaluate(rows);
     }
     for (const std::vector<Arc>& arcs : arcs_) verdict.pairs += static_cast<std::int64_t>(arcs.size());
     return verdict;

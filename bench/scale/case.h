@@ -1,4 +1,4 @@
-// One case of the table: what is run, and what came of it.
+// One case of the benchmark: its definition and its results.
 #pragma once
 
 #include <array>
@@ -12,46 +12,46 @@
 
 namespace muster::scale {
 
-/// What is run.
+/// Definition of a case.
 struct CaseDef {
-    SceneDef scene;
-    std::string plan = "exact";  ///< "exact" or "fast".
-    std::int32_t threads = 1;    ///< Of the world.
-    double seconds = 0.0;        ///< World time at most [s]; 0 for what the scene is worth.
+    SceneDef scene;              ///< Scene and size.
+    std::string plan = "exact";  ///< Solver of plans: "exact" or "fast".
+    std::int32_t threads = 1;    ///< Threads of the world.
+    double seconds = 0.0;        ///< Largest world time [s]; 0 for that of the scene.
 };
 
-/// Of a quality pass.
+/// Results of a quality pass.
 struct Quality {
-    std::string judge = "none";  ///< "exact", "bound" or "none".
-    std::int32_t looks = 0;      ///< Times it was judged, less the first.
-    /// Of the first plan, looked at after the second step [%]; -1 where it was not.
+    std::string judge = "none";  ///< Method: "exact", "bound" or "none".
+    std::int32_t looks = 0;      ///< Number of judgements without that of the first plan.
+    /// Gap of the first plan, judged after the second step [%]; -1 where it was not judged.
     double gapCold = -1.0;
-    double gapMean = 0.0;        ///< [%]
-    double gapMax = 0.0;         ///< [%]
-    double objectiveMean = 0.0;  ///< Of the committed plans, per character [cost^p].
+    double gapMean = 0.0;        ///< Mean gap [%].
+    double gapMax = 0.0;         ///< Largest gap [%].
+    double objectiveMean = 0.0;  ///< Mean objective of the committed plans, per character [cost^p].
 };
 
 /// One row of the table.
 struct Row {
-    CaseDef def;
-    std::int32_t steps = 0;  ///< After the first.
-    double p50 = 0.0;        ///< Of a step [ms]: CPU time of the thread where there is one, else wall time.
-    double p95 = 0.0;        ///< [ms]
-    double max = 0.0;        ///< [ms]
+    CaseDef def;             ///< The case.
+    std::int32_t steps = 0;  ///< Number of timed steps, without the first.
+    double p50 = 0.0;        ///< Median step [ms]: CPU time with one thread, else wall time.
+    double p95 = 0.0;        ///< 95th percentile [ms].
+    double max = 0.0;        ///< Longest step [ms].
     double cold = 0.0;       ///< The first step, which makes the first plan [ms].
-    double wallP95 = 0.0;    ///< By the wall clock [ms].
-    std::array<double, static_cast<std::size_t>(Stage::Count)> stages{};  ///< Mean, by the wall clock [ms].
-    double swaps = 0.0;                                                   ///< Per character and second.
+    double wallP95 = 0.0;    ///< 95th percentile of wall time [ms].
+    std::array<double, static_cast<std::size_t>(Stage::Count)> stages{};  ///< Mean wall time [ms].
+    double swaps = 0.0;             ///< Changes of place per character and second.
     double lagMean = 0.0;           ///< Distance of characters to their places, mean of all steps [m].
     double arrived = 1.0;           ///< Share within 0.5 m of its place at the end.
-    std::int64_t allocations = -1;  ///< In steps after warm-up; -1 where they are not counted.
-    double memory = 0.0;            ///< Peak of the process [MB].
-    std::uint64_t hash = 0;         ///< Of the state at the end.
-    Quality quality;
-    double exactRatio = 0.0;  ///< Of the exact plan's p50 to this p50; 0 where it was not run.
+    std::int64_t allocations = -1;  ///< Allocations in steps after warm-up; -1 where not counted.
+    double memory = 0.0;            ///< Peak resident memory of the process [MB].
+    std::uint64_t hash = 0;         ///< Hash of the final state.
+    Quality quality;                ///< Results of the quality pass.
+    double exactRatio = 0.0;        ///< p50 with the exact plan over this p50; 0 where it was not run.
 };
 
-/// Called after every step, outside the time taken.
+/// Called after every step; its time is not measured.
 using Observer = std::function<void(const World&)>;
 
 /// Makes the case's world. Fails with one sentence where the scene, plan or limits do not allow it.

@@ -11,7 +11,7 @@ namespace muster::scale {
 namespace {
 
 constexpr const char* kMap = "Berlin_0_256.map";
-constexpr std::int32_t kCells = 48;  // Of the map that are used, each way.
+constexpr std::int32_t kCells = 48;  // Side of the part of the map that is used [cells].
 
 // The part of the map with its lower left corner at column x, row y from the bottom.
 MapGrid cutOut(const MapGrid& map, std::int32_t x, std::int32_t y) {
@@ -31,8 +31,8 @@ double freeShare(const MapGrid& part) {
     return static_cast<double>(free) / static_cast<double>(part.cells.size());
 }
 
-// A part with streets and blocks: among those on a lattice, the one whose share of free ground is nearest to
-// one half.
+// A part with streets and blocks: the one, of a lattice of parts, whose share of free ground is nearest to 55
+// %.
 MapGrid streets(const MapGrid& map) {
     MapGrid best;
     double off = 2.0;
@@ -47,7 +47,8 @@ MapGrid streets(const MapGrid& map) {
     return best;
 }
 
-// Where a formation of that side finds most free ground, among spots of a lattice that `wanted` lets pass.
+// Finds the lattice point with most free ground for a formation of that side, among those that `wanted`
+// accepts.
 template <class Wanted>
 bool openest(const Environment& ground, double side, Wanted wanted, Vec2& found) {
     const Box box = ground.def().box;
@@ -69,8 +70,8 @@ bool openest(const Environment& ground, double side, Wanted wanted, Vec2& found)
     return most > 0;
 }
 
-// The way between the two most open squares that lie far enough from each other.
-Status findWay(const Environment& ground, const SceneDef& def, double side, std::vector<Vec2>& way) {
+// Finds the path between the two most open squares that are far enough from each other.
+Status findCourse(const Environment& ground, const SceneDef& def, double side, std::vector<Vec2>& path) {
     Vec2 from;
     Vec2 to;
     const double apart = side + kAway;
@@ -85,8 +86,8 @@ Status findWay(const Environment& ground, const SceneDef& def, double side, std:
         return Status(StatusCode::LimitExceeded,
                       "scene city: found no two squares " + std::to_string(apart) + " m apart");
     if (def.seed % 2 == 0) std::swap(from, to);
-    way = ground.findPath(from, to, 0.4, 16000000);
-    if (way.size() < 2)
+    path = ground.findPath(from, to, 0.4, 16000000);
+    if (path.size() < 2)
         return Status(StatusCode::LimitExceeded, "scene city: found no way between its squares");
     return {};
 }
@@ -103,15 +104,16 @@ Status makeCity(const SceneDef& def, Scene& scene) {
         return Status(StatusCode::NotFound, "scene city: the map is too small");
     MapGround city;
     city.grid = streets(*map);
-    // Large enough for two formations that far apart; streets of some cells are then about as wide as half a
-    // formation.
+    // Large enough for two formations at that distance; a street of some cells is then about as wide as half
+    // a formation.
     city.def.metresPerCell = std::max(2.0 * scene.side + 1.5 * kAway, 4.0 * scene.side) / kCells;
     const double size = kCells * city.def.metresPerCell;
     scene.world.box = {{0.0, 0.0}, {size, size}};
     scene.world.map = std::move(city);
     const Result<Environment> ground = groundOf(scene.world);
     if (!ground.ok()) return ground.status().within("scene city");
-    if (Status status = findWay(*ground, def, scene.side, scene.course.points); !status.ok()) return status;
+    if (Status status = findCourse(*ground, def, scene.side, scene.course.points); !status.ok())
+        return status;
     Random random(def.seed * 7919 + 17);
     scene.course.speed = random.uniform(1.2, 1.5);
     if (def.regime == Regime::Far) {

@@ -1,4 +1,4 @@
-// A real city as a scene.
+// The scene "city": streets of a real city.
 #pragma once
 
 #include "scale/scenes.h"

@@ -1,4 +1,4 @@
-// Every way to ask for memory, counted. Linked into the program only.
+// Replaces all forms of operator new by counting ones. Only linked into the program.
 #include <cstdlib>
 #include <new>
 

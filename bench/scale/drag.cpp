@@ -5,8 +5,8 @@
 namespace muster::scale {
 namespace {
 
-constexpr std::uint32_t kFirstStep = 6;  // Fingers come down a tenth of a second after the start.
-constexpr std::uint32_t kEvery = 3;      // Steps between their moves.
+constexpr std::uint32_t kFirstStep = 6;  // Step of the touch down.
+constexpr std::uint32_t kEvery = 3;      // Steps between touch moves.
 
 }  // namespace
 

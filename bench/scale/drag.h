@@ -1,4 +1,4 @@
-// Two fingers that lead a formation along a course.
+// Two fingers that drag a formation along a course.
 #pragma once
 
 #include "muster/world.h"
@@ -9,9 +9,9 @@ namespace muster::scale {
 /// Drags the first group of a world as a user would: two fingers on its flanks, moved 20 times a second.
 class Drag {
 public:
-    /// Along this course; `side` is the formation's [m].
+    /// Drags along `course`; `side` is that of the formation [m].
     Drag(const Course& course, double side) : course_(course), side_(side) {}
-    /// Submits what the fingers do in the coming step; call before each step. Fails where the world refuses.
+    /// Submits the touches of the coming step; must be called before each step. Fails as World::submit does.
     Status before(World& world);
 
 private:

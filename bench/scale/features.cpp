@@ -11,9 +11,9 @@ namespace {
 constexpr MotionId kDuck = 2;
 constexpr MotionId kCrawl = 3;
 constexpr MotionId kSwim = 4;
-constexpr double kTreeSpacing = 3.2;  // [m]
-constexpr double kTreeSway = 0.7;     // Trees stand off their lattice by up to this [m].
-constexpr double kFieldRange = 0.9;   // Of the fields of trees [m].
+constexpr double kTreeSpacing = 3.2;  // Edge of the lattice of trees [m].
+constexpr double kTreeJitter = 0.7;   // Largest offset of a tree from its lattice point [m].
+constexpr double kFieldRange = 0.9;   // Range of the potential fields of trees [m].
 
 Polygon rectangle(double x0, double y0, double x1, double y1) {
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
@@ -34,16 +34,16 @@ PatchDef patch(const char* name, const Polygon& polygon, MotionId motion) {
     return def;
 }
 
-// There and back over `way` at `speed`, for ever.
-TimedPath shuttle(Vec2 way, double speed) {
-    const double time = length(way) / speed;
+// Endless motion by `offset` and back at `speed`.
+TimedPath shuttle(Vec2 offset, double speed) {
+    const double time = length(offset) / speed;
     TimedPath path;
-    path.waypoints = {{0.0, {0.0, 0.0}, 0.0}, {time, way, 0.0}, {2.0 * time, {0.0, 0.0}, 0.0}};
+    path.waypoints = {{0.0, {0.0, 0.0}, 0.0}, {time, offset, 0.0}, {2.0 * time, {0.0, 0.0}, 0.0}};
     path.loop = true;
     return path;
 }
 
-// A block in the way, and a car that crosses before it.
+// A block on the course, and a car that crosses ahead of it.
 void addBlockScene(const FeatureSize& size, double side, WorldDef& world) {
     addBlock(-size.halfLength, -size.halfWidth, size.halfLength, size.halfWidth, world);
     ObstacleDef car;
@@ -54,7 +54,7 @@ void addBlockScene(const FeatureSize& size, double side, WorldDef& world) {
     world.obstacles.push_back(car);
 }
 
-// Two walls from the edges of the box leave a way along x.
+// Two walls from the edges of the box, with a passage along x between them.
 void addWalls(double halfLength, double halfWidth, WorldDef& world) {
     addBlock(-halfLength, halfWidth, halfLength, world.box.max.y, world);
     addBlock(-halfLength, world.box.min.y, halfLength, -halfWidth, world);
@@ -70,16 +70,16 @@ void addTrees(const FeatureSize& size, std::uint64_t seed, WorldDef& world) {
             tree.name = "Tree";
             tree.radius = random.uniform(0.3, 0.5);
             tree.centre.x = -size.halfLength + (c + 0.5) * kTreeSpacing +
-                            random.uniform(-kTreeSway, kTreeSway);
+                            random.uniform(-kTreeJitter, kTreeJitter);
             tree.centre.y = -size.halfWidth + (r + 0.5) * kTreeSpacing +
-                            random.uniform(-kTreeSway, kTreeSway);
+                            random.uniform(-kTreeJitter, kTreeJitter);
             tree.range = kFieldRange;
             tree.strength = 0.35;
             world.obstacles.push_back(tree);
         }
 }
 
-// Three ways side by side: under a net, in the open with a moving beam to duck under, and through a pool.
+// Three parallel passages: under a net, in the open with a moving beam to duck under, and through a pool.
 void addPaths(const FeatureSize& size, double side, WorldDef& world) {
     const double wall = std::max(0.8, 0.06 * side);
     const double lane = (2.0 * size.halfWidth - 2.0 * wall) / 3.0;

@@ -1,4 +1,4 @@
-// The ground of a world on cells of another size, for judges.
+// The unit cost of a world on cells of another size, for judges.
 #pragma once
 
 #include <vector>

@@ -9,20 +9,20 @@
 namespace muster::scale {
 
 double Verdict::gap(double exponent) const {
-    const double least = held * power(0.25, exponent);
-    return held > 0 ? std::max(0.0, committed - bound) / std::max(bound, least) : 0.0;
+    const double least = matched * power(0.25, exponent);
+    return matched > 0 ? std::max(0.0, committed - bound) / std::max(bound, least) : 0.0;
 }
 
-// With thresholds that nothing passes, the exact plan commits what is held already, and its bound is the
+// With a threshold that no exchange passes, the exact plan commits the incumbents, and its bound is the
 // optimum.
 Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, ThreadPool& pool) {
-    std::vector<std::uint8_t> held(plan.places.size(), 0);
+    std::vector<std::uint8_t> usable(plan.places.size(), 0);
     for (const std::int32_t place : plan.placeOf)
-        if (place >= 0) held[place] = 1;
+        if (place >= 0) usable[place] = 1;
     PlanDef def;
     def.exponent = plan.exponent;
     def.commitThreshold = 1e30;
-    const PlanInput input{plan.characters, {}, plan.places, {}, held, plan.placeOf, &cost};
+    const PlanInput input{plan.characters, {}, plan.places, {}, usable, plan.placeOf, &cost};
     const auto exact = makeExactPlan();
     if (Status status = exact->start(def, input); !status.ok()) return status.within("judge");
     PlanResult result;
@@ -30,7 +30,7 @@ Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, Thread
     Verdict verdict;
     verdict.committed = result.objective;
     verdict.bound = result.objective - result.gapBound;
-    verdict.held = static_cast<std::int32_t>(result.flows.size());
+    verdict.matched = static_cast<std::int32_t>(result.flows.size());
     verdict.rounds = 1;
     verdict.pairs = static_cast<std::int64_t>(plan.characters.size()) *
                     static_cast<std::int64_t>(plan.places.size());

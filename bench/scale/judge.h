@@ -1,4 +1,4 @@
-// How far a committed plan is from the optimum.
+// Duality gap of a committed plan, by an exact and by a bounding method.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,32 @@
 
 namespace muster::scale {
 
-/// A plan as committed, to be judged on this ground.
+/// A committed plan to be judged.
 struct Committed {
     std::vector<Vec2> characters;       ///< Positions [m].
     std::vector<Vec2> places;           ///< Positions [m].
-    std::vector<std::int32_t> placeOf;  ///< Of each character; -1 for none. No two have the same.
-    double exponent = 2.0;              ///< p of the objective.
+    std::vector<std::int32_t> placeOf;  ///< Place of each character, unique; -1 for none.
+    double exponent = 2.0;              ///< Exponent p of the objective.
 };
 
-/// What a judge says. Only places that somebody holds are to be filled, by anybody.
+/// The result of a judge. The optimum fills the same places as the plan, with any characters.
 struct Verdict {
-    double committed = 0.0;   ///< Objective of the plan [cost^p].
-    double bound = 0.0;       ///< The optimum, or a proven lower bound of it [cost^p].
-    std::int32_t held = 0;    ///< Characters that hold a place and can come to it.
-    std::int32_t rounds = 0;  ///< Solves that it took.
-    std::int64_t pairs = 0;   ///< Pairs whose cost was worked out.
+    double committed = 0.0;    ///< Objective of the plan [cost^p].
+    double bound = 0.0;        ///< The optimum, or a proven lower bound of it [cost^p].
+    std::int32_t matched = 0;  ///< Characters with a place that they can reach.
+    std::int32_t rounds = 0;   ///< Number of assignment problems solved.
+    std::int64_t pairs = 0;    ///< Number of pairs whose cost was evaluated.
 
-    /// (committed - bound) / max(bound, n 0.25^p), as the specification has it.
+    /// Relative gap (committed - bound) / max(bound, n 0.25^p), as SPEC defines it.
     double gap(double exponent) const;
 };
 
-/// By the exact plan. Fails as that does.
+/// Finds the optimum by the exact plan. Fails as ExactPlan does.
 Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, ThreadPool& pool);
 
-/// By a certificate: costs of pairs near by, at least the straight line at the lowest unit cost for all
-/// others, and prices that prove the bound. Pairs that spoil the bound get their true costs, in at most
-/// `rounds` rounds.
+/// Finds a lower bound by duality. Near pairs have their exact costs; all others are bounded by the straight
+/// line at the lowest unit cost. Pairs that weaken the bound get their exact costs, in at most `rounds`
+/// rounds.
 Verdict judgeByBound(const UnitCost& cost, const Committed& plan, ThreadPool& pool, std::int32_t rounds = 5);
 
 }  // namespace muster::scale

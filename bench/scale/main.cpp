@@ -9,9 +9,9 @@
 namespace muster::scale {
 namespace {
 
-constexpr std::int32_t kMostBeside = 1000;  // Characters up to which the exact plan runs beside.
-constexpr std::int32_t kMostQuick = 500;    // Characters up to which --quick judges a far crowd.
-constexpr double kSecondsBeside = 1.0;      // Of its run: it is slow.
+constexpr std::int32_t kMaxExact = 1000;  // Largest crowd for which the exact plan is timed too.
+constexpr std::int32_t kMaxQuick = 500;   // Largest far crowd that --quick judges.
+constexpr double kExactSeconds = 1.0;     // World time of the run with the exact plan, which is slow [s].
 
 void printHead(const Options& options) {
     if (options.json) return;
@@ -33,8 +33,8 @@ void printGrowth(const Options& options, const std::vector<Row>& rows) {
     }
 }
 
-// The judge gets a run of its own, so that its work leaves no trace in the times; both runs must end in the
-// same state.
+// Judging happens in a second run, so that it does not change the times. Both runs must end in the same
+// state.
 Status judge(const Options& options, Row& row, ThreadPool& pool) {
     const SceneDef& scene = row.def.scene;
     const std::string label = scene.name + " " + regimeName(scene.regime) + " " + std::to_string(scene.count);
@@ -50,12 +50,12 @@ Status judge(const Options& options, Row& row, ThreadPool& pool) {
     return {};
 }
 
-// How many times as long the exact plan takes, in a shorter run.
+// Ratio of step times with the exact plan to those of the row, from a shorter run.
 double exactRatio(const Row& row) {
     CaseDef def = row.def;
-    if (def.plan == "exact" || def.scene.count > kMostBeside) return 0.0;
+    if (def.plan == "exact" || def.scene.count > kMaxExact) return 0.0;
     def.plan = "exact";
-    def.seconds = kSecondsBeside;
+    def.seconds = kExactSeconds;
     const Result<Row> exact = runCase(def);
     return exact.ok() && row.p50 > 0.0 ? exact->p50 / row.p50 : 0.0;
 }
@@ -64,7 +64,7 @@ Result<Row> measure(const Options& options, const CaseDef& def, ThreadPool& pool
     Result<Row> row = runCase(def);
     if (!row.ok()) return row;
     if (options.exact) row->exactRatio = exactRatio(*row);
-    const bool tooLong = options.quick && def.scene.regime == Regime::Far && def.scene.count > kMostQuick;
+    const bool tooLong = options.quick && def.scene.regime == Regime::Far && def.scene.count > kMaxQuick;
     if (options.noGap || tooLong) return row;
     if (const Status status = judge(options, *row, pool); !status.ok()) return status;
     return row;

@@ -8,7 +8,7 @@
 
 namespace muster::scale {
 
-/// What `muster-bench scale` was asked for.
+/// Options of `muster-bench scale`.
 struct Options {
     std::vector<std::string> scenes;
     std::vector<std::string> regimes;
@@ -29,7 +29,7 @@ struct Options {
 /// Reads the command line; returns -1 to go on with `options`, else the exit code (help 0, wrong 2).
 int readOptions(int argc, const char* const* argv, Options& options);
 
-/// All cases asked for, in the order of the table. Fails with one sentence naming the culprit.
+/// All requested cases, in the order of the table. Fails with one sentence naming the culprit.
 Result<std::vector<CaseDef>> casesOf(const Options& options);
 
 }  // namespace muster::scale

@@ -37,14 +37,14 @@ void QualityPass::observe(const World& world) {
 }
 
 const UnitCost* QualityPass::costFor(const World& world, const Committed& plan) {
-    double way = 0.0;
-    std::int32_t held = 0;
+    double sum = 0.0;
+    std::int32_t matched = 0;
     for (std::size_t i = 0; i < plan.placeOf.size(); ++i) {
         if (plan.placeOf[i] < 0) continue;
-        way += distance(plan.characters[i], plan.places[plan.placeOf[i]]);
-        ++held;
+        sum += distance(plan.characters[i], plan.places[plan.placeOf[i]]);
+        ++matched;
     }
-    const bool far = way > kFarWay * held;
+    const bool far = sum > kCoarseDistance * matched;
     std::optional<FineGround>& ground = far ? coarse_ : fine_;
     if (!ground) {
         Result<FineGround> made = FineGround::create(world, far ? 1.0 : 0.5);
@@ -78,13 +78,14 @@ void QualityPass::look(const World& world) {
         const double looks = ++quality_.looks;
         quality_.gapMax = std::max(quality_.gapMax, gap);
         quality_.gapMean += (gap - quality_.gapMean) / looks;
-        quality_.objectiveMean += (verdict.committed / std::max(1, verdict.held) - quality_.objectiveMean) /
+        quality_.objectiveMean += (verdict.committed / std::max(1, verdict.matched) -
+                                   quality_.objectiveMean) /
                                   looks;
     }
     if (label_.empty()) return;
     std::fprintf(stderr, "%s: step %u: gap %.4f %%, objective %.4f each of %d, %d rounds, %.0f ms\n",
-                 label_.c_str(), world.stepCount(), gap, verdict.committed / std::max(1, verdict.held),
-                 verdict.held, verdict.rounds, watch.milliseconds());
+                 label_.c_str(), world.stepCount(), gap, verdict.committed / std::max(1, verdict.matched),
+                 verdict.matched, verdict.rounds, watch.milliseconds());
 }
 
 }  // namespace muster::scale

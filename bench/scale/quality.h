@@ -1,4 +1,4 @@
-// The quality pass: a judge that looks at a running world now and then.
+// The quality pass: judges the plans of a running world at intervals.
 #pragma once
 
 #include <memory>
@@ -10,29 +10,29 @@
 
 namespace muster::scale {
 
-/// Up to so many characters the exact plan judges, beyond a certified bound.
+/// Largest number of characters that the exact plan judges; a lower bound judges larger crowds.
 inline constexpr std::int32_t kMostExact = 2500;
 
-/// From this mean distance to the places on, the judge takes the world's own cells: over such ways
-/// second-order fields are as good there as on half of them over short ones [m].
-inline constexpr double kFarWay = 12.0;
+/// Mean distance to the places above which cost fields use the world's cells instead of cells of half the
+/// edge [m]. Over long paths, second-order fields on them are as exact as on fine cells over short paths.
+inline constexpr double kCoarseDistance = 12.0;
 
-/// Steps between looks: `every`, more where many fields have to be marched far.
+/// Steps between judgements: `every`, or a multiple of it where many far cost fields must be solved.
 std::int32_t looksEvery(std::int32_t every, const SceneDef& scene);
 
-/// What the first group of a world has committed.
+/// The committed plan of the first group of a world.
 Committed committedBy(const World& world);
 
-/// Looks at every `every`-th step, and after the second: at the first plan, which counts on its own.
+/// Judges every `every`-th step, and the second step for the first plan, which is reported separately.
 class QualityPass {
 public:
     /// `label` names the case where progress is printed on standard error; empty for silence.
     QualityPass(std::int32_t every, std::string label, ThreadPool& pool);
-    /// Call after every step.
+    /// Must be called after every step.
     void observe(const World& world);
-    /// All looks so far; Status says what kept the judge from looking.
+    /// The results of all judgements so far.
     const Quality& quality() const { return quality_; }
-    const Status& status() const { return status_; }  ///< Ok where it could look.
+    const Status& status() const { return status_; }  ///< Why judging failed, or Ok.
 
 private:
     void look(const World& world);

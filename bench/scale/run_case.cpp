@@ -11,11 +11,11 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kArrived = 0.5;          // [m]
-constexpr std::int32_t kWarmUp = 120;     // Steps in which memory may grow, at least.
-constexpr std::uint32_t kLookEvery = 30;  // Steps between looks for the end of a walk.
+constexpr double kArrived = 0.5;          // Distance to its place within which a character has arrived [m].
+constexpr std::int32_t kWarmUp = 120;     // Least number of steps in which memory may grow.
+constexpr std::uint32_t kLookEvery = 30;  // Steps between checks whether the crowd has arrived.
 
-// What is measured while the world runs.
+// Measurements of a run.
 struct Watch {
     std::vector<double> cpu;   // Per step [ms].
     std::vector<double> wall;  // Per step [ms].
@@ -72,7 +72,7 @@ double quantile(std::vector<double> values, double share) {
 }
 
 void fill(const Watch& watch, Row& row) {
-    // With one thread the processor's time is that of the step alone, whatever else the machine does.
+    // With one thread the CPU time is that of the step alone and does not depend on other processes.
     const std::vector<double>& all = row.def.threads == 1 ? watch.cpu : watch.wall;
     row.cold = all.front();
     const std::vector<double> rest(all.begin() + 1, all.end());

@@ -12,16 +12,16 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kRimSpeed = 0.6;  // Of the rim of a turning formation [m/s].
-constexpr double kBehind = 2.0;    // The crowd starts so far behind a formation that is dragged [m].
-constexpr double kMargin = 6.0;    // Of the box [m].
+constexpr double kRimSpeed = 0.6;  // Speed of the rim of a rotating formation [m/s].
+constexpr double kBehind = 2.0;    // Distance of a crowd behind a dragged formation at the start [m].
+constexpr double kMargin = 6.0;    // Margin of the box [m].
 
-// As wide a turn as the rim can follow.
+// Amplitude of the rotation at which the rim moves at kRimSpeed, at most 0.5 rad.
 double turnOf(double side, double period) {
     return std::min(0.5, kRimSpeed / (0.7 * side) * period / (2.0 * kPi));
 }
 
-// Straight ways through the feature; a circle round the middle where there is none.
+// A nearly straight course through the feature; a circle round the origin in scenes without a feature.
 Course courseOf(const SceneDef& def, const FeatureSize& features, double side) {
     Random random(def.seed * 7919 + 17);
     Course course;
@@ -42,13 +42,13 @@ Course courseOf(const SceneDef& def, const FeatureSize& features, double side) {
     }
     if (def.regime == Regime::Reversing) {
         course.reverseEvery = 2.5;
-        // In the middle of what there is to go through.
+        // Reversals happen within the feature.
         if (!course.closed) course.begin = 0.3 * side;
     }
     return course;
 }
 
-// A box round everything that the formation, the crowd and the feature can come to.
+// A box round all positions of the formation, the crowd and the feature.
 Box boxOf(const Scene& scene, const FeatureSize& features, Regime regime, double far) {
     const double reach = 0.75 * scene.side + kMargin;
     Box box{{-features.halfLength - kMargin, -features.halfWidth},
@@ -90,7 +90,7 @@ Vec2 behind(const CoursePose& formation) {
            Rotation{cosine(formation.angle), sine(formation.angle)}.apply({kBehind, 0.0});
 }
 
-// With its own 2 m/s the crowd would hang on its places; so it stays behind, and the mesh waits for it.
+// At the default top speed of 2 m/s the crowd would never fall behind its places.
 void letLag(Parameters& parameters) {
     parameters.character.maxSpeed = 1.2;
     parameters.opposing.gain = 0.15;

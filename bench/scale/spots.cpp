@@ -8,9 +8,9 @@
 namespace muster::scale {
 namespace {
 
-constexpr double kRoom = 0.3;  // From a spot to what stands there [m].
+constexpr double kClearance = 0.3;  // Least distance from a spot to obstacles [m].
 
-// Calls visit(x, y) for the rim of a square of that half width; rings of odd lattices follow each other by 2.
+// Calls visit(x, y) for the lattice points, 2 apart, on the rim of a square of that half width.
 template <class Visit>
 void forRing(std::int32_t ring, Visit visit) {
     for (std::int32_t y = -ring; y <= ring; y += 2)
@@ -38,17 +38,17 @@ Result<Environment> groundOf(const WorldDef& def) {
 Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, double angle,
                                     std::int32_t count) {
     const Rotation turn{cosine(angle), sine(angle)};
-    const std::int32_t home = ground.region(ground.nearestInRegion(centre, kRoom, -1), kRoom);
-    const Box room = ground.def().box.grown(-kRoom);
+    const std::int32_t home = ground.region(ground.nearestInRegion(centre, kClearance, -1), kClearance);
+    const Box inner = ground.def().box.grown(-kClearance);
     std::vector<Vec2> spots;
-    const auto farthest = static_cast<std::int32_t>(2.0 * (room.width() + room.height()));
-    // Half metres: an even side has spots at odd multiples of them.
+    const auto farthest = static_cast<std::int32_t>(2.0 * (inner.width() + inner.height()));
+    // The unit of `ring` is half a metre: a square with an even number of spots has them at odd multiples.
     const auto across = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(count))));
     for (std::int32_t ring = across % 2 == 0 ? 1 : 0; ring <= farthest; ring += 2) {
         forRing(ring, [&](std::int32_t x, std::int32_t y) {
             const Vec2 spot = centre + turn.apply({0.5 * x, 0.5 * y});
-            if (static_cast<std::int32_t>(spots.size()) == count || !room.contains(spot)) return;
-            if (ground.distanceToObstacle(spot) >= kRoom && ground.region(spot, kRoom) == home)
+            if (static_cast<std::int32_t>(spots.size()) == count || !inner.contains(spot)) return;
+            if (ground.distanceToObstacle(spot) >= kClearance && ground.region(spot, kClearance) == home)
                 spots.push_back(spot);
         });
         if (static_cast<std::int32_t>(spots.size()) == count) return spots;

@@ -1,4 +1,4 @@
-// Free spots to stand on.
+// Starting positions on free ground.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,11 @@
 
 namespace muster::scale {
 
-/// The ground that a world made from `def` would begin with. Fails as that would.
+/// The initial environment of a world made from `def`. Fails as World::create does.
 Result<Environment> groundOf(const WorldDef& def);
 
-/// `count` spots of a lattice of 1 m round `centre`, turned by `angle`, where a character can stand and walk
-/// to the free ground nearest to `centre`: the innermost of a growing square. Fails with LimitExceeded where
-/// there are fewer.
+/// The `count` innermost points of a 1 m lattice that is centred on `centre` and rotated by `angle` [rad], of
+/// those on free ground connected to that at `centre`. Fails with LimitExceeded where there are fewer.
 Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, double angle, std::int32_t count);
 
 }  // namespace muster::scale

@@ -123,7 +123,7 @@ TEST_CASE("both judges find what brute force finds, with six on both sides of a 
              {judgeExactly(cost, plan, pool).value(), judgeByBound(cost, plan, pool, 20)}) {
             CHECK(verdict.bound == doctest::Approx(least).epsilon(2e-3));
             CHECK(verdict.committed == doctest::Approx(committed).epsilon(2e-3));
-            CHECK(verdict.held == 6);
+            CHECK(verdict.matched == 6);
         }
     }
 }
@@ -144,7 +144,7 @@ TEST_CASE("the judges agree on sixty, and the bound is never above the optimum")
     }
 }
 
-TEST_CASE("who holds no place, and who cannot come to it, do not spoil the judgement") {
+TEST_CASE("characters without a place or with one out of reach do not change the result") {
     UnitCost cost = ground(false);
     ThreadPool pool(1);
     Committed plan = following(16, {0, 0}, {1.5, 0}, 0.2, 3);
@@ -153,12 +153,12 @@ TEST_CASE("who holds no place, and who cannot come to it, do not spoil the judge
     plan.placeOf[3] = -1;
     const Verdict exact = judgeExactly(cost, plan, pool).value();
     const Verdict bound = judgeByBound(cost, plan, pool);
-    CHECK(exact.held == 14);
-    CHECK(bound.held == 14);
+    CHECK(exact.matched == 14);
+    CHECK(bound.matched == 14);
     CHECK(bound.committed < whole.committed);
     CHECK(bound.bound == doctest::Approx(exact.bound).epsilon(1e-3));
     // Nothing to do at all.
     const Verdict nothing = judgeByBound(cost, Committed{}, pool);
-    CHECK(nothing.held == 0);
+    CHECK(nothing.matched == 0);
     CHECK(nothing.gap(2.0) == 0.0);
 }

@@ -42,7 +42,7 @@ double costOf(const Problem& problem, const std::vector<std::int32_t>& columnOf)
 
 }  // namespace
 
-TEST_CASE("matches at the same cost as the transport solver, and its prices prove it") {
+TEST_CASE("matches at the same cost as the transport solver, and its duals prove it") {
     Random random(5);
     SparseAssignment solver;
     TransportationSolver dense;
@@ -60,17 +60,17 @@ TEST_CASE("matches at the same cost as the transport solver, and its prices prov
         CHECK(costOf(problem, solver.columnOf()) == doctest::Approx(solution.cost).epsilon(1e-9));
         // The dual objective is a bound that weak duality proves; it must meet the cost.
         double dual = 0.0;
-        for (const double v : solver.price()) dual += v;
+        for (const double v : solver.duals()) dual += v;
         for (const std::vector<Arc>& arcs : problem.rows) {
             double least = std::numeric_limits<double>::infinity();
-            for (const Arc& arc : arcs) least = std::min(least, arc.cost - solver.price()[arc.column]);
+            for (const Arc& arc : arcs) least = std::min(least, arc.cost - solver.duals()[arc.column]);
             dual += least;
         }
         CHECK(dual == doctest::Approx(solution.cost).epsilon(1e-9));
     }
 }
 
-TEST_CASE("prices of columns beyond the rows never rise above zero, and those left over stay there") {
+TEST_CASE("with more columns than rows no dual is above zero, and those of unmatched columns are zero") {
     Random random(7);
     SparseAssignment solver;
     const Problem problem = randomProblem(12, 20, 0.5, false, random);
@@ -78,7 +78,7 @@ TEST_CASE("prices of columns beyond the rows never rise above zero, and those le
     std::vector<bool> taken(20, false);
     for (const std::int32_t c : solver.columnOf()) taken[c] = true;
     for (std::size_t c = 0; c < 20; ++c)
-        CHECK((taken[c] ? solver.price()[c] <= 0.0 : solver.price()[c] == 0.0));
+        CHECK((taken[c] ? solver.duals()[c] <= 0.0 : solver.duals()[c] == 0.0));
 }
 
 TEST_CASE("says where not all rows can be matched") {
