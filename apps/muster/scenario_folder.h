@@ -12,7 +12,7 @@ namespace muster {
 class ScenarioFolder {
 public:
     /// Looks through a folder and those in it, but for `gestures`, `schema` and hidden ones, no deeper. Files
-    /// that cannot be read are told on standard error and left out.
+    /// that cannot be read are reported on standard error and left out.
     static ScenarioFolder scan(const std::string& folder);
 
     /// Adds a file from anywhere and returns the name it got, or has already. Fails as loadScenario does.

@@ -19,7 +19,7 @@ struct StudioOptions {
     bool json = false;                  ///< Tells address and port as one JSON value.
 };
 
-/// Serves until interrupted. Returns the program's exit code; failures are told on standard error.
+/// Serves until interrupted. Returns the program's exit code; failures are reported on standard error.
 int runStudio(const StudioOptions& options);
 
 }  // namespace muster

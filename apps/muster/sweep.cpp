@@ -84,7 +84,7 @@ void printTable(const SweepOptions& options, const std::vector<SweepRow>& rows) 
     }
 }
 
-/// What is wrong is told before the first of many runs.
+/// Checks the options before the first of many runs.
 Status check(const SweepOptions& options) {
     Parameters probe;
     for (const double value : options.values)

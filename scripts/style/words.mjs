@@ -13,10 +13,13 @@ const kExempt = ['lines? ?of ?sight', 'told apart', 'in turn'].map(
   (phrase) => new RegExp(`${phrase.replace(/ (\??)/g, '(?:[ _]|\\s*\\n\\s*//+ )$1')}`, 'gi'),
 );
 
-/** The text without the exempt phrases, line by line. */
+/** The text without exempt phrases and without the strings that a program prints, line by line. Names of test cases stay. */
 function linesOf(text) {
   const blank = (phrase) => (phrase.includes('\n') ? '\n' : ' ');
-  return kExempt.reduce((rest, phrase) => rest.replace(phrase, blank), text).split('\n');
+  return kExempt
+    .reduce((rest, phrase) => rest.replace(phrase, blank), text)
+    .split('\n')
+    .map((line) => (/TEST_CASE|\/\//.test(line) ? line : line.replace(/"(?:[^"\\]|\\.)*"/g, '""')));
 }
 
 /** All words of a piece of code or prose, in lower case: names are split where a capital or a digit begins. */

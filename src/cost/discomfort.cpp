@@ -103,7 +103,7 @@ private:
         return std::min(0.5 * (entersRange + def_.discomfortTime), meets);
     }
 
-    // The maximum before a corner or a disc, where d is the root of a quadratic in t: Newton's method within
+    // The maximum before a corner or a disc, where d^2 is a quadratic in t: Newton's method within
     // bounds.
     double cornerPeak(Vec2 corner) const {
         const double squared = lengthSquared(piece_.velocity);

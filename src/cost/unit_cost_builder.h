@@ -28,7 +28,7 @@ public:
     const UnitCost& cost() const { return cost_; }
     /// The ground cost: the same without crowd and discomfort. Differs from cost() in dynamicCells() only.
     const std::vector<CellCost>& groundCost() const { return ground_; }
-    /// The cells whose ground cost the last call computed anew, ascending.
+    /// The cells whose ground cost the last call computed again, ascending.
     std::span<const std::int32_t> groundChanges() const { return changes_; }
     /// The cells whose cost the crowd or discomfort changed in the last call, each once.
     std::span<const std::int32_t> dynamicCells() const { return dynamicCells_; }

@@ -66,7 +66,7 @@ void Contacts::leaveObstaclesFinally(double radius, const Environment& environme
     }
 }
 
-// Finds pairs anew where corrections may have brought together characters that were far apart before.
+// Finds pairs again where corrections may have brought together characters that were far apart before.
 ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) {
     ContactReport result;
     if (outdatedByCorrections(diameter, positions)) findPairs(diameter, positions);

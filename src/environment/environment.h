@@ -172,7 +172,7 @@ public:
                   std::int32_t maxCells = 200000) const;
 
     /// Gaps narrower than `width` [m], at most `most`: for each pair of obstacles the narrowest between
-    /// convex parts that do not touch and have nothing between them, within one obstacle likewise, and to the
+    /// convex parts that do not touch and have nothing between them, also within one obstacle, and to the
     /// edge of the world. Ordered by obstacles, edges last.
     std::vector<NarrowGap> narrowGaps(double width, std::int32_t most = 100) const;
 

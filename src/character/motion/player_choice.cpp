@@ -42,8 +42,8 @@ Trajectory predict(Vec2 velocity, const Rotation& facing, const WalkTarget& targ
             // The place goes on as it goes.
             const Vec2 left = target.toPlace + target.placeVelocity * time - moved;
             const Vec2 arrive = clampLength(target.placeVelocity + left * kPositionGain, target.topSpeed);
-            const Vec2 wish = target.arriving ? arrive : target.cruise;
-            v += clampLength((wish - v) * (kVelocityGain * dt), kAcceleration * dt);
+            const Vec2 preferred = target.arriving ? arrive : target.cruise;
+            v += clampLength((preferred - v) * (kVelocityGain * dt), kAcceleration * dt);
             moved += v * dt;
             time += dt;
             if (lengthSquared(v) > 0.0225)

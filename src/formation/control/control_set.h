@@ -67,7 +67,7 @@ public:
     /// their trajectories end, unless pinned. Returns true where the set of constraints changed.
     bool advance(const ControlDef& def, double dt, double now, double pace);
     /// Binds the controls to another mesh: every control point takes the vertex nearest to its position,
-    /// points that fall on one vertex are merged, and supplementary points are sampled anew.
+    /// points that fall on one vertex are merged, and supplementary points are sampled again.
     void rebind(const ControlDef& def, const TriangleMesh& rest, std::span<const Vec2> vertices);
 
     /// All controls, in the order in which they were made.

@@ -12,7 +12,7 @@ namespace {
 // Most that a reachable target moves in a step, as a share of the separation.
 constexpr double kMaxStep = 0.3;
 constexpr std::size_t kPlacesPerTask = 256;
-// If more than one in so many targets jump, all are separated anew.
+// If more than one in this many targets jump, all are separated again.
 constexpr std::size_t kDiscontinuousShare = 8;
 constexpr std::int32_t kBaseBudget = 400;   // Points examined per step by places that search,
 constexpr std::size_t kPlacesPerPoint = 5;  // plus one for so many places.
