@@ -9,12 +9,12 @@
 #include "cli/program.h"
 #include "folders.h"
 
+using muster::sourceFolder;
 using muster::testing::Outcome;
 using muster::testing::put;
 using muster::testing::runProgram;
 using muster::testing::slurp;
 using muster::testing::workFolder;
-using muster::sourceFolder;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 

@@ -5,8 +5,8 @@ import { join } from 'node:path';
 import { ack, demonstrates, fromClient, fromServer, load, scenarioNames, stepOf } from './client.mjs';
 
 const kName = 'paper/x01-area';
-const kRestart = Buffer.from([fromClient.Transport, 3]);
-const kDemonstrate = Buffer.from([fromClient.Transport, 4]);
+const kRestart = Buffer.from([fromClient.Playback, 3]);
+const kDemonstrate = Buffer.from([fromClient.Playback, 4]);
 
 /** Acknowledges frames until `test` holds of one; null after `most`. */
 async function frameWith(socket, test, most = 200) {
@@ -50,7 +50,7 @@ export async function demonstrationTests({ test, check, client, get, program, pl
     check(kept.length === 1, `takes: ${kept}`);
     asking.write(load('open'));
     check(await frameWith(watching, (frame) => !demonstrates(frame) && stepOf(frame) > 30), 'another scenario');
-    asking.write(Buffer.from([fromClient.Transport, 9]));
+    asking.write(Buffer.from([fromClient.Playback, 9]));
     check(await asking.until((self) => self.notices().some((text) => text.startsWith('malformed'))), 'an unknown action');
     rmSync(join(place, 'takes', kept[0]));
     asking.close();

@@ -312,7 +312,7 @@ await test('POST /take replays', async () => {
   check(frame[1 + 4 + 4 + 8 + 1 + 4 + 4] === 1, 'frames say that a take is replayed');
   const same = await get('/take');
   check(Buffer.from(same.body, 'latin1').equals(take), 'the opened take is what one downloads');
-  socket.write(Buffer.from([fromClient.Transport, 3]));
+  socket.write(Buffer.from([fromClient.Playback, 3]));
   socket.close();
 });
 
