@@ -35,7 +35,7 @@ private:
     /// Adds a view of these bytes and an accessor to its values.
     std::size_t add(std::string_view bytes, GltfTarget target, const GltfValues& values);
 
-    std::string views_, accessors_;  // As JSON, separated by commas.
+    std::string views_, accessors_;  // JSON objects separated by commas.
     std::size_t count_ = 0;          // Number of views, which equals that of accessors.
     std::string bytes_;
 };

@@ -1,4 +1,4 @@
-// Meshes from rings of points.
+// Builds meshes from rings of points.
 #pragma once
 
 #include <array>

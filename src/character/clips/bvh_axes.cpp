@@ -14,8 +14,8 @@ namespace muster {
 namespace {
 
 constexpr double kTypicalExtent = 1.65;  // Largest extent of an adult with arms spread or down [m].
-constexpr double
-    kFarFromTypical = 4.0;  // A body whose extent is off by more than this factor is not a person.
+// A body whose extent is off by more than this factor is not a person.
+constexpr double kFarFromTypical = 4.0;
 
 std::vector<Vec3> posedPlaces(std::span<const BvhJoint> joints, std::span<const Transform> frame) {
     std::vector<Transform> posed;

@@ -10,8 +10,8 @@
 namespace muster {
 namespace {
 
-constexpr double
-    kCloseGap = 0.55;  // Largest distance of the last frame from the first [share of the limbs' swing].
+// Largest distance of the last frame from the first [share of the limbs' swing].
+constexpr double kCloseGap = 0.55;
 constexpr double kSway = 0.17;       // Sine of half the yaw by which hips sway in a step.
 constexpr double kSeamMotion = 0.6;  // Least speed of the limbs at both ends [share of their mean speed].
 

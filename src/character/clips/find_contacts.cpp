@@ -14,10 +14,10 @@ constexpr float kMostFloor = 0.07f;   // Largest floor height estimated for one 
 constexpr float kHandHeight = 0.09f;  // Largest height of a wrist in contact [m].
 constexpr float kKneeHeight = 0.12f;  // Largest height of a knee in contact [m].
 constexpr double kSlow = 0.5;         // Largest speed of a limb in contact [m/s].
-constexpr double
-    kSlowWhenFast = 1.0;            // The same in clips faster than kFast, in which feet roll faster [m/s].
-constexpr double kFast = 2.0;       // [m/s]
-constexpr double kShortest = 0.05;  // Shorter gaps are closed and shorter contacts dropped [s].
+// The same in clips faster than kFast, in which feet roll faster [m/s].
+constexpr double kSlowWhenFast = 1.0;
+constexpr double kFast = 2.0;                   // [m/s]
+constexpr double kShortest = 0.05;              // Shorter gaps are closed and shorter contacts dropped [s].
 constexpr float kAnkle = 0.08f, kBall = 0.03f;  // Heights of ankle and ball above a flat sole [m].
 
 /// Speed below which a limb is in contact, in a clip of this speed [m/s]. Slow gaits swing their feet slowly

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kLeastTurn = 0.35;    // A cycle that turns by less travels straight [rad].
 constexpr double kLeastLength = 0.15;  // A shorter path has no direction [m].
-constexpr double
-    kLeastLever = 0.3;  // Sine of half the rotation below which the chord does not determine the arc.
-constexpr double
-    kMaxSidewaysAngle = 0.8;  // Beyond this angle between facing and travel, the motion goes sideways [rad].
+// Sine of half the rotation below which the chord does not determine the arc.
+constexpr double kLeastLever = 0.3;
+// Beyond this angle between facing and travel, the motion goes sideways [rad].
+constexpr double kMaxSidewaysAngle = 0.8;
 
 double wrapped(double angle) {
     return angle - 2.0 * kPi * std::floor(angle / (2.0 * kPi) + 0.5);

@@ -9,10 +9,10 @@
 namespace muster {
 namespace {
 
-constexpr float
-    kBuild = 0.9f;  // Cosine of the largest lean of a trunk that counts as physique, about 25 degrees.
-constexpr float
-    kUntilted = 0.97f;  // Squared cosine of half the largest rotation of the hips that counts as physique.
+// Cosine of the largest lean of a trunk that counts as physique, about 25 degrees.
+constexpr float kBuild = 0.9f;
+// Squared cosine of half the largest rotation of the hips that counts as physique.
+constexpr float kUntilted = 0.97f;
 constexpr float kSteep = 0.5f;  // Cosine of the slope beyond which a foot is not flat in the rest pose.
 
 bool isFoot(JointRole role) {

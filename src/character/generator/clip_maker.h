@@ -21,7 +21,7 @@ struct ClipDef {
     std::function<Figure(double)> figure;  ///< Figure in the travelling frame by time [s].
     std::function<Placement(double)>
         travel;                     ///< Travelling frame by time [s]; it starts at the origin of the ground.
-    std::vector<Contact> contacts;  ///< In any order.
+    std::vector<Contact> contacts;  ///< Contacts in any order.
     double entryPhase = 0.0;
     double exitPhase = 0.0;
     ClipObstacle obstacle;

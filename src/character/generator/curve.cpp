@@ -8,7 +8,7 @@
 namespace muster::generator {
 namespace {
 
-/// Slope of the straight line between keys i and i + 1.
+/// Slope of the straight line from key i to key i + 1.
 double chord(const std::vector<Key>& keys, std::size_t i) {
     return (keys[i + 1].value - keys[i].value) / (keys[i + 1].time - keys[i].time);
 }

@@ -28,10 +28,10 @@ struct Gait {
     double footForward = 0.0;  ///< Foot ahead of the hips in mid-contact [m].
     double footOut = 0.06;     ///< Foot from the middle line [m].
     double toeOut = 0.1;
-    double strike = 0.3;     ///< Toes raised at landing.
+    double strike = 0.3;     ///< Angle of the raised toes at landing.
     double flat = 0.08;      ///< Share of the cycle from landing until flat.
     double heelRise = 0.25;  ///< Share of the cycle from heel-off to toe-off.
-    double push = 1.0;       ///< Heel raised at toe-off.
+    double push = 1.0;       ///< Angle of the raised heel at toe-off.
     Swing swing;
 
     double height = 0.9;   ///< Mean height of the hips; running: at landing [m].
@@ -56,7 +56,7 @@ struct Gait {
     Wave elbow;
     double wrist = 0.15;
 
-    /// True where both feet leave the ground.
+    /// True if both feet leave the ground.
     bool flies() const { return contact < 0.5; }
 };
 

@@ -28,10 +28,10 @@ struct Step {
     double end = 0.0;     ///< [s]
     Vec3 anchor;          ///< Ankle of the flat foot, in the ground frame [m].
     double yaw = 0.0;     ///< Yaw of the foot in the ground frame [rad].
-    double strike = 0.0;  ///< Toes raised at landing [rad].
+    double strike = 0.0;  ///< Angle of the raised toes at landing [rad].
     double flat = 0.0;    ///< Duration from landing until flat [s].
     double rise = 0.0;    ///< Duration from heel-off to toe-off [s].
-    double push = 0.0;    ///< Heel raised at the end [rad].
+    double push = 0.0;    ///< Angle of the raised heel at the end [rad].
     Swing swing;          ///< The swing that follows the step.
 };
 
@@ -49,7 +49,7 @@ struct LegShape {
 struct LegJoin {
     double time = 0.0;
     LegShape shape;
-    LegShape rate;       ///< Per second.
+    LegShape rate;       ///< Rate of change of the shape [per second].
     double clear = 0.0;  ///< Share of the lift that clears the ground, 0 to 1.
 };
 

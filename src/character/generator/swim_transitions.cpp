@@ -102,7 +102,7 @@ Figure swimming(double time) {
     return swimFigure(time, -kPhase * kSwimCycle);
 }
 
-/// The body's rise out of the water, from swimming to jogging.
+/// Keys of the body that rises out of the water, from swimming to jogging.
 BodyKeys riseOf(const Body& wet, const Body& dry) {
     using enum Channel;
     const auto angle = [](const Body& body, Channel channel) { return body[channel] / degrees(1.0); };

@@ -8,13 +8,14 @@
 namespace muster {
 namespace {
 
-constexpr float kLockedReach = 0.985f;  // Share of a leg's length at which locked feet are to be reached.
-constexpr float kMostDrop = 0.12f;      // Hips are lowered no more [m].
-constexpr float kStanceTime = 0.1f;     // Over which the middles of steps are smoothed [s].
-constexpr float kKnee = 0.04f;          // Of the knee's joint above the floor, kneeling [m].
-constexpr float kSole = 0.08f;          // Height of the ankle above the sole [m].
-constexpr float kKneePace = 20.0f;      // A knee turns no faster [rad/s].
-constexpr float kSink = 0.003f;         // A sole so little below the floor is left alone [m].
+// Hips are lowered until locked feet are within this share of a leg's length.
+constexpr float kLockedReach = 0.985f;
+constexpr float kMostDrop = 0.12f;   // Largest distance by which hips are lowered [m].
+constexpr float kStanceTime = 0.1f;  // Smoothing time of the middles of steps [s].
+constexpr float kKnee = 0.04f;       // Height of the knee's joint above the floor when kneeling [m].
+constexpr float kSole = 0.08f;       // Height of the ankle above the sole [m].
+constexpr float kKneePace = 20.0f;   // Largest angular speed of a knee [rad/s].
+constexpr float kSink = 0.003f;      // A penetration of the sole up to this depth is not corrected [m].
 
 std::size_t at(JointRole role) {
     return index(role);
@@ -29,9 +30,9 @@ constexpr std::array<Chain, kLockableLimbCount> kChains{
 static_assert(index(JointRole::LeftUpLeg) == 13 && index(JointRole::RightUpLeg) == 17 &&
               index(JointRole::LeftArm) == 6 && index(JointRole::RightArm) == 10);
 
-/// A limb as the pose has it, in the body's axes.
+/// Rotations of a limb in the pose, in the body axes.
 struct LimbPose {
-    Quat parent;  ///< Rotation of the joint that bears the limb.
+    Quat parent;  ///< Rotation of the limb's parent joint.
     Quat upper, lower, end;
     TwoBones bones;
 };
@@ -84,7 +85,7 @@ float kneeDepth(const BodyPose& pose) {
     return kKnee - lowest;
 }
 
-/// One step of one body.
+/// Solves one step of one body.
 class BodyStep {
 public:
     BodyStep(const ClipTable& table, const Mover& mover, float dt, Body& body)
@@ -155,7 +156,8 @@ public:
     }
 
 private:
-    // Moves the leg to its target, no faster than a knee may bend. Returns where the ankle is.
+    // Moves the leg towards its target, limited by the largest speed of a knee. Returns the position of the
+    // ankle.
     Vec3 stretch(const LimbPose& leg, std::size_t side, LimbTarget target, BodyPose& pose) {
         if (!body_.fresh)
             target.position = pacedTarget(leg.bones, target.position, body_.knees[side], kKneePace * dt_);

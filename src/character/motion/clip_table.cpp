@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr float kStandingClip = 0.05f;  // A clip that is slower on average stands [m/s].
+constexpr float kStandingClip = 0.05f;  // A clip with a lower mean speed counts as standing [m/s].
 
 bool endsWith(std::string_view name, std::string_view end) {
     return name.size() > end.size() && name.substr(name.size() - end.size()) == end;
@@ -30,7 +30,7 @@ Quat turnQuat(float yaw) {
     return yawTurn(yaw);
 }
 
-// Travel speed between frames, smoothed over a tenth of a second so that play rates do not tremble.
+// Travel speed between frames, smoothed over 0.1 s so that play rates do not jitter.
 std::vector<float> localSpeeds(const Clip& clip) {
     const auto reach = static_cast<std::int64_t>(std::max(1.0, 0.05 * clip.rate));
     std::vector<float> speeds(clip.poses.size());
@@ -48,7 +48,7 @@ std::vector<float> localSpeeds(const Clip& clip) {
     return speeds;
 }
 
-// Where ankles are, on average, while they touch.
+// Mean position of each ankle during its contacts [m].
 std::array<Vec3, 2> stanceMiddles(const Clip& clip) {
     std::array<Vec3, 2> sum{}, all{};
     std::array<int, 2> count{};
@@ -102,11 +102,11 @@ ClipTable::ClipTable(const ClipLibrary& library) : library_(&library) {
 
 namespace {
 
-// Recorded feet slide a little while they stand: here the point that touches stays where it is.
+// Removes foot sliding of recorded clips: fixes the touching point during a contact.
 void plant(std::span<ContactFrame> frames) {
     for (std::size_t k = 1; k < frames.size(); ++k) {
         const ContactFrame& before = frames[k - 1];
-        // Over the ball a foot rolls about the joint of its toes, which stay flat.
+        // When the heel is raised, the foot rolls about the joint of the toes, which remain flat.
         Vec3 point = touchingPoint(before.rotation);
         if (point.x > 0.0f) point = skeleton()[index(JointRole::LeftToeBase)].offset;
         const Vec3 spot = before.roll + rotate(before.rotation, point) - rotate(frames[k].rotation, point);

@@ -9,12 +9,11 @@
 
 namespace muster {
 
-/// True where some clip moves by a file.
+/// True if any clip has a motion file.
 bool namesClipFiles(std::span<const ClipFacts> facts);
 
-/// Muster's own clips, and in place of those of the same name the motions of the files that clip facts name
-/// (BVH, relative to `folder`), brought onto Muster's skeleton. Fails as readBvh and retarget do, naming the
-/// motion.
+/// Muster's own clips. Motion files named by clip facts (BVH, relative to `folder`) are retargeted and
+/// replace the clips of the same name. Fails like readBvh and retarget; the message names the motion.
 Result<ClipLibrary> clipsFor(std::span<const ClipFacts> facts, const std::string& folder);
 
 }  // namespace muster

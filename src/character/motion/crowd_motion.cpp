@@ -27,7 +27,7 @@ struct CrowdMotion::Impl {
     Player player;
     std::vector<MotionState> states;
     std::vector<std::uint32_t> wanted;   ///< Ids, ascending.
-    bool named = false;                  ///< setNear() was called.
+    bool named = false;                  ///< True after setNear().
     std::vector<std::uint32_t> near;     ///< Indices, ascending.
     std::vector<std::uint32_t> nearIds;  ///< Their ids.
     std::vector<Body> bodies;            ///< One per entry of `near`.
@@ -49,7 +49,7 @@ void CrowdMotion::Impl::findNear(const Characters& characters) {
     }
 }
 
-// Bodies of those who stay near go on; the others begin.
+// Bodies of characters that remain near continue; the others start fresh.
 void CrowdMotion::Impl::matchBodies() {
     bool same = bodies.size() == nearIds.size();
     for (std::size_t k = 0; same && k < bodies.size(); ++k) same = bodies[k].id == nearIds[k];
@@ -69,7 +69,7 @@ void CrowdMotion::Impl::matchBodies() {
     bodies.swap(spare);
 }
 
-// Nothing to play: everybody stands as a statue does.
+// Without clips all characters are shown in the rest pose.
 void CrowdMotion::Impl::standStill(const Characters& characters) {
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 heading = characters.heading[i];

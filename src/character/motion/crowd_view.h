@@ -1,4 +1,4 @@
-// What motion reads of a crowd.
+// The data of a crowd that motion reads.
 #pragma once
 
 #include "crowd/characters.h"
@@ -8,23 +8,23 @@
 
 namespace muster {
 
-inline constexpr double
-    kPutElsewhere = 0.5;  ///< A character that moves farther in one step was put there [m].
+/// A character that moves farther in one step was teleported [m].
+inline constexpr double kPutElsewhere = 0.5;
 
-/// Places of one group, as the simulation moves them.
+/// Places of one group, which the simulation moves.
 struct PlacesView {
     std::span<const Vec2> positions;   ///< [m]
     std::span<const Vec2> velocities;  ///< [m/s]
 };
 
-/// What motion reads of a world.
+/// The data of a world that motion reads.
 struct CrowdView {
     const Characters* characters = nullptr;  ///< In ascending order of ids.
     const Environment* environment = nullptr;
     std::span<const PlacesView> places;                  ///< By group; may be fewer than groups.
-    double stepTime = Parameters{}.stepTime;             ///< [s] > 0.
-    double maxSpeed = Parameters::Character{}.maxSpeed;  ///< In the open [m/s].
-    /// A place nearer than this is steered to directly [m].
+    double stepTime = Parameters{}.stepTime;             ///< Duration of a step [s] > 0.
+    double maxSpeed = Parameters::Character{}.maxSpeed;  ///< On open ground [m/s].
+    /// A character steers directly to a place nearer than this [m].
     double directReach = Parameters::Character{}.directReach;
 };
 

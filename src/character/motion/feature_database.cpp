@@ -7,11 +7,12 @@
 namespace muster {
 namespace {
 
-constexpr float kRate = 30.0f;      // Rows a second.
-constexpr double kTail = 0.2;       // Nobody is sent into the last so many seconds of a clip that ends.
-constexpr float kNowhere = 1.0e4f;  // Features of lanes that hold no row.
+constexpr float kRate = 30.0f;      // Rows per second.
+constexpr double kTail = 0.2;       // A search never leads into the end of a clip that is not cyclic [s].
+constexpr float kNowhere = 1.0e4f;  // Features of unused rows of a block.
 
-/// Features that share a unit share a spread, so that none is blown up because it hardly varies.
+/// A group of features with one unit. They share one standard deviation, so that features that hardly vary
+/// are not amplified.
 struct Group {
     std::size_t first;
     std::size_t count;
@@ -26,7 +27,7 @@ constexpr std::array<Group, 8> kGroups{{{0, 2, 1.5f},
                                         {24, 3, 0.75f},    // Velocity of hips.
                                         {27, 2, 0.75f}}};  // Feet that touch.
 
-// Travel of a clip that ends goes on as it ended.
+// Travel at any time; beyond the end of a clip it is extrapolated.
 Travel travelBeyond(const Clip& clip, double time) {
     const double end = clip.duration();
     if (clip.cyclic || time <= end) return clip.travelAt(time);
@@ -42,7 +43,7 @@ Travel relative(const Travel& from, const Travel& to) {
     return {moved.x, moved.y, to.yaw - from.yaw};
 }
 
-/// Joints that features speak of, in the frame of the ground.
+/// Positions of the joints in the features, in the ground frame.
 struct Marks {
     Vec3 hips, left, right;
 };

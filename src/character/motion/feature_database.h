@@ -10,33 +10,33 @@
 
 namespace muster {
 
-inline constexpr std::size_t kTrajectoryCount = 12;  ///< Numbers of a trajectory.
-/// Numbers of a pose: positions and velocities of the feet, velocity of the hips, contacts of the feet.
+inline constexpr std::size_t kTrajectoryCount = 12;  ///< Number of trajectory features.
+/// Number of pose features: positions and velocities of the feet, velocity of the hips, contacts of the feet.
 inline constexpr std::size_t kPoseCount = 17;
 inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;  ///< 29.
 inline constexpr std::array<float, 3> kHorizons{1.0f / 3.0f, 2.0f / 3.0f,
-                                                1.0f};  ///< Times of the prediction from now [s].
+                                                1.0f};  ///< Times of the prediction ahead of now [s].
 
-/// The predicted position (x, y) [m] at each horizon, then the predicted facing (x, y), in the body axes of
-/// now.
+/// The predicted position (x, y) [m] at each horizon, then the predicted facing (x, y), in the present body
+/// axes.
 using Trajectory = std::array<float, kTrajectoryCount>;
-/// Features of a frame, normalised: less the mean, over the spread, times the weight.
+/// Normalised features of a frame: (value - mean) / standard deviation * weight.
 using Features = std::array<float, kFeatureCount>;
 
-/// Clips that a search may look at.
+/// Clips that a search considers.
 enum class ClipFilter : std::uint8_t {
-    Any,       ///< All locomotion.
+    Any,       ///< All locomotion clips.
     Going,     ///< Clips that travel.
-    Standing,  ///< Clips that stay.
+    Standing,  ///< Clips that do not travel.
 };
 
-/// A frame found.
+/// The result of a search.
 struct Match {
     std::int32_t row = -1;  ///< -1 for none.
     float cost = 0.0f;      ///< Squared distance of features.
 };
 
-/// Features of all clips, one row per frame at 30 frames a second.
+/// Features of all clips, one row per frame at 30 frames per second.
 class FeatureDatabase {
 public:
     /// Computes the features of all frames.
@@ -44,28 +44,28 @@ public:
 
     /// The row of a clip's frame nearest to a time [s].
     std::int32_t rowOf(std::size_t clip, float time) const;
-    std::size_t clipOf(std::int32_t row) const { return clipOfRow_[row]; }  ///< Of a row.
-    float timeOf(std::int32_t row) const { return timeOfRow_[row]; }        ///< Of a row [s].
+    std::size_t clipOf(std::int32_t row) const { return clipOfRow_[row]; }  ///< Clip of a row.
+    float timeOf(std::int32_t row) const { return timeOfRow_[row]; }  ///< Time of a row in its clip [s].
 
-    /// The features of a frame that follows `trajectory` from the pose of a row.
+    /// The query for a frame with this trajectory and the pose of a row.
     Features query(const Trajectory& trajectory, std::int32_t row) const;
     /// Squared distance of a row from a query.
     float cost(const Features& query, std::int32_t row) const;
-    /// The nearest row of locomotion, if one costs less than `below`.
+    /// The nearest row of locomotion whose cost is less than `below`, if any.
     Match search(const Features& query, ClipFilter filter, float below) const;
-    /// The row of one clip that is nearest in pose, whatever its trajectory; -1 for a clip without frames.
+    /// The row of one clip with the nearest pose, regardless of the trajectory; -1 for a clip without frames.
     std::int32_t nearestPose(std::size_t clip, std::int32_t row) const;
 
 private:
     static constexpr std::size_t kRowsPerBlock = 8;
-    /// Eight rows, feature by feature, for vector instructions.
+    /// Eight rows in structure-of-arrays order, for vector instructions.
     using Block = std::array<std::array<float, kRowsPerBlock>, kFeatureCount>;
-    /// A clip's rows.
+    /// The rows of one clip.
     struct Range {
         std::int32_t firstRow = 0;
         std::int32_t rows = 0;
         std::int32_t firstBlock = 0;
-        std::int32_t blocks = 0;  ///< That a search looks at.
+        std::int32_t blocks = 0;  ///< Number of blocks that a search considers.
         bool locomotion = false;
         bool standing = false;
         bool ends = false;
@@ -76,8 +76,8 @@ private:
     void fillBlocks();
     void searchBlocks(const Features& query, const Range& range, Match& best) const;
 
-    std::vector<Range> ranges_;   ///< By clip.
-    std::vector<Features> rows_;  ///< Normalised and weighted.
+    std::vector<Range> ranges_;   ///< Rows of each clip.
+    std::vector<Features> rows_;  ///< Normalised, weighted features by row.
     std::vector<Block> blocks_;
     std::vector<std::uint16_t> clipOfRow_;
     std::vector<float> timeOfRow_;

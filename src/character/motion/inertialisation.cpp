@@ -5,8 +5,8 @@
 namespace muster {
 namespace {
 
-constexpr float kGone = 2.0e-4f;       // Less than this is nothing.
-constexpr float kMostVelocity = 5.0f;  // What moves faster was an error [1/s].
+constexpr float kGone = 2.0e-4f;       // Offsets below this end the blend.
+constexpr float kMostVelocity = 5.0f;  // Limit of the offset's velocity, against outliers [1/s].
 
 // Vector part of the rotation from `a` to `b`: b = r * a.
 Vec3 difference(Quat b, Quat a) {

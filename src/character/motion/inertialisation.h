@@ -1,4 +1,4 @@
-// Switching between motions without a jump: the difference at the switch dies away (inertialisation).
+// Inertialisation (Bollo 2016): after a switch of motion the offset from the played to the shown pose decays.
 #pragma once
 
 #include <array>
@@ -7,29 +7,29 @@
 
 namespace muster {
 
-/// What is left of the differences between what was shown and what is played.
+/// The decaying offset between the shown pose and the played pose.
 class Inertialisation {
 public:
-    /// Nothing is left.
+    /// Drops the offset.
     void clear() { active_ = false; }
-    /// True while something is left.
+    /// True while the offset has not decayed.
     bool active() const { return active_; }
-    /// From now on the poses played are such that `played` follows `playedBefore` by `dt` [s]; shown were
-    /// `before` and `shown`, equally far apart, the latter one step ago.
+    /// Starts the blend to a new motion. The new motion plays `playedBefore` and, `dt` [s] later, `played`.
+    /// The poses shown last were `before` and, `dt` later, `shown`, one step ago.
     void begin(const BodyPose& before, const BodyPose& shown, const BodyPose& playedBefore,
                const BodyPose& played, float dt);
-    /// Goes on by a step of `dt` [s] whose decay is `decay` = exp(-kInertialisationRate dt), and adds what is
-    /// left to `pose`.
+    /// Advances the decay by `dt` [s], where `decay` = exp(-kInertialisationRate dt), and adds the offset to
+    /// `pose`.
     void apply(float dt, float decay, BodyPose& pose);
 
 private:
-    std::array<Vec3, kJointCount + 1>
-        offset_{};  ///< Vector part of a rotation per joint; last, of the hips [m].
-    std::array<Vec3, kJointCount + 1> velocity_{};  ///< Of these [1/s, m/s].
+    /// Vector part of the rotation of each joint; the last entry is the hips' offset [m].
+    std::array<Vec3, kJointCount + 1> offset_{};
+    std::array<Vec3, kJointCount + 1> velocity_{};  ///< Velocity of the offset [1/s, m/s].
     bool active_ = false;
 };
 
-/// Rate of a critically damped decay that halves what is left in a tenth of a second or so [1/s].
+/// Rate of the critically damped decay, which halves an offset in about 0.1 s [1/s].
 inline constexpr float kInertialisationRate = 16.0f;
 
 }  // namespace muster

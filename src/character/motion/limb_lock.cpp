@@ -10,12 +10,12 @@ namespace {
 
 constexpr float kReleaseDistance = 0.15f;  // A locked limb this far from its free target is released [m].
 constexpr float kReleaseStepping = 0.25f;  // The same for a foot while the other one steps [m].
-constexpr double
-    kReleaseCosine = 0.82533561;      // A standing foot turned away by more is released (cosine of 0.6 rad).
-constexpr float kReleaseTime = 0.2f;  // The offset fades over this after a contact [s].
-constexpr float kLockTime = 0.08f;    // Height and rotation of a foot that touches down fade over this [s].
-constexpr float kShortest = 0.08f;    // A contact that ends sooner locks nothing any more [s].
-constexpr float kLockHeight = 0.05f;  // A limb is locked no higher above its contact [m].
+// Cosine of the rotation (0.6 rad) at which a standing foot is released.
+constexpr double kReleaseCosine = 0.82533561;
+constexpr float kReleaseTime = 0.2f;  // Fade time of the offset after a contact [s].
+constexpr float kLockTime = 0.08f;    // Fade time of height and rotation at touch-down [s].
+constexpr float kShortest = 0.08f;    // A contact with less time left is not locked [s].
+constexpr float kLockHeight = 0.05f;  // Largest height above its contact at which a limb is locked [m].
 constexpr float kStepTime = 0.26f;    // Duration of a correcting step [s].
 constexpr float kStepHeight = 0.05f;  // Lift of a correcting step [m].
 
@@ -23,15 +23,14 @@ float smooth(float t) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-// The rotation from one direction to another; `otherwise` where either is too steep to have one on the
-// ground.
+// The rotation on the ground from one direction to another; `otherwise` if either is too steep.
 Rotation between(Vec2 from, Vec2 to, const Rotation& otherwise) {
     const double lengths = std::sqrt(lengthSquared(from) * lengthSquared(to));
     if (lengths < 0.1) return otherwise;
     return {dot(from, to) / lengths, cross(from, to) / lengths};
 }
 
-/// Where a joint is to be in the world.
+/// Target of a joint in the world.
 struct JointTarget {
     Vec2 position;        ///< [m]
     float height = 0.0f;  ///< [m]
@@ -57,7 +56,8 @@ public:
         limb_.fade = std::max(0.0f, limb_.fade - dt / limb_.fadeTime);
         if (limb_.fade == 0.0f) limb_.stepping = false;
         if (limb_.locked && contact_ == nullptr) release(kReleaseTime, false);
-        // Another clip holds the same foot differently: the foot stays where it is and rotates over.
+        // If a switch changes the foot's pose, the foot remains locked at its position and its rotation
+        // fades.
         if (limb_.locked && mover_.switched) lockAt({limb_.position, limb_.height, limb_.rotation});
         if (limb_.locked && strained()) release(kStepTime, true);
         if (!limb_.locked && contact_ != nullptr && !limb_.stepping && lasts() && low()) lock();
@@ -78,7 +78,7 @@ private:
                 yawRotation(limb_.axes) * contactFrame_.rotation};
     }
 
-    // Adds what is left of the offset.
+    // Adds the remaining offset.
     JointTarget withOffset(JointTarget target) const {
         if (limb_.fade == 0.0f) return target;
         const float w = smooth(limb_.fade);
@@ -104,8 +104,7 @@ private:
         fadeFrom({limb_.position, limb_.height, limb_.rotation}, free_, time);
     }
 
-    // Locks the limb: its touching point stays where it is, and so does the direction in which the limb
-    // points.
+    // Locks the touching point at its position and the limb in its direction.
     void lockAt(const JointTarget& now) {
         const Vec3 tip{1.0f, 0.0f, 0.0f};
         const Vec3 points = rotate(now.rotation, tip), pointed = rotate(contactFrame_.rotation, tip);
@@ -130,7 +129,7 @@ private:
         lockAt(withOffset(free_));
     }
 
-    // The point that touches: heel or ball of a foot, whichever is lower; the wrist of a hand.
+    // The touching point: the lower one of heel and ball for a foot, the wrist for a hand.
     Vec3 touching(Quat rotation) const { return number_ < 2 ? touchingPoint(rotation) : Vec3{}; }
 
     Vec2 under(const JointTarget& target, Vec3 point) const {
@@ -138,14 +137,14 @@ private:
         return target.position + Vec2{static_cast<double>(p.x), static_cast<double>(p.y)};
     }
 
-    // A contact that is nearly over locks nothing.
+    // True if the contact lasts long enough to lock the limb.
     bool lasts() const {
         float time = mover_.time;
         if (time < contact_->begin) time += table_[mover_.clip].duration;
         return contact_->end - time > kShortest;
     }
 
-    // A limb is locked only once it has come down.
+    // True if the limb is low enough to be locked.
     bool low() const {
         const float height = contact_->height + contactFrame_.roll.z;
         return std::fabs(withOffset(free_).height - height) < kLockHeight;

@@ -1,4 +1,4 @@
-// Foot lock: keeps one foot or hand where it touches while its contact lasts (docs/method/motion.md).
+// Foot lock: fixes a foot or hand at its contact point while the contact lasts (docs/method/motion.md).
 #pragma once
 
 #include "character/motion/body.h"
@@ -10,30 +10,30 @@ inline constexpr float kFixedHeight = 0.3f;
 
 /// The axes of a body of size 1 in the world: x forward, y left, z up, from the ground below it.
 struct BodyAxes {
-    Vec2 position;      ///< Of the origin [m].
-    Rotation facing;    ///< From the body's axes to the world's.
+    Vec2 position;      ///< Position of the origin [m].
+    Rotation facing;    ///< From the body axes to the world.
     Quat rotation;      ///< The same as `facing`.
-    float size = 1.0f;  ///< Of the body relative to the skeleton.
+    float size = 1.0f;  ///< Size of the body relative to the skeleton.
 
     explicit BodyAxes(const Mover& mover);
-    /// From the world into the body's axes.
+    /// Transforms a point from the world to the body axes.
     Vec3 toBody(Vec2 point, float height) const;
-    /// The point of the ground below a point in the body's axes.
+    /// The point on the ground below a point in the body axes.
     Vec2 toGround(Vec3 p) const { return position + facing.apply({p.x, p.y}) * static_cast<double>(size); }
 };
 
-/// The rotation about the vertical that equals a rotation of the plane.
+/// The rotation about the vertical that is equivalent to a rotation of the plane.
 Quat yawRotation(const Rotation& rotation);
 
-/// Where a joint is to be, in the body's axes.
+/// Target of a joint, in the body axes.
 struct LimbTarget {
     Vec3 position;  ///< [m]
     Quat rotation;
 };
 
-/// Locks, keeps or releases limb `limb` (index of kLockableLimbs) and returns its target. `free` is where the
-/// clip alone would put it. A limb is locked where it is when its contact begins, and released when the
-/// contact ends or the body has moved on too far; the remaining offset then fades.
+/// Updates the lock of a limb (index of kLockableLimbs) and returns its target. `free` is the target by the
+/// clip alone. A limb is locked at its position when its contact begins. It is released when the contact ends
+/// or the body has moved too far; then the remaining offset fades.
 LimbTarget lockLimb(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t limb,
                     const LimbTarget& free, float dt, Body& body);
 

@@ -7,10 +7,10 @@ namespace muster {
 namespace {
 
 constexpr float kLow = 0.02f;          // A sole lower than this is on the floor [m].
-constexpr float kFast = 0.5f;          // ... and should be slower than this [m/s].
-constexpr float kAnkleHeight = 0.08f;  // Of the ankle above the sole [m].
+constexpr float kFast = 0.5f;          // A sole on the floor that is faster slides [m/s].
+constexpr float kAnkleHeight = 0.08f;  // Height of the ankle above the sole [m].
 
-// Where the sole is: heel, ball, tip of the toes.
+// Points of the sole: heel, ball, tip of the toes.
 std::array<Vec3, 3> solePoints(const JointTransforms& joints, std::size_t side, float size) {
     const Transform& foot = joints[index(side == 0 ? JointRole::LeftFoot : JointRole::RightFoot)];
     const Transform& toes = joints[index(side == 0 ? JointRole::LeftToeBase : JointRole::RightToeBase)];
@@ -44,7 +44,7 @@ bool isLocomotion(const Clip& clip) {
     return clip.motion == "run" || clip.motion == "walk";
 }
 
-// The deepest point below the floor [m].
+// Largest depth of a point below the floor [m].
 float depth(const JointTransforms& joints, float size) {
     float lowest = 0.0f;
     for (std::size_t side = 0; side < 2; ++side)

@@ -6,10 +6,10 @@
 namespace muster {
 namespace {
 
-constexpr float
-    kEvenShare = 0.1f;  // Of the length, spread evenly over time, so that time never stands still.
+// Share of the length spread evenly over time, so that shares rise strictly.
+constexpr float kEvenShare = 0.1f;
 constexpr double kStraightOn = 0.6427876;  // Cosine of 50 degrees.
-constexpr double kFit = 0.15;              // A clip may be stretched by so much [share].
+constexpr double kFit = 0.15;  // Largest relative difference of lengths at which a clip is stretched.
 
 Vec2 narrowest(const Polygon& polygon) {
     Vec2 best{1.0, 0.0};
@@ -31,13 +31,13 @@ Vec2 narrowest(const Polygon& polygon) {
     return best;
 }
 
-/// Where a straight line runs inside a polygon, along its direction.
+/// The interval of a straight line inside a polygon, along its direction [m].
 struct Chord {
     double from = 0.0;
     double to = 0.0;
 };
 
-// The part of the line through `p` that lies in the polygon nearest to p.
+// The interval nearest to `p` in which the line through p is inside the polygon.
 Chord chordThrough(const Polygon& polygon, Vec2 p, Vec2 along) {
     const double here = dot(p, along);
     Chord chord{here, here};
@@ -47,7 +47,7 @@ Chord chordThrough(const Polygon& polygon, Vec2 p, Vec2 along) {
         const double sideA = cross(along, a), sideB = cross(along, b);
         if ((sideA > 0.0) == (sideB > 0.0)) continue;
         const double at = dot(along, a + (b - a) * (sideA / (sideA - sideB)));
-        // The entry lies at or just behind p: within a step of it.
+        // The entry is at most 0.1 m ahead of p, which is about one step.
         if (at <= 0.1 && -at < before) {
             before = -at;
             chord.from = here + at;

@@ -7,9 +7,9 @@
 namespace muster {
 namespace {
 
-constexpr double kVelocityTime = 0.06;  // Over which velocities are smoothed [s].
-constexpr float kFadeTime = 0.2f;       // Of cross-fades [s].
-constexpr float kStrideTime = 0.05f;    // Over which lengths of steps are smoothed [s].
+constexpr double kVelocityTime = 0.06;  // Smoothing time of velocities [s].
+constexpr float kFadeTime = 0.2f;       // Duration of cross-fades [s].
+constexpr float kStrideTime = 0.05f;    // Smoothing time of the lengths of steps [s].
 
 float share(std::uint32_t id, std::uint32_t salt) {
     std::uint32_t h = id * 0x9e3779b9u + salt;
@@ -69,7 +69,7 @@ void Player::begin(Mover& mover, const Characters& characters, std::size_t i) co
     mover.time = mover.fromTime = share(mover.id, 2) * table_[mover.clip].duration;
 }
 
-// Characters come in the order of ids: who is gone is passed over, who is new begins.
+// Characters and movers are in order of ids, so one merge drops removed characters and starts new ones.
 void Player::matchMovers(const Characters& characters) {
     bool same = movers_.size() == characters.size();
     for (std::size_t i = 0; same && i < movers_.size(); ++i) same = movers_[i].id == characters.id[i];
@@ -169,9 +169,9 @@ void Player::playCycle(Mover& mover, const Step& step, std::int32_t clip) const 
         show(mover, static_cast<std::size_t>(clip), time);
     }
     const float raw = entry.speed > 0.0f ? step.speed / (entry.speed * mover.size) : 1.0f;
-    float wanted = std::min(raw, 1.5f);  // On hands and knees steps are not stretched.
+    float wanted = std::min(raw, 1.5f);  // Crawling follows the speed by its play rate alone.
     if (!entry.feetTouch)
-        wanted = std::clamp(raw * mover.cadence, 0.5f, 1.5f);  // Swimmers tread water.
+        wanted = std::clamp(raw * mover.cadence, 0.5f, 1.5f);  // Swimmers tread water when they stop.
     else if (!entry.handsTouch)
         wanted = std::clamp(raw * mover.cadence, 0.7f, 1.3f) * std::min(1.0f, step.speed / 0.15f);
     mover.rate += (wanted - mover.rate) * std::min(1.0f, static_cast<float>(step.dt) / 0.08f);
@@ -193,7 +193,7 @@ void Player::turnToCrossing(Mover& mover, const Step& step) const {
     mover.facing = mover.shift == 0.0f ? Rotation{heading.x, heading.y} : Rotation{cosine(yaw), sine(yaw)};
 }
 
-// Steps as long, and into such a direction, that feet which stand still carry the body as it moves.
+// Scales and rotates steps so that standing feet match the velocity of the body.
 void Player::setStride(Mover& mover, const Step& step) const {
     const ClipEntry& entry = table_[mover.clip];
     Vec2 way{1.0, 0.0};
@@ -203,7 +203,7 @@ void Player::setStride(Mover& mover, const Step& step) const {
     } else if (entry.strides) {
         const float clipSpeed = std::max(0.3f, table_.speedAt(mover.clip, mover.time)) * mover.size *
                                 std::max(0.3f, mover.rate);
-        const bool leaps = entry.use == ClipUse::Action;  // Tucked legs bear no stretching.
+        const bool leaps = entry.use == ClipUse::Action;  // Jumps and climbs allow little stretching.
         stride = std::clamp(step.speed / clipSpeed, leaps ? 0.7f : 0.0f, leaps ? 1.15f : 1.6f);
         if (!leaps) way = normalized(mover.facing.applyInverse(mover.velocity) + Vec2{0.05, 0.0}, {1.0, 0.0});
     }

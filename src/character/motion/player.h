@@ -1,4 +1,4 @@
-// Which clip each character plays, and at what time in it (SPEC C3 to C5).
+// Chooses and advances the clip of each character (SPEC C3 to C5).
 #pragma once
 
 #include <cstdint>
@@ -14,62 +14,62 @@
 
 namespace muster {
 
-/// What one character plays.
+/// The motion state of one character.
 struct Mover {
     std::uint32_t id = 0;
-    bool fresh = true;      ///< It has just appeared.
-    bool switched = false;  ///< It plays another clip, or another part of it, since this step.
-    Vec2 position;          ///< Simulated [m].
-    Vec2 velocity;          ///< Of the simulated position, smoothed [m/s].
+    bool fresh = true;      ///< True when it has just appeared.
+    bool switched = false;  ///< True if this step switched to another clip or part of it.
+    Vec2 position;          ///< Simulated position [m].
+    Vec2 velocity;          ///< Smoothed velocity of the simulated position [m/s].
     float size = 1.0f;
-    float cadence = 1.0f;  ///< Steps a second relative to others of its speed.
+    float cadence = 1.0f;  ///< Step frequency relative to other characters at its speed.
     std::uint16_t clip = 0;
     std::uint16_t fromClip = 0;
     float time = 0.0f;      ///< [s]
     float fromTime = 0.0f;  ///< [s]
     float fade = 0.0f;
-    float rate = 1.0f;     ///< Clip seconds a second.
-    float strideX = 1.0f;  ///< Steps relative to the clip's: share ahead.
-    float strideY = 0.0f;  ///< Steps relative to the clip's: share to the left.
+    float rate = 1.0f;     ///< Play rate [clip seconds per second].
+    float strideX = 1.0f;  ///< Scale of steps relative to the clip: forward part.
+    float strideY = 0.0f;  ///< Scale of steps relative to the clip: part to the left.
     float yaw = 0.0f;      ///< Facing [rad].
-    Rotation facing;       ///< The same.
+    Rotation facing;       ///< The same as `yaw`.
     float shift = 0.0f;    ///< Yaw from the simulated heading towards a crossing [rad].
     PatchCrossing action;
-    std::uint32_t donePatch = 0;  ///< Single-step patch done last, until the simulation forgets it.
+    std::uint32_t donePatch = 0;  ///< Last completed single-step patch, until the simulation clears it.
 };
 
-/// Where a character walks to, as the simulation steers it.
+/// The steering target of a character in the simulation.
 struct WalkTarget {
     Vec2 cruise;            ///< Velocity along the path [m/s].
-    bool arriving = false;  ///< The place is near, so it is steered to directly.
-    Vec2 toPlace;           ///< The place from here [m].
-    Vec2 placeVelocity;     ///< [m/s]
+    bool arriving = false;  ///< The place is near, so the character steers directly to it.
+    Vec2 toPlace;           ///< Vector from the character to its place [m].
+    Vec2 placeVelocity;     ///< Velocity of the place [m/s].
     double topSpeed = 2.0;  ///< [m/s]
 };
 
 /// The predicted trajectory of a character with `velocity` [m/s] and direction `facing`, in its body axes,
-/// for a body of size 1.
+/// scaled to a body of size 1.
 Trajectory predict(Vec2 velocity, const Rotation& facing, const WalkTarget& target, float size);
 
 /// Plays clips for all characters of a world.
 class Player {
 public:
-    /// The table must outlive this.
+    /// The table must outlive the player.
     explicit Player(const ClipTable& table);
 
     /// Forgets all characters.
     void restart();
     /// Call after each step of the world.
     void update(const CrowdView& crowd);
-    /// One per character.
+    /// Motion states, one per character.
     const std::vector<Mover>& movers() const { return movers_; }
 
 private:
-    /// A motion id of the world.
+    /// How the player plays one motion id of the world.
     struct Motion {
         ClipUse use = ClipUse::Locomotion;
-        std::int32_t clip = -1;        ///< What it plays.
-        std::int32_t movingClip = -1;  ///< What it plays on a patch that moves.
+        std::int32_t clip = -1;        ///< Clip on a patch that stands still, -1 for none.
+        std::int32_t movingClip = -1;  ///< Clip on a patch that moves, -1 for none.
         double transition = 0.0;       ///< Duration of its transitions [s].
     };
     /// One step of one character.
@@ -77,7 +77,7 @@ private:
         const CrowdView* crowd;
         std::size_t i;  ///< Index of the character.
         double dt;      ///< [s]
-        float speed;    ///< Of travel [m/s].
+        float speed;    ///< Speed of travel [m/s].
     };
 
     void learnMotions(const Environment& environment);
@@ -104,12 +104,12 @@ private:
 
     const ClipTable& table_;
     FeatureDatabase features_;
-    std::vector<TravelTimes> travelTimes_;  ///< By clip; of cyclic ones unused.
+    std::vector<TravelTimes> travelTimes_;  ///< By clip; unused for cyclic clips.
     std::vector<Motion> motions_;
     std::vector<std::string> motionNames_;
     std::vector<Mover> movers_;
     std::vector<Mover> spare_;
-    std::uint32_t searchSlot_ = 0;  ///< Characters of this slot search in this step.
+    std::uint32_t searchSlot_ = 0;  ///< Slot whose characters search in this step.
 };
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// Plain ways to go are chosen by motion matching; jumps and climbs by their patch.
+// The player's choice of clips: locomotion by motion matching, jumps and climbs by their patch.
 #include <algorithm>
 #include <limits>
 
@@ -10,13 +10,14 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kSearchPeriod = 6;  // Steps between searches.
-constexpr float kClearlyBetter = 1.0f;  // A frame must be nearer by so much to be taken [squared spreads].
-constexpr float kGoingSpeed = 0.25f;    // Faster than this nobody stands [m/s].
-constexpr float kGoingReach = 0.3f;     // ... nor who will be so far away in a second [m].
-constexpr float kStandingSpeed = 0.1f;  // Slower than this one stands, if one stays [m/s].
+constexpr float kClearlyBetter = 1.0f;      // Least gain in cost for a switch to another frame.
+constexpr float kGoingSpeed = 0.25f;        // At a higher speed standing clips are excluded [m/s].
+constexpr float kGoingReach = 0.3f;         // The same for a longer predicted distance in 1 s [m].
+// At a lower speed with a short predicted distance the character stands [m/s].
+constexpr float kStandingSpeed = 0.1f;
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-// The gains that steering has by default, so that predictions come true.
+// The default gains of the simulation's steering, so that predictions match it.
 constexpr double kVelocityGain = Parameters::Character{}.velocityGain;
 constexpr double kAcceleration = Parameters::Character{}.acceleration;
 constexpr double kPositionGain = Parameters::Character{}.positionGain;
@@ -32,14 +33,14 @@ float unevenness(std::uint32_t id, std::size_t feature) {
 }  // namespace
 
 Trajectory predict(Vec2 velocity, const Rotation& facing, const WalkTarget& target, float size) {
-    constexpr int kSteps = 8;  // Per horizon.
+    constexpr int kSteps = 8;  // Integration steps per horizon.
     constexpr double dt = 1.0 / 24.0;
     Trajectory trajectory;
     Vec2 moved, v = velocity, face{facing.c, facing.s};
     double time = 0.0;
     for (std::size_t h = 0; h < kHorizons.size(); ++h) {
         for (int s = 0; s < kSteps; ++s) {
-            // The place goes on as it goes.
+            // The place is predicted to move at constant velocity.
             const Vec2 left = target.toPlace + target.placeVelocity * time - moved;
             const Vec2 arrive = clampLength(target.placeVelocity + left * kPositionGain, target.topSpeed);
             const Vec2 preferred = target.arriving ? arrive : target.cruise;
@@ -94,7 +95,8 @@ void Player::playLocomotion(Mover& mover, const Step& step) const {
     advance(mover, step.dt);
 }
 
-// What plays now can be played faster or slower to suit: only what that does not mend speaks for a change.
+// The cost of continuing the present clip. The play rate can adapt the speed by 15 %, so that part of the
+// difference is free.
 float Player::continuationCost(const Mover& mover, Trajectory trajectory, std::int32_t row) const {
     const ClipEntry& entry = table_[mover.clip];
     if (!entry.standing && entry.speed > 0.0f) {
@@ -113,7 +115,7 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
     const float reach = std::sqrt(trajectory[4] * trajectory[4] + trajectory[5] * trajectory[5]);
     const bool going = step.speed > kGoingSpeed || reach > kGoingReach;
     const bool staying = step.speed < kStandingSpeed && reach < 0.5f * kGoingReach;
-    // A stop that runs out is let run out.
+    // A stop clip near its end is not interrupted.
     if (!must && staying && !now.cyclic && table_.speedAt(mover.clip, mover.time) < 0.5f) return;
     const ClipFilter filter = going ? ClipFilter::Going : staying ? ClipFilter::Standing : ClipFilter::Any;
     const float least = 0.7f * table_.slowest();
@@ -123,7 +125,7 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
     }
     const std::int32_t row = features_.rowOf(mover.clip, mover.time);
     Features sought = features_.query(trajectory, row);
-    // Those who stand alike do not all set off with the same foot.
+    // A variation by id, so that standing characters do not all start with the same foot.
     if (now.standing)
         for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f)
             sought[f] += 0.35f * unevenness(mover.id, f);
@@ -158,7 +160,7 @@ void Player::endAction(Mover& mover) {
     mover.action = {};
 }
 
-// Over a thing that runs by: as fast as brings the clip to its middle when the thing is nearest.
+// The play rate over a moving patch at which the clip is at its middle when the patch is nearest.
 float Player::leapRate(const Mover& mover, const Step& step, float middle) const {
     const Environment& environment = *step.crowd->environment;
     const PatchDef* patch = environment.patch(PatchId{mover.action.patch});
@@ -175,7 +177,7 @@ bool Player::playAction(Mover& mover, const Step& step) {
     if (action.patch == 0) return false;
     const bool locked = step.crowd->characters->phase[step.i] == MotionPhase::Locked;
     const double share = action.timed ? 0.0 : shareCrossed(action, mover.position);
-    if (!locked && share < 0.15 && !action.timed) {  // Turned back before it had begun.
+    if (!locked && share < 0.15 && !action.timed) {  // The character turned back before the action.
         endAction(mover);
         return false;
     }
@@ -185,7 +187,7 @@ bool Player::playAction(Mover& mover, const Step& step) {
     if (action.timed) {
         mover.rate = leapRate(mover, step, travelTimes_[clip].time(0.5f));
     } else {
-        // Nobody stops in the air, nor half-way once the patch is left.
+        // A clip does not stop in the air, nor after the character has left the patch.
         const float least = !locked ? 0.8f : airborne(clip, mover.time) ? 0.7f : 0.0f;
         const float due = travelTimes_[clip].time(static_cast<float>(share)) - mover.time;
         mover.rate = std::clamp(due / static_cast<float>(step.dt), least, 1.5f);
@@ -195,7 +197,7 @@ bool Player::playAction(Mover& mover, const Step& step) {
     return true;
 }
 
-// In a single-step patch that was not done just now.
+// True in a single-step patch that is not the one just completed.
 bool Player::needsAction(Mover& mover, const Step& step) {
     const Characters& characters = *step.crowd->characters;
     if (characters.lastSingle[step.i] == 0) mover.donePatch = 0;

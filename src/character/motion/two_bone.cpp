@@ -9,7 +9,7 @@ namespace muster {
 float softReach(float distance, float reach) {
     const float soft = kSoftReach * reach, rest = 0.9998f * reach - soft;
     if (distance <= soft) return distance;
-    // x / (1 + x) rises as 1 - exp(-x) does, with slope 1 at first and limit 1.
+    // x / (1 + x) approximates 1 - exp(-x): it has slope 1 at 0 and limit 1.
     const float x = (distance - soft) / rest;
     return soft + rest * (x / (1.0f + x));
 }
@@ -54,7 +54,7 @@ Vec3 pacedTarget(const TwoBones& limb, Vec3 target, float before, float most) {
     const Vec3 toTarget = target - limb.root;
     const float far = length(toTarget);
     if (far < 1e-6f) return target;
-    // Sine and cosine of a small angle, by their series.
+    // Sine and cosine of a small angle by Taylor series.
     const float q = most * most;
     const float s = most * (1.0f - q / 6.0f * (1.0f - q / 20.0f)), c = 1.0f - q / 2.0f * (1.0f - q / 12.0f);
     const float sineBefore = std::sqrt(std::max(0.0f, 1.0f - before * before));

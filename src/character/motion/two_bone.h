@@ -5,7 +5,7 @@
 
 namespace muster {
 
-/// A limb of two bones as it hangs now, in any one frame.
+/// The present joint positions of a limb of two bones, all in one frame.
 struct TwoBones {
     Vec3 root;           ///< Hip or shoulder [m].
     Vec3 middle;         ///< Knee or elbow [m].
@@ -14,30 +14,29 @@ struct TwoBones {
     float lower = 0.0f;  ///< Length of the bone from middle to end [m] > 0.
 };
 
-/// Rotations that bring the end to the target.
+/// Rotations that move the end of the limb to the target.
 struct TwoBoneRotation {
-    Quat upper;  ///< Put before the rotation of the upper bone.
-    Quat lower;  ///< Put before the rotation of the lower bone.
-    Vec3 end;    ///< Where the end comes to: the target, or as near to it as the limb reaches [m].
+    Quat upper;  ///< Multiplied to the left of the upper bone's rotation.
+    Quat lower;  ///< Multiplied to the left of the lower bone's rotation.
+    Vec3 end;    ///< Position of the end: the target or the nearest reachable point [m].
 };
 
-/// Share of a limb's full length from which on it straightens ever more slowly, so that the knee does not
-/// snap.
+/// Share of a limb's full length beyond which it straightens more slowly, so that the knee does not snap.
 inline constexpr float kSoftReach = 0.99f;
 
-/// The distance to which a limb of full length `reach` stretches for a target at `distance` [m]: the same up
-/// to kSoftReach of it, then ever less, never quite `reach`.
+/// The distance to which a limb of full length `reach` stretches for a target at `distance` [m]. It equals
+/// `distance` up to kSoftReach of the length, then approaches a limit just below `reach`.
 float softReach(float distance, float reach);
 
-/// Solves for both bones; `pole` is where the middle joint points (need be neither of unit length nor at
-/// right angles).
+/// Solves for both bones. `pole` is the direction of the middle joint; it need not be a unit vector or
+/// perpendicular to the limb.
 TwoBoneRotation reach(const TwoBones& limb, Vec3 target, Vec3 pole);
 
-/// Cosine of the angle between the bones at the middle joint, where root and end are `distance` apart [m].
+/// Cosine of the angle between the bones at the middle joint for a distance [m] from root to end.
 float middleCosine(const TwoBones& limb, float distance);
 
-/// The target, drawn nearer to the root or away from it so that the middle joint's angle, of which `before`
-/// is the cosine, changes by at most `most` [rad], below a right angle.
+/// The target, moved along its line to the root so that the angle of the middle joint changes by at most
+/// `most` [rad], which is below a right angle. `before` is the cosine of the present angle.
 Vec3 pacedTarget(const TwoBones& limb, Vec3 target, float before, float most);
 
 }  // namespace muster
