@@ -27,7 +27,7 @@ inline constexpr Stuff kSole{BodyRegion::Shoes, Part::Shoe, kSoles};
 
 /// Numbers of vertices in the rings.
 struct Detail {
-    bool fine = true;
+    bool fine = true;  ///< True for the near level of detail.
     std::size_t trunk = 0, limb = 0, arm = 0, head = 0;
 };
 inline constexpr Detail kFine{true, 16, 12, 8, 12}, kCoarse{false, 8, 6, 4, 6};

@@ -17,8 +17,7 @@ constexpr double kTouchDown = 2.50;  // When the right foot lands behind the wal
 constexpr double kLeftUp = 0.94, kRightUp = 0.74, kLeftDown = 2.58;
 constexpr double kLandingPitch = -24;  // Of the foot at landing [degrees]; negative lands on the toes.
 
-constexpr Vec3 kFaceFoot{0.275f, -0.16f,
-                         0.49f};  // Right ankle while its sole presses against the wall [m].
+constexpr Vec3 kFaceFoot{0.275f, -0.16f, 0.49f};  // Right ankle while its sole presses against the wall [m].
 
 const std::vector<HandContact> kLeftHand{{0.18, 0.22, {0.20f, 0.26f, 1.32f}, 0.18, 0.2, false},
                                          {0.44, 1.72, {0.50f, 0.21f, 1.345f}, 0.25, 0.28}};

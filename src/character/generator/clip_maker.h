@@ -14,17 +14,17 @@ inline constexpr double kFrameRate = 60.0;  ///< Frames per second of every clip
 
 /// The description of a clip as functions of time.
 struct ClipDef {
-    std::string name;
-    std::string motion;
-    bool cyclic = false;
+    std::string name;                      ///< Name of the clip.
+    std::string motion;                    ///< Name of the clip's motion.
+    bool cyclic = false;                   ///< True if it repeats.
     int frames = 60;                       ///< Number of frame intervals in one play.
     std::function<Figure(double)> figure;  ///< Figure in the travelling frame by time [s].
-    std::function<Placement(double)>
-        travel;                     ///< Travelling frame by time [s]; it starts at the origin of the ground.
+    /// Travelling frame by time [s]; it starts at the origin of the ground.
+    std::function<Placement(double)> travel;
     std::vector<Contact> contacts;  ///< Contacts in any order.
-    double entryPhase = 0.0;
-    double exitPhase = 0.0;
-    ClipObstacle obstacle;
+    double entryPhase = 0.0;        ///< As Clip::entryPhase.
+    double exitPhase = 0.0;         ///< As Clip::exitPhase.
+    ClipObstacle obstacle;          ///< Obstacle that the clip crosses, if any.
 };
 
 /// Samples the description into a clip.

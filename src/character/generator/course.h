@@ -10,9 +10,9 @@ namespace muster::generator {
 
 /// The travelling frame on the ground [m, rad].
 struct Placement {
-    double x = 0.0;
-    double y = 0.0;
-    double yaw = 0.0;
+    double x = 0.0;    ///< [m]
+    double y = 0.0;    ///< [m]
+    double yaw = 0.0;  ///< [rad]
 };
 
 /// Transforms a point from the travelling frame at `place` to the ground frame, and back.

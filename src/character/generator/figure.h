@@ -21,16 +21,16 @@ Quat turned(double pitch, double roll, double yaw);
 
 /// A leg: position of the ankle, rotation of the foot and direction of the knee.
 struct Leg {
-    Vec3 ankle;
-    Quat foot;
+    Vec3 ankle;                   ///< Position of the ankle [m].
+    Quat foot;                    ///< Rotation of the foot.
     double toe = 0.0;             ///< Flexion of the toes, downwards relative to the foot [rad].
     Vec3 knee{1.0f, 0.0f, 0.0f};  ///< Direction in which the knee points.
 };
 
 /// The target of an arm, blended with the arm given by the body's channels.
 struct Reach {
-    double weight = 0.0;  ///< 0: the channels decide; 1: the wrist is at `wrist`.
-    Vec3 wrist;
+    double weight = 0.0;             ///< 0: the channels decide; 1: the wrist is at `wrist`.
+    Vec3 wrist;                      ///< Target of the wrist [m].
     Quat hand;                       ///< In the rest pose: fingers to the side, palm down.
     Vec3 elbow{-1.0f, 0.0f, -0.3f};  ///< Direction in which the elbow points.
     double follow = 0.0;             ///< 0: rotation `hand`; 1: the hand continues the forearm.
@@ -38,7 +38,7 @@ struct Reach {
 
 /// All inputs of a pose, in one frame: the travelling frame or the ground frame.
 struct Figure {
-    Body body;
+    Body body;                   ///< Trunk, head and free arms.
     std::array<Leg, 2> legs;     ///< Left, right.
     std::array<Reach, 2> reach;  ///< Left, right.
 };

@@ -27,34 +27,34 @@ struct Gait {
 
     double footForward = 0.0;  ///< Foot ahead of the hips in mid-contact [m].
     double footOut = 0.06;     ///< Foot from the middle line [m].
-    double toeOut = 0.1;
-    double strike = 0.3;     ///< Angle of the raised toes at landing.
-    double flat = 0.08;      ///< Share of the cycle from landing until flat.
-    double heelRise = 0.25;  ///< Share of the cycle from heel-off to toe-off.
-    double push = 1.0;       ///< Angle of the raised heel at toe-off.
-    Swing swing;
+    double toeOut = 0.1;       ///< Outward yaw of the feet.
+    double strike = 0.3;       ///< Angle of the raised toes at landing.
+    double flat = 0.08;        ///< Share of the cycle from landing until flat.
+    double heelRise = 0.25;    ///< Share of the cycle from heel-off to toe-off.
+    double push = 1.0;         ///< Angle of the raised heel at toe-off.
+    Swing swing;               ///< Angles of the leg between two steps.
 
-    double height = 0.9;   ///< Mean height of the hips; running: at landing [m].
-    double lift = 0.0;     ///< Running: rise of the hips from landing to toe-off [m].
-    double bob = 0.025;    ///< Vertical swing of the hips, unused in running [m].
-    double surge = 0.01;   ///< Forward swing of the hips relative to even travel [m].
-    double sway = 0.02;    ///< Sideways swing of the hips towards the standing foot [m].
-    double forward = 0.0;  ///< Hips ahead of the travelling frame [m].
-    double pelvisPitch = 0.05;
-    double pelvisYaw = 0.08;
-    double pelvisRoll = 0.06;
-    double lean = 0.03;  ///< Mean forward lean of the chest.
-    double nod = 0.0;    ///< Amplitude of the lean, which swings twice per cycle.
-    double chestYaw = 0.08;
-    double chestRoll = 0.03;
-    double headPitch = 0.0;
+    double height = 0.9;        ///< Mean height of the hips; running: at landing [m].
+    double lift = 0.0;          ///< Running: rise of the hips from landing to toe-off [m].
+    double bob = 0.025;         ///< Vertical swing of the hips, unused in running [m].
+    double surge = 0.01;        ///< Forward swing of the hips relative to even travel [m].
+    double sway = 0.02;         ///< Sideways swing of the hips towards the standing foot [m].
+    double forward = 0.0;       ///< Hips ahead of the travelling frame [m].
+    double pelvisPitch = 0.05;  ///< Constant forward tilt of the pelvis.
+    double pelvisYaw = 0.08;    ///< Amplitude of the pelvis' yaw.
+    double pelvisRoll = 0.06;   ///< Amplitude of the pelvis' roll.
+    double lean = 0.03;         ///< Mean forward lean of the chest.
+    double nod = 0.0;           ///< Amplitude of the lean, which swings twice per cycle.
+    double chestYaw = 0.08;     ///< Amplitude of the chest's yaw.
+    double chestRoll = 0.03;    ///< Amplitude of the chest's roll.
+    double headPitch = 0.0;     ///< Constant pitch of the head.
 
-    Wave arm;  ///< Forward swing of the upper arm.
-    double armOut = 0.15;
-    double armTurn = 0.3;
+    Wave arm;                ///< Forward swing of the upper arm.
+    double armOut = 0.15;    ///< Constant angle of the arms away from the body.
+    double armTurn = 0.3;    ///< Mean inward rotation of the arms.
     double armAcross = 0.0;  ///< Additional inward rotation of an arm that is forward.
-    Wave elbow;
-    double wrist = 0.15;
+    Wave elbow;              ///< Flexion of the elbow.
+    double wrist = 0.15;     ///< Constant flexion of the wrist.
 
     /// True if both feet leave the ground.
     bool flies() const { return contact < 0.5; }

@@ -48,7 +48,7 @@ struct LegShape {
 /// A leg's shape and its rate of change at the time where a clip joins another in mid-swing.
 struct LegJoin {
     double time = 0.0;
-    LegShape shape;
+    LegShape shape;      ///< Shape at that time.
     LegShape rate;       ///< Rate of change of the shape [per second].
     double clear = 0.0;  ///< Share of the lift that clears the ground, 0 to 1.
 };

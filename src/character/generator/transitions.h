@@ -8,16 +8,16 @@ namespace muster::generator {
 
 /// The description of a clip on two feet: its travel, its body and its steps.
 struct Transition {
-    std::string name;
-    std::string motion = "run";
-    int frames = 60;
-    Course course;
+    std::string name;                  ///< Name of the clip.
+    std::string motion = "run";        ///< Name of the clip's motion.
+    int frames = 60;                   ///< Number of frame intervals.
+    Course course;                     ///< Travel and body.
     std::vector<Step> steps[2];        ///< Left, right.
     std::optional<LegJoin> before[2];  ///< Set if the leg is in mid-swing at the start.
     std::optional<LegJoin> after[2];   ///< Set if the leg is in mid-swing at the end.
-    double entryPhase = 0.0;
-    double exitPhase = 0.0;
-    ClipObstacle obstacle;
+    double entryPhase = 0.0;           ///< As Clip::entryPhase.
+    double exitPhase = 0.0;            ///< As Clip::exitPhase.
+    ClipObstacle obstacle;             ///< Obstacle that the clip crosses, if any.
 };
 
 /// Samples a transition into a clip.

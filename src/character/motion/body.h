@@ -29,12 +29,12 @@ struct LimbLock {
 
 /// State of a body from step to step.
 struct Body {
-    std::uint32_t id = 0;  ///< Of the character.
-    bool fresh = true;     ///< True before its first step.
-    BodyPose pose;         ///< Pose shown.
-    BodyPose last;         ///< Smoothed pose one step ago, without limb locks.
-    BodyPose before;       ///< The same two steps ago.
-    Inertialisation inertialisation;
+    std::uint32_t id = 0;                            ///< Of the character.
+    bool fresh = true;                               ///< True before its first step.
+    BodyPose pose;                                   ///< Pose shown.
+    BodyPose last;                                   ///< Smoothed pose one step ago, without limb locks.
+    BodyPose before;                                 ///< The same two steps ago.
+    Inertialisation inertialisation;                 ///< Blends the pose at switches.
     std::array<LimbLock, kLockableLimbCount> limbs;  ///< By index of kLockableLimbs.
     std::array<Vec3, 2> stance;                      ///< Smoothed points about which steps are scaled [m].
     std::array<float, 2> knees{};                    ///< Cosines of the knee angles shown last.

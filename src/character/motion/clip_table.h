@@ -27,7 +27,7 @@ inline constexpr std::size_t kLockableLimbCount = kLockableLimbs.size();
 /// contact.
 struct ContactFrame {
     Vec3 roll;          ///< From the anchor to the joint [m].
-    Quat rotation; ///< Rotation of the joint.
+    Quat rotation;      ///< Rotation of the joint.
     float turn = 0.0f;  ///< Yaw of the character since the contact began [rad].
 };
 
@@ -44,20 +44,20 @@ struct ContactTrack {
 /// One clip.
 struct ClipEntry {
     const Clip* clip = nullptr;
-    ClipUse use = ClipUse::Locomotion;
-    bool cyclic = true;
-    bool standing = false;          ///< It does not travel.
-    bool handsTouch = false;        ///< A hand has a contact.
-    bool feetTouch = false;         ///< A foot has a contact.
-    bool onFloor = false;           ///< No foot goes below the floor; false for swimming.
-    bool strides = false;           ///< Only feet touch, so its steps may be scaled.
-    float duration = 0.0f;          ///< [s]
-    float speed = 0.0f;             ///< [m/s]
-    float length = 0.0f;            ///< [m]
-    std::int32_t enter = -1;        ///< Clip that leads into this cycle; -1 for none.
-    std::int32_t exit = -1;         ///< Clip that leads out of it; -1 for none.
-    std::array<Vec3, 2> stance;     ///< Mean position of each ankle in contact, in the body axes [m].
-    std::vector<float> localSpeed;  ///< Speed of the travel, per frame [m/s].
+    ClipUse use = ClipUse::Locomotion;  ///< How it is played.
+    bool cyclic = true;                 ///< True if it repeats.
+    bool standing = false;              ///< It does not travel.
+    bool handsTouch = false;            ///< A hand has a contact.
+    bool feetTouch = false;             ///< A foot has a contact.
+    bool onFloor = false;               ///< No foot goes below the floor; false for swimming.
+    bool strides = false;               ///< Only feet touch, so its steps may be scaled.
+    float duration = 0.0f;              ///< [s]
+    float speed = 0.0f;                 ///< [m/s]
+    float length = 0.0f;                ///< [m]
+    std::int32_t enter = -1;            ///< Clip that leads into this cycle; -1 for none.
+    std::int32_t exit = -1;             ///< Clip that leads out of it; -1 for none.
+    std::array<Vec3, 2> stance;         ///< Mean position of each ankle in contact, in the body axes [m].
+    std::vector<float> localSpeed;      ///< Speed of the travel, per frame [m/s].
     /// By index of kLockableLimbs, in order of `begin`.
     std::array<std::vector<ContactTrack>, kLockableLimbCount> contacts;
     std::vector<ContactFrame> frames;  ///< Frames of all contacts.

@@ -62,13 +62,13 @@ private:
     using Block = std::array<std::array<float, kRowsPerBlock>, kFeatureCount>;
     /// The rows of one clip.
     struct Range {
-        std::int32_t firstRow = 0;
-        std::int32_t rows = 0;
-        std::int32_t firstBlock = 0;
-        std::int32_t blocks = 0;  ///< Number of blocks that a search considers.
-        bool locomotion = false;
-        bool standing = false;
-        bool ends = false;
+        std::int32_t firstRow = 0;    ///< Index of the first row.
+        std::int32_t rows = 0;        ///< Number of rows.
+        std::int32_t firstBlock = 0;  ///< Index of the first block.
+        std::int32_t blocks = 0;      ///< Number of blocks that a search considers.
+        bool locomotion = false;      ///< True for a locomotion clip.
+        bool standing = false;        ///< True for a clip that does not travel.
+        bool ends = false;            ///< True for a clip that is not cyclic.
     };
 
     void addClip(const ClipEntry& entry);

@@ -28,7 +28,7 @@ Quat yawRotation(const Rotation& rotation);
 /// Target of a joint, in the body axes.
 struct LimbTarget {
     Vec3 position;  ///< [m]
-    Quat rotation;
+    Quat rotation;  ///< Rotation of the joint.
 };
 
 /// Updates the lock of a limb (index of kLockableLimbs) and returns its target. `free` is the target by the

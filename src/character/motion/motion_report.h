@@ -44,18 +44,18 @@ private:
     static constexpr std::size_t kSolePoints = 3;  // Heel, ball, toes.
     /// State of a body one step ago.
     struct Seen {
-        std::uint32_t id = 0;
+        std::uint32_t id = 0;     ///< Id of the character.
         Vec2 position;            ///< [m]
         std::uint32_t steps = 0;  ///< Number of steps observed without a gap, up to 2.
         bool onFloor = false;     ///< True if its soles were observed one step ago.
-        std::uint16_t clip = 0;
-        float time = 0.0f;
-        std::array<std::array<Vec3, kSolePoints>, 2> soles{};
-        std::array<float, 2> knees{};
-        std::array<bool, 2> locked{};
-        std::array<double, 2> slide{};
-        std::array<Vec3, kJointCount> joints{};
-        std::array<Vec3, kJointCount> before{};
+        std::uint16_t clip = 0;   ///< Clip that it played.
+        float time = 0.0f;        ///< Time in the clip [s].
+        std::array<std::array<Vec3, kSolePoints>, 2> soles{};  ///< Points of both soles [m].
+        std::array<float, 2> knees{};                          ///< Angles of the knees [rad].
+        std::array<bool, 2> locked{};                          ///< True for a locked foot.
+        std::array<double, 2> slide{};           ///< Slide of each foot in its present contact [m].
+        std::array<Vec3, kJointCount> joints{};  ///< Positions of the joints in the body axes [m].
+        std::array<Vec3, kJointCount> before{};  ///< The same two steps ago.
     };
 
     void observeBody(const CrowdMotion& motion, std::size_t k, float dt, Seen& seen);

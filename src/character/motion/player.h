@@ -16,25 +16,25 @@ namespace muster {
 
 /// The motion state of one character.
 struct Mover {
-    std::uint32_t id = 0;
-    bool fresh = true;      ///< True when it has just appeared.
-    bool switched = false;  ///< True if this step switched to another clip or part of it.
-    Vec2 position;          ///< Simulated position [m].
-    Vec2 velocity;          ///< Smoothed velocity of the simulated position [m/s].
-    float size = 1.0f;
-    float cadence = 1.0f;  ///< Step frequency relative to other characters at its speed.
-    std::uint16_t clip = 0;
-    std::uint16_t fromClip = 0;
-    float time = 0.0f;      ///< [s]
-    float fromTime = 0.0f;  ///< [s]
-    float fade = 0.0f;
-    float rate = 1.0f;     ///< Play rate [clip seconds per second].
-    float strideX = 1.0f;  ///< Scale of steps relative to the clip: forward part.
-    float strideY = 0.0f;  ///< Scale of steps relative to the clip: part to the left.
-    float yaw = 0.0f;      ///< Facing [rad].
-    Rotation facing;       ///< The same as `yaw`.
-    float shift = 0.0f;    ///< Yaw from the simulated heading towards a crossing [rad].
-    PatchCrossing action;
+    std::uint32_t id = 0;         ///< Id of the character.
+    bool fresh = true;            ///< True when it has just appeared.
+    bool switched = false;        ///< True if this step switched to another clip or part of it.
+    Vec2 position;                ///< Simulated position [m].
+    Vec2 velocity;                ///< Smoothed velocity of the simulated position [m/s].
+    float size = 1.0f;            ///< Size of the body relative to the skeleton.
+    float cadence = 1.0f;         ///< Step frequency relative to other characters at its speed.
+    std::uint16_t clip = 0;       ///< Clip played.
+    std::uint16_t fromClip = 0;   ///< Clip that fades out.
+    float time = 0.0f;            ///< Time in `clip` [s].
+    float fromTime = 0.0f;        ///< Time in `fromClip` [s].
+    float fade = 0.0f;            ///< Share of `fromClip` still shown, 0 to 1.
+    float rate = 1.0f;            ///< Play rate [clip seconds per second].
+    float strideX = 1.0f;         ///< Scale of steps relative to the clip: forward part.
+    float strideY = 0.0f;         ///< Scale of steps relative to the clip: part to the left.
+    float yaw = 0.0f;             ///< Facing [rad].
+    Rotation facing;              ///< The same as `yaw`.
+    float shift = 0.0f;           ///< Yaw from the simulated heading towards a crossing [rad].
+    PatchCrossing action;         ///< Crossing of a single-step patch; its patch is 0 for none.
     std::uint32_t donePatch = 0;  ///< Last completed single-step patch, until the simulation clears it.
 };
 
@@ -67,10 +67,10 @@ public:
 private:
     /// How the player plays one motion id of the world.
     struct Motion {
-        ClipUse use = ClipUse::Locomotion;
-        std::int32_t clip = -1;        ///< Clip on a patch that stands still, -1 for none.
-        std::int32_t movingClip = -1;  ///< Clip on a patch that moves, -1 for none.
-        double transition = 0.0;       ///< Duration of its transitions [s].
+        ClipUse use = ClipUse::Locomotion;  ///< How the clip is played.
+        std::int32_t clip = -1;             ///< Clip on a patch that stands still, -1 for none.
+        std::int32_t movingClip = -1;       ///< Clip on a patch that moves, -1 for none.
+        double transition = 0.0;            ///< Duration of its transitions [s].
     };
     /// One step of one character.
     struct Step {
