@@ -19,11 +19,13 @@ void openBrowser(const std::string& address) {
     posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&files, 2, "/dev/null", O_WRONLY, 0);
 #if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
-    posix_spawn_file_actions_addclosefrom_np(&files, 3);  // Also what we were given ourselves.
+    // Closes also the files that this process inherited.
+    posix_spawn_file_actions_addclosefrom_np(&files, 3);
 #endif
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);  // Ctrl+C in our terminal is not for it.
+    // A new session keeps Ctrl+C in this terminal from the browser.
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
     std::string program = "xdg-open";
     std::string argument = address;
     char* arguments[] = {program.data(), argument.data(), nullptr};

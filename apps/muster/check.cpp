@@ -18,7 +18,7 @@ struct CheckOptions {
     bool json = false;
 };
 
-/// What was found in one file.
+/// The result for one file.
 struct Finding {
     std::string kind = "unknown";
     Status status;

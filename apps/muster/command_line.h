@@ -27,28 +27,28 @@ class Option {
 public:
     explicit Option(CLI::Option* option) : option_(option) {}
 
-    /// The command line is wrong without it.
+    /// Makes the option required.
     Option& required();
-    /// The value lies in [low, high]; the whole numbers show as such in the help text.
+    /// Limits the value to [low, high]; the help text shows whole numbers without decimals.
     Option& range(int low, int high);
     Option& range(double low, double high);
-    /// A finite number in [low, high]; unlike range() it lets no "nan" pass.
+    /// Limits the value to finite numbers in [low, high]. Unlike range() it refuses "nan".
     Option& finite(double low, double high);
-    /// The value is one of these words.
+    /// Limits the value to these words.
     Option& oneOf(const std::vector<std::string>& words);
-    /// The value names a folder that exists.
+    /// Requires the name of an existing folder.
     Option& existingFolder();
-    /// `check` returns what is wrong with a value, or an empty text.
+    /// Adds a check: `check` returns the error for a value, or an empty text.
     Option& check(const std::function<std::string(const std::string&)>& check);
-    /// Exactly so many values.
+    /// Requires exactly that many values.
     Option& values(int count);
-    /// Values are separated by that character.
+    /// Sets the character that separates values.
     Option& separatedBy(char character);
-    /// One value each time that the option is given.
+    /// Takes one value each time the option is given.
     Option& oneValueEach();
-    /// Cannot be given together with `other`.
+    /// Forbids the option together with `other`.
     Option& excludes(const Option& other);
-    /// Can be given only together with `other`.
+    /// Allows the option only together with `other`.
     Option& needs(const Option& other);
 
 private:
@@ -60,17 +60,17 @@ class Subcommand {
 public:
     explicit Subcommand(CLI::App* app, int* exitCode) : app_(app), exitCode_(exitCode) {}
 
-    /// An option ("--name", "-n,--name") or a positional argument ("NAME") that sets `value`.
+    /// Adds an option ("--name", "-n,--name") or a positional argument ("NAME") that sets `value`.
     Option option(const std::string& name, std::string& value, const std::string& about);
     Option option(const std::string& name, int& value, const std::string& about);
     Option option(const std::string& name, double& value, const std::string& about);
     Option option(const std::string& name, std::vector<std::string>& values, const std::string& about);
     Option option(const std::string& name, std::vector<double>& values, const std::string& about);
-    /// A switch: `value` becomes true where it is given.
+    /// Adds a switch: `value` becomes true where it is given.
     Option flag(const std::string& name, bool& value, const std::string& about);
-    /// Text below the options in the help text.
+    /// Sets the text below the options in the help text.
     void footer(const std::string& text);
-    /// What the command does; returns the exit code.
+    /// Sets the function of the command; it returns the exit code.
     void run(std::function<int()> action);
 
 private:
@@ -78,7 +78,7 @@ private:
     int* exitCode_;
 };
 
-/// The whole command line.
+/// The complete command line.
 class CommandLine {
 public:
     CommandLine(const std::string& name, const std::string& about, const std::string& version,

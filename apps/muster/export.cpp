@@ -23,7 +23,7 @@ struct ExportOptions {
     ExportDef part;
 };
 
-/// The clips that people move by: a folder of clips, or that in which the scenario's clip files lie.
+/// The clips that characters play: a folder of clips, or the folder of the scenario's clip files.
 Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     std::error_code ignored;
     if (options.clips.empty()) {
@@ -46,7 +46,7 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     return clipsFor(take.def.clips, options.clips);
 }
 
-/// Where to write: the file asked for, or one in this folder by the take's name.
+/// The output path: the requested file, or a file in the current folder with the take's name.
 std::string outputPath(const ExportOptions& options, const ExportFormat& format) {
     if (!options.out.empty()) return options.out;
     return std::filesystem::path(options.take).stem().string() + format.ending;

@@ -1,4 +1,4 @@
-// Where the program finds what it comes with.
+// The folders that are installed with the program.
 #pragma once
 
 #include <string>
@@ -6,10 +6,11 @@
 
 namespace muster {
 
-/// The first of these folders that exists, looked for from here and from the program's place; else the first.
+/// The first of these folders that exists, relative to the current folder and to the program's folder;
+/// otherwise the first.
 std::string findFolder(const std::vector<std::string>& names);
 
-/// The folder of scenarios that comes with the program.
+/// The folder of the scenarios that are installed with the program.
 inline std::string scenariosFolder() {
     return findFolder({"scenarios", "../share/muster/scenarios"});
 }

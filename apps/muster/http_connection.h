@@ -1,4 +1,4 @@
-// HTTP requests to the studio's server: files of the page, takes, and the upgrade to a WebSocket.
+// HTTP requests to the studio's server: the page's files, takes, and the upgrade to a WebSocket.
 #pragma once
 
 #include <array>
@@ -15,12 +15,13 @@ namespace muster {
 
 using Response = http::response<http::string_body>;
 
-inline constexpr int kLingerSeconds = 2;  ///< A closing connection waits that long for the client to close.
+/// Seconds that a closing connection waits for the client to close.
+inline constexpr int kLingerSeconds = 2;
 inline constexpr const char* kSocketPath = "/ws";
 inline constexpr const char* kTakePath = "/take";
 inline constexpr const char* kHealthPath = "/health";
 
-/// A TCP connection while it speaks HTTP. It becomes a SocketConnection where a request upgrades it.
+/// A TCP connection that speaks HTTP. It becomes a SocketConnection when a request upgrades it.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 public:
     HttpConnection(StudioServer::Impl& server, tcp::socket socket)
@@ -29,7 +30,7 @@ public:
     }
     ~HttpConnection() { --server_.connections; }
 
-    // Reads the next request's head.
+    // Reads the next request's header.
     void start() {
         parser_ = std::make_unique<http::request_parser<http::vector_body<std::uint8_t>>>();
         parser_->header_limit(server_.def.limits.headerBytes);
@@ -37,8 +38,8 @@ public:
         stream_.expires_after(std::chrono::seconds(server_.def.limits.handshakeSeconds));
         http::async_read_header(stream_, buffer_, *parser_,
                                 [self = shared_from_this()](Error error, std::size_t size) {
-                                    // Beast counts the first line and the fields apart; the limit is for
-                                    // both.
+                                    // Beast limits the first line and the fields separately; this limit is
+                                    // for both together.
                                     if (!error && size > self->server_.def.limits.headerBytes)
                                         error = http::error::header_limit;
                                     self->headRead(error);
@@ -52,7 +53,7 @@ private:
         if (error == http::error::body_limit) return refuse(413, "The body is too large.");
         if (error == http::error::end_of_stream) return close();
         const auto& ofHttp = http::make_error_code(http::error::bad_field).category();
-        if (error && error.category() != ofHttp) return;  // Gone, or too slow.
+        if (error && error.category() != ofHttp) return;  // The client is gone or too slow.
         if (error) return refuse(400, "The request cannot be read.");
         const Request& request = parser_->get();
         if (request.count(http::field::host) != 1 ||
@@ -86,8 +87,8 @@ private:
                isLocalOrigin(toString(request[http::field::origin]), server_.port);
     }
 
-    // A take may be large: pages of others must not have it made, though they could not read it. Browsers say
-    // where a request comes from; programs of this machine need not.
+    // Pages of other sites must not make the server build a large take, even though they could not read it.
+    // Browsers state the origin of a request; local programs need not.
     bool takeKnown() const {
         const Request& request = parser_->get();
         const std::string site = toString(request["Sec-Fetch-Site"]);
@@ -127,7 +128,7 @@ private:
         respond(std::move(answer), file->cache);
     }
 
-    // A file that lies in no folder.
+    // Finds a file that is stored in memory instead of a folder.
     std::optional<StaticFile> made(const std::string& target) const {
         const auto path = plainPath(target);
         const auto found = path ? server_.def.files.find(*path) : server_.def.files.end();
@@ -135,7 +136,7 @@ private:
         return found->second;
     }
 
-    // What the simulation's thread calls with its answer.
+    // Returns the callback that the simulation's thread calls with its answer.
     HttpReply reply() {
         stream_.expires_never();
         return [self = shared_from_this(), &context = server_.context](HttpAnswer answer) {
@@ -145,7 +146,7 @@ private:
         };
     }
 
-    // Answers and, unless `keep`, closes: what follows may be the body of what was refused.
+    // Answers. Closes unless `keep`, because a refused request's body may follow.
     void refuse(int status, const std::string& sentence, bool keep = false) {
         HttpAnswer answer;
         answer.status = status;
@@ -174,8 +175,8 @@ private:
         });
     }
 
-    // Says that nothing more comes, then swallows what is still on its way: closing at once would reset the
-    // connection, and the client might lose our answer.
+    // Ends the sending direction, then reads and drops what still arrives. An immediate close would reset the
+    // connection, and the client might lose the answer.
     void close() {
         Error ignored;
         stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);

@@ -28,14 +28,14 @@ struct ImportOptions {
     bool json = false;
 };
 
-/// A free square of ground.
+/// A free square of the ground.
 struct FreeSquare {
     Vec2 position;
     double reach = 0.0;  ///< Half the edge of the free square around it [m].
 };
 
-/// For each ground cell its distance to the nearest cell that is not of the region, in cells of a chessboard:
-/// half the edge of the largest free square around it.
+/// The chessboard distance of each ground cell to the nearest cell outside the region, in cells: half the
+/// edge of the largest free square around it.
 std::vector<std::int32_t> freeSquareSizes(const Grid& grid, const std::vector<std::uint8_t>& inside) {
     std::vector<std::int32_t> sizes(inside.size(), 0);
     const auto at = [&](std::int32_t x, std::int32_t y) {
@@ -58,7 +58,7 @@ std::vector<std::int32_t> freeSquareSizes(const Grid& grid, const std::vector<st
     return sizes;
 }
 
-/// The largest free square of the largest region; among equals the one nearest to the middle of the map.
+/// The largest free square of the largest region; among equals the one nearest to the map's centre.
 Result<FreeSquare> largestFreeSquare(const WorldDef& def) {
     auto environment = Environment::create({def.box, def.cell, 1.5, 1.0, def.clips});
     if (!environment.ok()) return environment.status();

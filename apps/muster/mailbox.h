@@ -8,14 +8,15 @@
 
 namespace muster {
 
-/// Any thread may post; one thread collects all messages at once. The lock is held for a swap only.
+/// Any thread may post; one thread collects all messages at once. The lock protects only the exchange of
+/// lists.
 template <class Message>
 class Mailbox {
 public:
-    /// Holds so many bytes of messages that are not collected yet.
+    /// Sets the limit for the bytes of messages that are not collected yet.
     explicit Mailbox(std::size_t bytes) : capacity_(bytes) {}
 
-    /// Posts a message of that size; false where the queue is full. A message of size 0 always fits.
+    /// Posts a message of that size; returns false where the queue is full. A message of size 0 always fits.
     bool post(Message message, std::size_t bytes = 0) {
         {
             const std::lock_guard<std::mutex> lock(mutex_);

@@ -28,7 +28,7 @@ int run(int argc, char** argv) {
     return line.run(argc, argv);
 }
 
-/// What is said must have been heard: a full disk behind standard output is a failure.
+/// Fails where standard output could not be written, for example on a full disk.
 bool allPrinted() {
     std::cout.flush();
     return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();

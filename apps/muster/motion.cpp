@@ -31,14 +31,14 @@ struct MotionOptions {
     MeasureOptions measured;
 };
 
-/// A line of the table.
+/// A row of the table.
 struct Row {
     std::string clip;
-    std::string file;  ///< Empty for Muster's own.
+    std::string file;  ///< Empty for Muster's own clips.
     MotionFacts facts;
 };
 
-/// Metres by a unit's name or number; 0 where it is to be guessed.
+/// Metres of a unit given by name or number; 0 where the unit is guessed.
 Result<double> unitNamed(const std::string& name) {
     static constexpr std::pair<const char*, double> kUnits[] = {
         {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}, {"cmu", 0.0254 / 0.45}};
@@ -56,11 +56,11 @@ Row ownRow(const Clip& clip) {
     return {clip.name, {}, factsOf(clip)};
 }
 
-/// What a name on the command line stands for.
+/// The clips that a name on the command line refers to.
 struct Named {
-    std::vector<Clip> clips;  ///< One of Muster's own, or those of a folder.
+    std::vector<Clip> clips;  ///< One of Muster's own clips, or those of a folder.
     bool own = false;
-    std::optional<BvhMotion> motion;  ///< Of a file.
+    std::optional<BvhMotion> motion;  ///< The motion of a file.
 };
 
 Result<Named> named(const std::string& name, double unit) {
@@ -142,7 +142,7 @@ void print(const std::vector<Row>& rows, double run) {
     std::printf("Ratios are to running at %.3f m/s. Contacts: left and right foot, hand and knee.\n", run);
 }
 
-/// Speed of the clip that ratios refer to [m/s].
+/// Speed of the clip that speed ratios refer to [m/s].
 Result<double> runSpeed(const MotionOptions& options, double unit) {
     std::vector<Row> rows;
     if (options.run.empty()) {
@@ -155,7 +155,7 @@ Result<double> runSpeed(const MotionOptions& options, double unit) {
     return rows[0].facts.speed;
 }
 
-/// Own clips by name, those of a folder, or a file's motion brought onto Muster's skeleton.
+/// Muster's own clips by name, a folder's clips, or a file's motion retargeted to Muster's skeleton.
 Status addClips(const std::string& name, double unit, std::vector<Clip>& clips) {
     auto found = named(name, unit);
     if (!found.ok()) return found.status();
@@ -174,7 +174,7 @@ Status drawStrips(const MotionOptions& options, double unit) {
     return writeStrips(options.clips.empty() ? ownClips().clips : clips, options.strips);
 }
 
-/// What is asked for beside the table.
+/// The outputs requested besides the table.
 Status writeFiles(const MotionOptions& options, double unit) {
     if (!options.folder.empty())
         if (Status s = writeClips(ownClips(), options.folder); !s.ok()) return s;

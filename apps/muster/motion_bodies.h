@@ -1,4 +1,4 @@
-// Bodies as files.
+// Writes bodies to files.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace muster {
 
-/// A body as a file.
+/// A body in the form of a file.
 struct BodyFile {
-    std::string name;   ///< "body-1.glb", "body-1-far.glb"...
+    std::string name;   ///< For example "body-1.glb" or "body-1-far.glb".
     std::string bytes;  ///< Binary glTF.
 };
-/// All bodies at all levels.
+/// All bodies at all levels of detail.
 std::vector<BodyFile> bodyFiles();
-/// Writes them into `folder`, which is made where there is none. Fails with IoError.
+/// Writes them into `folder`, which is created where it does not exist. Fails with IoError.
 Status writeBodies(const std::string& folder);
 
 }  // namespace muster

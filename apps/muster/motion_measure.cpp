@@ -15,9 +15,9 @@
 namespace muster {
 namespace {
 
-constexpr double kLongestAfterTouch = 60.0;  // After the last touch [s].
+constexpr double kLongestAfterTouch = 60.0;  // Longest simulated time after the last touch [s].
 
-/// One scenario measured.
+/// The measures of one scenario.
 struct Measured {
     std::string scenario;
     std::int32_t characters = 0;

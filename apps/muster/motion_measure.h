@@ -1,4 +1,4 @@
-// Measures of motion over scenarios: slide of feet, speed of knees, depth below the floor.
+// Measures of motion over scenarios: foot slide, knee speed, depth below the floor.
 #pragma once
 
 #include <string>
@@ -6,17 +6,19 @@
 
 namespace muster {
 
-/// muster motion --measure.
+/// Options of `muster motion --measure`.
 struct MeasureOptions {
-    std::vector<std::string> scenarios;  ///< Files.
+    std::vector<std::string> scenarios;  ///< Paths of scenario files.
     std::int32_t count = 0;  ///< Characters of the first group instead of the scenario's; 0 for those.
-    /// Simulated [s]; 0: until all have arrived and stand, at most a minute after the last touch.
+    /// Simulated time [s]; 0 ends when all characters have arrived and stand, at most a minute after the last
+    /// touch.
     double seconds = 0.0;
-    std::string clips;  ///< Folder of clips to play; empty for Muster's own.
-    bool json = false;  ///< One JSON value, else a table.
+    std::string clips;  ///< Folder of clips to play; empty for Muster's own clips.
+    bool json = false;  ///< Prints JSON instead of a table.
 };
 
-/// Plays each scenario with the touches it carries and prints what its motion is like. Returns an exit code.
+/// Simulates each scenario with the touches it carries and prints the measures of its motion. Returns an exit
+/// code.
 int measureMotion(const MeasureOptions& options);
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// Clips as pictures.
+// Draws clips as pictures.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace muster {
 
-/// Draws each clip as a strip of poses into `folder`/NAME.svg, which is made where there is none. Fails with
-/// IoError.
+/// Draws each clip as a strip of poses into `folder`/NAME.svg. The folder is created where it does not exist.
+/// Fails with IoError.
 Status writeStrips(const std::vector<Clip>& clips, const std::string& folder);
 
 }  // namespace muster

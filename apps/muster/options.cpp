@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 bool sameFile(const std::string& a, const std::string& b) {
     std::error_code error;
     if (fs::equivalent(a, b, error)) return true;
-    // Files that are still to be made have nothing but their names.
+    // A file that does not exist yet can only be compared by its path.
     std::error_code first, second;
     const fs::path left = fs::weakly_canonical(a, first), right = fs::weakly_canonical(b, second);
     return !first && !second && left == right;

@@ -1,4 +1,4 @@
-// Checks of several options together.
+// Checks that concern several options.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// Fails where a file to be written is one of those read, or is named twice. Empty names are left out.
+/// Fails where a file would be both read and written, or written twice. Empty names are ignored.
 Status differentFiles(const std::vector<std::string>& read, const std::vector<std::string>& written);
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// Changes of parameters from the command line.
+// Parameter changes from the command line.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace muster {
 
-/// --plan, --preset and --set.
+/// The options --plan, --preset and --set.
 struct Overrides {
     std::string plan;
     std::string preset;
-    std::vector<std::string> settings;  ///< "name=value".
+    std::vector<std::string> settings;  ///< In the form "name=value".
 
     /// Adds the options to a command.
     void addTo(Subcommand& command);
-    /// Applies preset, then plan, then settings. Only what the presets differ in is set by one. Fails naming
-    /// the culprit, also where the parameters contradict each other at the end.
+    /// Applies preset, then plan, then settings. A preset sets only the parameters in which presets differ.
+    /// Fails naming the option; it also fails where the final parameters contradict each other.
     Status apply(WorldDef& def) const;
 };
 

@@ -17,8 +17,9 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kLargestExact = 1000;  // Characters that one field per place is practicable for.
-constexpr double kLongest = 1e6;             // [s]
+// Largest number of characters for which one cost field per place is practicable.
+constexpr std::size_t kLargestExact = 1000;
+constexpr double kLongest = 1e6;  // Largest time in a scene [s].
 
 struct PeersOptions {
     std::string file;
@@ -30,7 +31,7 @@ struct PeersOptions {
     bool json = false;
 };
 
-/// A scene with the time it may take.
+/// A scene and its time limit.
 struct Scene {
     std::string name;
     WorldDef def;
@@ -50,7 +51,7 @@ bool readPoints(const Json& list, std::vector<Vec2>& points) {
     return true;
 }
 
-/// The value of a key, or `none`.
+/// The value of a key, or `none` where it is missing.
 const Json& valueOf(const Json& object, std::string_view key, const Json& none) {
     const Json* found = object.find(key);
     return found != nullptr ? *found : none;
@@ -75,7 +76,7 @@ bool readObstacles(const Json& scene, WorldDef& def) {
     return true;
 }
 
-/// Explicit starts, slots as a formation that stands still: nothing may displace the slots.
+/// Makes explicit starts, and slots as a formation that stands still. Nothing may displace the slots.
 Result<Scene> readScene(const std::string& name, const Json& json, const PeersOptions& options) {
     const auto bad = [&](const char* key, const std::string& expected) {
         return Status(StatusCode::ParseError, sceneName(options.file, name) + "." + key +
@@ -112,7 +113,7 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
     scene.def.parameters.character.maxSpeed = 2.0;
     scene.def.parameters.field.enabled = false;
     if (!options.inertia) {
-        // From one velocity to any other in a step.
+        // Allows any change of velocity within a step.
         scene.def.parameters.character.velocityGain = 60.0;
         scene.def.parameters.character.acceleration = 1000.0;
     }
@@ -155,8 +156,8 @@ Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
                   options.file + ": $.scenes: found no scene \"" + options.scene + "\"");
 }
 
-/// One CSV file per scene: PATH itself for one scene, else PATH-SCENE, its ending kept. What would not do in
-/// a file name becomes "-".
+/// One CSV file per scene: PATH itself for one scene, otherwise PATH-SCENE with the extension of PATH.
+/// Characters that are unsuitable for a file name become "-".
 std::vector<std::string> trajectoryFiles(const std::string& path, const std::vector<Scene>& scenes) {
     if (path.empty() || scenes.size() == 1) return std::vector<std::string>(scenes.size(), path);
     const std::filesystem::path whole(path);

@@ -19,7 +19,7 @@
 namespace muster {
 namespace {
 
-constexpr double kTrailPeriod = 0.2;  // [s]
+constexpr double kTrailPeriod = 0.2;  // Time between two points of a trail [s].
 
 struct PictureOptions {
     std::string source;
@@ -34,7 +34,7 @@ struct PictureOptions {
     bool json = false;
 };
 
-/// Scenario and commands of what is to be pictured.
+/// Scenario and commands of the world to draw.
 Status loadSource(const PictureOptions& options, WorldDef& def, std::vector<Command>& commands) {
     const auto text = readTextFile(options.source, std::size_t{1} << 30);
     if (!text.ok()) return text.status();
@@ -66,7 +66,7 @@ void addTrail(const World& world, std::vector<std::vector<Vec2>>& trails) {
     for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(world.characters().position[i]);
 }
 
-/// Fails where the group or place asked for does not exist at that moment.
+/// Fails where the requested group or place does not exist at that moment.
 Status placeExists(const World& world, const PictureDef& picture) {
     const auto range = [](const char* what, std::size_t found, std::size_t count) {
         return invalidArgument(std::string(what) + ": found " + std::to_string(found) + ", expected " +

@@ -1,4 +1,4 @@
-// Figures and messages of the commands, for people and as JSON.
+// Results and messages of the commands, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -11,32 +11,31 @@
 
 namespace muster {
 
-/// The figures by the names that docs/scenario-format.md and `muster play --help` list; unreached times are
-/// null.
+/// The results by the names that docs/scenario-format.md and `muster play --help` list. Times that were not
+/// reached are null.
 Json figuresJson(const RunFigures& figures);
-/// The same as lines of text on standard output.
+/// Prints the results as lines of text on standard output.
 void printFigures(const RunFigures& figures);
-/// "12.3", or "-" below zero.
+/// Formats as "12.3", or as "-" where negative.
 std::string timeText(double seconds);
-/// One JSON value on standard output.
+/// Prints one JSON value on standard output.
 void printJsonValue(const Json& value);
-/// One sentence on standard error; returns kExitFailure.
+/// Prints one sentence on standard error; returns kExitFailure.
 int reportFailure(const Status& status);
-/// What is likely a mistake in a scenario, on standard error: the first few warnings, and how many more there
-/// are.
+/// Prints the first few warnings about a scenario on standard error, and the number of the others.
 void printWarnings(const WorldDef& def, const std::string& path);
 
-/// A line on standard error that is rewritten as long work goes on; silent where standard error is no
-/// terminal.
+/// A progress line on standard error that is rewritten during long work. It is silent where standard error is
+/// no terminal.
 class Progress {
 public:
-    /// `what` stands before the percentage.
+    /// `what` precedes the percentage.
     explicit Progress(std::string what);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    /// Shows the share that is done and what is done just now, at most a few times a second and not within
-    /// the first second.
+    /// Shows the completed share and the present activity, at most a few times per second and not within the
+    /// first second.
     void show(double share, const std::string& detail = {});
 
 private:

@@ -28,14 +28,14 @@ struct ReproduceOptions {
     bool json = false;
 };
 
-/// The names of experiments, in their order.
+/// The names of all experiments, in their order.
 std::vector<std::string> experimentIds() {
     std::vector<std::string> ids;
     for (const auto& experiment : paperExperiments()) ids.push_back(experiment->text().id);
     return ids;
 }
 
-/// What is wrong with the name of an experiment; empty where it is known.
+/// The error for the name of an experiment; empty where it is known.
 std::string knownExperiment(const std::string& wanted) {
     std::string known;
     for (const std::string& id : experimentIds()) {
@@ -45,7 +45,7 @@ std::string knownExperiment(const std::string& wanted) {
     return "found \"" + wanted.substr(0, 40) + "\", expected some of " + known;
 }
 
-/// The day and minute, in the time that is everywhere the same.
+/// Date and time to the minute, in UTC.
 std::string now() {
     const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     std::tm parts{};
@@ -55,7 +55,7 @@ std::string now() {
     return text;
 }
 
-/// Makes the folder and sees that the report can be written, before the long work that it is to hold.
+/// Creates the folder and checks that the report can be written, before the long work begins.
 Status prepareFolder(const std::string& folder) {
     std::error_code error;
     if (fs::exists(folder, error) && !fs::is_directory(folder, error))
@@ -73,7 +73,7 @@ Status prepareFolder(const std::string& folder) {
     return {};
 }
 
-/// On a terminal a line that is rewritten; in a log a line per experiment when it is complete.
+/// Progress: a rewritten line on a terminal; in a log one line per completed experiment.
 class ReproduceWatch {
 public:
     void operator()(const ReproduceProgress& p) {

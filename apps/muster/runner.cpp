@@ -11,9 +11,9 @@
 namespace muster {
 namespace {
 
-constexpr double kMostSteps = 4294967295.0;  // That a step's number can hold.
+constexpr double kMostSteps = 4294967295.0;  // Largest number of steps that a step counter can represent.
 
-/// What is written while a world runs.
+/// The files that are written while a world runs.
 struct Recorders {
     std::optional<TakeWriter> take;
     std::optional<TrajectoryWriter> trajectory;

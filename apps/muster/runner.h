@@ -1,4 +1,4 @@
-// Runs a world to its end, with what is to be watched and recorded.
+// Runs a world to its end with outputs.
 #pragma once
 
 #include <string>
@@ -9,19 +9,21 @@
 
 namespace muster {
 
-/// How a run goes.
+/// Options of a run.
 struct RunDef {
-    /// Simulated [s]; negative: until all have arrived and stand, at most `longest`.
+    /// Simulated time [s]; negative ends when all characters have arrived and stand, after at most `longest`.
     double seconds = -1.0;
-    double longest = 120.0;      ///< After the last command [s].
-    std::int32_t threads = 1;    ///< As for World::create.
-    std::string takePath;        ///< Where the take goes; empty for none.
-    std::string trajectoryPath;  ///< Where the CSV goes; empty for none.
-    bool pathRatio = true;       ///< Report it: a cost field per character.
-    std::string label;           ///< Shown with the progress.
+    double longest = 120.0;      ///< Time limit after the last command [s].
+    std::int32_t threads = 1;    ///< As in World::create.
+    std::string takePath;        ///< Output path of the take; empty for none.
+    std::string trajectoryPath;  ///< Output path of the CSV; empty for none.
+    /// Whether the path ratio is reported; it needs a cost field per character.
+    bool pathRatio = true;
+    std::string label;  ///< Shown with the progress.
 };
 
-/// Simulates a new world of that definition and reports. Commands are submitted before the first step.
+/// Simulates a new world of that definition and reports the results. Commands are submitted before the first
+/// step.
 Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands,
                             const RunDef& run);
 

@@ -19,7 +19,7 @@ ScenarioEntry describe(const std::string& name, const WorldDef& def) {
     return entry;
 }
 
-/// Scenarios lie beside folders with what belongs to them.
+/// False for hidden folders and for the folders of gestures and schemas.
 bool holdsScenarios(const std::string& name) {
     return name != "gestures" && name != "schema" && name.front() != '.';
 }
@@ -111,11 +111,11 @@ Result<std::vector<Command>> ScenarioFolder::gestures(const std::string& name, c
 Result<ClipLibrary> ScenarioFolder::clips(const std::string& name, const WorldDef& def) const {
     const std::string* path = pathOf(name);
     if (path != nullptr) return clipsFor(def.clips, fs::path(*path).parent_path().string());
-    // A take knows its scenario by the title only.
+    // A take gives only the title of its scenario.
     for (std::size_t i = 0; i < entries_.size(); ++i)
         if (entries_[i].title == def.name)
             return clipsFor(def.clips, fs::path(paths_[i]).parent_path().string());
-    // From elsewhere: where its files would lie nobody knows.
+    // The folder of the clip files is unknown for a take from another machine.
     return namesClipFiles(def.clips) ? notFound(name).within("clip files") : clipsFor({}, {});
 }
 

@@ -1,4 +1,4 @@
-// The scenarios that the studio's picker offers.
+// The scenarios that the studio offers.
 #pragma once
 
 #include <string>
@@ -8,29 +8,29 @@
 
 namespace muster {
 
-/// Scenario files of a folder, by file name without ".json"; those of folders in it as FOLDER/NAME.
+/// Scenario files of a folder by file name without ".json"; files in its subfolders are named FOLDER/NAME.
 class ScenarioFolder {
 public:
-    /// Looks through a folder and those in it, but for `gestures`, `schema` and hidden ones, no deeper. Files
-    /// that cannot be read are reported on standard error and left out.
+    /// Scans a folder and its direct subfolders, except `gestures`, `schema` and hidden ones. A file that
+    /// cannot be read is reported on standard error and left out.
     static ScenarioFolder scan(const std::string& folder);
 
-    /// Adds a file from anywhere and returns the name it got, or has already. Fails as loadScenario does.
+    /// Adds a file from any folder and returns its new or existing name. Fails like loadScenario.
     Result<std::string> add(const std::string& path);
-    /// In the order of names, those of folders in it behind the others.
+    /// Sorted by name; files in subfolders come last.
     const std::vector<ScenarioEntry>& entries() const { return entries_; }
-    /// The one to begin with where none is asked for: "open", else the first; empty for none.
+    /// The default scenario: "open", otherwise the first; empty for none.
     std::string first() const;
-    /// True where one bears that name.
+    /// True where a scenario has that name.
     bool has(const std::string& name) const;
-    /// Reads it anew. Fails with NotFound, or as loadScenario does.
+    /// Reads the scenario from its file. Fails with NotFound, or like loadScenario.
     Result<WorldDef> load(const std::string& name) const;
-    /// Reads the touches that it carries, for a world of that definition. Fails as load() and
-    /// loadScenarioGestures do.
+    /// Reads the touches that the scenario carries, for a world of that definition. Fails like load() and
+    /// loadScenarioGestures.
     Result<std::vector<Command>> gestures(const std::string& name, const WorldDef& def) const;
-    /// Reads the clips that its characters move by: those of files that it names, else Muster's own. A name
-    /// that is not in the folder is a take's: then the scenario is found by its title. Fails as clipsFor()
-    /// does, or with NotFound where a take from elsewhere names files.
+    /// Reads the clips that its characters play: those of the files that it names, otherwise Muster's own. A
+    /// name that is not in the folder belongs to a take; the scenario is then found by its title. Fails like
+    /// clipsFor(), or with NotFound where a take from another machine names files.
     Result<ClipLibrary> clips(const std::string& name, const WorldDef& def) const;
 
 private:
@@ -39,7 +39,7 @@ private:
     const std::string* pathOf(const std::string& name) const;
 
     std::vector<ScenarioEntry> entries_;
-    std::vector<std::string> paths_;  // Of the entries.
+    std::vector<std::string> paths_;  // Paths of the entries.
 };
 
 }  // namespace muster

@@ -1,5 +1,5 @@
-// What the server's connections share. Only studio_server.cpp includes this, directly or not: Boost.Beast
-// takes 15 s to compile.
+// State that the server's connections share. Only studio_server.cpp may include this, directly or not,
+// because Boost.Beast takes 15 s to compile.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -31,7 +31,7 @@ inline std::string toString(beast::string_view view) {
 
 class SocketConnection;
 
-/// The server's state. All of it belongs to the thread in run().
+/// The server's state. It belongs to the thread in run().
 struct StudioServer::Impl {
     explicit Impl(ServerDef serverDef)
         : def(std::move(serverDef)), context(1), acceptor(context), signals(context, SIGINT, SIGTERM) {}
@@ -43,11 +43,12 @@ struct StudioServer::Impl {
 
     ServerDef def;
     int port = 0;
-    std::size_t connections = 0;  ///< Open ones of any kind.
+    std::size_t connections = 0;  ///< Number of open connections of any kind.
     ConnectionId lastSocket = 0;
-    std::size_t sockets = 0;  ///< WebSockets, also those still shaking hands.
+    std::size_t sockets = 0;  ///< Number of WebSockets, including those in the handshake.
     std::map<ConnectionId, std::weak_ptr<SocketConnection>> openSockets;
-    // Last, so that connections, which the context owns, go before what they report to.
+    // The context is declared after the members above, so that the connections that it owns are destroyed
+    // before those members.
     asio::io_context context;
     tcp::acceptor acceptor;
     asio::signal_set signals;

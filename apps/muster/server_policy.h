@@ -1,4 +1,4 @@
-// Who may talk to the studio's server, and what its pages may do (docs/security.md).
+// Access rules of the studio's server and of its pages (docs/security.md).
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace muster {
 
-/// True for 127.0.0.1 and localhost with the server's port, as an HTTP Host field names them.
+/// True where an HTTP Host field names 127.0.0.1 or localhost with the server's port.
 bool isLocalHost(const std::string& host, int port);
-/// The same as an Origin field.
+/// The same for an Origin field.
 bool isLocalOrigin(const std::string& origin, int port);
-/// HTTP fields of every response that keep other sites out, by name.
+/// Names and values of the HTTP fields in every response that keep other sites out.
 std::vector<std::pair<const char*, std::string>> securityFields(int port);
 
 }  // namespace muster

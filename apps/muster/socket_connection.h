@@ -58,7 +58,7 @@ public:
             queued_ += message.size();
             queue_.push_back(std::move(message));
         }
-        // Somebody who takes no bytes at all is cut, so that the queue stays bounded.
+        // Closes the connection to a client that reads nothing, so that the queue stays bounded.
         if (queued_ > server_.def.limits.queuedBytes) return cut();
         if (idle) write();
     }
@@ -78,7 +78,9 @@ private:
 
     void read() {
         socket_.async_read(buffer_, [self = shared_from_this()](Error error, std::size_t) {
-            if (error) return;  // Closed, too large (Beast tells the client 1009), silent or broken.
+            // The connection is closed, silent or broken, or the message is too large (Beast sends the client
+            // code 1009).
+            if (error) return;
             self->received();
             self->read();
         });
@@ -115,13 +117,13 @@ private:
     }
 
     StudioServer::Impl& server_;
-    /// Without compression: pictures of a crowd do not shrink, and it costs seconds of compile time.
+    /// Compression is off: frames of a crowd hardly shrink, and it costs seconds of compile time.
     websocket::stream<beast::tcp_stream, false> socket_;
     beast::flat_buffer buffer_;
     TokenBucket rate_;
     double began_;
     bool refusing_ = false;
-    ConnectionId id_ = 0;  // 0 until the handshake is done.
+    ConnectionId id_ = 0;  // 0 until the handshake is complete.
     std::deque<std::vector<std::uint8_t>> queue_;
     std::size_t queued_ = 0;  // Bytes.
 };

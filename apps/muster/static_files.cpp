@@ -69,7 +69,7 @@ std::optional<StaticFile> readStaticFile(const std::string& folder, std::string_
     StaticFile file;
     file.body.assign(std::istreambuf_iterator<char>(stream), {});
     file.type = typeOf(path);
-    // Files below /assets carry a hash of their contents in their names.
+    // File names below /assets contain a hash of the contents.
     const bool hashed = plain->rfind("/assets/", 0) == 0;
     file.cache = hashed ? "public, max-age=31536000, immutable" : "no-cache";
     return file;

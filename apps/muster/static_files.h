@@ -1,4 +1,4 @@
-// The built page's files.
+// The files of the built page.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,18 @@
 
 namespace muster {
 
-/// A file as it is served.
+/// A file with its HTTP properties.
 struct StaticFile {
     std::string type;   ///< MIME type.
-    std::string cache;  ///< Cache-Control.
+    std::string cache;  ///< Value of Cache-Control.
     std::string body;
 };
 
-/// The path part of a request target, "/" completed to "/index.html"; none for anything that is not a plain
-/// absolute path: escapes, backslashes, parent folders, hidden names.
+/// The path of a request target; "/" becomes "/index.html". Nothing for targets other than plain absolute
+/// paths, that is with escapes, backslashes, parent folders or hidden names.
 std::optional<std::string> plainPath(std::string_view target);
-/// Reads a file of `folder`; none where it does not exist, is no plain file or lies (by a link) outside.
+/// Reads a file of `folder`; nothing where it does not exist, is no regular file or lies outside through a
+/// link.
 std::optional<StaticFile> readStaticFile(const std::string& folder, std::string_view target);
 
 }  // namespace muster

@@ -5,21 +5,21 @@
 
 namespace muster {
 
-/// How the studio is started.
+/// Options of the studio.
 struct StudioOptions {
     std::string host = "127.0.0.1";  ///< Address to listen on; loopback only.
-    int port = 8080;                 ///< The next free one is taken where it is in use.
-    /// Loaded first; a name in the folder or a path; empty for the first one.
+    int port = 8080;                 ///< Where the port is in use, the next free one is used.
+    /// The first scenario to load: a name in the folder or a path; empty for the folder's default.
     std::string scenario;
-    std::string scenarioFolder;         ///< Where the picker's scenarios lie.
-    std::string pageFolder;             ///< The built page.
-    std::string takesFolder = "takes";  ///< Where recordings are kept while they run; made when needed.
-    int threads = 1;                    ///< Of the simulation; 0 takes what the machine has.
+    std::string scenarioFolder;         ///< Folder of the scenarios that the studio offers.
+    std::string pageFolder;             ///< Folder of the built page.
+    std::string takesFolder = "takes";  ///< Folder of recordings while they run; it is created when needed.
+    int threads = 1;                    ///< Number of simulation threads; 0 uses all cores.
     bool openBrowser = false;           ///< Opens the page in the desktop's browser.
-    bool json = false;                  ///< Tells address and port as one JSON value.
+    bool json = false;                  ///< Prints address and port as one JSON value.
 };
 
-/// Serves until interrupted. Returns the program's exit code; failures are reported on standard error.
+/// Serves until interrupted. Returns the program's exit code; failures are printed on standard error.
 int runStudio(const StudioOptions& options);
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// The studio: one thread simulates, one serves. The server posts events to the simulation.
+// The studio: one thread simulates, another serves. The server posts events to the simulation.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -26,9 +26,9 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMailboxBytes = std::size_t{128} << 20;  // A take and many messages.
+constexpr std::size_t kMailboxBytes = std::size_t{128} << 20;  // Enough for a take and many messages.
 constexpr double kLongestWait = 0.25;                          // [s]
-constexpr int kExitInterrupted = 130;                          // As shells call it.
+constexpr int kExitInterrupted = 130;                          // The exit code that shells use for Ctrl+C.
 
 // Events that the server posts to the simulation.
 struct Opened {
@@ -80,14 +80,15 @@ bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
            (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart || bytes == demonstrate);
 }
 
-// To begin a world costs much and undoes all before it: of equal requests that wait, only the last is heard,
-// so that nobody keeps the simulation busy by repeating one.
+// A new world costs much and replaces everything before it. Of equal waiting requests only the last is
+// handled, so that a client cannot keep the simulation busy by repeating one.
 void dropRepeated(std::vector<HostEvent>& events) {
     std::set<std::vector<std::uint8_t>> seen;
     for (auto event = events.rbegin(); event != events.rend(); ++event) {
         auto* received = std::get_if<Received>(&*event);
         if (received == nullptr || !beginsWorld(received->bytes)) continue;
-        if (!seen.insert(received->bytes).second) received->connection = 0;  // Nobody's.
+        // No client has this number, so the event is ignored.
+        if (!seen.insert(received->bytes).second) received->connection = 0;
     }
 }
 
@@ -98,7 +99,7 @@ public:
                const std::atomic<bool>& interrupted)
         : session_(std::move(session)), mailbox_(mailbox), server_(server), interrupted_(interrupted) {}
 
-    // Until interrupted.
+    // Returns when interrupted.
     void run() {
         using Clock = std::chrono::steady_clock;
         std::vector<HostEvent> events;
@@ -107,7 +108,7 @@ public:
             mailbox_.collect(
                 clients_.empty() ? kLongestWait : std::min(kLongestWait, session_.untilNextStep()), events);
             const auto now = Clock::now();
-            // The world waits while nobody watches.
+            // The world stands still while no client is connected.
             if (!clients_.empty()) session_.elapse(std::chrono::duration<double>(now - last).count());
             last = now;
             dropRepeated(events);
@@ -150,7 +151,7 @@ public:
         if (!status.ok()) return event.reply(failure(status));
         event.reply(sentence(200, "The take is open."));
     }
-    void operator()(Interrupted&) {}  // It woke us.
+    void operator()(Interrupted&) {}  // The event only ends the wait for the mailbox.
 
 private:
     void flush() {
@@ -168,7 +169,7 @@ private:
     const std::atomic<bool>& interrupted_;
 };
 
-// The server on its own thread, until this goes.
+// Runs the server on its own thread; the destructor stops it.
 class Serving {
 public:
     Serving(StudioServer& server, const std::function<void()>& failed)
@@ -192,7 +193,7 @@ private:
 
     StudioServer& server_;
     std::atomic<bool> good_ = true;
-    std::thread thread_;  // Last: it uses the others.
+    std::thread thread_;  // The last member, because the thread uses the others.
 };
 
 ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted) {
@@ -213,14 +214,14 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
             reply(sentence(503, "The simulation is busy."));
     };
     events.interrupted = [&] {
-        // Who asks twice waits for nothing: recordings lose at most their end.
+        // A second interrupt ends the process at once; a recording loses at most its end.
         if (interrupted.exchange(true)) std::_Exit(kExitInterrupted);
         mailbox.post(Interrupted{});
     };
     return events;
 }
 
-// The scenario that is asked for, by name or path, else the folder's first.
+// The scenario requested by name or path, otherwise the folder's default.
 Result<std::string> firstScenario(const StudioOptions& options, ScenarioFolder& folder) {
     if (options.scenario.empty()) {
         if (folder.entries().empty())
@@ -315,7 +316,7 @@ int runStudio(const StudioOptions& options) {
         Simulation(std::move(session).value(), mailbox, *server.value(), interrupted).run();
         served = serving.good();
     }
-    // Letters that came too late hold connections, which must go before the server.
+    // Events that arrive too late refer to connections, which must be destroyed before the server.
     std::vector<HostEvent> late;
     mailbox.collect(0.0, late);
     return served ? 0 : 1;

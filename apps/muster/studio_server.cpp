@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPortsTried = 100;
 
-/// Programs that we start (the browser) inherit none of our sockets.
+/// Keeps programs that this process starts (the browser) from inheriting its sockets.
 void closeOnExec(int socket) {
     fcntl(socket, F_SETFD, FD_CLOEXEC);
 }

@@ -13,19 +13,20 @@
 
 namespace muster {
 
-/// What the server refuses, at its edge: the limit itself still passes.
+/// Limits of the server. A value equal to its limit is accepted.
 struct ServerLimits {
-    std::size_t messageBytes = 64 * 1024;           ///< Of one message of a client.
-    double messagesPerSecond = 400.0;               ///< Of one client, on average.
-    double messageBurst = 800.0;                    ///< ... and at once.
-    std::uint32_t headerBytes = 8 * 1024;           ///< Of an HTTP request: its first line and fields.
-    int handshakeSeconds = 5;                       ///< From connecting to the whole request.
-    int bodySeconds = 60;                           ///< For the body of a take.
-    int idleSeconds = 30;                           ///< A WebSocket is pinged at half of it, closed after it.
-    std::size_t clients = 16;                       ///< WebSockets at once.
-    std::size_t connections = 128;                  ///< Of any kind at once.
-    std::size_t takeBytes = std::size_t{64} << 20;  ///< Of a take sent to us.
-    /// Waiting for one client that does not read; then it is cut.
+    std::size_t messageBytes = 64 * 1024;  ///< Size of one message of a client.
+    double messagesPerSecond = 400.0;      ///< Average rate of messages of one client.
+    double messageBurst = 800.0;           ///< Number of messages that a client may send at once.
+    std::uint32_t headerBytes = 8 * 1024;  ///< Size of an HTTP request's first line and fields.
+    int handshakeSeconds = 5;              ///< Time from the connection to the complete request.
+    int bodySeconds = 60;                  ///< Time for the body of a take.
+    /// A WebSocket is pinged after half of this time and closed after all of it.
+    int idleSeconds = 30;
+    std::size_t clients = 16;                       ///< Number of simultaneous WebSockets.
+    std::size_t connections = 128;                  ///< Number of simultaneous connections of any kind.
+    std::size_t takeBytes = std::size_t{64} << 20;  ///< Size of an uploaded take.
+    /// Size of the messages that wait for one client; beyond it the connection is closed.
     std::size_t queuedBytes = std::size_t{32} << 20;
 };
 
@@ -34,54 +35,55 @@ struct HttpAnswer {
     int status = 200;
     std::string type = "text/plain; charset=utf-8";
     std::string body;
-    std::string fileName;  ///< Offered for saving; empty to show.
+    std::string fileName;  ///< File name for saving; empty where the browser shows the answer.
 };
-/// Gives the answer, from any thread, once.
+/// Sends the answer. It may be called from any thread, once.
 using HttpReply = std::function<void(HttpAnswer)>;
 
-/// Names a WebSocket; never used again.
+/// Identifies a WebSocket; numbers are never used again.
 using ConnectionId = std::uint64_t;
 
-/// Where the server reports. All are called on the thread in run() and must not block.
+/// Callbacks of the server. All are called on the thread in run() and must not block.
 struct ServerEvents {
     std::function<void(ConnectionId)> opened;
-    /// False where there is no room for the message.
+    /// Returns false where the queue has no space for the message.
     std::function<bool(ConnectionId, std::vector<std::uint8_t>)> received;
-    /// A message was dropped: a code and a sentence for the client.
+    /// Called where a message was dropped, with a code and a sentence for the client.
     std::function<void(ConnectionId, std::string code, std::string text)> refused;
     std::function<void(ConnectionId)> closed;
     std::function<void(HttpReply)> takeRequested;
     std::function<void(std::vector<std::uint8_t>, HttpReply)> takeUploaded;
-    std::function<void()> interrupted;  ///< Ctrl+C or a request to end; each time.
+    std::function<void()> interrupted;  ///< Called for each Ctrl+C or request to end.
 };
 
-/// What a server is made from.
+/// Options of a server.
 struct ServerDef {
-    int port = 8080;                          ///< The next free one is taken where it is in use; 0 for any.
-    std::string pageFolder;                   ///< Files served at /.
-    std::map<std::string, StaticFile> files;  ///< Served too, by path: "/bodies/body-1.glb".
-    std::string subprotocol;                  ///< That WebSockets must ask for.
+    /// Where the port is in use, the next free one is used; 0 for any.
+    int port = 8080;
+    std::string pageFolder;                   ///< Folder of the files served at /.
+    std::map<std::string, StaticFile> files;  ///< Further files by path, for example "/bodies/body-1.glb".
+    std::string subprotocol;                  ///< Subprotocol that WebSockets must request.
     ServerLimits limits;
     ServerEvents events;
 };
 
-/// The server. run() on one thread; send() and stop() from any.
+/// The server. run() occupies one thread; send() and stop() may be called from any.
 class StudioServer {
 public:
     /// Listens on 127.0.0.1. Fails with IoError where no port is free.
     static Result<std::unique_ptr<StudioServer>> listen(ServerDef def);
     ~StudioServer();
 
-    /// Where it listens.
+    /// The port that it listens on.
     int port() const;
     /// Serves until stop().
     void run();
     /// Ends run(), closing all connections.
     void stop();
-    /// Sends messages in order; nothing where the connection has gone.
+    /// Sends messages in order; does nothing where the connection is closed.
     void send(ConnectionId connection, std::vector<std::vector<std::uint8_t>> messages);
 
-    struct Impl;  ///< Private.
+    struct Impl;  ///< The implementation.
 
 private:
     explicit StudioServer(std::unique_ptr<Impl> impl);

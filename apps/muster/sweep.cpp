@@ -22,7 +22,7 @@ struct SweepOptions {
     bool json = false;
 };
 
-/// A line of the table: what it is, then its value under each setting.
+/// A row of the table: its title, then its value for each setting.
 struct SweepRow {
     std::string title;
     std::vector<std::string> cells;
@@ -35,7 +35,7 @@ std::string shortText(double value) {
     return text;
 }
 
-/// The rows of one setting; the same titles in the same order for each.
+/// The rows of one setting; all settings have the same titles in the same order.
 std::vector<SweepRow> rowsOf(const Reproduction& reproduction) {
     std::vector<SweepRow> rows;
     for (const ExperimentResult& e : reproduction.experiments) {
@@ -57,14 +57,14 @@ std::vector<SweepRow> rowsOf(const Reproduction& reproduction) {
     return rows;
 }
 
-/// A bar would end the cell.
+/// Replaces the bar, which would end the table cell.
 std::string escaped(const std::string& title) {
     std::string text;
     for (const char c : title) text += c == '|' ? std::string("\\|") : std::string(1, c);
     return text;
 }
 
-/// True where an arm has no such figure, whatever the value.
+/// True where an arm has no such result, whatever the value.
 bool isEmpty(const SweepRow& row) {
     return std::all_of(row.cells.begin(), row.cells.end(),
                        [](const std::string& cell) { return cell == "-"; });

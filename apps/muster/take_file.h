@@ -1,4 +1,4 @@
-// Recordings on disk.
+// Files of recordings.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// Begins `folder`/NAME-DATE-TIME.take, making the folder; never overwrites. Fails with IoError.
+/// Creates `folder`/NAME-DATE-TIME.take and the folder; never overwrites a file. Fails with IoError.
 Result<std::unique_ptr<TakeSink>> openTakeFile(const std::string& folder, const std::string& name);
 
 }  // namespace muster

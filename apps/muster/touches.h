@@ -1,4 +1,4 @@
-// Which touches a world is given: those of a file, or those that its scenario carries.
+// The touches of a run: those of a file, or those that its scenario carries.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace muster {
 
-/// --gestures and --demo.
+/// The options --gestures and --demo.
 struct Touches {
-    std::string gestures;  ///< File; empty for none.
-    bool demo = false;     ///< The scenario's own.
+    std::string gestures;  ///< Path of a gestures file; empty for none.
+    bool demo = false;     ///< Uses the touches that the scenario carries.
 
     /// Adds the options to a command.
     void addTo(Subcommand& command);
-    /// The file that they come from, empty for none. Fails where the scenario should carry some and carries
+    /// The path of the gestures file; empty for none. Fails where --demo is set and the scenario carries
     /// none.
     Result<std::string> file(const std::string& scenarioPath, const WorldDef& def) const;
-    /// The touches, for a world of that definition. Fails as file() and loadGestures() do.
+    /// The touches, for a world of that definition. Fails like file() and loadGestures().
     Result<std::vector<Command>> load(const std::string& scenarioPath, const WorldDef& def) const;
 };
 

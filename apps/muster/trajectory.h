@@ -1,4 +1,4 @@
-// Trajectories as CSV.
+// Writes trajectories as CSV.
 #pragma once
 
 #include <cstdio>
@@ -10,14 +10,15 @@
 
 namespace muster {
 
-/// Writes `t,id,x,y,place_x,place_y`, one line per character and step; the place is empty for the unmatched.
+/// Writes `t,id,x,y,place_x,place_y`, one line per character and step; the place is empty for unmatched
+/// characters.
 class TrajectoryWriter {
 public:
-    /// Makes the file and writes the header. Fails with IoError.
+    /// Creates the file and writes the header. Fails with IoError.
     static Result<TrajectoryWriter> create(const std::string& path);
     /// Adds a line per character.
     void add(const World& world);
-    /// Closes the file. Fails with IoError where anything was not written.
+    /// Closes the file. Fails with IoError where a write failed.
     Status close();
 
 private:

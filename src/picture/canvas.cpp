@@ -114,14 +114,14 @@ std::vector<Vec2> discLoop(Vec2 centre, double radius) {
 
 namespace {
 
-/// A straight piece with both round ends.
+/// A straight segment with both round ends.
 void penLoop(Vec2 a, Vec2 b, double half, std::vector<std::vector<Vec2>>& loops) {
     const Vec2 along = normalized(b - a);
     if (lengthSquared(along) > 0.0) {
         const Vec2 side = perpendicular(along) * half;
         loops.push_back({a - side, b - side, b + side, a + side});
     }
-    if (half < 0.4) return;  // Ends of hairlines do not show.
+    if (half < 0.4) return;  // Ends of hairlines are invisible.
     loops.push_back(discLoop(a, half));
     loops.push_back(discLoop(b, half));
 }

@@ -41,19 +41,19 @@ private:
     std::vector<float> pixels_;  // Three per pixel, 0 to 255.
     std::vector<Edge> edges_;    // Working memory.
     std::vector<Crossing> crossings_;
-    std::vector<double> coverage_;  // Of one row.
+    std::vector<double> coverage_;  // Coverage of one row.
 };
 
-/// Outlines of a line drawn with a round pen, as overlapping loops of one turn.
+/// Outlines of a line drawn with a round pen, as overlapping loops of the same orientation.
 void strokeLoops(std::span<const Vec2> points, bool closed, double width, double dash,
                  std::vector<std::vector<Vec2>>& loops);
-/// A regular polygon that looks like a disc of `radius` [px].
+/// A regular polygon that approximates a disc of `radius` [px].
 std::vector<Vec2> discLoop(Vec2 centre, double radius);
 
-/// A PNG file as bytes.
+/// Encodes a PNG file.
 std::vector<std::uint8_t> encodePng(std::int32_t width, std::int32_t height, std::int32_t channels,
                                     std::span<const std::uint8_t> bytes);
-/// Smoothly scaled colour of a raster at (u, v) in samples; edges repeat.
+/// Bilinear interpolation of a raster at (u, v) [samples]; edge samples repeat.
 Colour sampleRaster(std::int32_t width, std::int32_t height, std::span<const Colour> colours, double u,
                     double v);
 

@@ -58,7 +58,7 @@ void drawMeshes(const Pen& pen) {
         for (const Triangle& t : rest.triangles) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t a = t[k], b = t[(k + 1) % 3];
-                if (a > b) continue;  // Each inner edge has two triangles, of opposite turn.
+                if (a > b) continue;  // Each inner edge has two triangles of opposite orientation.
                 edges.push_back({vertices[a], vertices[b]});
             }
         }
@@ -93,14 +93,14 @@ void drawPaths(const Pen& pen) {
     for (std::size_t g = 0; g < pen.world.groupCount(); ++g) {
         for (const Control& control : pen.world.group(g).controls) {
             for (const ControlPoint& point : control.points) {
-                std::vector<Vec2> way{point.position};
-                for (const Checkpoint& checkpoint : point.trajectory) way.push_back(checkpoint.position);
-                if (way.size() < 2) continue;
-                pen.draw.line(way, pen.stroke(Colour::of(0xFFFFFF, 0.9), 5.0));
-                pen.draw.line(way, pen.stroke(pen.accent(g), 2.2));
-                for (std::size_t k = 1; k < way.size(); ++k) {
+                std::vector<Vec2> path{point.position};
+                for (const Checkpoint& checkpoint : point.trajectory) path.push_back(checkpoint.position);
+                if (path.size() < 2) continue;
+                pen.draw.line(path, pen.stroke(Colour::of(0xFFFFFF, 0.9), 5.0));
+                pen.draw.line(path, pen.stroke(pen.accent(g), 2.2));
+                for (std::size_t k = 1; k < path.size(); ++k) {
                     const bool next = k == 1;
-                    pen.draw.disc(way[k], pen.metres(next ? 5.5 : 3.0),
+                    pen.draw.disc(path[k], pen.metres(next ? 5.5 : 3.0),
                                   next ? pen.accent(g) : Colour::of(0xFFFFFF),
                                   pen.stroke(pen.accent(g), 1.4));
                 }
@@ -117,7 +117,7 @@ void drawControls(const Pen& pen) {
 
 void drawCharacters(const Pen& pen) {
     const CharactersView characters = pen.world.characters();
-    // Seen from far they are drawn larger than they are.
+    // Characters are drawn larger than life where the scale is small.
     const double radius = std::max(pen.world.parameters().character.radius, pen.metres(3.5));
     for (std::size_t i = 0; i < characters.size(); ++i) {
         pen.draw.disc(characters.position[i] + Vec2{0.4, -0.28} * radius, radius, pen.theme.shadow, {});
@@ -125,7 +125,7 @@ void drawCharacters(const Pen& pen) {
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 at = characters.position[i], ahead = characters.heading[i];
         const Colour accent = pen.accent(characters.group[i]);
-        // Shoulders, then the head a little ahead of their middle.
+        // The shoulders, then the head a little ahead of their centre.
         pen.draw.disc(at, radius, accent, pen.stroke(Colour::of(0xFFFFFF, 0.85), 1.2));
         const Vec2 side = perpendicular(ahead);
         const std::vector<Vec2> nose{at + ahead * radius * 0.95,

@@ -1,4 +1,4 @@
-// The coloured grounds: potential field, one place's cost field, density.
+// Coloured rasters: potential field, one place's cost field, density.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@
 namespace muster {
 namespace {
 
-/// Samples of a value over the ground.
+/// Samples of a field over the ground.
 struct Samples {
     Grid grid;
     std::vector<double> values;  ///< Row-major from the lower left; not finite where unknown.
@@ -33,7 +33,7 @@ Samples sample(const Pen& pen, const std::function<double(Vec2)>& value) {
     return samples;
 }
 
-/// Gives unknown cells the mean of their known neighbours, so that no ground shines through at walls.
+/// Fills unknown cells with the mean of their known neighbours, so that no background shows at walls.
 void growKnown(const Grid& grid, std::vector<double>& values) {
     const std::vector<double> old = values;
     for (std::int32_t i = 0; i < grid.count(); ++i) {
@@ -78,7 +78,7 @@ void drawContours(const Pen& pen, const Samples& samples, double step, double hi
     }
 }
 
-/// A bar with its ends named, at the lower left of the picture.
+/// Draws a colour bar with its end values at the lower left of the picture.
 void drawLegend(const Pen& pen, const std::string& title, double highest, const char* unit) {
     const Box view = pen.draw.view();
     const double px = pen.metres(1.0);
@@ -97,7 +97,8 @@ void drawLegend(const Pen& pen, const std::string& title, double highest, const 
     pen.draw.text(at + Vec2{224 * px, 12 * px}, most, size, pen.theme.ink2, TextAnchor::Right);
 }
 
-/// The character whose cost field is shown: that of the place asked for, or the one with the longest way.
+/// The place whose cost field is shown: the requested one, or that of the character with the most expensive
+/// path.
 std::int32_t shownPlace(const Pen& pen) {
     if (pen.def.place >= 0) return pen.def.place;
     const CharactersView characters = pen.world.characters();
@@ -113,7 +114,7 @@ std::int32_t shownPlace(const Pen& pen) {
     return place;
 }
 
-/// The unit cost of the plan, or that of the ground before the first plan.
+/// The unit cost of the plan, or of the ground before the first plan.
 UnitCost costNow(const World& world) {
     if (inspect::unitCost(world) != nullptr) return *inspect::unitCost(world);
     UnitCost cost;
@@ -123,17 +124,17 @@ UnitCost costNow(const World& world) {
     return cost;
 }
 
-/// The way down the field from `at`.
+/// The path of steepest descent of the field from `at` to its source.
 std::vector<Vec2> descend(const CostField& field, Vec2 at) {
-    std::vector<Vec2> way{at};
+    std::vector<Vec2> path{at};
     for (int i = 0; i < 4000 && distance(at, field.source()) > 0.2; ++i) {
         const Vec2 direction = field.direction(at);
-        if (lengthSquared(direction) < 0.5) return way;
+        if (lengthSquared(direction) < 0.5) return path;
         at += direction * 0.1;
-        if (i % 3 == 0) way.push_back(at);
+        if (i % 3 == 0) path.push_back(at);
     }
-    way.push_back(field.source());
-    return way;
+    path.push_back(field.source());
+    return path;
 }
 
 }  // namespace
@@ -194,9 +195,9 @@ void drawCostField(const Pen& pen) {
     const CharactersView characters = pen.world.characters();
     for (std::size_t i = 0; i < characters.size(); ++i) {
         if (characters.group[i] != pen.def.group || characters.place[i] != place) continue;
-        const auto way = descend(field, characters.position[i]);
-        pen.draw.line(way, pen.stroke(Colour::of(0xFFFFFF), 5.5));
-        pen.draw.line(way, pen.stroke(pen.accent(pen.def.group), 2.6));
+        const auto path = descend(field, characters.position[i]);
+        pen.draw.line(path, pen.stroke(Colour::of(0xFFFFFF), 5.5));
+        pen.draw.line(path, pen.stroke(pen.accent(pen.def.group), 2.6));
     }
     pen.draw.disc(field.source(), pen.metres(8.0), pen.accent(pen.def.group),
                   pen.stroke(Colour::of(0xFFFFFF), 2.5));

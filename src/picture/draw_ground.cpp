@@ -1,4 +1,4 @@
-// Ground lines, obstacles and patches.
+// Ground grid, obstacles and patches.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ void hatch(const Pen& pen, const Polygon& corners, double gap, const Stroke& str
     const double low = box.min.x - box.max.y, high = box.max.x - box.min.y;
     std::vector<std::vector<Vec2>> lines;
     for (double c = std::ceil(low / gap) * gap; c < high; c += gap) {
-        std::vector<Vec2> hits;  // Where x - y = c crosses the edges.
+        std::vector<Vec2> hits;  // Points where x - y = c crosses the edges.
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
             const double da = a.x - a.y - c, db = b.x - b.y - c;
@@ -37,7 +37,7 @@ Colour patchColour(const Theme& theme, const std::string& motion) {
     return theme.plain;
 }
 
-/// What lies on the floor: a net's meshes, waves, bricks.
+/// Draws the texture of a patch's floor: a net's meshes, waves, bricks.
 void patchTexture(const Pen& pen, const Polygon& corners, const std::string& motion, Colour colour) {
     const Box box = boundsOf(corners);
     const Stroke fine = pen.stroke(faded(colour, 0.30), 1.0);
@@ -95,7 +95,7 @@ void drawGroundLines(const Pen& pen) {
 void drawObstacles(const Pen& pen) {
     const auto pieces = inspect::environment(pen.world).pieces();
     const auto& theme = pen.theme;
-    for (const ObstaclePiece& piece : pieces) {  // Shadows first: they fall on everything.
+    for (const ObstaclePiece& piece : pieces) {  // All shadows come first, so that obstacles cover them.
         const ObstacleDef* def = inspect::environment(pen.world).obstacle(piece.obstacle);
         const double length = 0.16 * std::min(def != nullptr ? def->height : 3.0, 3.2);
         const Vec2 cast{length, -0.6 * length};
@@ -115,7 +115,8 @@ void drawObstacles(const Pen& pen) {
             pen.draw.polygon(piece.corners, theme.obstacleFill, edge);
         }
     }
-    for (const ObstaclePiece& piece : pieces) {  // Seams between parts of one obstacle vanish under the roof.
+    // Draws roofs without outlines over the seams between the pieces of an obstacle.
+    for (const ObstaclePiece& piece : pieces) {
         if (piece.corners.empty()) continue;
         pen.draw.polygon(piece.corners, theme.obstacleFill, {});
         if (pen.metres(14.0) < 4.0) hatch(pen, piece.corners, pen.metres(14.0), lines);
@@ -136,7 +137,7 @@ void drawPatches(const Pen& pen) {
     }
 }
 
-/// What lies there to be collected; once it is, a ring stays.
+/// Draws items as discs, and collected items as rings.
 void drawItems(const Pen& pen) {
     const auto items = pen.world.items();
     const auto collected = pen.world.collected();
@@ -149,7 +150,7 @@ void drawItems(const Pen& pen) {
     }
 }
 
-/// One tag per name, at the upper edge of the first patch that bears it.
+/// Draws one label per name, at the upper edge of the first patch with that name.
 void drawPatchTags(const Pen& pen) {
     const Environment& environment = inspect::environment(pen.world);
     std::vector<std::string> named;

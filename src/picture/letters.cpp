@@ -3,7 +3,7 @@
 namespace muster {
 namespace {
 
-// What stands for U+00C0 to U+017F.
+// The replacements of U+00C0 to U+017F.
 constexpr std::string_view kLatin =
     "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
     "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLl"

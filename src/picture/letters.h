@@ -1,4 +1,4 @@
-// Text as little areas.
+// Text as polygons.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace muster {
 
-/// UTF-8 text in the letters that can be drawn, ASCII 32 to 126: Latin letters without their marks, "?" for
-/// each other code point and for bytes that are no UTF-8.
+/// Converts UTF-8 text to the characters that can be drawn, ASCII 32 to 126: Latin letters without
+/// diacritics, "?" for each other code point and for invalid bytes.
 std::string plainLetters(std::string_view words);
 
 /// Appends the strokes of a line of text, in plain letters, that starts at x = 0 and is centred on y = 0

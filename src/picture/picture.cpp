@@ -80,7 +80,7 @@ void drawWorld(DebugDraw& draw, const World& world, const PictureDef& def) {
 
 namespace {
 
-/// What is to be seen, or why it cannot be.
+/// The visible area, or the reason why it cannot be drawn.
 Result<Box> viewOf(const World& world, const PictureDef& def) {
     if (def.width < 64 || def.width > 8192) {
         return invalidArgument("found a width of " + std::to_string(def.width) +

@@ -1,4 +1,4 @@
-// Draws a world in layers (the concept's colours).
+// Draws a world in layers, in the colours of the concept.
 #pragma once
 
 #include <cstdint>
@@ -13,41 +13,41 @@
 
 namespace muster {
 
-/// What a picture can show; a set of bits.
+/// The layers of a picture; a set of bits.
 enum class Layer : std::uint32_t {
     Obstacles = 1u << 0,
     Patches = 1u << 1,
     Mesh = 1u << 2,
     Places = 1u << 3,
-    Paths = 1u << 4,  ///< Drawn trajectories, and where characters came from.
+    Paths = 1u << 4,  ///< Drawn trajectories, and the past paths of characters.
     Field = 1u << 5,  ///< Potential field of obstacles.
     Cost = 1u << 6,   ///< Cost field of one place (the paper's figure 6).
     Density = 1u << 7,
     Characters = 1u << 8,
 };
 
-/// Layers by their names, separated by commas: "obstacles,mesh,cost". Fails naming the unknown one.
+/// Parses names of layers, separated by commas: "obstacles,mesh,cost". Fails naming an unknown layer.
 Result<std::uint32_t> parseLayers(std::string_view names);
-/// All names, in the order of drawing.
+/// All names of layers, in the order of drawing.
 std::vector<std::string> layerNames();
 
-/// What to draw.
+/// Options of a picture.
 struct PictureDef {
-    std::uint32_t layers = 0;   ///< Layer bits; 0 for all but the three coloured grounds.
+    std::uint32_t layers = 0;   ///< Layer bits; 0 for all except the three coloured rasters.
     std::int32_t width = 1280;  ///< [px] 64 to 8192.
-    std::optional<Box> view;    ///< What is shown [m]; the whole world where empty.
-    bool dark = false;          ///< Colours for dark surroundings.
-    /// Whose cost field; -1: of the character with the longest way.
+    std::optional<Box> view;    ///< Visible area [m]; empty for the whole world.
+    bool dark = false;          ///< Uses colours for a dark background.
+    /// The place whose cost field is shown; -1 for that of the character with the most expensive path.
     std::int32_t place = -1;
-    std::size_t group = 0;                  ///< Index of the group whose place it is.
-    std::vector<std::vector<Vec2>> trails;  ///< By character: where it came from; may be empty.
+    std::size_t group = 0;                  ///< Index of the group that the place belongs to.
+    std::vector<std::vector<Vec2>> trails;  ///< Past positions by character; may be empty.
 };
 
 /// Draws a world.
 void drawWorld(DebugDraw& draw, const World& world, const PictureDef& def);
-/// A world as an SVG document, to stand in another document. Fails with InvalidArgument.
+/// Draws a world as an SVG document that can be embedded in another document. Fails with InvalidArgument.
 Result<std::string> svgPicture(const World& world, const PictureDef& def);
-/// Draws a world into a .png or .svg file, by the ending of its name. Fails with InvalidArgument or IoError.
+/// Draws a world into a .png or .svg file, by the file's extension. Fails with InvalidArgument or IoError.
 Status writePicture(const World& world, const PictureDef& def, const std::string& path);
 
 /// Lines of equal value through a grid of samples (marching squares), row-major from the lower left. Samples

@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-/// Maps the world to pixels and hands shapes to a canvas.
+/// Maps the world to pixels and passes shapes to a canvas.
 class PngDraw final : public DebugDraw {
 public:
     PngDraw(const Box& view, std::int32_t width, Colour ground)
@@ -74,7 +74,7 @@ private:
         for (Vec2 p : points) pixels.push_back(toPixel(p));
         return pixels;
     }
-    /// Loops may turn either way after the flip of y: turn them alike, so that they unite.
+    /// Gives all loops the same orientation, so that their areas unite; the mirrored y axis reverses it.
     void fillUnion(std::vector<std::vector<Vec2>>& loops, Colour colour) {
         for (auto& loop : loops) {
             if (signedArea(loop) < 0.0) std::reverse(loop.begin(), loop.end());

@@ -10,15 +10,15 @@
 namespace muster {
 namespace {
 
-constexpr double kAbove = 0.15;   // [m] that a row shows above the highest head.
-constexpr double kBelow = 0.45;   // [m] below the ground.
-constexpr double kDeep = 1.0;     // [m] below a pool's rim.
-constexpr double kTitle = 0.3;    // [m]
-constexpr double kWater = -0.10;  // [m]
+constexpr double kAbove = 0.15;   // Margin of a row above the highest head [m].
+constexpr double kBelow = 0.45;   // Visible depth below the ground [m].
+constexpr double kDeep = 1.0;     // Visible depth below a pool's rim [m].
+constexpr double kTitle = 0.3;    // Height of the title [m].
+constexpr double kWater = -0.10;  // Height of the water [m].
 
-/// From where a row is seen, by parallel light.
+/// A parallel projection.
 struct View {
-    Vec3 right, up, towards;  // Screen axes, and towards the eye.
+    Vec3 right, up, towards;  // Axes of the screen, and the direction towards the eye.
 
     Vec2 flat(Vec3 p) const { return {dot(p, right), dot(p, up)}; }
     float depth(Vec3 p) const { return dot(p, towards); }
@@ -30,7 +30,7 @@ View viewFrom(double yaw, double rise) {
     return {{-s, c, 0.0f}, {-sr * c, -sr * s, cr}, {cr * c, cr * s, sr}};
 }
 
-/// A part of the body: a round thing between two points.
+/// A part of the body: a capsule with two radii.
 struct Part {
     Vec3 a, b;
     float ra, rb;  // [m]
@@ -44,22 +44,23 @@ Colour mixed(Colour a, Colour b, double t) {
     return {part(a.red, b.red), part(a.green, b.green), part(a.blue, b.blue), a.opacity};
 }
 
-/// The outline of two discs and what lies between them.
+/// The convex outline of two discs.
 std::vector<Vec2> outline(Vec2 a, Vec2 b, double ra, double rb) {
-    const Vec2 way = b - a;
-    const double d = std::sqrt(way.x * way.x + way.y * way.y);
+    const Vec2 offset = b - a;
+    const double d = std::sqrt(offset.x * offset.x + offset.y * offset.y);
     std::vector<Vec2> loop;
-    const bool apart = d > std::fabs(ra - rb) + 1e-6;
-    const double heading = apart ? arcTangent2(way.y, way.x) : 0.0;
-    const double tilt = apart ? arcTangent2(std::sqrt(std::max(0.0, d * d - (ra - rb) * (ra - rb))), ra - rb)
-                              : kPi;
+    const bool separate = d > std::fabs(ra - rb) + 1e-6;
+    const double heading = separate ? arcTangent2(offset.y, offset.x) : 0.0;
+    const double tilt = separate
+                            ? arcTangent2(std::sqrt(std::max(0.0, d * d - (ra - rb) * (ra - rb))), ra - rb)
+                            : kPi;
     const auto arc = [&](Vec2 centre, double radius, double from, double to) {
         for (int i = 0; i <= 12; ++i) {
             const double angle = from + (to - from) * i / 12.0;
             loop.push_back({centre.x + radius * cosine(angle), centre.y + radius * sine(angle)});
         }
     };
-    if (!apart) {
+    if (!separate) {
         arc(ra > rb ? a : b, std::max(ra, rb), 0.0, 2.0 * kPi);
         return loop;
     }
@@ -106,12 +107,12 @@ std::vector<Part> partsOf(const JointTransforms& joints) {
     return parts;
 }
 
-/// One pose's place in the strip.
+/// One pose of the strip.
 struct Cell {
     View view;
-    Vec2 origin;    // Of the character's frame in the picture [m].
-    double half;    // Half its width [m].
-    Travel travel;  // The character's frame on the clip's ground.
+    Vec2 origin;    // Origin of the character's frame in the picture [m].
+    double half;    // Half of the column's width [m].
+    Travel travel;  // The character's frame in the clip's coordinates.
 };
 
 class Strip {
@@ -135,7 +136,7 @@ public:
 
 private:
     Vec2 flat(const Cell& cell, Vec3 p) const { return cell.origin + cell.view.flat(p); }
-    /// A point of the clip's ground, in the character's frame.
+    /// Transforms a point from the clip's coordinates to the character's frame.
     Vec3 seen(const Cell& cell, Vec3 p) const {
         const Quat back = yawTurn(-cell.travel.yaw);
         return rotate(back, p - Vec3{cell.travel.x, cell.travel.y, 0.0f});
@@ -215,7 +216,7 @@ private:
     DebugDraw& draw_;
 };
 
-/// The highest that a head gets [m].
+/// The greatest height of a head in the clip [m].
 double topOf(const Clip& clip) {
     double top = clip.obstacle.height;
     for (const BodyPose& pose : clip.poses) {

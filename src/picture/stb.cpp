@@ -1,4 +1,4 @@
-// The only place that sees the stb headers.
+// The only file that includes the stb headers.
 #include "picture/canvas.h"
 #include "picture/letters.h"
 
@@ -40,12 +40,12 @@ std::vector<std::uint8_t> encodePng(std::int32_t width, std::int32_t height, std
 }
 
 double letterLoops(std::string_view words, double size, std::vector<std::vector<Vec2>>& loops) {
-    // The font has no other letters, and would read beyond its tables.
+    // The font has no other letters, and stb would read beyond its tables.
     std::string copy = plainLetters(words).substr(0, 200);
     std::vector<Corner> corners(copy.size() * 400 / sizeof(Corner) + 64);
     const int quads = stb_easy_font_print(0.0f, 0.0f, copy.data(), nullptr, corners.data(),
                                           static_cast<int>(corners.size() * sizeof(Corner)));
-    const double scale = size / 9.0;  // Capitals are 7 high, of a line of 12.
+    const double scale = size / 9.0;  // Capitals are 7 units high and lines 12.
     for (int q = 0; q < quads; ++q) {
         std::vector<Vec2> loop;
         for (int k = 0; k < 4; ++k) {

@@ -8,13 +8,13 @@
 
 namespace muster {
 
-/// Colours for light or dark surroundings.
+/// Colours for light or dark backgrounds.
 struct Theme {
     Colour ground, gridFine, gridCoarse, ink, ink2, panel;
     Colour obstacleFill, obstacleEdge, hatch, shadow;
-    Colour water, net, brick, branch, jump, plain;  ///< Of patches, by motion.
-    std::array<Colour, 6> accents;                  ///< Of groups.
-    std::array<Colour, 5> ramp;                     ///< Of fields, near to far.
+    Colour water, net, brick, branch, jump, plain;  ///< Colours of patches, by motion.
+    std::array<Colour, 6> accents;                  ///< Colours of groups.
+    std::array<Colour, 5> ramp;                     ///< Colours of fields, from near to far.
 
     /// The concept's colours.
     static const Theme& of(bool dark);
@@ -22,25 +22,25 @@ struct Theme {
     Colour shade(double share) const;
 };
 
-/// What all drawers share.
+/// State that all drawing functions share.
 struct Pen {
     DebugDraw& draw;
     const Theme& theme;
     const World& world;
     const PictureDef& def;
-    double unit = 1.0;  ///< Sizes in the drawers are for 1280 px across; this scales them.
+    double unit = 1.0;  ///< Scale of sizes, which are for a picture of 1280 px.
 
-    /// A line of so many pixels.
+    /// A stroke of that many pixels.
     Stroke stroke(Colour colour, double width, double dash = 0.0) const {
         return {colour, width * unit, dash * unit};
     }
-    /// Metres of so many pixels.
+    /// The length of that many pixels [m].
     double metres(double pixels) const { return pixels * unit * draw.pixel(); }
     /// The colour of a group.
     Colour accent(std::size_t group, double opacity = 1.0) const;
 };
 
-/// The same colour, more or less opaque.
+/// The same colour with another opacity.
 inline Colour faded(Colour colour, double opacity) {
     colour.opacity = opacity;
     return colour;
