@@ -29,7 +29,7 @@ public:
 
     /// Makes the option required.
     Option& required();
-    /// Limits the value to [low, high]; the help text shows whole numbers without decimals.
+    /// Limits the value to [low, high]. The help text shows the limits of whole numbers as whole numbers.
     Option& range(int low, int high);
     Option& range(double low, double high);
     /// Limits the value to finite numbers in [low, high]. Unlike range() it refuses "nan".

@@ -16,8 +16,8 @@ constexpr float kCoarseClip = 5.0f;  // Phases of 8 bits suffice for clips up to
 constexpr std::size_t kLargeCrowd = 2000;
 // Largest number of whole poses per client in a large crowd. It keeps frames within 8 bytes per character.
 constexpr std::size_t kNearOfLarge = 100;
-constexpr std::size_t
-    kMostPoses = 50'000;            // Of all clips: some 9 MB on the wire, 34 MB on the graphics card.
+// Largest number of poses of all clips: about 9 MB on the network, 34 MB on the graphics card.
+constexpr std::size_t kMostPoses = 50'000;
 constexpr float kWhole = 32767.0f;  // The integer that stands for 1 in quaternion components.
 
 std::int16_t share(float value) {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxPathPoints = 4000;
 constexpr double kCostMargin = 8.0;  // Margin around the group that the overlay covers [m].
 
-// The cost field of one character's place.
+// A character, its place, and the plan that gives costs to that place.
 struct Destination {
     const Plan* plan = nullptr;
     std::int32_t place = -1;

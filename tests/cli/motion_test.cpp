@@ -1,4 +1,4 @@
-// muster motion and muster export, as people run them.
+// `muster motion` and `muster export`, run as a user runs them.
 #include <doctest.h>
 
 #include <filesystem>
@@ -57,7 +57,7 @@ TEST_CASE("motion shows Muster's own clips, as a table and as JSON") {
     CHECK(run);
 }
 
-TEST_CASE("clips written to a folder are read again, alone and all together") {
+TEST_CASE("clips written to a folder are read again, one by one and all together") {
     const std::string folder = path("motions");
     const Json own = Json::parse(runProgram("motion --json --write " + folder).out, nullptr, false);
     REQUIRE(own.is_array());
@@ -78,7 +78,7 @@ TEST_CASE("clips written to a folder are read again, alone and all together") {
     CHECK(std::abs(files[0]["ratio"].get<double>() - 1.0) < 1e-6);
     CHECK(files[1]["clip"] == "run");
     CHECK(std::abs(files[1]["speed_mps"].get<double>() - 2.6) < 1e-3);
-    // In another unit the same file goes a hundred times as far.
+    // In another unit the same file moves a hundred times as far.
     const Json metres = Json::parse(runProgram("motion --json --unit m " + folder + "/run.bvh").out, nullptr,
                                     false);
     CHECK(std::abs(metres[0]["speed_mps"].get<double>() - 260.0) < 0.1);
@@ -117,7 +117,7 @@ TEST_CASE("export writes each simple format") {
     }
 }
 
-TEST_CASE("export fails with one sentence and no half file") {
+TEST_CASE("export fails with one sentence and leaves no incomplete file") {
     const std::string take = smallTake(), out = path("half");
     const std::string torn = put("torn.take", slurp(take).substr(0, slurp(take).size() - 5));
     for (const std::string& line :
@@ -138,7 +138,7 @@ TEST_CASE("export fails with one sentence and no half file") {
     CHECK(runProgram("export " + take + " --format bvh --out x --fps many").code == 2);
 }
 
-TEST_CASE("an export that is told no place lies here, by the take's name") {
+TEST_CASE("an export without an output path writes to the current folder, named after the take") {
     const std::string take = std::filesystem::absolute(smallTake()).string(), here = path("here");
     std::filesystem::remove_all(here);
     std::filesystem::create_directories(here);

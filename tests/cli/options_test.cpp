@@ -1,4 +1,4 @@
-// Options of the program, one by one, and what they change.
+// Each option of the program and its effect.
 #include <doctest.h>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ TEST_CASE("every parameter can be set to its default by name, which changes noth
     CHECK(hashOf("--threads 0") == hashOf(""));
 }
 
-TEST_CASE("the last of two settings stands, and settings come after the preset") {
+TEST_CASE("the last of two settings applies, and settings come after the preset") {
     CHECK(hashOf("--set character.maxSpeed=0.5 --set character.maxSpeed=1") ==
           hashOf("--set character.maxSpeed=1"));
     CHECK(hashOf("--preset paper --set plan.period=4") != hashOf("--preset paper"));
@@ -88,7 +88,7 @@ TEST_CASE("the last of two settings stands, and settings come after the preset")
                  "--set plan.period=1") == hashOf("--preset paper"));
 }
 
-TEST_CASE("a trajectory has a row per character and step, in order, at speeds people have") {
+TEST_CASE("a trajectory has a row per character and step, in order, at plausible speeds") {
     const std::string file = path("options.csv");
     REQUIRE(runProgram("play " + scenario() + " --gestures " + gestures() + " --seconds 1.5 --trajectory '" +
                        file + "'")
@@ -107,7 +107,7 @@ TEST_CASE("a trajectory has a row per character and step, in order, at speeds pe
         if (last.count(id) != 0)
             CHECK(std::hypot(x - last[id].first, y - last[id].second) <= 2.0 / 60 + 1e-6);
         last[id] = {x, y};
-        CHECK(rows[i][4].empty() == (i <= 9));  // Places are given in the first step.
+        CHECK(rows[i][4].empty() == (i <= 9));  // Places are assigned in the first step.
         if (i <= 9) continue;
         CHECK(std::fabs(std::stod(rows[i][4])) <= 6.0);
         CHECK(std::fabs(std::stod(rows[i][5])) <= 5.0);
@@ -124,8 +124,8 @@ TEST_CASE("zero seconds are zero steps, part of a step counts as the nearest") {
     CHECK(std::abs(steps("0.51") - 31) <= 1);
 }
 
-TEST_CASE("pictures: each format and size, each layer, and only the part asked for") {
-    const auto size = [](const std::string& file) {  // From the header: big-endian at 16 and 20.
+TEST_CASE("pictures: each format and size, each layer, and only the requested part") {
+    const auto size = [](const std::string& file) {  // Reads the header: big-endian numbers at 16 and 20.
         const std::string bytes = slurp(file);
         REQUIRE(bytes.size() > 24);
         REQUIRE(bytes.compare(1, 3, "PNG") == 0);
@@ -161,7 +161,7 @@ TEST_CASE("pictures: each format and size, each layer, and only the part asked f
     CHECK(slurp(svg) != light);
 }
 
-TEST_CASE("check names each kind of file, and says in a warning what may go wrong") {
+TEST_CASE("check reports the kind of each file, and warns of likely problems") {
     const std::string take = path("o.take");
     REQUIRE(
         runProgram("play " + scenario() + " --gestures " + gestures() + " --seconds 1 --take '" + take + "'")
@@ -234,7 +234,7 @@ TEST_CASE("--demo gives the touches that the scenario carries, and no others") {
     refused("play '" + demo + "' --demo", "demo.json: $.gestures: ");
 }
 
-TEST_CASE("maps that are none are refused by line, others keep size, scale and credit") {
+TEST_CASE("invalid maps are refused by line, valid ones keep size, scale and credit") {
     const auto import = [](const std::string& text, const std::string& options) {
         return runProgram("import '" + put("o.map", text) + "' -o '" + path("o_map.json") + "' --json " +
                           options);

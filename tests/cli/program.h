@@ -1,4 +1,4 @@
-// Runs the built program as a person would.
+// Runs the built program like a user.
 #pragma once
 
 #include <sys/wait.h>
@@ -16,9 +16,9 @@
 
 namespace muster::testing {
 
-/// What a run of the program left behind.
+/// The result of a run of the program.
 struct Outcome {
-    int code = -1;  ///< Exit code; -1 where it did not end by itself.
+    int code = -1;  ///< Exit code; -1 where the program did not end by itself.
     std::string out;
     std::string error;
 
@@ -26,7 +26,7 @@ struct Outcome {
     long errorLines() const { return std::count(error.begin(), error.end(), '\n'); }
 };
 
-/// A folder of its own for the files of one test run; gone afterwards.
+/// A temporary folder for the files of one test run; it is removed afterwards.
 inline std::filesystem::path workFolder() {
     struct Folder {
         std::filesystem::path path = std::filesystem::temp_directory_path() /
@@ -55,7 +55,7 @@ inline std::string put(const std::string& name, const std::string& text) {
     return path.string();
 }
 
-/// Runs `muster ARGUMENTS` (a shell fragment) in the source folder; `before` is done by the shell first.
+/// Runs `muster ARGUMENTS` (a shell fragment) in the source folder; the shell executes `before` first.
 inline Outcome runProgram(const std::string& arguments, const std::string& before = "true") {
     const auto out = workFolder() / "stdout", error = workFolder() / "stderr";
     const std::string command = "cd '" + sourceFolder() + "' && { " + before + "; '" + programPath() + "' " +

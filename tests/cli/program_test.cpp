@@ -55,7 +55,7 @@ TEST_CASE("help for all, with examples") {
     CHECK(runProgram("--version").code == 0);
 }
 
-TEST_CASE("a wrong command line gives one sentence and 2") {
+TEST_CASE("a wrong command line gives one sentence and exit code 2") {
     const std::string small = put("small.json", kSmall);
     for (const std::string& line : std::vector<std::string>{"",
                                                             "dance",
@@ -96,7 +96,7 @@ TEST_CASE("a wrong command line gives one sentence and 2") {
     }
 }
 
-TEST_CASE("bad input gives one sentence and 1") {
+TEST_CASE("bad input gives one sentence and exit code 1") {
     const std::string small = put("small.json", kSmall);
     const std::string bad = put("bad.json",
                                 R"({"format":"muster-scenario","version":1,"groups":[{"count":0}]})");
@@ -150,7 +150,7 @@ TEST_CASE("bad input gives one sentence and 1") {
     }
 }
 
-TEST_CASE("play reports every named figure, records a take that replays, and writes the trajectory") {
+TEST_CASE("play reports every result by name, records a take that replays, and writes the trajectory") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
     const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 6";
     const Outcome outcome = runProgram(common + " --json --take '" + path("a.take") + "' --trajectory '" +
@@ -172,7 +172,7 @@ TEST_CASE("play reports every named figure, records a take that replays, and wri
     CHECK(figures["steps"] == 360);
     CHECK(figures["path_ratio"].is_null());
     CHECK(figures["step_ms"]["stages"].size() == 11);
-    // The same again, on two threads and as text: the same hash.
+    // The same run on two threads and as text gives the same hash.
     const Outcome text = runProgram(common + " --threads 2");
     CHECK(text.out.find(figures["hash"].get<std::string>()) != std::string::npos);
     CHECK(text.out.find("arrived95_s") != std::string::npos);
@@ -191,7 +191,7 @@ TEST_CASE("play reports every named figure, records a take that replays, and wri
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 9 * 361);
 }
 
-TEST_CASE("without seconds a run ends when all stand") {
+TEST_CASE("without seconds a run ends when all characters stand") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
     const Json figures = json(runProgram("play '" + small + "' --gestures '" + drag + "' --json"));
     CHECK(figures["steps"].get<int>() > 150);
@@ -210,7 +210,7 @@ TEST_CASE("parameters from the command line change the run") {
     CHECK(slow["lag_p95_m"].get<double>() > plain["lag_p95_m"].get<double>());
 }
 
-TEST_CASE("a take that does not reproduce ends with 3 and names the step") {
+TEST_CASE("a take that does not reproduce gives exit code 3 and names the step") {
     const auto def = muster::parseScenario(kSmall, "small", "");
     REQUIRE(def.ok());
     auto bytes = muster::TakeEncoder::begin(*def);
@@ -226,14 +226,14 @@ TEST_CASE("a take that does not reproduce ends with 3 and names the step") {
     CHECK(json(asJson)["reproduced"] == false);
 }
 
-TEST_CASE("damaged takes are refused, torn ones replayed as far as they go") {
+TEST_CASE("damaged takes are refused, incomplete ones are replayed up to their end") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
     REQUIRE(runProgram("play '" + small + "' --gestures '" + drag + "' --seconds 2 --take '" +
                        path("c.take") + "'")
                 .code == 0);
     const std::string bytes = slurp(path("c.take"));
     std::string damaged = bytes;
-    damaged[damaged.size() - 8] ^= 1;  // In the last hash: the checksum notices.
+    damaged[damaged.size() - 8] ^= 1;  // In the last hash: the checksum detects it.
     const Outcome corrupt = runProgram("replay '" + put("d.take", damaged) + "'");
     CHECK(corrupt.code == 1);
     CHECK(corrupt.error.find("offset") != std::string::npos);
@@ -242,7 +242,7 @@ TEST_CASE("damaged takes are refused, torn ones replayed as far as they go") {
     CHECK(torn.error.find("torn") != std::string::npos);
 }
 
-TEST_CASE("check tells good files from bad ones") {
+TEST_CASE("check distinguishes good files from bad ones") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag),
                       bad = put("bad2.json", "{}");
     const Outcome both = runProgram("check '" + small + "' '" + bad + "' '" + drag + "' --json");
@@ -258,8 +258,8 @@ TEST_CASE("check tells good files from bad ones") {
     CHECK(Json::parse(runProgram("check --schema").out, nullptr, false).contains("properties"));
 }
 
-TEST_CASE("import puts the group where there is most room") {
-    // Two rooms: 3 x 3 and 7 x 6 cells; the crowd belongs into the middle of the larger.
+TEST_CASE("import puts the group where there is most free ground") {
+    // Two chambers: 3 x 3 and 7 x 6 cells; the crowd belongs in the middle of the larger.
     const std::string map = put("rooms.map",
                                 "type octile\nheight 8\nwidth 13\nmap\n"
                                 "@@@@@@@@@@@@@\n@...@.......@\n@...@.......@\n@...@.......@\n"
@@ -308,7 +308,7 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(list[0]["arrived100_s"].get<double>() < 8.0);
     CHECK(list[0]["path_ratio"].get<double>() < 1.1);
     CHECK(list[1]["arrived100_s"].get<double>() < 2.0);
-    // A file for each scene; with one scene alone the file itself.
+    // One file per scene; for a single scene the file itself.
     CHECK(!std::filesystem::exists(path("peers.csv")));
     CHECK(slurp(path("peers-A.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0.4,", 0) == 0);
     CHECK(slurp(path("peers-B.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0,", 0) == 0);
@@ -319,8 +319,8 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(one.code == 0);
     CHECK(one.out.find("| B ") != std::string::npos);
     CHECK(runProgram("peers '" + scenes + "' --scene C").code == 1);
-    // Who has to speed up first comes later: by the time the velocity takes, 1 / 12 s, and what the bound
-    // adds.
+    // A character that has to speed up first arrives later: by the time constant of its velocity, 1 / 12 s,
+    // and by the effect of the acceleration limit.
     const Outcome slow = runProgram("peers '" + scenes + "' --scene B --inertia --json");
     REQUIRE(slow.code == 0);
     const double later = json(slow)[0]["arrived100_s"].get<double>() - list[1]["arrived100_s"].get<double>();
@@ -328,7 +328,7 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(later < 0.3);
 }
 
-TEST_CASE("peers: what a scene may not hold is named by file and scene") {
+TEST_CASE("peers: invalid scenes are refused, naming file and scene") {
     const auto run = [](const std::string& limit, const std::string& world, const std::string& more) {
         return runProgram("peers '" +
                           put("odd.scenes.json", R"({"scenes":{"Odd":{"T":)" + limit + R"(,"world":)" +
@@ -363,7 +363,7 @@ TEST_CASE("a take's touches become a gestures file that gives the same run") {
     CHECK(runProgram("check '" + path("again.json") + "'").code == 0);
 }
 
-TEST_CASE("no file is written that is read, and none twice") {
+TEST_CASE("no file is both read and written, and none is written twice") {
     const std::string small = put("self.json", kSmall), drag = put("self_drag.json", kDrag);
     const std::string play = "play '" + small + "' --seconds 0.1 ";
     std::filesystem::remove(path("link.json"));
@@ -388,7 +388,7 @@ TEST_CASE("no file is written that is read, and none twice") {
     CHECK(runProgram("replay '" + path("self.take") + "'").code == 0);
 }
 
-TEST_CASE("what cannot be told is a failure") {
+TEST_CASE("output that cannot be written is a failure") {
     const std::string small = put("small.json", kSmall);
     for (const std::string& line : std::vector<std::string>{
              "play '" + small + "' --seconds 0.1", "play '" + small + "' --seconds 0.1 --json",
@@ -400,7 +400,7 @@ TEST_CASE("what cannot be told is a failure") {
     }
 }
 
-TEST_CASE("a world too large for the memory gives one sentence and 1") {
+TEST_CASE("a world too large for the memory gives one sentence and exit code 1") {
 #if defined(__SANITIZE_ADDRESS__)
     MESSAGE("skipped: the sanitizer needs the memory itself");
 #else
@@ -413,7 +413,7 @@ TEST_CASE("a world too large for the memory gives one sentence and 1") {
 #endif
 }
 
-TEST_CASE("likely mistakes are told on standard error, and change nothing") {
+TEST_CASE("warnings go to standard error and change nothing") {
     const std::string scenario = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],
         "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]},{"polygon":[[0.8,-1],[1.5,-1],[1.5,1],[0.8,1]]}],
         "groups":[{"count":4,"position":[-3,0]}]})";
@@ -429,7 +429,7 @@ TEST_CASE("likely mistakes are told on standard error, and change nothing") {
     }
 }
 
-TEST_CASE("names in other letters are drawn as far as the font goes") {
+TEST_CASE("names in other scripts are drawn as far as the font allows") {
     const std::string named = put(
         "named.json",
         "{\"format\":\"muster-scenario\",\"version\":1,\"box\":[[-6,-5],[6,5]],\"cell\":0.5,"

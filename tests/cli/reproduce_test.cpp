@@ -1,4 +1,4 @@
-// muster reproduce, as people run it.
+// `muster reproduce`, run as a user runs it.
 #include <doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -24,8 +24,8 @@ std::string quoted(const fs::path& path) {
     return "'" + path.string() + "'";
 }
 
-/// Fails with that code and one sentence that names the culprit, before the first of the runs that the line
-/// asks for: none is told on standard error.
+/// Expects that code and one sentence that names the culprit, before the first run: standard error mentions
+/// none of the runs.
 void refuses(const std::string& line, int code, const std::string& culprit) {
     CAPTURE(line);
     const Outcome outcome = runProgram("reproduce " + line);
@@ -39,7 +39,7 @@ void refuses(const std::string& line, int code, const std::string& culprit) {
 
 }  // namespace
 
-TEST_CASE("reproduce refuses what is wrong before the first run") {
+TEST_CASE("reproduce refuses wrong arguments before the first run") {
     const fs::path free = workFolder() / "refused";
     const std::string out = " --seeds 1000 --out " + quoted(free);
     refuses("X99" + out, 2, "\"X99\"");
@@ -92,14 +92,14 @@ TEST_CASE("reproduce writes a report, a line per experiment in a log, and the ve
     CHECK(results[0]["seeds"] == 1);
     CHECK(results[0]["value"].is_number());
 
-    // Again over the old report, on more threads: the same results, on standard output too.
+    // A second run over the old report, on more threads, gives the same results, also on standard output.
     const Outcome json = runProgram("reproduce X2 --seeds 1 --threads 2 --json --out " + quoted(out));
     CHECK(json.code == 0);
     CHECK(Json::parse(json.out, nullptr, false) == results);
 }
 
-TEST_CASE("a criterion that fails ends reproduce with 3, and is said wherever results are") {
-    // The scene of X2 with a finger that does no more than touch: nothing bends.
+TEST_CASE("a failed criterion gives exit code 3, and every output of results states it") {
+    // The scene of X2 with a finger that only touches: nothing bends.
     const fs::path folder = workFolder() / "unbent", out = workFolder() / "failed";
     fs::create_directories(folder / "gestures");
     const std::string source = sourceFolder() + "/scenarios/paper/";

@@ -1,4 +1,4 @@
-// muster sweep, as people run it.
+// `muster sweep`, run as a user runs it.
 #include <doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("sweep refuses what is wrong before the first run, naming it") {
+TEST_CASE("sweep refuses wrong arguments before the first run, naming them") {
     const auto failsWith = [](const std::string& line, const std::string& words) {
         const Outcome outcome = runProgram("sweep " + line);
         CHECK(outcome.code != 0);

@@ -1,4 +1,4 @@
-// Coverage of pixels against areas cut out exactly; lines, dashes and scaled rasters.
+// Coverage of pixels compared with exactly clipped areas; lines, dashes and scaled rasters.
 #include <doctest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ double inkOf(const Canvas& canvas) {
     return sum;
 }
 
-/// What is left of a polygon on the side `sign * (coordinate - limit) >= 0` (Sutherland and Hodgman).
+/// The part of a polygon on the side `sign * (coordinate - limit) >= 0` (Sutherland and Hodgman).
 Loop cut(const Loop& loop, bool vertical, double limit, double sign) {
     Loop kept;
     const auto side = [&](Vec2 p) { return sign * ((vertical ? p.x : p.y) - limit); };
@@ -53,7 +53,7 @@ double areaIn(const Loop& loop, int x, int y) {
     return areaOf(cut(cut(cut(cut(loop, true, x, 1), true, x + 1, -1), false, y, 1), false, y + 1, -1));
 }
 
-/// Corners on a circle: convex, of any turn.
+/// Corners on a circle: a convex polygon of either orientation.
 Loop randomConvex(Random& random, Vec2 centre, double radius) {
     std::vector<double> angles(3 + random.below(5));
     for (double& angle : angles) angle = random.uniform(0, 2 * kPi);
@@ -70,7 +70,7 @@ Loop rectangle(double x0, double y0, double x1, double y1) {
 
 }  // namespace
 
-TEST_CASE("each pixel is covered by what an exact cut of the polygon leaves in it") {
+TEST_CASE("each pixel has the coverage of the polygon clipped to it") {
     Random random(31);
     for (int i = 0; i < 60; ++i) {
         Canvas canvas(32, 24, kWhite);
@@ -93,7 +93,7 @@ TEST_CASE("each pixel is covered by what an exact cut of the polygon leaves in i
     }
 }
 
-TEST_CASE("edges between rows and columns cover their shares exactly") {
+TEST_CASE("edges between rows and columns give exact coverage") {
     Canvas canvas(6, 6, kWhite);
     canvas.fill(Loops{rectangle(1.25, 1.0, 3.5, 4.0)}, kBlack);
     const auto bytes = canvas.bytes();
@@ -111,7 +111,7 @@ TEST_CASE("edges between rows and columns cover their shares exactly") {
 }
 
 TEST_CASE(
-    "a shape moved by whole pixels gives the same picture moved, and turning the loop round changes "
+    "a shape moved by whole pixels gives the same picture moved, and reversing the loop changes "
     "nothing") {
     Random random(32);
     for (int i = 0; i < 20; ++i) {
@@ -131,7 +131,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("what hangs over the rim is cut off and colours none of the other side") {
+TEST_CASE("shapes beyond the border are clipped and leave the opposite border uncoloured") {
     Canvas canvas(10, 8, kWhite);
     canvas.fill(Loops{rectangle(7.5, -3, 40, 4)}, kBlack);
     CHECK(inkOf(canvas) == doctest::Approx(2.5 * 4).epsilon(0.01));
@@ -140,7 +140,7 @@ TEST_CASE("what hangs over the rim is cut off and colours none of the other side
     CHECK(inkOf(canvas) == doctest::Approx(80.0).epsilon(1e-6));
 }
 
-TEST_CASE("colours mix by their opacity, and a second coat goes over the first") {
+TEST_CASE("colours blend by their opacity, and later fills cover earlier ones") {
     Canvas canvas(4, 4, Colour::of(0x204060));
     const Loops all{rectangle(0, 0, 4, 4)};
     canvas.fill(all, Colour::of(0xFF8000, 0.25));
@@ -157,7 +157,7 @@ TEST_CASE("colours mix by their opacity, and a second coat goes over the first")
     CHECK(int(canvas.bytes()[1]) == 0xCD);
 }
 
-TEST_CASE("a star crossing itself is full in its middle") {
+TEST_CASE("a self-crossing star is filled in its middle") {
     Loop star;
     for (int k = 0; k < 5; ++k) {
         const double angle = 4 * kPi * k / 5;
@@ -165,11 +165,11 @@ TEST_CASE("a star crossing itself is full in its middle") {
     }
     Canvas canvas(40, 40, kWhite);
     canvas.fill(Loops{star}, Colour::of(0x000000, 0.5));
-    // Twice round, inked once.
+    // The winding number is two, but the colour is applied once.
     CHECK(inkAt(canvas.bytes(), canvas, 20, 20) == doctest::Approx(0.5).epsilon(0.01));
 }
 
-TEST_CASE("a pen's line: width times length and round ends; a closed one has a hole") {
+TEST_CASE("a line's area is width times length plus round ends; a closed line has a hole") {
     Random random(33);
     for (int i = 0; i < 20; ++i) {
         const double angle = random.uniform(0, 2 * kPi), width = random.uniform(3, 8),
@@ -183,7 +183,7 @@ TEST_CASE("a pen's line: width times length and round ends; a closed one has a h
     }
     Loops ring;
     strokeLoops(rectangle(20, 20, 80, 70), true, 6.0, 0.0, ring);
-    for (Loop& loop : ring) {  // Loops of one turn unite.
+    for (Loop& loop : ring) {  // Loops of the same orientation unite.
         double twice = 0.0;
         for (std::size_t i = 0; i < loop.size(); ++i) twice += cross(loop[i], loop[(i + 1) % loop.size()]);
         CHECK(twice > 0.0);
@@ -194,7 +194,7 @@ TEST_CASE("a pen's line: width times length and round ends; a closed one has a h
     CHECK(inkAt(canvas.bytes(), canvas, 50, 45) == 0.0);
 }
 
-TEST_CASE("dashes have their length and their gaps, and go on round corners") {
+TEST_CASE("dashes and gaps have their length, and continue around corners") {
     Loops loops;
     strokeLoops(Loop{{0, 10}, {100, 10}}, false, 2.0, 8.0, loops);
     Canvas canvas(110, 20, kWhite);
@@ -203,7 +203,7 @@ TEST_CASE("dashes have their length and their gaps, and go on round corners") {
     int runs = 0;
     for (int x = 1; x < 110; ++x)
         runs += inkAt(bytes, canvas, x - 1, 10) < 0.5 && inkAt(bytes, canvas, x, 10) >= 0.5;
-    CHECK(runs == 5);  // The first begins at the rim; then one each 18 px.
+    CHECK(runs == 5);  // The first begins at the border; then one each 18 px.
     Loops straight, bent;
     strokeLoops(Loop{{10, 10}, {94, 10}}, false, 2.0, 8.0, straight);
     strokeLoops(Loop{{10, 10}, {31, 10}, {31, 52}, {52, 52}}, false, 2.0, 8.0, bent);
@@ -213,7 +213,7 @@ TEST_CASE("dashes have their length and their gaps, and go on round corners") {
     CHECK(inkOf(b) == doctest::Approx(inkOf(a)).epsilon(0.05));
 }
 
-TEST_CASE("no points, one point, a point twice and no width are lines of no ink and no harm") {
+TEST_CASE("lines of no points, one point, a repeated point or no width draw nothing") {
     Loops loops;
     strokeLoops({}, false, 3.0, 0.0, loops);
     strokeLoops(Loop{{5, 5}}, false, 3.0, 0.0, loops);
@@ -234,7 +234,7 @@ TEST_CASE("discs have the area of discs, from a pixel to a hundred") {
     }
 }
 
-TEST_CASE("a raster keeps its samples, mixes between them and repeats its rim") {
+TEST_CASE("a raster keeps its samples, interpolates between them and repeats its border") {
     const std::vector<Colour> colours{Colour::of(0x000000), Colour::of(0xC80000), Colour::of(0x0000C8),
                                       Colour::of(0xC8C8C8)};
     CHECK(sampleRaster(2, 2, colours, 1, 0) == colours[1]);
@@ -243,7 +243,7 @@ TEST_CASE("a raster keeps its samples, mixes between them and repeats its rim") 
     CHECK(sampleRaster(2, 2, colours, 0.5, 0.5).green == 50);
     CHECK(sampleRaster(2, 2, colours, -7, -7) == colours[0]);
     CHECK(sampleRaster(2, 2, colours, 99, 99) == colours[3]);
-    // What cannot be seen lends no colour to its neighbour.
+    // A transparent sample does not tint its neighbour.
     const std::vector<Colour> half{Colour::of(0xFF0000), Colour::of(0x00FF00, 0.0)};
     const Colour mixed = sampleRaster(2, 1, half, 0.5, 0);
     CHECK(mixed.red == 255);

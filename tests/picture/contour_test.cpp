@@ -1,4 +1,4 @@
-// Contour lines against fields whose lines are known, and every case of a square.
+// Contour lines compared with fields whose contours are known, and every case of a square.
 #include <doctest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ double lengthOf(const Segments& segments) {
     return sum;
 }
 
-/// How many ends of segments meet in each point; two squares may differ on it by a rounding error.
+/// The number of segment ends at each point; two squares may give it with different rounding.
 std::map<std::pair<double, double>, int> endsOf(const Segments& segments) {
     std::map<std::pair<double, double>, int> ends;
     const auto rounded = [](double value) { return std::round(value * 1e9) / 1e9; };
@@ -44,7 +44,7 @@ std::map<std::pair<double, double>, int> endsOf(const Segments& segments) {
 
 }  // namespace
 
-TEST_CASE("all sixteen squares: each edge whose ends differ is met once, and no other") {
+TEST_CASE("all sixteen squares: each edge whose ends differ is crossed once, and no other") {
     for (int bits = 0; bits < 16; ++bits) {
         CAPTURE(bits);
         // Corners: lower left, lower right, upper left, upper right; 1 above the level, 0 below.
@@ -85,7 +85,7 @@ TEST_CASE("at a saddle the two lines do not cross") {
     }
 }
 
-TEST_CASE("circles have their radius, their length and no ends") {
+TEST_CASE("circles have the right radius and length and no ends") {
     const Vec2 centre{19.3, 20.7};
     const auto samples = sampled(41, 41, [&](Vec2 p) { return distance(p, centre); });
     for (const double radius : {3.0, 7.5, 15.0}) {
@@ -99,7 +99,7 @@ TEST_CASE("circles have their radius, their length and no ends") {
     }
 }
 
-TEST_CASE("planes of any slope are met on their line, from rim to rim") {
+TEST_CASE("planes of any slope are cut along their line, from border to border") {
     Random random(41);
     for (int i = 0; i < 50; ++i) {
         const Vec2 slope{random.uniform(-2, 2), random.uniform(0.1, 2)};
@@ -125,7 +125,7 @@ TEST_CASE("hyperbolas of a saddle field and waves lie where the formula says") {
     const auto saddle = sampled(31, 31, [](Vec2 p) { return (p.x - 15) * (p.y - 15); });
     const Segments hyperbolas = contourSegments(31, 31, saddle, 20.0);
     CHECK(hyperbolas.size() > 20);
-    // On edges of the grid the product is linear, so it is met exactly.
+    // On edges of the grid the product is linear, so the crossings are exact.
     for (const auto& [a, b] : hyperbolas) {
         CHECK((a.x - 15) * (a.y - 15) == doctest::Approx(20.0).epsilon(1e-9));
         CHECK((b.x - 15) * (b.y - 15) == doctest::Approx(20.0).epsilon(1e-9));
@@ -136,11 +136,11 @@ TEST_CASE("hyperbolas of a saddle field and waves lie where the formula says") {
         const double turns = a.x * 0.2 / kPi;
         CHECK(std::fabs(turns - std::round(turns)) < 0.002);
     }
-    // At 5, 10 and 15 pi; not at the rim's 0.
+    // The contours are at 5, 10 and 15 pi; none is at the border's 0.
     CHECK(lengthOf(zeros) == doctest::Approx(3 * 7.0).epsilon(0.01));
 }
 
-TEST_CASE("random fields: lines are closed but at the rim and at gaps, and lie between their samples") {
+TEST_CASE("random fields: lines are closed except at the border and at gaps, and lie between their samples") {
     Random random(42);
     for (int i = 0; i < 30; ++i) {
         auto samples = sampled(9, 7, [&](Vec2) { return random.uniform(-1, 1); });
@@ -158,7 +158,7 @@ TEST_CASE("random fields: lines are closed but at the rim and at gaps, and lie b
             }(),
             5.1);
         CHECK(raised.size() == whole.size());
-        // A gap takes away just what lies in the four squares round it.
+        // A gap removes exactly the lines in the four squares around it.
         samples[9 * 3 + 4] = i % 2 == 0 ? NAN : INFINITY;
         std::size_t kept = 0;
         for (const auto& [a, b] : whole) {
@@ -169,7 +169,7 @@ TEST_CASE("random fields: lines are closed but at the rim and at gaps, and lie b
     }
 }
 
-TEST_CASE("level fields, rows and single samples have no lines") {
+TEST_CASE("constant fields, rows and single samples have no lines") {
     const std::vector<double> level(20, 3.0);
     CHECK(contourSegments(5, 4, level, 3.0).empty());
     CHECK(contourSegments(5, 4, level, 2.0).empty());

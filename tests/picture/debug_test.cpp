@@ -66,7 +66,7 @@ WorldDef pictureDef() {
 
 }  // namespace
 
-TEST_CASE("filled areas carry as much ink as they cover") {
+TEST_CASE("filled areas have as much ink as their area") {
     Canvas square(40, 40, kWhite);
     const std::vector<std::vector<Vec2>> box{{{5.25, 5.2}, {15.75, 5.2}, {15.75, 25.2}, {5.25, 25.2}}};
     square.fill(box, kBlack);
@@ -77,7 +77,7 @@ TEST_CASE("filled areas carry as much ink as they cover") {
     CHECK(ink(disc) == doctest::Approx(3.14159265 * 900.0).epsilon(0.01));
 }
 
-TEST_CASE("loops that overlap unite, and opposite ones are holes") {
+TEST_CASE("overlapping loops unite, and loops of opposite orientation are holes") {
     Canvas united(40, 40, kWhite);
     const std::vector<Vec2> a{{5, 5}, {25, 5}, {25, 15}, {5, 15}}, b{{15, 5}, {35, 5}, {35, 15}, {15, 15}};
     united.fill(std::vector<std::vector<Vec2>>{a, b}, Colour::of(0x000000, 0.5));
@@ -88,7 +88,7 @@ TEST_CASE("loops that overlap unite, and opposite ones are holes") {
     CHECK(ink(holed) == doctest::Approx(200.0 - 40.0).epsilon(0.01));
 }
 
-TEST_CASE("shapes off the canvas or with bad numbers draw nothing and harm nothing") {
+TEST_CASE("shapes outside the canvas or with invalid numbers draw nothing") {
     Canvas canvas(20, 20, kWhite);
     canvas.fill(std::vector<std::vector<Vec2>>{{{-50, -50}, {-30, -50}, {-30, -30}}}, kBlack);
     canvas.fill(std::vector<std::vector<Vec2>>{{{1e9, 1}, {2e9, 1}, {1e9, 5}}}, kBlack);
@@ -109,7 +109,7 @@ TEST_CASE("a line's ink is its length times its width; dashes leave gaps") {
     CHECK(ink(dashed) == doctest::Approx(67.3).epsilon(0.06));
 }
 
-TEST_CASE("PNG files are read back by another decoder, pixel for pixel") {
+TEST_CASE("PNG files read by another decoder are equal, pixel for pixel") {
     const auto draw = makePngDraw({{0, 0}, {4, 2}}, 80, kWhite);
     draw->polygon(std::vector<Vec2>{{0, 1}, {1, 1}, {1, 2}, {0, 2}}, Colour::of(0x1D5FD1), {});
     const std::vector<Colour> ramp{kBlack, kWhite};
@@ -122,7 +122,7 @@ TEST_CASE("PNG files are read back by another decoder, pixel for pixel") {
     CHECK(width == 80);
     CHECK(height == 40);
     const auto at = [&](int x, int y) { return &pixels[(y * width + x) * 3]; };
-    CHECK(int(at(10, 10)[0]) == 0x1D);  // Upper left: y runs upwards in the world.
+    CHECK(int(at(10, 10)[0]) == 0x1D);  // Upper left: y points upwards in the world.
     CHECK(int(at(10, 10)[2]) == 0xD1);
     CHECK(int(at(10, 30)[0]) == 255);
     CHECK(int(at(41, 20)[0]) == 0);
@@ -133,7 +133,7 @@ TEST_CASE("PNG files are read back by another decoder, pixel for pixel") {
     CHECK(draw->write("/nowhere/x.png").code() == StatusCode::IoError);
 }
 
-TEST_CASE("contours of a plane are straight and where they should be") {
+TEST_CASE("contours of a plane are straight and at the right position") {
     std::vector<double> plane;
     for (int y = 0; y < 6; ++y) {
         for (int x = 0; x < 8; ++x) plane.push_back(x + 0.5 * y);

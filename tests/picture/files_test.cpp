@@ -1,4 +1,4 @@
-// SVG documents read as XML, PNG files decoded by another library: do they hold what was drawn?
+// The contents of SVG documents read as XML, and of PNG files decoded by another library.
 #include <doctest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace {
 
 constexpr Colour kWhite = Colour::of(0xFFFFFF), kBlack = Colour::of(0x000000), kBlue = Colour::of(0x1D5FD1);
 
-/// Where a picture is written, and what stands in it; gone at the end.
+/// A temporary output path and the file's contents; removed at the end.
 class PictureFile {
 public:
     explicit PictureFile(const std::string& ending)
@@ -107,7 +107,7 @@ std::string unbase64(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("an SVG says its size and holds each shape at its pixels") {
+TEST_CASE("an SVG has the right size and holds each shape at its pixels") {
     const auto draw = makeSvgDraw({{-2, -1}, {6, 3}}, 400, kWhite);  // 50 px a metre.
     CHECK(draw->pixel() == doctest::Approx(0.02));
     draw->disc({0, 0}, 0.5, kBlue, {kBlack, 2.0, 0.0});
@@ -138,7 +138,7 @@ TEST_CASE("an SVG says its size and holds each shape at its pixels") {
     CHECK(triangle.attribute("stroke").empty());
 }
 
-TEST_CASE("holes are further loops of one path, later shapes stand later") {
+TEST_CASE("holes are further loops of one path, and later shapes come later") {
     const auto draw = makeSvgDraw({{0, 0}, {10, 10}}, 100, kWhite);
     draw->area(std::vector<std::vector<Vec2>>{{{0, 0}, {8, 0}, {8, 8}}, {{2, 1}, {3, 2}, {3, 1}}}, kBlue, {});
     draw->disc({1, 1}, 1, kBlack, {});
@@ -151,7 +151,7 @@ TEST_CASE("holes are further loops of one path, later shapes stand later") {
     CHECK(xml.elements.back().name == "circle");
 }
 
-TEST_CASE("whatever a name holds, the document stays well-formed and the text reads the same") {
+TEST_CASE("with any name, the document stays well-formed and the text reads the same") {
     for (const std::string words : {"Pool <&>", "a \"b\" 'c'", "]]>", "&amp;", "</svg>", "x=\"1\"/><rect"}) {
         CAPTURE(words);
         const auto draw = makeSvgDraw({{0, 0}, {4, 4}}, 100, kWhite);
@@ -193,7 +193,7 @@ TEST_CASE("the picture inside an SVG is a PNG with the colours, the upper row fi
         const Colour c = colours[i];
         CHECK(png.at(i % 3, 1 - i / 3) == std::array<int, 3>{c.red, c.green, c.blue});
     }
-    CHECK(int(png.bytes[3 * 4 - 1]) == 128);  // The last of the upper row is half clear.
+    CHECK(int(png.bytes[3 * 4 - 1]) == 128);  // The last pixel of the upper row is half transparent.
 }
 
 TEST_CASE("any bytes survive PNG, in any number of channels") {
@@ -215,7 +215,7 @@ TEST_CASE("any bytes survive PNG, in any number of channels") {
     }
 }
 
-TEST_CASE("a PNG has the width asked for and the height of its view") {
+TEST_CASE("a PNG has the requested width and the height of its view") {
     const auto size = [](const Box& view, std::int32_t width) {
         const Decoded png = pngOf(*makePngDraw(view, width, kBlue));
         CHECK(png.at(png.width - 1, png.height - 1) == std::array<int, 3>{0x1D, 0x5F, 0xD1});
@@ -226,7 +226,7 @@ TEST_CASE("a PNG has the width asked for and the height of its view") {
     CHECK(size({{0, 0}, {300, 1}}, 100) == std::pair{100, 1});  // Never less than a row.
 }
 
-TEST_CASE("shapes of a PNG lie where the world says, y upwards") {
+TEST_CASE("shapes of a PNG lie at their world positions, y upwards") {
     const auto draw = makePngDraw({{0, 0}, {10, 10}}, 100, kWhite);
     draw->disc({2, 8}, 1.0, kBlue, {});
     draw->line(std::vector<Vec2>{{5, 1}, {9, 1}}, {kBlack, 4.0, 0.0});
@@ -237,7 +237,7 @@ TEST_CASE("shapes of a PNG lie where the world says, y upwards") {
     CHECK(png.inked(9, 9, 31, 31) == doctest::Approx(3.14159 * 100).epsilon(0.15));
 }
 
-TEST_CASE("text stands left of, at or right of its point") {
+TEST_CASE("text is aligned left of, at or right of its point") {
     const auto inkOf = [](TextAnchor anchor) {
         const auto draw = makePngDraw({{0, 0}, {20, 5}}, 200, kWhite);
         draw->text({10, 2.5}, "Density", 12, kBlack, anchor);
@@ -247,7 +247,7 @@ TEST_CASE("text stands left of, at or right of its point") {
     };
     const auto left = inkOf(TextAnchor::Left), centre = inkOf(TextAnchor::Centre),
                right = inkOf(TextAnchor::Right);
-    CHECK(left.first <= 10);  // A hair over the line at most.
+    CHECK(left.first <= 10);  // At most a hair beyond the line.
     CHECK(left.second > 60);
     CHECK(right.first > 60);
     CHECK(right.second <= 10);
@@ -255,7 +255,7 @@ TEST_CASE("text stands left of, at or right of its point") {
     CHECK(centre.first > 20);
 }
 
-TEST_CASE("nothing is drawn in colours that cannot be seen or with no width") {
+TEST_CASE("nothing is drawn in transparent colours or with no width") {
     const auto draw = makePngDraw({{0, 0}, {10, 10}}, 64, kWhite);
     draw->disc({5, 5}, 3, {}, {});
     draw->line(std::vector<Vec2>{{0, 0}, {9, 9}}, {kBlack, 0.0, 0.0});

@@ -1,4 +1,4 @@
-// Each layer draws what it is for, where that is, and nothing elsewhere.
+// Each layer draws its objects at their positions, and nothing elsewhere.
 #include <doctest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ World sceneWorld(const WorldDef& def = sceneDef()) {
     return world;
 }
 
-/// What a layer draws beyond the lines of the ground.
+/// The shapes of a layer, without the lines of the ground.
 std::vector<Shape> layerOf(const World& world, std::string_view name, PictureDef def = {}) {
     const Box box = inspect::environment(world).def().box;
     Recorder ground(box), all(box);
@@ -90,7 +90,7 @@ const Shape& rasterOf(const std::vector<Shape>& shapes) {
 
 }  // namespace
 
-TEST_CASE("obstacles: their shapes, with shadows no longer than a man, and nothing elsewhere") {
+TEST_CASE("obstacles: their shapes, with shadows no longer than a person, and nothing elsewhere") {
     const auto shapes = layerOf(sceneWorld(), "obstacles");
     const Box wall = Box{{1, -3}, {2, 3}}.grown(0.55), tree = Box{{7.5, 4.5}, {8.5, 5.5}}.grown(0.55);
     int walls = 0, trees = 0;
@@ -108,7 +108,7 @@ TEST_CASE("obstacles: their shapes, with shadows no longer than a man, and nothi
     CHECK(layerOf(sceneWorld(none), "obstacles").empty());
 }
 
-TEST_CASE("patches: their polygon, their floor and their name") {
+TEST_CASE("patches: their polygon, their texture and their name") {
     const auto shapes = layerOf(sceneWorld(), "patches");
     bool polygon = false, name = false;
     for (const Shape& shape : shapes) {
@@ -122,7 +122,7 @@ TEST_CASE("patches: their polygon, their floor and their name") {
     CHECK(countOf(shapes, Kind::Line) > 5);  // Waves.
 }
 
-TEST_CASE("items: filled while they lie there, a ring once they are collected") {
+TEST_CASE("items: filled before they are collected, a ring afterwards") {
     WorldDef def = sceneDef();
     def.patches.clear();
     def.items = {{{6, -5}, 0.4}, {{-6, 0}, 0.5}};  // The second lies in the crowd.
@@ -138,7 +138,7 @@ TEST_CASE("items: filled while they lie there, a ring once they are collected") 
     }
 }
 
-TEST_CASE("characters: a disc where each stands, pointing where it faces") {
+TEST_CASE("characters: a disc at each position, pointing along the heading") {
     const World world = sceneWorld();
     const auto shapes = layerOf(world, "characters");
     const CharactersView c = world.characters();
@@ -154,11 +154,11 @@ TEST_CASE("characters: a disc where each stands, pointing where it faces") {
         });
         CHECK(nose);
     }
-    CHECK(shapes.size() == 3 * c.size());  // With their shadows.
+    CHECK(shapes.size() == 3 * c.size());  // Each has a shadow.
     for (const Shape& shape : shapes) CHECK(shape.bounds().max.x < -3);
 }
 
-TEST_CASE("places: a ring each, crossed out where nobody can stand") {
+TEST_CASE("places: a ring each, crossed out where the place is unfit") {
     WorldDef def = sceneDef();
     def.box = {{-2, -2}, {2, 2}};  // Too small for all.
     def.obstacles.clear();
@@ -180,7 +180,7 @@ TEST_CASE("places: a ring each, crossed out where nobody can stand") {
     }
 }
 
-TEST_CASE("mesh: every edge of every triangle between vertices where they stand now") {
+TEST_CASE("mesh: every edge of every triangle between the vertices' present positions") {
     const World world = sceneWorld();
     const FormationMesh& mesh = inspect::mesh(world, 0);
     const auto shapes = layerOf(world, "mesh");
@@ -194,15 +194,15 @@ TEST_CASE("mesh: every edge of every triangle between vertices where they stand 
         }
         if (shape.kind == Kind::Area && shape.stroke.width > 0) outlined += shape.loops[0].size();
     }
-    // Euler: edges = vertices + triangles - 1 for a disc; those of the rim are in the outline or drawn as
-    // lines.
+    // Euler's formula: edges = vertices + triangles - 1 for a disc. Border edges are in the outline or drawn
+    // as lines.
     const std::size_t vertices = mesh.finalMesh().size(), triangles = mesh.formation().mesh.triangles.size();
     const std::size_t edges = vertices + triangles - 1, lines = countOf(shapes, Kind::Line);
     CHECK(lines <= edges);
     CHECK(lines + outlined >= edges);
 }
 
-TEST_CASE("paths: what a finger has drawn, and where characters came from") {
+TEST_CASE("paths: drawn trajectories, and the past paths of characters") {
     World world = sceneWorld();
     PictureDef def;
     CHECK(layerOf(world, "paths", def).empty());
@@ -216,20 +216,21 @@ TEST_CASE("paths: what a finger has drawn, and where characters came from") {
     def.trails = {{{-7, 1}, {-6.5, 1}, {-6, 1.2}}};
     const auto shapes = layerOf(world, "paths", def);
     const auto& point = world.group(0).controls[0].points[0];
-    std::vector<Vec2> way{point.position};
-    for (const Checkpoint& checkpoint : point.trajectory) way.push_back(checkpoint.position);
-    REQUIRE(way.size() > 2);
-    int ways = 0, trails = 0;
+    std::vector<Vec2> path{point.position};
+    for (const Checkpoint& checkpoint : point.trajectory) path.push_back(checkpoint.position);
+    REQUIRE(path.size() > 2);
+    int paths = 0, trails = 0;
     for (const Shape& shape : shapes) {
-        ways += shape.kind == Kind::Line && shape.loops[0] == way;
+        paths += shape.kind == Kind::Line && shape.loops[0] == path;
         trails += shape.kind == Kind::Line && shape.loops[0] == def.trails[0];
         CHECK(shape.visible());
     }
-    CHECK(ways == 2);  // A white casing below, the colour above.
+    CHECK(paths == 2);  // A white outline below, the colour above.
     CHECK(trails == 1);
 }
 
-TEST_CASE("potential field: coloured within range of an obstacle, clear beyond, nothing without obstacles") {
+TEST_CASE(
+    "potential field: coloured within range of an obstacle, transparent beyond, nothing without obstacles") {
     const auto shapes = layerOf(sceneWorld(), "field");
     const Shape& raster = rasterOf(shapes);
     CHECK(within(raster.bounds(), Box{{-12, -8}, {12, 8}}.grown(0.3)));
@@ -244,7 +245,7 @@ TEST_CASE("potential field: coloured within range of an obstacle, clear beyond, 
     CHECK(layerOf(sceneWorld(none), "field").empty());
 }
 
-TEST_CASE("cost: as dark as the way is long, with contours and the place itself") {
+TEST_CASE("cost: darker for longer paths, with contours and the place itself") {
     const World world = sceneWorld();
     PictureDef def;
     def.place = 4;
@@ -263,14 +264,14 @@ TEST_CASE("cost: as dark as the way is long, with contours and the place itself"
     CHECK(std::any_of(shapes.begin(), shapes.end(),
                       [](const Shape& s) { return s.words == "Cost to place 4"; }));
     CHECK(countOf(shapes, Kind::Line) > 50);
-    def.place = 9;  // There are nine: 0 to 8.
+    def.place = 9;  // There are nine places: 0 to 8.
     CHECK(layerOf(world, "cost", def).empty());
     def.place = 0;
     def.group = 1;
     CHECK(layerOf(world, "cost", def).empty());
 }
 
-TEST_CASE("density: coloured in the crowd, clear beyond a cell") {
+TEST_CASE("density: coloured in the crowd, transparent beyond a cell") {
     const World world = sceneWorld();
     const auto shapes = layerOf(world, "density");
     const Shape& raster = rasterOf(shapes);
@@ -279,7 +280,7 @@ TEST_CASE("density: coloured in the crowd, clear beyond a cell") {
     CHECK(colourAt(raster, {10, -7}).opacity == 0.0);
 }
 
-TEST_CASE("without a choice all but the coloured grounds is drawn, dark or light") {
+TEST_CASE("by default all layers except the coloured rasters are drawn, dark or light") {
     const World world = sceneWorld();
     Recorder plain({{-12, -8}, {12, 8}}), dark({{-12, -8}, {12, 8}});
     PictureDef def;

@@ -1,4 +1,4 @@
-// Names of any language in pictures that know plain letters only.
+// Names in any language in pictures that support plain letters only.
 #include <doctest.h>
 
 #include <string>
@@ -10,7 +10,8 @@
 using namespace muster;
 
 TEST_CASE(
-    "Latin letters lose their marks, each other code point and each stray byte becomes one question mark") {
+    "Latin letters lose their diacritics, each other code point and each stray byte becomes one question "
+    "mark") {
     CHECK(plainLetters("plain ~ text") == "plain ~ text");
     CHECK(plainLetters("Flu\xc3\x9f \xc3\xbc"
                        "ber Stra\xc3\x9f"
@@ -19,17 +20,17 @@ TEST_CASE(
     CHECK(plainLetters("\xc3\x80\xc3\xbf\xc4\x80\xc5\xbe\xc5\xbf") == "AyAzs");
     CHECK(plainLetters("\xc5\x81\xc3\xb3"
                        "d\xc5\xba \xc3\x85ngstr\xc3\xb6m") == "Lodz Angstrom");
-    // Two of three bytes each.
+    // Two code points of three bytes each.
     CHECK(plainLetters("\xe6\xb3\xb3\xe3\x81\x90") == "??");
     CHECK(plainLetters("a\xf0\x9f\x8f\x8a"
-                       "b") == "a?b");  // One of four.
+                       "b") == "a?b");  // One code point of four bytes.
     CHECK(plainLetters("\t\n\x7f") == "???");
     CHECK(plainLetters("a\xc3") == "a?");
     CHECK(plainLetters("\xe6\xb3z\xffq\x80") == "?z?q?");
     CHECK(plainLetters("") == "");
 }
 
-TEST_CASE("whatever the bytes, only letters of the font are drawn, and each has its width") {
+TEST_CASE("for any bytes only letters of the font are drawn, and each has its width") {
     Random random(3);
     for (int round = 0; round < 2000; ++round) {
         std::string words(random.below(300), ' ');

@@ -27,7 +27,7 @@ std::size_t countOf(const std::string& text, const std::string& word) {
 
 }  // namespace
 
-TEST_CASE("a strip has as many bodies as asked for, in each row") {
+TEST_CASE("a strip has the requested number of bodies in each row") {
     PoseStripDef def;
     def.poses = 3;
     const std::string one = poseStrip(standing(true), def, false);
@@ -38,11 +38,11 @@ TEST_CASE("a strip has as many bodies as asked for, in each row") {
     CHECK(one.find("<svg") != std::string::npos);
     CHECK(one.find("stand &amp; stay") != std::string::npos);
     CHECK(countOf(one, "<path") > 2 * countOf(side, "<path"));
-    // All but the marks of contacts, which are discs, doubles with the columns.
+    // All shapes except the discs that mark contacts double with the columns.
     CHECK(countOf(twice, "<path") >= 2 * countOf(side, "<path") - 12);
 }
 
-TEST_CASE("the same strip as a PNG file of the same proportions") {
+TEST_CASE("a PNG strip has the proportions of the SVG strip") {
     PoseStripDef def;
     def.poses = 2;
     def.pixelsPerMetre = 40;

@@ -1,4 +1,4 @@
-// A sink that keeps the shapes drawn into it.
+// A drawing that records the shapes drawn into it.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace muster::testing {
 
 enum class Kind { Area, Line, Disc, Raster, Text };
 
-/// A shape as it came to the sink.
+/// A recorded shape.
 struct Shape {
     Kind kind;
-    std::vector<std::vector<Vec2>> loops;  ///< Or the line, or the centre, or the corners of the raster.
+    std::vector<std::vector<Vec2>> loops;  ///< A line, a centre and the corners of a raster are one loop.
     double radius = 0.0;
     Colour fill;
     Stroke stroke;
@@ -35,7 +35,7 @@ struct Shape {
     bool visible() const { return fill.opacity > 0 || (stroke.width > 0 && stroke.colour.opacity > 0); }
 };
 
-/// Keeps what is drawn.
+/// Records all shapes.
 class Recorder final : public DebugDraw {
 public:
     explicit Recorder(Box view) : view_(view) {}

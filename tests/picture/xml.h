@@ -1,4 +1,4 @@
-// Reads the little of XML that pictures use, strictly: enough to tell a well-formed document from another.
+// A strict reader of the part of XML that pictures use; it rejects documents that are not well-formed.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace muster::testing {
 
-/// An element with what stands in it.
+/// An element with its contents.
 struct Element {
     std::string name;
     std::map<std::string, std::string> attributes;
-    std::string text;  ///< Directly inside.
+    std::string text;  ///< Text directly inside the element.
     int depth = 0;     ///< 0 for the root.
 
     double number(const std::string& attribute) const {
@@ -27,7 +27,7 @@ struct Element {
     }
 };
 
-/// A parser of a whole document; `error` is empty where it is well-formed.
+/// Parses a whole document; `error` is empty where it is well-formed.
 class XmlReader {
 public:
     explicit XmlReader(const std::string& document) : document_(document) {
@@ -36,10 +36,10 @@ public:
         if (error.empty() && elements.empty()) error = "no element";
     }
 
-    std::vector<Element> elements;  ///< In the order of their beginnings.
+    std::vector<Element> elements;  ///< In the order of their opening tags.
     std::string error;
 
-    /// All elements of a name.
+    /// All elements with that name.
     std::vector<Element> all(const std::string& name) const {
         std::vector<Element> found;
         for (const Element& element : elements) {

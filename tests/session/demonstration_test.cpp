@@ -33,7 +33,7 @@ Session startedBlock() {
     return session;
 }
 
-/// The hash that `muster play` gives.
+/// A world that gets all gestures before its first step, as `muster play` submits them.
 World played(bool withGestures) {
     const WorldDef def = blockDef();
     auto world = World::create(def);

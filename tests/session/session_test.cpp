@@ -331,7 +331,7 @@ TEST_CASE("A client that leaves lifts its fingers, and the log records it") {
 }
 
 TEST_CASE(
-    "A new scene comes with its meshes and with the ids of its characters, even where they are as before") {
+    "A new scene comes with its meshes and with the ids of its characters, even where both are unchanged") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.5, {&client});

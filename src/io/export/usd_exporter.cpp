@@ -21,7 +21,7 @@ constexpr const char* kStarts[] = {
 /// One frame of a character: a line for each of its four lists of samples.
 using Lines = std::array<std::string, 4>;
 
-/// The lines of a character. Lines of one kind have the same length in all frames.
+/// The lines of a character in one frame. Lines of one kind have the same length in all frames.
 Lines linesOf(std::size_t frame, const ExportCharacter& c, double turn) {
     Lines lines;
     char number[24];

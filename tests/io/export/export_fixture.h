@@ -1,4 +1,4 @@
-// Short takes and an exporter that remembers what it got.
+// Short takes, and an exporter that records what it receives.
 #pragma once
 
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 namespace muster::testing {
 
-/// A folder of its own for the files of one test run; gone afterwards.
+/// A temporary folder for the files of one test run; it is removed afterwards.
 inline std::filesystem::path exportFolder() {
     struct Folder {
         std::filesystem::path path = std::filesystem::temp_directory_path() /
@@ -28,7 +28,7 @@ inline std::filesystem::path exportFolder() {
     return folder.path;
 }
 
-/// How many files and folders there are, half ones included.
+/// The number of files and folders, including incomplete ones.
 inline std::size_t thingsInFolder() {
     std::size_t count = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::recursive_directory_iterator(exportFolder()))
@@ -36,7 +36,7 @@ inline std::size_t thingsInFolder() {
     return count;
 }
 
-/// Nine people whose formation is dragged ahead, round a pillar, for two seconds: 120 steps.
+/// Nine characters whose formation is dragged ahead, around a pillar, for two seconds: 120 steps.
 inline Take shortTake() {
     WorldDef def;
     def.name = "Short";
@@ -64,7 +64,7 @@ inline Take shortTake() {
     return {};
 }
 
-/// Keeps what it is given.
+/// Stores everything that it receives.
 class Recorder : public Exporter {
 public:
     struct Seen {

@@ -28,7 +28,7 @@ std::vector<std::vector<Vec2>> stepsOf(const Take& take) {
 
 }  // namespace
 
-TEST_CASE("frames come at their times, with places between those of the steps") {
+TEST_CASE("frames come at their times, with positions interpolated between steps") {
     const Take take = shortTake();
     const auto steps = stepsOf(take);
     REQUIRE(steps.size() == 121);
@@ -57,7 +57,7 @@ TEST_CASE("frames come at their times, with places between those of the steps") 
     }
 }
 
-TEST_CASE("a part of a take is that part of the whole") {
+TEST_CASE("a part of a take has the same frames as the whole") {
     const Take take = shortTake();
     Recorder whole, part;
     REQUIRE(exportTake(take, ownClips(), {0.0, -1.0, 30.0, 1}, whole).ok());
@@ -74,7 +74,7 @@ TEST_CASE("a part of a take is that part of the whole") {
     }
 }
 
-TEST_CASE("poses are those that the crowd's motion makes") {
+TEST_CASE("poses are those of the crowd's motion") {
     const Take take = shortTake();
     Recorder recorder;
     REQUIRE(exportTake(take, ownClips(), {0.0, -1.0, 60.0, 1}, recorder).ok());
@@ -97,7 +97,7 @@ TEST_CASE("poses are those that the crowd's motion makes") {
     CHECK(frame == recorder.frames.size());
 }
 
-TEST_CASE("parts outside the take and impossible rates are refused before anything begins") {
+TEST_CASE("parts outside the take and impossible rates are refused before the export begins") {
     const Take take = shortTake();
     const auto failure = [&](ExportDef def) {
         Recorder recorder;
@@ -117,7 +117,7 @@ TEST_CASE("parts outside the take and impossible rates are refused before anythi
     CHECK(failure({0.0, std::nan(""), 30.0, 1}).find("to: ") == 0);
 }
 
-TEST_CASE("one moment is one frame, also at the very ends") {
+TEST_CASE("one moment is one frame, also at both ends") {
     const Take take = shortTake();
     for (const double at : {0.0, 1.0, 2.0}) {
         Recorder recorder;
@@ -127,7 +127,7 @@ TEST_CASE("one moment is one frame, also at the very ends") {
     }
 }
 
-TEST_CASE("a failing exporter ends the export with its own words") {
+TEST_CASE("a failing exporter ends the export with its own message") {
     const Take take = shortTake();
     Recorder recorder;
     recorder.failAt = 7;
@@ -136,12 +136,12 @@ TEST_CASE("a failing exporter ends the export with its own words") {
     CHECK(recorder.finished == 0);
 }
 
-TEST_CASE("a take that replays otherwise is not exported to its end") {
+TEST_CASE("a take that replays to other hashes is not exported to its end") {
     Take take = shortTake();
     take.marks.back().hash ^= 1;
     Recorder recorder;
     const Status status = exportTake(take, ownClips(), {0.0, 1.9, 30.0, 1}, recorder);
-    // Frames before the mark that differs cannot know; the end does.
+    // A part that ends before the last mark may succeed, because only that mark differs.
     CHECK((status.ok() || status.code() == StatusCode::Corrupt));
     take.marks.front().hash ^= 1;
     CHECK(exportTake(take, ownClips(), {}, recorder).code() == StatusCode::Corrupt);

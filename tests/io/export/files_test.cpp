@@ -1,4 +1,4 @@
-// The files of the simple formats, read back.
+// Files of the simple formats, read back.
 #include <doctest.h>
 
 #include <fstream>
@@ -90,7 +90,7 @@ TEST_CASE("BVH files of all characters show them where they are") {
     CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 9);
 }
 
-TEST_CASE("the walkable area is the box without what stands still") {
+TEST_CASE("the walkable area is the box without static obstacles") {
     EnvironmentDef ground;
     ground.box = {{0, 0}, {10, 4}};
     auto environment = Environment::create(ground);
@@ -105,7 +105,7 @@ TEST_CASE("the walkable area is the box without what stands still") {
     REQUIRE(environment->addObstacle(wall).ok());
     environment->setTime(0.0);
     CHECK(walkableArea(*environment).find("(4 1,5 1,5 3,4 3,4 1)") != std::string::npos);
-    // A neighbour that touches makes one hole, one across the whole box two parts.
+    // A neighbour that touches gives one hole; one across the whole box gives two parts.
     wall.polygon = {{5, 1}, {6, 1}, {6, 3}, {5, 3}};
     REQUIRE(environment->addObstacle(wall).ok());
     environment->setTime(0.0);
@@ -115,7 +115,7 @@ TEST_CASE("the walkable area is the box without what stands still") {
     REQUIRE(environment->addObstacle(wall).ok());
     environment->setTime(0.0);
     CHECK(walkableArea(*environment).rfind("MULTIPOLYGON(", 0) == 0);
-    // What moves is no wall.
+    // Moving obstacles are left out.
     const std::string before = walkableArea(*environment);
     ObstacleDef car;
     car.centre = {2, 2};
@@ -129,7 +129,7 @@ TEST_CASE("the walkable area is the box without what stands still") {
 #if __has_include(<sqlite3.h>)
 namespace {
 
-/// All rows of a query as text, columns parted by a bar.
+/// All rows of a query as text; a bar separates the columns.
 std::vector<std::string> query(const std::string& path, const char* text) {
     sqlite3* base = nullptr;
     REQUIRE(sqlite3_open_v2(path.c_str(), &base, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK);
@@ -189,7 +189,7 @@ TEST_CASE("JuPedSim's file holds trajectories, directions, metadata and the area
 }
 #endif
 
-TEST_CASE("what fails leaves nothing behind and what was there as it was") {
+TEST_CASE("a failed export leaves no new file and does not change an existing one") {
     Take take = shortTake();
     const std::string before = (exportFolder() / "kept.txt").string();
     REQUIRE(writeTextFile(before, "precious").ok());
@@ -209,7 +209,7 @@ TEST_CASE("what fails leaves nothing behind and what was there as it was") {
           std::string::npos);
 }
 
-TEST_CASE("an output file is there as a whole or not at all") {
+TEST_CASE("an output file exists completely or not at all") {
     const std::string path = (exportFolder() / "whole.bin").string();
     {
         OutputFile file;

@@ -1,4 +1,4 @@
-// Reads GLB files for tests: only what Muster writes, with an eye of its own.
+// An independent reader of GLB files for tests. It supports only what Muster writes.
 #pragma once
 
 #include <doctest.h>
@@ -48,7 +48,7 @@ public:
         return values;
     }
 
-    /// Index of the node with that name; of its n-th, where there are several.
+    /// Index of the node with that name; where several have it, of the n-th.
     std::size_t node(const std::string& name) const {
         for (std::size_t i = 0; i < json["nodes"].size(); ++i)
             if (json["nodes"][i]["name"] == name) return i;
@@ -56,7 +56,7 @@ public:
         return 0;
     }
 
-    /// A node's own placement at a key of the animation, with its scale.
+    /// A node's local transform at a key of the animation, with its scale.
     struct Placed {
         Transform transform;
         double scale = 1.0;
@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    /// The key that holds at frame `frame`: that frame's own, or for steps the last one not after it.
+    /// The key for frame `frame`: its own, or with step interpolation the last key not after it.
     std::size_t keyOf(const nlohmann::json& sampler, std::size_t frame) const {
         if (sampler.value("interpolation", "LINEAR") == "LINEAR") return frame;
         const std::size_t input = sampler["input"];

@@ -1,4 +1,4 @@
-// Binary glTF, read back with a reader of our own.
+// Binary glTF, read back with an independent reader.
 #include <doctest.h>
 
 #include <set>
@@ -18,7 +18,7 @@ using namespace muster::testing;
 
 namespace {
 
-constexpr std::size_t kFrames = 150;  // More than a block of any buffer, and no multiple of one.
+constexpr std::size_t kFrames = 150;  // More than one block of every buffer, and no multiple of a block.
 
 const GltfReader& pretended() {
     static const GltfReader reader = [] {
@@ -30,7 +30,7 @@ const GltfReader& pretended() {
     return reader;
 }
 
-/// Muster's axes from the file's.
+/// Converts the file's axes to Muster's.
 Vec3 ours(Vec3 p) {
     return {p.z, p.x, p.y};
 }
@@ -41,7 +41,7 @@ std::string nameOf(std::uint32_t id) {
     return name;
 }
 
-/// All joints of a character in the world, in Muster's axes.
+/// The positions of all joints of a character in the world, in Muster's axes.
 std::vector<Vec3> jointsIn(const GltfReader& file, std::uint32_t id, std::size_t frame) {
     const std::size_t root = file.node(nameOf(id));
     const GltfReader::Placed base = file.local(root, frame);
@@ -58,7 +58,7 @@ std::vector<Vec3> jointsIn(const GltfReader& file, std::uint32_t id, std::size_t
 
 }  // namespace
 
-TEST_CASE("joints in the GLB are where ours are, at every joint and in every block of frames") {
+TEST_CASE("joints in the GLB have Muster's positions, for every joint and in every block of frames") {
     const GltfReader& file = pretended();
     float worst = 0.0f;
     for (const std::size_t frame : {0, 1, 21, 49, 63, 64, 65, 100, 127, 128, 149}) {
@@ -75,7 +75,7 @@ TEST_CASE("joints in the GLB are where ours are, at every joint and in every blo
     CHECK(worst < 0.001f);
 }
 
-TEST_CASE("neighbouring rotations have the same sign, so that what lies between them is right") {
+TEST_CASE("consecutive rotations have the same sign, so that interpolation takes the short arc") {
     const GltfReader& file = pretended();
     for (const auto& channel : file.json["animations"][0]["channels"]) {
         if (channel["target"]["path"] != "rotation") continue;
@@ -87,7 +87,7 @@ TEST_CASE("neighbouring rotations have the same sign, so that what lies between 
     }
 }
 
-TEST_CASE("who comes late and goes early has no size while away") {
+TEST_CASE("a character that appears late and leaves early has no size while absent") {
     const GltfReader& file = pretended();
     const std::size_t late = file.node(nameOf(4));
     const double size = static_cast<double>(characterSize(4));
@@ -99,7 +99,7 @@ TEST_CASE("who comes late and goes early has no size while away") {
               doctest::Approx(static_cast<double>(characterSize(1))).epsilon(1e-6));
 }
 
-TEST_CASE("a car is where its path says, turned as it says") {
+TEST_CASE("a car has the position and rotation of its path") {
     const GltfReader& file = pretended();
     const WorldDef def = furnishedWorld();
     const ObstacleDef& car = def.obstacles[2];
@@ -130,7 +130,7 @@ TEST_CASE("inverse bind matrices take every joint of the rest pose to the origin
     }
 }
 
-TEST_CASE("meshes hold what the bodies hold, and each is written once") {
+TEST_CASE("meshes equal the bodies, and each is written once") {
     const GltfReader& file = pretended();
     std::set<std::size_t> positions;
     for (const auto& mesh : file.json["meshes"]) {
@@ -152,7 +152,7 @@ TEST_CASE("meshes hold what the bodies hold, and each is written once") {
     CHECK(!positions.empty());
 }
 
-TEST_CASE("nothing is left behind where a GLB is given up, and nothing beside it where it is done") {
+TEST_CASE("an abandoned GLB leaves no file, a completed one leaves no temporary file") {
     const std::size_t before = thingsInFolder();
     {
         const auto exporter = makeGltfExporter((exportFolder() / "given-up.glb").string());
@@ -206,7 +206,7 @@ TEST_CASE("memory of a hundred characters does not grow with the length of the t
     CHECK(most <= early + (64 << 10));
     CHECK(most < (8 << 20));
     REQUIRE(exporter->finish().ok());
-    // One track a character: 21 joints of 8 bytes, 2 places of 12, 1 turn of 16.
+    // One track per character: 21 joints of 8 bytes, 2 positions of 12, 1 rotation of 16.
     const GltfReader file((exportFolder() / "long.glb").string());
     CHECK(file.json["buffers"][0]["byteLength"].get<std::size_t>() > 100 * kLong * 208);
     CHECK(distance(jointsIn(file, 100, kLong - 1)[8],

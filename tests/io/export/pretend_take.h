@@ -1,4 +1,5 @@
-// People made up for tests of formats with bodies: they wave and walk circles, come late and go early.
+// Synthetic characters for tests of formats with bodies: they wave, walk in circles, appear late and leave
+// early.
 #pragma once
 
 #include "base/maths.h"
@@ -7,7 +8,7 @@
 
 namespace muster::testing {
 
-/// A world with a wall, a tree, a car that drives a bend, and a pool.
+/// A world with a wall, a tree, a car that drives along a bend, and a pool.
 inline WorldDef furnishedWorld() {
     WorldDef def;
     def.name = "A \"furnished\" world";
@@ -35,13 +36,13 @@ inline WorldDef furnishedWorld() {
     return def;
 }
 
-/// One frame of some people.
+/// One frame with some characters.
 struct PretendFrame {
     std::vector<ExportCharacter> characters;
     std::vector<BodyPose> poses;
 };
 
-/// The people whose ids lie in [from, to) at a time [s].
+/// The characters whose ids lie in [from, to) at a time [s].
 inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double time) {
     PretendFrame frame;
     for (std::uint32_t id = from; id < to; ++id) {
@@ -49,7 +50,7 @@ inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double t
         ExportCharacter c;
         c.id = id;
         c.position = {3.0 * id + 2.0 * cosine(turn), 2.0 * sine(turn)};
-        // Round and round: the yaw jumps from pi to -pi.
+        // The characters walk in circles: the yaw jumps from pi to -pi.
         c.yaw = static_cast<float>(arcTangent2(cosine(turn), -sine(turn)));
         c.size = characterSize(id);
         BodyPose pose = restPose();
@@ -60,7 +61,7 @@ inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double t
                                               static_cast<float>(cosine(1.7 * k)),
                                               static_cast<float>(sine(2.3 * k + 1.0))});
             pose.rotation[j] = axisAngle(axis, 1.2 * sine(2.0 * time + k));
-            // The same rotation with the other sign, as a library may have it.
+            // The same rotation with the other sign, as it may occur in a library.
             if ((j + frame.poses.size()) % 3 == 0 && static_cast<int>(time * 10.0) % 2 == 1)
                 pose.rotation[j] = -pose.rotation[j];
         }
@@ -71,7 +72,7 @@ inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double t
     return frame;
 }
 
-/// Where the joints of one of them are.
+/// The positions of the joints of one character.
 inline JointTransforms jointsOf(const ExportCharacter& c) {
     MotionState place;
     place.position = c.position;
@@ -82,12 +83,13 @@ inline JointTransforms jointsOf(const ExportCharacter& c) {
     return joints;
 }
 
-/// Who is there in a frame of the take below: the fourth comes at 20 and goes at 50, all others stay.
+/// The characters of a frame of the take below: the fourth appears at frame 20 and leaves at 50, all others
+/// stay.
 inline std::uint32_t peopleIn(std::size_t frame) {
     return frame >= 20 && frame < 50 ? 5u : 4u;
 }
 
-/// Hands `frames` frames to an exporter, 30 a second; fails as it does.
+/// Passes `frames` frames to an exporter, 30 per second; fails with the exporter's failures.
 inline Status exportPretendTake(Exporter& exporter, std::size_t frames) {
     const auto world = World::create(furnishedWorld());
     if (!world.ok()) return world.status();

@@ -1,4 +1,4 @@
-// Meshes of what stands in a world: closed, the right way out, and as large as they should be.
+// Meshes of a world's objects: they are closed, face outwards, and have the right size.
 #include <doctest.h>
 
 #include "environment/environment.h"
@@ -12,7 +12,7 @@ using namespace muster::testing;
 
 namespace {
 
-/// Volume by the divergence theorem: right only for closed meshes that face outwards.
+/// Volume by the divergence theorem: correct only for closed meshes that face outwards.
 double volumeOf(const std::vector<SceneSurface>& surfaces) {
     double sum = 0.0;
     for (const SceneSurface& s : surfaces)
@@ -23,7 +23,7 @@ double volumeOf(const std::vector<SceneSurface>& surfaces) {
     return sum;
 }
 
-/// Area seen from above, of what faces up at a height.
+/// Area of the upward faces at a height, seen from above.
 double areaAt(const std::vector<SceneSurface>& surfaces, Finish finish, float z) {
     double sum = 0.0;
     for (const SceneSurface& s : surfaces) {
@@ -46,7 +46,7 @@ const SceneThing& find(const std::vector<SceneThing>& things, const std::string&
 
 }  // namespace
 
-TEST_CASE("normals stand on triangles, on the side that they face") {
+TEST_CASE("normals are perpendicular to their triangles, on the side that they face") {
     const auto world = World::create(furnishedWorld());
     for (const SceneThing& thing : makeScene(*world)) {
         for (const SceneSurface& s : thing.surfaces) {
@@ -65,7 +65,7 @@ TEST_CASE("normals stand on triangles, on the side that they face") {
     }
 }
 
-TEST_CASE("solids hold as much as they should") {
+TEST_CASE("solids have the right volume") {
     const Polygon corner{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
     SceneMeshBuilder prism({2, 1});
     prism.prism(Finish::Wall, Finish::Roof, corner, 0.0, 2.5);
@@ -111,11 +111,11 @@ TEST_CASE("pools that overlap lie on ground without holes") {
     }
     CHECK(areaAt(find(things, "Pool").surfaces, Finish::Water, 0.006f) ==
           doctest::Approx(30.0).epsilon(1e-5));
-    // Where they overlap, one lies higher.
+    // One of them lies higher where they overlap.
     CHECK(find(things, "Pool 2").surfaces.front().positions.front().z > 0.0065f);
 }
 
-TEST_CASE("every motion has ground of its own, and everything a name of its own") {
+TEST_CASE("every motion has its own floor, and every object its own name") {
     WorldDef def = furnishedWorld();
     def.patches.clear();
     const auto clips = defaultClipFacts();
@@ -134,7 +134,7 @@ TEST_CASE("every motion has ground of its own, and everything a name of its own"
         for (std::size_t k = 0; k < i; ++k) CHECK(things[i].name != things[k].name);
 }
 
-TEST_CASE("a camera sees all points, and is no farther off than that takes") {
+TEST_CASE("a camera sees all points, and is no farther away than necessary") {
     CameraFit fit;
     const std::vector<Vec3> points{{-20, 3, 0}, {15, -8, 1.8f}, {4, 22, 0}, {9, 9, 1.8f}, {30, 1, 0}};
     for (const Vec3 p : points) fit.add(p);

@@ -25,7 +25,7 @@ const std::string& pretended() {
     return text;
 }
 
-/// The text of a prim, its braces included.
+/// The text of a prim, including its braces.
 std::string prim(const std::string& text, const std::string& head) {
     const std::size_t begin = text.find(head);
     REQUIRE(begin != std::string::npos);
@@ -37,7 +37,7 @@ std::string prim(const std::string& text, const std::string& head) {
     return text.substr(begin, at + 1 - begin);
 }
 
-/// The numbers of one time sample of an attribute; the time code itself left out.
+/// The numbers of one time sample of an attribute, without the time code.
 std::vector<double> sample(const std::string& text, const std::string& attribute, std::size_t frame) {
     std::istringstream lines(prim(text, attribute + ".timeSamples"));
     std::string line;
@@ -54,7 +54,7 @@ std::vector<double> sample(const std::string& text, const std::string& attribute
     return values;
 }
 
-/// All joints of a character in the world, from the file alone.
+/// The positions of all joints of a character in the world, computed from the file alone.
 std::vector<Vec3> jointsIn(const std::string& text, std::uint32_t id, std::size_t frame) {
     const std::string root = prim(text, "def SkelRoot \"character_000" + std::to_string(id) + "\"");
     const auto place = sample(root, "xformOp:translate", frame),
@@ -80,7 +80,7 @@ std::vector<Vec3> jointsIn(const std::string& text, std::uint32_t id, std::size_
 
 }  // namespace
 
-TEST_CASE("joints in the USD are where ours are") {
+TEST_CASE("joints in the USD have Muster's positions") {
     float worst = 0.0f;
     for (const std::size_t frame : {0, 15, 16, 25, 49, 74}) {
         const PretendFrame people = pretendPeople(1, peopleIn(frame),
@@ -96,7 +96,7 @@ TEST_CASE("joints in the USD are where ours are") {
     CHECK(worst < 0.001f);
 }
 
-TEST_CASE("all brackets close, every line of samples is there, and nothing is named twice") {
+TEST_CASE("all brackets close, every line of samples exists, and no name occurs twice") {
     const std::string& text = pretended();
     std::vector<char> open;
     bool quoted = false;
@@ -122,14 +122,14 @@ TEST_CASE("all brackets close, every line of samples is there, and nothing is na
     CHECK(names.size() == 2 + 5 + 4 + 1);
 }
 
-TEST_CASE("turns go on without jumps") {
+TEST_CASE("rotations continue without jumps") {
     const std::string root = prim(pretended(), "def SkelRoot \"character_0002\"");
     for (std::size_t k = 1; k < kFrames; ++k)
         CHECK(std::fabs(sample(root, "xformOp:rotateZ", k)[0] - sample(root, "xformOp:rotateZ", k - 1)[0]) <
               5.0);
 }
 
-TEST_CASE("who comes late and goes early is not seen while away") {
+TEST_CASE("a character that appears late and leaves early is invisible while absent") {
     const std::string late = prim(prim(pretended(), "def SkelRoot \"character_0004\""),
                                   "visibility.timeSamples");
     CHECK(late.find(" 0: \"invisible\"") != std::string::npos);
@@ -140,7 +140,7 @@ TEST_CASE("who comes late and goes early is not seen while away") {
     CHECK(always.find("invisible") == std::string::npos);
 }
 
-TEST_CASE("numbers keep their columns, whatever their size") {
+TEST_CASE("numbers keep their columns at any size") {
     for (const double value : {0.0, -1.0, 0.123456789, 12345.678, -99999.5, 1e9, -1e12}) {
         std::string text;
         usdFixed(value, 10, 5, text);
@@ -151,7 +151,7 @@ TEST_CASE("numbers keep their columns, whatever their size") {
     CHECK(text == "-1.250000");
 }
 
-TEST_CASE("names become such as USD takes") {
+TEST_CASE("names become valid USD names") {
     CHECK(usdName("North stand") == "North_stand");
     CHECK(usdName("2nd") == "_2nd");
     CHECK(usdName("") == "_");

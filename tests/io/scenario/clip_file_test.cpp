@@ -1,4 +1,4 @@
-// Facts of clips out of their files.
+// Facts of clips that come from their files.
 #include <doctest.h>
 
 #include <unistd.h>
@@ -14,7 +14,8 @@ using muster::testing::HandMade;
 
 namespace {
 
-/// A folder with walk.bvh (1 m a frame, 20 frames a second: 2 m in 0.1 s at first) and whatever is put there.
+/// A folder with walk.bvh (1 m per frame, 20 frames per second: at first 2 m in 0.1 s) and the files that a
+/// test adds.
 struct Folder {
     std::filesystem::path path = std::filesystem::temp_directory_path() /
                                  ("muster_clip_file_" + std::to_string(::getpid()));
@@ -29,7 +30,7 @@ std::string scenario(const std::string& clips) {
     return R"({"format": "muster-scenario", "version": 1, "clips": [)" + clips + "]}";
 }
 
-/// Three frames a second apart from each other, ahead by a metre each.
+/// Three frames, a second and a metre apart.
 std::string walking(const char* frameTime) {
     HandMade made;
     made.motion = std::string("Frames: 3\nFrame Time: ") + frameTime + "\n";
@@ -38,7 +39,7 @@ std::string walking(const char* frameTime) {
 
 }  // namespace
 
-TEST_CASE("a clip takes from its file what it does not say itself") {
+TEST_CASE("a clip takes from its file the facts that it does not give itself") {
     const Folder folder;
     folder.put("run.bvh", walking("0.5"));          // 2 m in 1 s.
     folder.put("clips/crawl.bvh", walking("2.5"));  // 2 m in 5 s.
@@ -59,7 +60,7 @@ TEST_CASE("a clip takes from its file what it does not say itself") {
     CHECK(def->clips[2].cyclic);
     CHECK(def->clips[2].duration == doctest::Approx(5.0));
     CHECK(def->clips[3].speed == 0.7);
-    // What is written needs the files no more: a take is read anywhere.
+    // A written scenario contains the facts, so that a take can be read without the files.
     const auto again = parseScenario(writeScenario(*def), "take", {});
     REQUIRE_MESSAGE(again.ok(), again.status().message());
     CHECK(again->clips[1].file == "clips/crawl.bvh");
@@ -67,7 +68,7 @@ TEST_CASE("a clip takes from its file what it does not say itself") {
     CHECK(again->clips[1].length == def->clips[1].length);
 }
 
-TEST_CASE("files of standing give the least speed, and running is Muster's own where nobody says") {
+TEST_CASE("a file of standing gives the least speed; running is Muster's own where no file gives it") {
     const Folder folder;
     folder.put("walk.bvh", walking("1"));  // 1 m/s.
     HandMade standing;
@@ -85,7 +86,7 @@ TEST_CASE("files of standing give the least speed, and running is Muster's own w
     CHECK(def->clips[2].length == 0.0);
 }
 
-TEST_CASE("clip files that cannot be read are told by path") {
+TEST_CASE("clip files that cannot be read are reported by path") {
     const Folder folder;
     folder.put("bad.bvh", "HIERARCHY\nROOT x\n{\nOFFSET 0 0\n");
     const auto failure = [&](const std::string& clip, const std::string& where) {
@@ -104,7 +105,7 @@ TEST_CASE("clip files that cannot be read are told by path") {
     has(failure(R"({"name": "a", "file": "../bad.bvh"})", here), "in the scenario's folder");
     has(failure(R"({"name": "a", "file": "/etc/passwd"})", here), "in the scenario's folder");
     has(failure(R"({"name": "a", "file": "bad.bvh"})", ""), "files are not read here");
-    // Nor may a scenario or a take that says all figures itself name a file elsewhere.
+    // A scenario or take that gives all facts itself may not name a file elsewhere either.
     const std::string figures = R"(, "speed": 1, "length": 0, "duration": 0, "cyclic": true})";
     has(failure(R"({"name": "a", "file": "/etc/passwd")" + figures, ""), "in the scenario's folder");
     has(failure(R"({"name": "a", "file": "clips/../../bad.bvh")" + figures, here),
@@ -117,7 +118,7 @@ TEST_CASE("clip files that cannot be read are told by path") {
             .ok());
 }
 
-TEST_CASE("a clip called as one of Muster's own has its facts, but for those that are said") {
+TEST_CASE("a clip with the name of one of Muster's own has its facts, except for those that are given") {
     const auto def = parseScenario(
         scenario(R"({"name": "run"}, {"name": "climb"}, {"name": "swim", "speed": 0.5},
         {"name": "hop"})"),
@@ -137,7 +138,7 @@ TEST_CASE("a clip called as one of Muster's own has its facts, but for those tha
 TEST_CASE("facts that contradict Muster's own survive writing and reading") {
     WorldDef def;
     ClipFacts climb;
-    climb.name = "climb";  // With nothing but what a bare clip has: cyclic, as fast as running.
+    climb.name = "climb";  // It has only the defaults of a bare clip: cyclic, as fast as running.
     def.clips = {defaultClipFacts()[0], climb};
     const auto again = parseScenario(writeScenario(def), "again.json", "");
     REQUIRE_MESSAGE(again.ok(), again.status().message());

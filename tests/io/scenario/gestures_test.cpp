@@ -33,7 +33,7 @@ std::vector<std::uint8_t> bytesOf(const std::vector<Command>& commands) {
 
 }  // namespace
 
-TEST_CASE("touches become commands of the step their time falls in") {
+TEST_CASE("touches become commands of the step that contains their time") {
     const auto commands = parseGestures(file(R"({"t":1.25,"kind":"move","touch":1,"x":3,"y":4},
         {"t":0,"kind":"down","touch":1,"x":1,"y":2,"group":2},
         {"t":0.05,"kind":"up","touch":9,"client":3},
@@ -46,7 +46,7 @@ TEST_CASE("touches become commands of the step their time falls in") {
     CHECK(down.group == GroupId{2});
     CHECK((*commands)[0].step == 0);
     CHECK((*commands)[0].client == 1);
-    CHECK((*commands)[1].step == 3);  // 0.05 s is exactly three steps, however it rounds.
+    CHECK((*commands)[1].step == 3);  // 0.05 s is exactly three steps, despite rounding.
     CHECK((*commands)[1].client == 3);
     CHECK((*commands)[2].step == 75);
     CHECK(std::get<TouchMove>((*commands)[2].body).time == 1.25);
@@ -108,7 +108,7 @@ TEST_CASE("every kind of command survives the file") {
     CHECK(bytesOf(*back) == bytesOf(commands));
 }
 
-TEST_CASE("mistakes are named") {
+TEST_CASE("errors are reported by field") {
     CHECK(failureOf(R"({"kind":"up","touch":1})").find("G.json: $.events[0]: found no \"t\"") == 0);
     CHECK(failureOf(R"({"t":-1,"kind":"up","touch":1})").find("$.events[0].t:") != std::string::npos);
     CHECK(failureOf(R"({"t":1,"kind":"poke","touch":1})").find("$.events[0].kind:") != std::string::npos);
@@ -150,7 +150,7 @@ TEST_CASE("a scenario's gestures lie in its folder or below, and are read for it
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("shipped gestures are good, one file per scenario") {
+TEST_CASE("shipped gestures are valid, one file per scenario") {
     int count = 0;
     const std::string folder = sourceFolder() + "/scenarios/gestures";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

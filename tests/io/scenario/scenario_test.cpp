@@ -17,7 +17,7 @@ namespace {
 
 const std::string kFolder = sourceFolder() + "/scenarios";
 
-/// All members of a definition as bytes, for comparisons bit for bit.
+/// All members of a definition as bytes, for exact comparison.
 std::vector<std::uint8_t> bytesOf(WorldDef def) {
     Writer w;
     w(def.name, def.description, def.credit, def.gestures, def.box.min, def.box.max, def.cell, def.seed,
@@ -29,7 +29,7 @@ std::vector<std::uint8_t> bytesOf(WorldDef def) {
     return w.take();
 }
 
-/// A definition with something in every member, of numbers that are hard to print.
+/// A definition with a value in every member, with numbers that are hard to print.
 WorldDef richDef() {
     WorldDef def;
     def.name = "Rich \"quoted\" \\ \n \xc3\xa9";
@@ -96,7 +96,7 @@ std::string failureOf(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a definition survives its text bit for bit") {
+TEST_CASE("a definition survives writing and reading bit for bit") {
     const WorldDef def = richDef();
     const std::string text = writeScenario(def);
     const auto back = parseScenario(text, "rich", "");
@@ -117,7 +117,7 @@ TEST_CASE("random doubles survive bit for bit") {
                                  (info.maximum - info.minimum) * random.uniform() * random.uniform();
             (void)setParameter(def.parameters, info.name, value).ok();
         }
-        // Those that may not contradict each other.
+        // These parameters may not contradict each other.
         Parameters& p = def.parameters;
         p.density.max = p.density.min + 1.0 / 3.0;
         p.cost.alpha = 0.1 + random.uniform(), p.cost.beta = random.uniform(),
@@ -191,7 +191,7 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
     }
 }
 
-TEST_CASE("defaults stand where a file says nothing, and an embedded map gives the box") {
+TEST_CASE("defaults apply where a file gives no value, and an embedded map gives the box") {
     const auto def = parseScenario(minimal(""), "F", "");
     REQUIRE(def.ok());
     CHECK(bytesOf(*def) == bytesOf(WorldDef{}));
@@ -209,7 +209,7 @@ TEST_CASE("defaults stand where a file says nothing, and an embedded map gives t
     CHECK(bytesOf(*back) == bytesOf(*map));
 }
 
-TEST_CASE("a preset is where parameters start from") {
+TEST_CASE("a preset gives the initial values of the parameters") {
     const auto def = parseScenario(minimal(R"("preset":"paper","parameters":{"plan.period":3})"), "F", "");
     REQUIRE(def.ok());
     CHECK(def->parameters.plan.exponent == 1.0);
@@ -256,7 +256,7 @@ TEST_CASE("every failure names file, path, what was found and what was expected"
     CHECK(failureOf(R"({"format":"muster-scenario","version":2})").find("$.version") != std::string::npos);
 }
 
-TEST_CASE("what single fields cannot show is checked too") {
+TEST_CASE("contradictions between fields are checked too") {
     CHECK(
         failureOf(minimal(R"("obstacles":[{"polygon":[[0,0],[1,1],[1,0],[0,1]]}])")).find("$.obstacles[0]") !=
         std::string::npos);
@@ -266,7 +266,7 @@ TEST_CASE("what single fields cannot show is checked too") {
     CHECK(failureOf(minimal(R"("box":[[0,0],[1000,1000]],"cell":0.01)")).find("16 million") !=
           std::string::npos);
     CHECK(failureOf(minimal(R"("box":[[0,0],[0,5]])")).find("empty") != std::string::npos);
-    // Few cells of ground, more of the density's than a whole number counts.
+    // A few cells of ground, but more density cells than an integer can count.
     CHECK(failureOf(minimal(R"("box":[[0,0],[65536,65536]],"cell":100)"))
               .find("$.parameters: parameter density.cell") != std::string::npos);
     CHECK(failureOf(minimal(R"("box":[[0,0],[410,410]],"parameters":{"density.cell":0.1})"))
@@ -308,7 +308,7 @@ TEST_CASE("damaged text never crashes") {
     }
 }
 
-TEST_CASE("map files lie beside the scenario") {
+TEST_CASE("map files are found relative to the scenario") {
     const auto folder = std::filesystem::temp_directory_path() / "muster_scenario_test";
     std::filesystem::create_directories(folder);
     const auto write = [&](const char* name, const std::string& text) {
@@ -327,7 +327,7 @@ TEST_CASE("map files lie beside the scenario") {
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("warnings tell of narrow gaps and bad starts") {
+TEST_CASE("warnings report narrow gaps and bad starts") {
     WorldDef def;
     for (double x : {0.0, 1.3}) {
         ObstacleDef disc;
@@ -348,7 +348,7 @@ TEST_CASE("warnings tell of narrow gaps and bad starts") {
     CHECK(scenarioWarnings(def).empty());
 }
 
-TEST_CASE("every shipped scenario is good and has no warnings") {
+TEST_CASE("every shipped scenario is valid and has no warnings") {
     int count = 0;
     std::vector<std::filesystem::directory_entry> files;
     for (const std::string& folder : {kFolder, kFolder + "/paper"})
@@ -369,7 +369,7 @@ TEST_CASE("every shipped scenario is good and has no warnings") {
     CHECK(count >= 6);
 }
 
-TEST_CASE("single-step patches that do not suit their clips are told by path, found and expected") {
+TEST_CASE("single-step patches that do not suit their clips are reported by path, found and expected") {
     WorldDef def;
     PatchDef wall;
     wall.motion = 6;                                            // Climb, 1.2 m.
@@ -378,7 +378,7 @@ TEST_CASE("single-step patches that do not suit their clips are told by path, fo
     CHECK(scenarioWarnings(def).empty());
     wall.polygon = {{0, -5}, {1.4, -5}, {1.4, 5}, {0, 5}};
     def.patches.push_back(wall);
-    wall.motion = 3;  // Crawling goes on as long as the patch does.
+    wall.motion = 3;  // Crawling lasts as long as the patch.
     def.patches.push_back(wall);
     const auto warnings = scenarioWarnings(def);
     REQUIRE(warnings.size() == 1);

@@ -43,7 +43,7 @@ TEST_CASE("the published schema is the loader's own") {
                   "renew it: muster check --schema > scenarios/schema/scenario.schema.json");
 }
 
-TEST_CASE("every parameter stands in the schema with its default, range and unit") {
+TEST_CASE("the schema has every parameter with its default, range and unit") {
     const Json parameters = schema()["properties"]["parameters"]["properties"];
     CHECK(parameters.size() == parameterTable().size());
     const Parameters defaults;
@@ -60,7 +60,7 @@ TEST_CASE("every parameter stands in the schema with its default, range and unit
     }
 }
 
-TEST_CASE("shipped scenarios and written ones keep to the schema") {
+TEST_CASE("shipped and written scenarios conform to the schema") {
     const Json rules = schema();
     const std::string folder = sourceFolder() + "/scenarios";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -74,7 +74,7 @@ TEST_CASE("shipped scenarios and written ones keep to the schema") {
     }
 }
 
-TEST_CASE("schema and loader refuse the same mistakes") {
+TEST_CASE("schema and loader refuse the same errors") {
     const Json rules = schema();
     const Json good = example();
     REQUIRE(testing::breaks(rules, good) == "");
@@ -110,7 +110,7 @@ TEST_CASE("schema and loader refuse the same mistakes") {
         CHECK(testing::breaks(rules, bad) != "");
         CHECK(!parseScenario(bad.dump(), "bad", "").ok());
     }
-    // Changes that are none: the same pointers with good values.
+    // Valid values at the same pointers are accepted.
     const Mistake changes[] = {
         {"/cell", 0.5}, {"/groups/0/count", 9}, {"/groups/0/formation", "wedge"}, {"/preset", "paper"}};
     for (const Mistake& change : changes) {

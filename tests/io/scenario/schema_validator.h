@@ -1,5 +1,5 @@
-// A small JSON Schema validator: the parts of draft 2020-12 that our schema uses, and a complaint about any
-// other.
+// A small JSON Schema validator: it supports the parts of draft 2020-12 that Muster's schema uses and rejects
+// any other.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@ namespace muster::testing {
 
 using Json = nlohmann::ordered_json;
 
-/// The first place where `value` breaks `schema`, or an empty text.
+/// The first error of `value` against `schema`, or an empty text.
 inline std::string breaks(const Json& schema, const Json& value, const std::string& path = "$");
 
 inline bool hasType(const std::string& type, const Json& value) {

@@ -50,7 +50,8 @@ std::string temporary(const char* name) {
     return (std::filesystem::temp_directory_path() / name).string();
 }
 
-/// Records 200 steps of the drag, each command in the step before it applies, as a live session does.
+/// Records 200 steps of the drag; each command is recorded in the step before it applies, as in a live
+/// session.
 std::vector<std::uint8_t> recorded() {
     static const std::vector<std::uint8_t> bytes = [] {
         const std::string path = temporary("muster_take_test.take");
@@ -78,7 +79,7 @@ std::vector<std::uint8_t> recorded() {
     return bytes;
 }
 
-/// Offsets at which records begin, and the size of the file.
+/// Offsets of the records, then the size of the file.
 std::vector<std::size_t> recordStarts(const std::vector<std::uint8_t>& bytes) {
     std::vector<std::size_t> starts;
     std::size_t at = 12;
@@ -115,10 +116,10 @@ TEST_CASE("a take replays to the same hashes, on any number of threads") {
     }
 }
 
-TEST_CASE("commands matter: a replay with one changed is not reproduced, and the step is named") {
+TEST_CASE("commands matter: a replay with one changed command is not reproduced, and the step is named") {
     auto take = parseTake(recorded(), "T");
     REQUIRE(take.ok());
-    std::get<TouchMove>(take->commands[15].body).position.y += 0.5;  // Applies at step 96.
+    std::get<TouchMove>(take->commands[15].body).position.y += 0.5;  // It applies at step 96.
     const auto report = replayTake(*take);
     CHECK(report.status().code() == StatusCode::Corrupt);
     CHECK(report.status().message().find("step 120:") == 0);
@@ -139,10 +140,10 @@ TEST_CASE("a replay can be watched and stopped") {
     CHECK(report->compared == 1);
 }
 
-TEST_CASE("commands behind the last mark of a killed take are replayed, and nothing is claimed of them") {
+TEST_CASE("commands after the last mark of an unfinished take are replayed but not compared") {
     const auto bytes = recorded();
     const auto starts = recordStarts(bytes);
-    std::size_t cut = 0;  // Behind the last command, at step 150: the marks of 180 and 200 are lost.
+    std::size_t cut = 0;  // After the last command, at step 150: the marks of 180 and 200 are lost.
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
         if (bytes[starts[i] + 4] == 2) cut = starts[i + 1];
     }
@@ -162,19 +163,19 @@ TEST_CASE("commands behind the last mark of a killed take are replayed, and noth
     CHECK(report->unmarked == 31);
     CHECK(last == FormationKind::Line);
 
-    // Killed within the first second there is no mark at all.
+    // A process killed within the first second leaves no mark at all.
     take->marks.clear();
     CHECK(take->steps() == 151);
     const auto whole = replayTake(*take);
     REQUIRE(whole.ok());
     CHECK(whole->unmarked == 151);
     CHECK(whole->hash == report->hash);
-    // A finished take goes no further than its end, whatever waits.
+    // A finished take ends at its last mark, even where commands wait.
     take->finished = true;
     CHECK(take->steps() == 0);
 }
 
-TEST_CASE("the last record torn at every byte: the rest is read and what is lost is told") {
+TEST_CASE("the last record cut at every byte: the rest is read and the loss is reported") {
     const auto bytes = recorded();
     const auto starts = recordStarts(bytes);
     const std::size_t last = starts[starts.size() - 2];
@@ -188,7 +189,7 @@ TEST_CASE("the last record torn at every byte: the rest is read and what is lost
     }
 }
 
-TEST_CASE("cut anywhere, a take is read up to there, or said to have no scenario") {
+TEST_CASE("a take cut anywhere is read up to there, or is reported to have no scenario") {
     const auto bytes = recorded();
     const auto starts = recordStarts(bytes);
     Random random(2);
@@ -200,7 +201,7 @@ TEST_CASE("cut anywhere, a take is read up to there, or said to have no scenario
     }
 }
 
-TEST_CASE("a flipped byte anywhere is refused, and its record named") {
+TEST_CASE("a flipped byte anywhere is refused, and its record is named") {
     const auto bytes = recorded();
     const auto starts = recordStarts(bytes);
     Random random(9);
@@ -231,7 +232,7 @@ TEST_CASE("other files are refused") {
     CHECK(readTake("/nowhere/x.take").status().code() == StatusCode::IoError);
 }
 
-TEST_CASE("files are not overwritten unless asked, and folders must exist") {
+TEST_CASE("files are not overwritten unless requested, and folders must exist") {
     const std::string path = temporary("muster_take_exists.take");
     std::filesystem::remove(path);
     CHECK(TakeWriter::create(path, smallDef(), false).ok());
@@ -249,7 +250,7 @@ TEST_CASE("a killed process loses at most the record it was writing") {
     const pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {
-        // Writes commands for ever and tells after each how many are safe.
+        // Writes commands endlessly and prints after each how many are flushed.
         auto writer = TakeWriter::create(path, smallDef());
         for (std::uint32_t n = 0; writer.ok(); ++n) {
             if (!writer->command({n, 1, n, TouchMove{1, {0.5, 0.25}, n / 60.0}}).ok()) break;
