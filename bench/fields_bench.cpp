@@ -1,4 +1,4 @@
-// Cost fields, unit cost and density: what they cost.
+// Benchmarks of cost fields, unit cost and density.
 #include <benchmark/benchmark.h>
 
 #include "base/random.h"

@@ -1,4 +1,4 @@
-// Whole bodies for a crowd: milliseconds per step, median and 95 in 100.
+// Benchmark of whole poses for a crowd: milliseconds per step, median and 95th percentile.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

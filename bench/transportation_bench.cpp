@@ -1,4 +1,4 @@
-// Assignment and the exact plan.
+// Benchmarks of the dense assignment solver and of the exact plan.
 #include <benchmark/benchmark.h>
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Counts of allocations, and the peak of memory.
+// Number of allocations and peak memory of the process.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@ bool allocationsCounted();
 /// Called by the counting allocator.
 void countAllocation();
 
-/// Starts a new peak, as far as the system allows.
+/// Resets the peak, where the system allows it.
 void resetPeakMemory();
-/// Most resident memory of the process since then [MB]; 0 where the system does not tell.
+/// Most resident memory of the process since then [MB]; 0 where the system does not report it.
 double peakMemory();
 
 }  // namespace muster::scale

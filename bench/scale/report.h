@@ -10,25 +10,25 @@ namespace muster::scale {
 
 /// One JSON object without line feed.
 std::string jsonRow(const Row& row);
-/// The head of the readable table.
+/// The head of the plain-text table.
 std::string tableHead();
-/// A line of it.
+/// The line of a row in it.
 std::string tableRow(const Row& row);
 /// The head and the rule of the table in Markdown.
 std::string markdownHead();
-/// A line of it.
+/// The line of a row in it.
 std::string markdownRow(const Row& row);
 
-/// How the cost of a step grows.
+/// Growth of the step time with the number of characters n.
 struct Growth {
-    double exponent = 0.0;    ///< Of n, fitted by least squares to the logarithms of p50.
-    std::int32_t points = 0;  ///< Rows it was fitted to.
+    double exponent = 0.0;    ///< Exponent of n, by a least-squares fit to the logarithms of p50.
+    std::int32_t points = 0;  ///< Number of rows in the fit.
     std::int32_t least = 0;   ///< Smallest n.
     std::int32_t most = 0;    ///< Largest n.
 };
 
-/// Of all rows of that regime (and scene, plan, threads): every such series is shifted to its own mean first,
-/// so that scenes of different cost do not blur the slope. No points where no series has two sizes.
+/// Fits all rows of a regime. Each series of equal scene, plan and threads is first shifted to its mean, so
+/// that scenes of different cost do not change the slope. No points where no series has two sizes.
 Growth growthOf(std::span<const Row> rows, Regime regime);
 
 }  // namespace muster::scale

@@ -106,8 +106,8 @@ struct Contact {
 
 /// Displacement of the body axes on the ground since the clip began (root motion).
 struct Travel {
-    float x = 0.0f;    ///< Forward [m].
-    float y = 0.0f;    ///< To the left [m].
+    float x = 0.0f;    ///< Displacement forward [m].
+    float y = 0.0f;    ///< Displacement to the left [m].
     float yaw = 0.0f;  ///< Rotation to the left [rad].
 };
 
@@ -166,7 +166,7 @@ Status validate(const Clip& clip);
 
 /// A joint of a BVH file, in Muster's axes (x forward, y left, z up).
 struct BvhJoint {
-    std::string name;          ///< As the file spells it.
+    std::string name;          ///< Name in the file.
     std::int32_t parent = -1;  ///< Index of a joint before it; -1 for a root.
     Vec3 offset;               ///< From the parent in the rest pose [m].
     std::vector<Vec3> ends;    ///< End sites, from the joint [m].

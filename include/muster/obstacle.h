@@ -55,7 +55,7 @@ struct ObstacleDef {
     /// Reach r of its potential field [m], 0 or more; negative for the world's default.
     double range = -1.0;
     double strength = -1.0;  ///< Factor of its potential field, 0 or more; negative for the world's default.
-    double height = 3.0;     ///< For display only [m], above 0.
+    double height = 3.0;     ///< Height for display only [m], above 0.
 
     /// Lets an archive read or write the definition.
     template <class Archive>

@@ -14,20 +14,20 @@ struct Quat {
     float z = 0.0f;
     float w = 1.0f;
 
-    /// Exact comparison, not of rotations but of numbers.
+    /// Exact comparison of the components: q and -q differ.
     friend bool operator==(const Quat&, const Quat&) = default;
 };
 
-/// First `b`, then `a`.
+/// Composition: rotates by `b` first, then by `a`.
 constexpr Quat operator*(Quat a, Quat b) {
     return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
             a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
-/// The same numbers with the other sign: the same rotation.
+/// All components negated, which is the same rotation.
 constexpr Quat operator-(Quat q) {
     return {-q.x, -q.y, -q.z, -q.w};
 }
-/// The rotation undone.
+/// The conjugate, which is the inverse rotation.
 constexpr Quat conjugate(Quat q) {
     return {-q.x, -q.y, -q.z, q.w};
 }
@@ -35,7 +35,7 @@ constexpr Quat conjugate(Quat q) {
 constexpr float dot(Quat a, Quat b) {
     return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
-/// Of unit length; no rotation where `q` is all zeros.
+/// `q` scaled to unit length; the identity where `q` is zero.
 inline Quat normalized(Quat q) {
     const float l2 = dot(q, q);
     if (!(l2 > 1e-20f)) return {};
@@ -74,15 +74,15 @@ inline Quat nlerp(Quat a, Quat b, float t) {
 /// The angle between two rotations [rad], 0 to pi.
 double angleBetween(Quat a, Quat b);
 
-/// A rotation, then a shift.
+/// A rigid transform: rotation about the origin, then translation.
 struct Transform {
     Quat rotation;
-    Vec3 translation;  ///< [m]
+    Vec3 translation;  ///< Translation [m].
 
-    /// Where a point goes.
+    /// The transformed point.
     constexpr Vec3 apply(Vec3 p) const { return translation + rotate(rotation, p); }
 };
-/// First `b`, then `a`.
+/// Composition: applies `b` first, then `a`.
 constexpr Transform operator*(const Transform& a, const Transform& b) {
     return {a.rotation * b.rotation, a.apply(b.translation)};
 }

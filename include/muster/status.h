@@ -13,7 +13,7 @@ namespace muster {
 enum class StatusCode {
     Ok,
     InvalidArgument,  ///< A value is outside its range or contradicts another.
-    NotFound,         ///< A name or id that nothing bears.
+    NotFound,         ///< No object has this name or id.
     ParseError,       ///< Text or bytes that do not follow the format.
     IoError,          ///< A file or socket that cannot be read or written.
     Corrupt,          ///< A checksum or hash that does not match.
@@ -21,7 +21,7 @@ enum class StatusCode {
     LimitExceeded,    ///< Too large, too many, too often.
 };
 
-/// Success, or a code with one sentence that names the culprit.
+/// Success, or a code with one sentence that names the faulty value or file.
 class [[nodiscard]] Status {
 public:
     /// Success.

@@ -46,7 +46,7 @@ struct StageTimes {
 
 /// A command that could not be applied, and why.
 struct Rejection {
-    Command command;  ///< As it was submitted.
+    Command command;  ///< The command that failed.
     Status status;    ///< Reason of the failure.
 };
 

@@ -50,9 +50,9 @@ public:
     GroupView group(std::size_t index) const;    ///< Groups are in ascending order of ids.
     GroupDef groupDef(std::size_t index) const;  ///< Current name, count and formation.
 
-    std::span<const ObstacleId> obstacleIds() const;              ///< In ascending order.
+    std::span<const ObstacleId> obstacleIds() const;              ///< Ids in ascending order.
     ObstacleView obstacle(ObstacleId id) const;                   ///< The obstacle of that id.
-    std::span<const PatchId> patchIds() const;                    ///< In ascending order.
+    std::span<const PatchId> patchIds() const;                    ///< Ids in ascending order.
     PatchView patch(PatchId id) const;                            ///< The patch of that id.
     std::span<const ItemDef> items() const;                       ///< All items.
     std::span<const std::uint8_t> collected() const;              ///< Per item: 1 once collected, else 0.
