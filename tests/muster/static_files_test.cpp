@@ -1,0 +1,147 @@
+#include "static_files.h"
+
+#include <doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "server_policy.h"
+
+using namespace muster;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A page's folder with a file for each test, and a secret outside of it.
+struct Site {
+    fs::path base = fs::temp_directory_path() / ("muster_static_files_test_" + std::to_string(::getpid()));
+    Site() {
+        fs::remove_all(base);
+        fs::create_directories(base / "page/assets");
+        fs::create_directories(base / "page/sub");
+        put("secret.txt", "secret");
+        put("page/index.html", "<p>home");
+        put("page/sub/index.html", "<p>sub");
+        put("page/a.js", "js");
+        put("page/assets/b-1a2b.wasm", std::string("\0asm", 4));
+        put("page/data.bin", std::string(300000, '\xFE'));
+        put("page/.hidden", "hidden");
+        fs::create_symlink(base / "secret.txt", base / "page/out.txt");
+        fs::create_directory_symlink(base, base / "page/up");
+        fs::create_symlink(base / "page/a.js", base / "page/in.js");
+    }
+    ~Site() {
+        std::error_code ignored;
+        fs::remove_all(base, ignored);
+    }
+    void put(const std::string& name, const std::string& text) const {
+        std::ofstream(base / name, std::ios::binary) << text;
+    }
+    auto read(const std::string& target) const { return readStaticFile((base / "page").string(), target); }
+};
+
+}  // namespace
+
+TEST_CASE("plain paths pass without their query, folders become their index") {
+    CHECK(plainPath("/") == "/index.html");
+    CHECK(plainPath("/sub/") == "/sub/index.html");
+    CHECK(plainPath("/a-b_C.9.js") == "/a-b_C.9.js");
+    CHECK(plainPath("/a.js?x=../..&y=%00") == "/a.js");
+    CHECK(plainPath("/a.js#top") == "/a.js");
+    CHECK(plainPath("/?q") == "/index.html");
+    for (const std::string bad :
+         {"", "a.js", "?q", "#", "//a.js", "/a//b", "/../secret.txt", "/a/../b", "/.hidden", "/a/.git/x",
+          "/..", "/%2e%2e/x", "/a\\b", "/a b", "http://x/", "*", "/a:b", "/~x", "/\xC3\xA4"}) {
+        CAPTURE(bad);
+        CHECK(!plainPath(bad).has_value());
+    }
+    CHECK(!plainPath(std::string_view("/a\0b", 4)).has_value());
+}
+
+TEST_CASE("every byte but letters, digits and four signs makes a path that is not plain") {
+    for (int c = 0; c < 256; ++c) {
+        if (c == '?' || c == '#') continue;  // They end the path.
+        const bool plain = c < 128 && (std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.' || c == '/');
+        const std::string target = std::string("/a") + static_cast<char>(c) + "b";
+        CAPTURE(c);
+        CHECK(plainPath(target).has_value() == plain);
+    }
+}
+
+TEST_CASE("files are served whole with their type; only hashed ones may be cached") {
+    const Site site;
+    const auto home = site.read("/");
+    REQUIRE(home.has_value());
+    CHECK(home->body == "<p>home");
+    CHECK(home->type == "text/html; charset=utf-8");
+    CHECK(home->cache == "no-cache");
+    CHECK(site.read("/sub/")->body == "<p>sub");
+    CHECK(site.read("/a.js?v=2")->type == "text/javascript; charset=utf-8");
+    const auto wasm = site.read("/assets/b-1a2b.wasm");
+    REQUIRE(wasm.has_value());
+    CHECK(wasm->type == "application/wasm");
+    CHECK(wasm->cache.find("immutable") != std::string::npos);
+    CHECK(wasm->body == std::string("\0asm", 4));
+    const auto data = site.read("/data.bin");
+    REQUIRE(data.has_value());
+    CHECK(data->type == "application/octet-stream");
+    CHECK(data->body == std::string(300000, '\xFE'));
+}
+
+TEST_CASE("nothing outside the folder is served, not by a link either, and no folder as a file") {
+    const Site site;
+    for (const std::string target : {"/out.txt", "/up/secret.txt", "/../secret.txt", "/.hidden", "/sub",
+                                     "/assets", "/none.txt", "/assets/", "/a.js/", "/a.js/x"}) {
+        CAPTURE(target);
+        CHECK(!site.read(target).has_value());
+    }
+    // A link that stays inside is a file as others.
+    CHECK(site.read("/in.js")->body == "js");
+    CHECK(site.read("/up/page/a.js")->body == "js");
+    CHECK(!readStaticFile("/nowhere", "/").has_value());
+}
+
+TEST_CASE("hosts and origins are those of this machine at this port, letter by letter") {
+    for (const int port : {1, 8080, 65535}) {
+        const std::string number = std::to_string(port);
+        for (const std::string name : {"127.0.0.1", "localhost"}) {
+            CHECK(isLocalHost(name + ":" + number, port));
+            CHECK(isLocalOrigin("http://" + name + ":" + number, port));
+            CHECK(!isLocalHost(name, port));
+            CHECK(!isLocalHost(name + ":" + number + "0", port));
+            CHECK(!isLocalHost(name + ":" + number + " ", port));
+            CHECK(!isLocalHost(name + ".evil.example:" + number, port));
+            CHECK(!isLocalHost("evil." + name + ":" + number, port));
+            CHECK(!isLocalHost("evil@" + name + ":" + number, port));
+            CHECK(!isLocalOrigin("https://" + name + ":" + number, port));
+            CHECK(!isLocalOrigin("http://" + name + ":" + number + "/", port));
+            CHECK(!isLocalOrigin(name + ":" + number, port));
+        }
+        for (const std::string& bad :
+             std::vector<std::string>{"", "null", "http://", "0.0.0.0:" + number, "[::1]:" + number}) {
+            CHECK(!isLocalHost(bad, port));
+            CHECK(!isLocalOrigin("http://" + bad, port));
+            CHECK(!isLocalOrigin(bad, port));
+        }
+    }
+}
+
+TEST_CASE("the security policy lets sockets go to this port alone") {
+    std::string policy;
+    for (const auto& [name, value] : securityFields(4321))
+        if (std::string(name) == "Content-Security-Policy") policy = value;
+    const auto has = [&](const std::string& words) { return policy.find(words) != std::string::npos; };
+    for (const std::string words : {"default-src 'self'", "ws://127.0.0.1:4321", "ws://localhost:4321",
+                                    "frame-ancestors 'none'", "base-uri 'none'", "form-action 'none'"})
+        CHECK_MESSAGE(has(words), words);
+    CHECK(!has("*"));
+    CHECK(!has("unsafe-eval"));
+    // Each source that is a socket names this port.
+    for (std::size_t at = policy.find("ws:"); at != std::string::npos; at = policy.find("ws:", at + 1)) {
+        const std::string source = policy.substr(at, policy.find_first_of(" ;", at) - at);
+        CHECK(isLocalHost(source.substr(5), 4321));
+    }
+}
