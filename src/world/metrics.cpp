@@ -56,7 +56,7 @@ RunMetrics::RunMetrics(const World& world) {
 
 /// Keeps one entry per character: those that left drop out, those that joined begin here.
 void RunMetrics::follow(const CharactersView& characters) {
-    if (std::ranges::equal(ids_, characters.id)) return;
+    if (std::equal(ids_.begin(), ids_.end(), characters.id.begin(), characters.id.end())) return;
     const RunMetrics old = *this;
     const std::size_t count = characters.size();
     ids_.assign(characters.id.begin(), characters.id.end());

@@ -11,10 +11,10 @@
 namespace muster {
 
 const char* stageName(Stage stage) {
-    constexpr const char* kNames[] = {"commands", "controls",         "user mesh", "final mesh",
-                                      "places",   "density and cost", "plan",      "steering",
-                                      "contacts", "patches",          "events"};
-    return stage < Stage::Count ? kNames[static_cast<std::size_t>(stage)] : "none";
+    constexpr const char* kStageNames[] = {"commands", "controls",         "user mesh", "final mesh",
+                                           "places",   "density and cost", "plan",      "steering",
+                                           "contacts", "patches",          "events"};
+    return stage < Stage::Count ? kStageNames[static_cast<std::size_t>(stage)] : "none";
 }
 
 void WalkTotals::add(double walk) {
