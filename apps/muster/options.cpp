@@ -12,7 +12,8 @@ bool sameFile(const std::string& a, const std::string& b) {
     if (fs::equivalent(a, b, error)) return true;
     // A file that does not exist yet can only be compared by its path.
     std::error_code first, second;
-    const fs::path left = fs::weakly_canonical(a, first), right = fs::weakly_canonical(b, second);
+    const fs::path left = fs::weakly_canonical(fs::absolute(a), first);
+    const fs::path right = fs::weakly_canonical(fs::absolute(b), second);
     return !first && !second && left == right;
 }
 

@@ -70,3 +70,9 @@ TEST_CASE("empty names are none, and the sentence begins with the file to be wri
     CHECK(twice.code() == StatusCode::InvalidArgument);
     CHECK(twice.message().rfind("c: ", 0) == 0);
 }
+
+TEST_CASE("two spellings of a file that does not exist yet name one file") {
+    CHECK_FALSE(differentFiles({}, {"not_there.csv", "./not_there.csv"}).ok());
+    CHECK_FALSE(differentFiles({"folder/../not_there.csv"}, {"not_there.csv"}).ok());
+    CHECK(differentFiles({}, {"not_there.csv", "./nor_there.csv"}).ok());
+}
