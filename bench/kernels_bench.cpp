@@ -17,6 +17,7 @@
 #include "eikonal/eikonal_solver.h"
 #include "formation/mesh/arap.h"
 #include "formation/shapes/formation.h"
+#include "planning/fixed_costs.h"
 #include "planning/plan.h"
 
 namespace {
@@ -96,9 +97,11 @@ UnitCost openGround(std::int64_t cells) {
 std::vector<Vec2> rows(std::int64_t count, Vec2 first, double spacing) {
     const auto across = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(count))));
     std::vector<Vec2> points;
-    for (std::int64_t k = 0; k < count; ++k)
-        points.push_back(first + Vec2{spacing * static_cast<double>(k % across),
-                                      spacing * static_cast<double>(k / across)});
+    for (std::int64_t k = 0; k < count; ++k) {
+        const std::int64_t column = k % across, row = k / across;
+        points.push_back(first +
+                         Vec2{spacing * static_cast<double>(column), spacing * static_cast<double>(row)});
+    }
     return points;
 }
 
@@ -189,14 +192,16 @@ Following::Following(std::int64_t n) {
 void assignmentWarm(benchmark::State& state, std::unique_ptr<Plan> (*make)()) {
     const std::int64_t n = state.range(0);
     Following crowd(n);
+    FixedCosts costs;
+    costs.unit = &crowd.cost;
+    costs.still = &crowd.ground;
+    costs.changing = &crowd.dynamicCost;
     const auto plan = make();
     ThreadPool pool(1);
     PlanResult result;
     const auto again = [&](double by) {
         for (Vec2& place : crowd.places) place.x += by;
-        PlanInput input{crowd.characters, {}, crowd.places, {}, {}, crowd.incumbent, &crowd.cost};
-        input.ground = &crowd.ground;
-        input.dynamicCost = &crowd.dynamicCost;
+        const PlanInput input{crowd.characters, {}, crowd.places, {}, {}, crowd.incumbent, &costs};
         if (!plan->start({}, input).ok() || !plan->finish(pool, result).ok()) return false;
         for (const Flow& flow : result.flows) crowd.incumbent[flow.character] = flow.place;
         return true;

@@ -56,8 +56,8 @@ void checkTake(const std::string& path, Finding& finding) {
     finding.status = take.ok() ? Status() : take.status();
     if (!take.ok()) return;
     finding.summary = "\"" + take->def.name + "\", " + std::to_string(take->commands.size()) + " commands, " +
-                      std::to_string(take->marks.size()) + " hash marks, " + std::to_string(take->steps()) +
-                      " steps";
+                      std::to_string(take->events.size()) + " events, " + std::to_string(take->marks.size()) +
+                      " hash marks, " + std::to_string(take->steps()) + " steps";
     if (take->tornBytes > 0) {
         finding.warnings.push_back("the last record is torn; " + std::to_string(take->tornBytes) +
                                    " bytes are left out");

@@ -13,6 +13,7 @@
 #include "muster/scenario.h"
 #include "options.h"
 #include "report.h"
+#include "routes/route_graph.h"
 #include "world/validation.h"
 
 namespace muster {
@@ -31,28 +32,38 @@ struct ImportOptions {
 /// A free square of the ground.
 struct FreeSquare {
     Vec2 position;
-    double reach = 0.0;  ///< Half the edge of the free square around it [m].
+    double reach = 0.0;         ///< Half the edge of the free square around it [m].
+    std::size_t obstacles = 0;  ///< Number of obstacles on the ground.
+};
+
+/// A map as a scenario.
+struct Imported {
+    WorldDef def;
+    std::size_t obstacles = 0;  ///< Number of obstacles that the map stands for.
 };
 
 /// The chessboard distance of each ground cell to the nearest cell outside the region, in cells: half the
 /// edge of the largest free square around it.
-std::vector<std::int32_t> freeSquareSizes(const Grid& grid, const std::vector<std::uint8_t>& inside) {
-    std::vector<std::int32_t> sizes(inside.size(), 0);
+std::vector<std::uint16_t> freeSquareSizes(const Grid& grid, const std::vector<std::int32_t>& labels,
+                                           std::int32_t region) {
+    std::vector<std::uint16_t> sizes(labels.size(), 0);
     const auto at = [&](std::int32_t x, std::int32_t y) {
-        return grid.contains({x, y}) ? sizes[grid.index({x, y})] : 0;
+        return grid.contains({x, y}) ? std::int32_t{sizes[grid.index({x, y})]} : 0;
     };
     for (std::int32_t y = 0; y < grid.height; ++y) {
         for (std::int32_t x = 0; x < grid.width; ++x) {
             const auto i = static_cast<std::size_t>(grid.index({x, y}));
-            if (inside[i] == 0) continue;
-            sizes[i] = 1 + std::min({at(x - 1, y), at(x - 1, y - 1), at(x, y - 1), at(x + 1, y - 1)});
+            if (labels[i] != region) continue;
+            sizes[i] = static_cast<std::uint16_t>(
+                1 + std::min({at(x - 1, y), at(x - 1, y - 1), at(x, y - 1), at(x + 1, y - 1)}));
         }
     }
     for (std::int32_t y = grid.height - 1; y >= 0; --y) {
         for (std::int32_t x = grid.width - 1; x >= 0; --x) {
             const auto i = static_cast<std::size_t>(grid.index({x, y}));
-            sizes[i] = std::min(
-                sizes[i], 1 + std::min({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1), at(x - 1, y + 1)}));
+            const std::int32_t above = std::min(
+                {at(x + 1, y), at(x + 1, y + 1), at(x, y + 1), at(x - 1, y + 1)});
+            sizes[i] = static_cast<std::uint16_t>(std::min<std::int32_t>(sizes[i], 1 + above));
         }
     }
     return sizes;
@@ -62,16 +73,20 @@ std::vector<std::int32_t> freeSquareSizes(const Grid& grid, const std::vector<st
 Result<FreeSquare> largestFreeSquare(const WorldDef& def) {
     auto environment = Environment::create({def.box, def.cell, 1.5, 1.0, def.clips});
     if (!environment.ok()) return environment.status();
-    for (const ObstacleDef& obstacle : mapObstacles(def.map->grid, def.map->def)) {
+    const std::vector<ObstacleDef> obstacles = mapObstacles(def.map->grid, def.map->def);
+    for (const ObstacleDef& obstacle : obstacles) {
         if (const auto added = environment->addObstacle(obstacle); !added.ok()) return added.status();
     }
     environment->setTime(0.0);
     const Grid& grid = environment->grid();
     const double radius = def.parameters.character.radius;
+    RouteGraph routes;
+    routes.update(*environment, radius);
     std::vector<std::int32_t> labels(static_cast<std::size_t>(grid.count()));
     std::vector<std::int32_t> regionSizes;
     for (std::int32_t i = 0; i < grid.count(); ++i) {
-        const std::int32_t label = environment->region(grid.centre(grid.at(i)), radius);
+        const bool free = environment->clearance()[i] >= radius;
+        const std::int32_t label = free ? routes.region(grid.centre(grid.at(i))) : -1;
         labels[i] = label;
         if (label < 0) continue;
         if (static_cast<std::size_t>(label) >= regionSizes.size())
@@ -81,9 +96,7 @@ Result<FreeSquare> largestFreeSquare(const WorldDef& def) {
     if (regionSizes.empty()) return invalidArgument("found no free ground, expected room for a character");
     const auto largest = static_cast<std::int32_t>(std::max_element(regionSizes.begin(), regionSizes.end()) -
                                                    regionSizes.begin());
-    std::vector<std::uint8_t> inside(labels.size());
-    for (std::size_t i = 0; i < labels.size(); ++i) inside[i] = labels[i] == largest ? 1 : 0;
-    const auto sizes = freeSquareSizes(grid, inside);
+    const auto sizes = freeSquareSizes(grid, labels, largest);
     const Vec2 middle = (def.box.min + def.box.max) * 0.5;
     std::int32_t best = 0;
     for (std::int32_t i = 1; i < grid.count(); ++i) {
@@ -92,10 +105,10 @@ Result<FreeSquare> largestFreeSquare(const WorldDef& def) {
                             distance(grid.centre(grid.at(best)), middle);
         if (a > b || (a == b && nearer)) best = i;
     }
-    return FreeSquare{grid.centre(grid.at(best)), (sizes[best] - 0.5) * grid.cell};
+    return FreeSquare{grid.centre(grid.at(best)), (sizes[best] - 0.5) * grid.cell, obstacles.size()};
 }
 
-Result<WorldDef> makeScenario(const ImportOptions& options) {
+Result<Imported> makeScenario(const ImportOptions& options) {
     const auto text = readTextFile(options.map);
     if (!text.ok()) return text.status();
     auto grid = parseMap(*text);
@@ -117,27 +130,27 @@ Result<WorldDef> makeScenario(const ImportOptions& options) {
     group.count = options.count;
     group.position = square->position;
     def.groups.push_back(group);
-    return def;
+    return Imported{std::move(def), square->obstacles};
 }
 
 int import(const ImportOptions& options) {
     if (Status s = differentFiles({options.map}, {options.output}); !s.ok()) return reportFailure(s);
-    const auto def = makeScenario(options);
-    if (!def.ok()) return reportFailure(def.status());
+    const auto imported = makeScenario(options);
+    if (!imported.ok()) return reportFailure(imported.status());
+    const WorldDef* def = &imported->def;
     if (Status s = saveScenario(*def, options.output); !s.ok()) return reportFailure(s);
     const GroupDef& group = def->groups.front();
-    const std::size_t obstacles = mapObstacles(def->map->grid, def->map->def).size();
     if (options.json) {
         printJsonValue({{"scenario", options.output},
                         {"width_m", def->box.width()},
                         {"height_m", def->box.height()},
-                        {"obstacles", obstacles},
+                        {"obstacles", imported->obstacles},
                         {"characters", group.count},
                         {"position", Json::array({group.position.x, group.position.y})}});
     } else {
         std::printf("%s: %.0f x %.0f m, %zu obstacles, %d characters at (%.2f, %.2f)\n",
-                    options.output.c_str(), def->box.width(), def->box.height(), obstacles, group.count,
-                    group.position.x, group.position.y);
+                    options.output.c_str(), def->box.width(), def->box.height(), imported->obstacles,
+                    group.count, group.position.x, group.position.y);
     }
     return kExitOk;
 }

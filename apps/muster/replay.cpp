@@ -52,6 +52,7 @@ int replay(const ReplayOptions& options) {
         Json value = {{"reproduced", !differs}, {"steps", nullptr}, {"hash", nullptr}};
         value["marks"] = take->marks.size();
         value["commands"] = take->commands.size();
+        value["events"] = take->events.size();
         value["finished"] = take->finished;
         value["torn_bytes"] = take->tornBytes;
         if (!differs) {

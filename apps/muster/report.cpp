@@ -31,6 +31,9 @@ Json figuresJson(const RunFigures& f) {
     Json stages = Json::object();
     for (std::size_t s = 0; s < f.stageMean.size(); ++s)
         stages[stageName(static_cast<Stage>(s))] = f.stageMean[s];
+    Json events = Json::object();
+    for (std::size_t k = 0; k < f.events.size(); ++k)
+        events[eventKindName(static_cast<EventKind>(k))] = f.events[k];
     return {{"characters", f.characters},
             {"steps", f.steps},
             {"hash", toHex(f.hash)},
@@ -40,12 +43,14 @@ Json figuresJson(const RunFigures& f) {
             {"path_ratio", orNull(f.pathRatio)},
             {"overlap_pairs_max", f.overlapPairsMax},
             {"worst_penetration_pct", 100.0 * f.worstPenetration},
+            {"top_speed_ratio", f.topSpeedRatio},
             {"swaps_per_character_per_s", f.swapsPerCharacterPerSecond},
             {"planned", walkJson(f.planned)},
             {"walked", walkJson(f.walked)},
             {"lag_p95_m", f.lagP95},
             {"unmatched", f.unmatched},
             {"collected", f.collected},
+            {"events", events},
             {"step_ms", {{"p50", f.stepP50}, {"p95", f.stepP95}, {"max", f.stepMax}, {"stages", stages}}}};
 }
 
@@ -66,12 +71,19 @@ void printFigures(const RunFigures& f) {
     std::printf("path_ratio                 %s\n", timeText(f.pathRatio).c_str());
     std::printf("overlap_pairs_max          %d\n", f.overlapPairsMax);
     std::printf("worst_penetration_pct      %.2f\n", 100.0 * f.worstPenetration);
+    std::printf("top_speed_ratio            %.3f\n", f.topSpeedRatio);
     std::printf("swaps_per_character_per_s  %.4f\n", f.swapsPerCharacterPerSecond);
     printWalk("planned", f.planned);
     printWalk("walked", f.walked);
     std::printf("lag_p95_m                  %.3f\n", f.lagP95);
     std::printf("unmatched                  %d\n", f.unmatched);
     std::printf("collected                  %d\n", f.collected);
+    for (std::size_t k = 0; k < f.events.size(); ++k) {
+        const auto kind = static_cast<EventKind>(k);
+        if (isOrderEvent(kind) && f.events[k] > 0)
+            std::printf("events %-19s %llu\n", eventKindName(kind),
+                        static_cast<unsigned long long>(f.events[k]));
+    }
     std::printf("step_ms                    p50 %.2f  p95 %.2f  max %.2f\n", f.stepP50, f.stepP95, f.stepMax);
     for (std::size_t s = 0; s < f.stageMean.size(); ++s) {
         std::printf("  %-24s mean %.3f\n", stageName(static_cast<Stage>(s)), f.stageMean[s]);

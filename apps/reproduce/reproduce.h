@@ -64,7 +64,8 @@ Status checkReproduce(const ReproduceDef& def);
 Result<Reproduction> reproduce(const ReproduceDef& def,
                                const std::function<void(const ReproduceProgress&)>& progress);
 
-/// DIR/results.json: an array of {experiment, criterion, preset, value, threshold, pass, seeds, low, high}.
+/// DIR/results.json: an array of {experiment, criterion, preset, value, threshold, pass, binding, seeds, low,
+/// high}.
 std::string resultsJson(const Reproduction& reproduction);
 /// DIR/index.html: one file that needs no other.
 std::string reportHtml(const Reproduction& reproduction);

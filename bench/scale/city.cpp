@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "base/text_file.h"
+#include "routes/route_search.h"
 #include "scale/spots.h"
 
 namespace muster::scale {
@@ -20,7 +21,7 @@ MapGrid cutOut(const MapGrid& map, std::int32_t x, std::int32_t y) {
     part.height = kCells;
     for (std::int32_t row = 0; row < kCells; ++row) {
         const std::int32_t from = map.height - y - kCells + row;
-        part.cells += map.cells.substr(static_cast<std::size_t>(from * map.width + x), kCells);
+        part.cells += map.cells.substr(static_cast<std::size_t>(from) * map.width + x, kCells);
     }
     return part;
 }
@@ -72,21 +73,20 @@ bool openest(const Environment& ground, double side, Wanted wanted, Vec2& found)
 
 // Finds the path between the two most open squares that are far enough from each other.
 Status findCourse(const Environment& ground, const SceneDef& def, double side, std::vector<Vec2>& path) {
+    RouteGraph routes;
+    routes.update(ground, 0.4);
     Vec2 from;
     Vec2 to;
     const double apart = side + kAway;
     if (!openest(
             ground, side, [](Vec2) { return true; }, from) ||
         !openest(
-            ground, side,
-            [&](Vec2 p) {
-                return distance(p, from) >= apart && ground.region(p, 0.3) == ground.region(from, 0.3);
-            },
+            ground, side, [&](Vec2 p) { return distance(p, from) >= apart && routes.reachable(p, from); },
             to))
         return Status(StatusCode::LimitExceeded,
                       "scene city: found no two squares " + std::to_string(apart) + " m apart");
     if (def.seed % 2 == 0) std::swap(from, to);
-    path = ground.findPath(from, to, 0.4, 16000000);
+    path = findRoute(routes, from, to);
     if (path.size() < 2)
         return Status(StatusCode::LimitExceeded, "scene city: found no way between its squares");
     return {};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/maths.h"
+#include "planning/fixed_costs.h"
 #include "planning/plan.h"
 
 namespace muster::scale {
@@ -22,7 +23,9 @@ Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, Thread
     PlanDef def;
     def.exponent = plan.exponent;
     def.commitThreshold = 1e30;
-    const PlanInput input{plan.characters, {}, plan.places, {}, usable, plan.placeOf, &cost};
+    FixedCosts costs;
+    costs.unit = &cost;
+    const PlanInput input{plan.characters, {}, plan.places, {}, usable, plan.placeOf, &costs};
     const auto exact = makeExactPlan();
     if (Status status = exact->start(def, input); !status.ok()) return status.within("judge");
     PlanResult result;

@@ -70,6 +70,26 @@ Result<Row> measure(const Options& options, const CaseDef& def, ThreadPool& pool
     return row;
 }
 
+int runLed(const LedGroundDef& def) {
+    const Result<LedGroundRow> row = runLedGround(def);
+    if (!row.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
+        return row.status().code() == StatusCode::NotFound ? 0 : 1;
+    }
+    std::printf("%s", ledGroundText(*row).c_str());
+    return row->arrived >= 0.0 ? 0 : 1;
+}
+
+int runGround(const LargeGroundDef& def) {
+    const Result<LargeGroundRow> row = runLargeGround(def);
+    if (!row.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
+        return 1;
+    }
+    std::printf("%s", largeGroundText(*row).c_str());
+    return 0;
+}
+
 int run(const Options& options) {
     ThreadPool pool(0);
     const auto cases = casesOf(options);
@@ -92,6 +112,30 @@ int run(const Options& options) {
     return exitCode;
 }
 
+int runOrders(const OrdersDef& def) {
+    const Result<OrdersRow> row = measureOrders(def);
+    if (!row.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
+        return 1;
+    }
+    std::printf(
+        "%d characters in %d groups, %d obstacles: step p50 %.2f, p95 %.2f, first %.1f, worst %.1f ms (step "
+        "%d: %s); longest wait %.2f s; hash %016llx\n",
+        def.count, def.groups, def.obstacles, row->p50, row->p95, row->first, row->worst, row->worstStep,
+        row->worstStages.c_str(), row->longestWait, static_cast<unsigned long long>(row->hash));
+    return 0;
+}
+
+int runRewind(const RewindDef& def) {
+    const Result<RewindRow> row = measureRewind(def);
+    if (!row.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
+        return 1;
+    }
+    std::printf("%s", rewindText(def, *row).c_str());
+    return 0;
+}
+
 }  // namespace
 }  // namespace muster::scale
 
@@ -100,7 +144,11 @@ int main(int argc, char** argv) {
     try {
         Options options;
         const int code = readOptions(argc, argv, options);
-        return code >= 0 ? code : run(options);
+        if (code >= 0) return code;
+        if (options.command == "ground")
+            return options.lead ? runLed(options.ground) : runGround(options.ground.ground);
+        if (options.command == "rewind") return runRewind(options.rewind);
+        return options.command == "orders" ? runOrders(options.orders) : run(options);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "muster-bench: %s\n", error.what());
         return 1;

@@ -1,6 +1,9 @@
 #include "scale/meter.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <ctime>
 #include <fstream>
 #include <string>
 
@@ -24,6 +27,19 @@ bool allocationsCounted() {
 }
 void countAllocation() {
     count.fetch_add(1, std::memory_order_relaxed);
+}
+
+double threadMilliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    const auto at = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::clamp<std::size_t>(at, 1, values.size()) - 1];
 }
 
 void resetPeakMemory() {

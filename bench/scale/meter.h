@@ -1,7 +1,8 @@
-// Number of allocations and peak memory of the process.
+// Times, number of allocations and peak memory of the process.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace muster::scale {
 
@@ -11,6 +12,11 @@ std::int64_t allocationCount();
 bool allocationsCounted();
 /// Called by the counting allocator.
 void countAllocation();
+
+/// CPU time of this thread so far [ms].
+double threadMilliseconds();
+/// The least of the values that this share of them does not exceed; 0 for no values.
+double quantile(std::vector<double> values, double share);
 
 /// Resets the peak, where the system allows it.
 void resetPeakMemory();

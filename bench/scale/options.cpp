@@ -29,6 +29,49 @@ void describe(CLI::App& scale, Options& o) {
     scale.add_option("--maps", o.maps, "Folder with the city's map (../shared/maps)");
 }
 
+void describeGround(CLI::App& ground, Options& o) {
+    LargeGroundDef& def = o.ground.ground;
+    ground.add_option("--side", def.side, "Edge of the world [m] (1000)");
+    ground.add_option("--obstacles", def.obstacles, "Number of obstacles (2000)");
+    ground.add_option("--cell", def.cell, "Ground cell [m] (0.25)");
+    ground.add_option("--n", def.characters, "Characters (60)");
+    ground.add_option("--away", def.away, "Length of the order [m] (500)");
+    ground.add_option("--steps", def.steps, "Steps after the order (300)");
+    ground.add_option("--seed", def.seed, "Seed of the obstacles (1)");
+    ground.add_option("--map", def.map, "A MovingAI map instead of a made world");
+    ground.add_option("--caves", def.caves, "Width and height of a made map of caves [cells]")
+        ->check(CLI::Range(16, 4096));
+    ground.add_option("--metres", def.metres, "Metres per cell of the map (1)")
+        ->check(CLI::Range(0.05, 100.0));
+    ground.add_flag("--lead", o.lead, "Leads the group from one end of the map to the other instead");
+    ground.add_option("--stride", o.ground.stride, "Between two poses [m] (10); 0 for one order to the end");
+    ground.add_option("--speed", o.ground.speed, "Of the poses [m/s] (1.5)")->check(CLI::Range(0.1, 100.0));
+    ground.add_option("--length", o.ground.length, "Of the way, at most [m]");
+    ground.add_option("--seconds", o.ground.seconds, "World time, at most [s] (3600)");
+}
+
+void describeOrders(CLI::App& orders, OrdersDef& def) {
+    orders.add_option("--groups", def.groups, "Groups (2)")->check(CLI::Range(2, 1000));
+    orders.add_option("--n", def.count, "Characters of all groups (1500)")->check(CLI::Range(8, 100000));
+    orders.add_option("--obstacles", def.obstacles, "Discs of 0.5 m strewn over the square (0)")
+        ->check(CLI::Range(0, 100000));
+    orders.add_option("--runs", def.runs, "Equal runs; a step's time is its least over them (5)")
+        ->check(CLI::Range(1, 50));
+    orders.add_option("--seconds", def.seconds, "World time of a run [s] (10)")
+        ->check(CLI::Range(0.1, 120.0));
+    orders.add_option("--seed", def.seed, "Seed of the obstacles (1)");
+}
+
+void describeRewind(CLI::App& rewind, RewindDef& def) {
+    rewind.add_option("--scene", def.scene.name, "Scene (" + def.scene.name + ")")
+        ->check(CLI::IsMember(sceneNames()));
+    rewind.add_option("--n", def.scene.count, "Characters (360)")->check(CLI::Range(4, 100000));
+    rewind.add_option("--seed", def.scene.seed, "Seed of the scene (1)");
+    rewind.add_option("--seconds", def.seconds, "World time [s] (12)")->check(CLI::Range(3.0, 600.0));
+    rewind.add_option("--maps", def.scene.maps, "Folder with the city's map (../shared/maps)");
+    rewind.add_flag("--edits", def.edits, "A building is added in the fourth of each eight steps");
+}
+
 template <class T>
 void orElse(std::vector<T>& values, std::vector<T> defaults) {
     if (values.empty()) values = std::move(defaults);
@@ -74,6 +117,14 @@ int readOptions(int argc, const char* const* argv, Options& options) {
     CLI::App* scale = app.add_subcommand("scale",
                                          "Scenes, regimes and sizes: time of a step, gap, swaps, memory");
     describe(*scale, options);
+    describeGround(*app.add_subcommand(
+                       "ground", "A large world: creating it, an order, an edit, a restore; time and memory"),
+                   options);
+    describeOrders(
+        *app.add_subcommand("orders", "Groups cross, one gets a new pose each 0.5 s: time of a step"),
+        options.orders);
+    describeRewind(*app.add_subcommand("rewind", "Eight steps, back, and the same again: time of both"),
+                   options.rewind);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -82,6 +133,7 @@ int readOptions(int argc, const char* const* argv, Options& options) {
         std::fprintf(stderr, "muster-bench: %s (see muster-bench scale --help)\n", error.what());
         return kWrong;
     }
+    options.command = app.get_subcommands().front()->get_name();
     if (const Status status = check(options); !status.ok()) {
         std::fprintf(stderr, "muster-bench: %s\n", status.message().c_str());
         return kWrong;

@@ -5,11 +5,19 @@
 #include <vector>
 
 #include "scale/case.h"
+#include "scale/led_ground.h"
+#include "scale/orders.h"
+#include "scale/rewind.h"
 
 namespace muster::scale {
 
-/// Options of `muster-bench scale`.
+/// Options of the program.
 struct Options {
+    std::string command;  ///< The subcommand: "scale", "ground", "orders" or "rewind".
+    LedGroundDef ground;  ///< Of `muster-bench ground`; its first part where nobody is led.
+    bool lead = false;    ///< `muster-bench ground --lead`.
+    OrdersDef orders;     ///< Of `muster-bench orders`; the rest is of `muster-bench scale`.
+    RewindDef rewind;     ///< Of `muster-bench rewind`.
     std::vector<std::string> scenes;
     std::vector<std::string> regimes;
     std::vector<std::int32_t> counts;

@@ -15,8 +15,10 @@ constexpr std::uint32_t kFirstLook = 2;
 Committed committedBy(const World& world) {
     const CharactersView characters = world.characters();
     Committed plan;
-    plan.characters.assign(characters.position.begin(), characters.position.end());
-    plan.placeOf.assign(characters.place.begin(), characters.place.end());
+    for (const std::int32_t i : world.group(0).members) {
+        plan.characters.push_back(characters.position[i]);
+        plan.placeOf.push_back(characters.place[i]);
+    }
     const std::span<const Vec2> places = world.group(0).placePositions;
     plan.places.assign(places.begin(), places.end());
     plan.exponent = world.parameters().plan.exponent;

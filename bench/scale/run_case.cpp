@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "base/stopwatch.h"
 #include "muster/parameter_table.h"
@@ -24,12 +23,6 @@ struct Watch {
     std::uint64_t swaps = 0;
     double lag = 0.0;
 };
-
-double threadMilliseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 void timedStep(World& world, bool warm, Watch& watch) {
     const std::int64_t before = allocationCount();
@@ -62,13 +55,6 @@ void lags(const World& world, double& mean, double& arrived) {
     }
     mean = matched > 0 ? sum / matched : 0.0;
     arrived = matched > 0 ? static_cast<double>(near) / matched : 0.0;
-}
-
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return 0.0;
-    std::sort(values.begin(), values.end());
-    const auto at = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    return values[std::clamp<std::size_t>(at, 1, values.size()) - 1];
 }
 
 void fill(const Watch& watch, Row& row) {

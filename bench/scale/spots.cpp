@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/maths.h"
+#include "routes/route_graph.h"
 
 namespace muster::scale {
 namespace {
@@ -38,7 +39,9 @@ Result<Environment> groundOf(const WorldDef& def) {
 Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, double angle,
                                     std::int32_t count) {
     const Rotation turn{cosine(angle), sine(angle)};
-    const std::int32_t home = ground.region(ground.nearestInRegion(centre, kClearance, -1), kClearance);
+    RouteGraph routes;
+    routes.update(ground, kClearance);
+    const std::int32_t home = routes.region(routes.nearestReachable(centre, -1));
     const Box inner = ground.def().box.grown(-kClearance);
     std::vector<Vec2> spots;
     const auto farthest = static_cast<std::int32_t>(2.0 * (inner.width() + inner.height()));
@@ -48,7 +51,7 @@ Result<std::vector<Vec2>> freeSpots(const Environment& ground, Vec2 centre, doub
         forRing(ring, [&](std::int32_t x, std::int32_t y) {
             const Vec2 spot = centre + turn.apply({0.5 * x, 0.5 * y});
             if (static_cast<std::int32_t>(spots.size()) == count || !inner.contains(spot)) return;
-            if (ground.distanceToObstacle(spot) >= kClearance && ground.region(spot, kClearance) == home)
+            if (ground.distanceToObstacle(spot) >= kClearance && routes.region(spot) == home)
                 spots.push_back(spot);
         });
         if (static_cast<std::int32_t>(spots.size()) == count) return spots;

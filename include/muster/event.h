@@ -7,7 +7,9 @@
 
 namespace muster {
 
-/// Kinds of events.
+/// Kinds of events. Those from Arrived on tell how orders get on; each comes once per order and version of
+/// the ground. An order is a pose, a formation, a count or a drawn way; the ground changes with every command
+/// that changes obstacles or patches.
 enum class EventKind : std::uint8_t {
     EnterPatch,       ///< `value` is the id of the patch.
     LeavePatch,       ///< `value` is the id of the patch.
@@ -17,20 +19,41 @@ enum class EventKind : std::uint8_t {
     Collect,          ///< An item was collected; `value` is the index of the item.
     FormationChange,  ///< A group has another formation; `subject` is the id of the group.
     Swap,             ///< A character's place changed without a command; `value` is the new place.
+    /// All of a group's characters that have a place are within 0.5 m of it for 1 s, and the places stand
+    /// where the order wants them; `value` is their number.
+    Arrived,
+    /// A character is not at its place and has moved less than 0.25 m over the last 5 s, and not in a queue
+    /// that moves on; `value` is the place. Raised again only once it has moved.
+    Stuck,
+    /// The ground cut off the way of `value` characters of a group, or for 2 s a moving obstacle did, as a
+    /// gate that closes. One that only passes gives no event.
+    Blocked,
+    Free,     ///< All of a group have their way again; `value` is how many had none.
+    NoPath,   ///< No place of the group's order can be reached; `value` is their number.
+    Partial,  ///< `value` places of the group's order cannot be reached; the others can.
+    Count
 };
+/// The name of a kind: "enterPatch", "arrived"...
+const char* eventKindName(EventKind kind);
+/// True for the kinds that tell how an order gets on.
+constexpr bool isOrderEvent(EventKind kind) {
+    return kind >= EventKind::Arrived && kind < EventKind::Count;
+}
 
 /// One event.
 struct Event {
     EventKind kind = EventKind::EnterPatch;  ///< What happened.
-    std::uint32_t subject = 0;               ///< Id of the character, or of the group for FormationChange.
-    std::uint32_t value = 0;                 ///< Its meaning depends on the kind.
-    Vec2 position;                           ///< Where it happened [m].
+    std::uint32_t subject = 0;  ///< Id of the character; of the group where the kind speaks of one.
+    std::uint32_t value = 0;    ///< Its meaning depends on the kind.
+    Vec2 position;              ///< Where it happened [m]: the middle of those concerned.
 
     /// Lets an archive read or write the event.
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind, subject, value, position);
     }
+    /// Equal in all parts.
+    friend bool operator==(const Event&, const Event&) = default;
 };
 
 }  // namespace muster

@@ -20,6 +20,8 @@ struct Waypoint {
     void visit(Archive& archive) {
         archive(time, position, angle);
     }
+    /// Equal in all parts.
+    friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
 /// Piecewise linear motion through waypoints of strictly rising time.
@@ -43,6 +45,8 @@ struct TimedPath {
     void visit(Archive& archive) {
         archive(waypoints, loop);
     }
+    /// Equal in all parts.
+    friend bool operator==(const TimedPath&, const TimedPath&) = default;
 };
 
 /// Describes an obstacle: a polygon or a disc.
@@ -62,6 +66,8 @@ struct ObstacleDef {
     void visit(Archive& archive) {
         archive(name, polygon, centre, radius, path, range, strength, height);
     }
+    /// Equal in all parts.
+    friend bool operator==(const ObstacleDef&, const ObstacleDef&) = default;
 };
 
 }  // namespace muster

@@ -104,6 +104,7 @@ struct Parameters {
         double threshold = 0.02;        ///< Commit threshold: least gain of an exchange [cost^p], 0 to 1e9.
         double thresholdShare = 0.003;  ///< Least gain as a share of the cost of its moves, 0 to 1.
         bool geodesic = true;           ///< False: costs are straight-line distances.
+        bool waits = true;  ///< False: nobody goes round because many wait before a passage (SPEC A8).
     };
 
     /// The characters (SPEC A6).

@@ -28,6 +28,8 @@ struct ClipFacts {
     void visit(Archive& archive) {
         archive(name, file, speed, length, duration, cyclic, transitionTime);
     }
+    /// Equal in all parts.
+    friend bool operator==(const ClipFacts&, const ClipFacts&) = default;
 };
 
 /// The clips that every world knows: run, walk, duck, crawl, swim, jump, climb, idle, in this order.
@@ -46,6 +48,8 @@ struct PatchDef {
     void visit(Archive& archive) {
         archive(name, polygon, path, motion, speed);
     }
+    /// Equal in all parts.
+    friend bool operator==(const PatchDef&, const PatchDef&) = default;
 };
 
 }  // namespace muster

@@ -27,12 +27,20 @@ struct HashMark {
     friend bool operator==(const HashMark&, const HashMark&) = default;
 };
 
+/// An event of an order, as it was raised while the take was recorded (isOrderEvent()).
+struct TakeEvent {
+    std::uint32_t step = 0;  ///< Number of steps done at the event.
+    Event event;             ///< The event.
+    friend bool operator==(const TakeEvent&, const TakeEvent&) = default;
+};
+
 /// A whole take in memory.
 struct Take {
     std::string scenario;           ///< Text of the scenario, map and clip facts embedded.
     WorldDef def;                   ///< The scenario, parsed.
     std::vector<Command> commands;  ///< Commands in the order of submission.
     std::vector<HashMark> marks;    ///< Hash marks in ascending order of steps.
+    std::vector<TakeEvent> events;  ///< Events in ascending order of steps; takes of before have none.
     bool finished = false;          ///< True where the take has an end record.
     std::size_t tornBytes = 0;      ///< Bytes of an unfinished last record that were left out.
     /// Steps whose hashes are known: up to the last mark.
@@ -51,7 +59,7 @@ public:
 
     /// Appends a command. Call in the order of submission, before the step that applies it.
     Status command(const Command& command);
-    /// Call after every step: appends a mark whenever one is due.
+    /// Call after every step: appends the events of orders, and a mark whenever one is due.
     Status observe(const World& world);
     /// Appends the end record and closes the file, synchronised with the disk.
     Status finish(const World& world);
@@ -82,9 +90,9 @@ struct ReplayReport {
     std::uint64_t hash = 0;      ///< Hash of the final state.
 };
 
-/// Simulates the take again and compares every mark; then, where the take is unfinished, goes on to its last
-/// command. Fails with Corrupt naming the step of the first mark that differs. `observe` is called after
-/// every step; it returns false to stop early.
+/// Simulates the take again and compares every mark and event; then, where the take is unfinished, goes on to
+/// its last command. Fails with Corrupt naming the step of the first mark that differs. `observe` is called
+/// after every step; it returns false to stop early.
 Result<ReplayReport> replayTake(const Take& take, std::int32_t threads = 1,
                                 const std::function<bool(const World&)>& observe = {});
 

@@ -27,10 +27,15 @@ public:
     /// Builds a world that runs on the caller's task runner, which must outlive the world. Results are the
     /// same.
     static Result<World> create(const WorldDef& def, const TaskRunner& runner);
-    /// Restores a world from snapshot(); it continues bit for bit. Fails with ParseError on other bytes.
+    /// Restores a world from snapshot(); it continues bit for bit. Fails with ParseError on other
+    /// bytes, and with Unsupported on a snapshot of another version.
     static Result<World> restore(std::span<const std::uint8_t> snapshot, std::int32_t threads = 1);
     /// Restores a world that runs on the caller's task runner.
     static Result<World> restore(std::span<const std::uint8_t> snapshot, const TaskRunner& runner);
+    /// Goes back to a snapshot of this world, or on to it: like restore(), but the ground and all that was
+    /// computed and is still true are kept, so that a second run of the same steps costs little more than the
+    /// first. Fails as restore(), changing nothing. Spans and views of before become invalid.
+    Status rewind(std::span<const std::uint8_t> snapshot);
     World(World&&) noexcept;  ///< Moves.
     World& operator=(World&&) noexcept;
     ~World();

@@ -24,9 +24,7 @@ public:
         if (command.step >= now) return add(command);
         while (!kept_.empty() && kept_.back().step > command.step) kept_.pop_back();
         if (kept_.empty()) return false;
-        muster::Result<muster::World> restored = muster::World::restore(kept_.back().bytes);
-        if (!restored.ok()) return false;
-        world_ = *std::move(restored);
+        if (!world_.rewind(kept_.back().bytes).ok()) return false;
         // A snapshot holds the commands that waited when it was taken; those that were given later are given
         // again.
         for (std::size_t i = kept_.back().commands; i < log_.size(); ++i)

@@ -86,10 +86,13 @@ public:
 
     /// Locates a point [m].
     Location at(Vec2 p) const {
-        const BilinearPoint point = bilinearPoint((p.x - origin_.x) * perMetre_,
-                                                  (p.y - origin_.y) * perMetre_, most_, last_);
-        return {point.low.y * width_ + point.low.x, static_cast<float>(point.fx),
-                static_cast<float>(point.fy)};
+        const BilinearPoint found = point(p);
+        return {found.low.y * width_ + found.low.x, static_cast<float>(found.fx),
+                static_cast<float>(found.fy)};
+    }
+    /// The same by column and row.
+    BilinearPoint point(Vec2 p) const {
+        return bilinearPoint((p.x - origin_.x) * perMetre_, (p.y - origin_.y) * perMetre_, most_, last_);
     }
     /// Step of the index from a cell of the left column to the right one; 0 in a grid of one column.
     std::int32_t right() const { return right_; }

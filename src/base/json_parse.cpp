@@ -1,4 +1,4 @@
-// Reading JSON, and the text of numbers: what the JSON library does for us.
+// Reading JSON, and the text of strings and numbers: what the JSON library does for us.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -107,6 +107,11 @@ Result<Json> parseJson(std::string_view text, const std::string& sourceName) {
     if (nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return std::move(builder.root());
     return Status(StatusCode::ParseError,
                   sourceName + ":" + (builder.error().empty() ? "1:1: not JSON" : builder.error()));
+}
+
+std::string jsonText(std::string_view text) {
+    constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
+    return nlohmann::json(text).dump(-1, ' ', false, kReplace);
 }
 
 std::string jsonRealText(double value) {

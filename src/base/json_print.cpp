@@ -7,55 +7,6 @@ namespace {
 
 constexpr std::size_t kLineWidth = 110;
 
-/// Length of the well-formed UTF-8 sequence at `at` (RFC 3629, table 3-7 of Unicode); where it is malformed,
-/// minus the length of the part that is to be replaced.
-std::ptrdiff_t sequenceLength(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) -> std::uint8_t {
-        return at + i < text.size() ? static_cast<std::uint8_t>(text[at + i]) : 0;
-    };
-    const std::uint8_t first = byte(0);
-    if (first < 0x80) return 1;
-    if (first < 0xc2 || first > 0xf4) return -1;
-    std::uint8_t low = 0x80, high = 0xbf;  // Of the second byte.
-    if (first == 0xe0) low = 0xa0;
-    if (first == 0xed) high = 0x9f;
-    if (first == 0xf0) low = 0x90;
-    if (first == 0xf4) high = 0x8f;
-    if (byte(1) < low || byte(1) > high) return -1;
-    const std::ptrdiff_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-    for (std::ptrdiff_t i = 2; i < length; ++i)
-        if (byte(i) < 0x80 || byte(i) > 0xbf) return -i;
-    return length;
-}
-
-void appendCharacter(char c, std::string& out) {
-    static constexpr std::string_view kNamed = "\"\\\b\f\n\r\t", kNames = "\"\\bfnrt";
-    const std::size_t named = kNamed.find(c);
-    if (named != std::string_view::npos) {
-        out += '\\';
-        out += kNames[named];
-    } else if (static_cast<std::uint8_t>(c) < 0x20) {
-        static constexpr char kDigits[] = "0123456789abcdef";
-        out += "\\u00";
-        out += kDigits[c >> 4];
-        out += kDigits[c & 15];
-    } else {
-        out += c;
-    }
-}
-
-void appendText(std::string_view text, std::string& out) {
-    out += '"';
-    for (std::size_t at = 0; at < text.size();) {
-        const std::ptrdiff_t length = sequenceLength(text, at);
-        if (length < 0) out += "\xef\xbf\xbd";
-        if (length == 1) appendCharacter(text[at], out);
-        if (length > 1) out += text.substr(at, length);
-        at += length < 0 ? -length : length;
-    }
-    out += '"';
-}
-
 void appendScalar(const Json& value, std::string& out) {
     switch (value.kind()) {
         case Json::Kind::Boolean:
@@ -71,7 +22,7 @@ void appendScalar(const Json& value, std::string& out) {
             out += jsonRealText(value.number());
             break;
         case Json::Kind::Text:
-            appendText(value.text(), out);
+            out += jsonText(value.text());
             break;
         default:
             out += "null";
@@ -110,7 +61,7 @@ void append(const Json& value, const Spacing& spacing, int level, std::string& o
         first = false;
         newLine(level + 1);
         if (key != nullptr) {
-            appendText(*key, out);
+            out += jsonText(*key);
             out += spacing.blanks ? ": " : ":";
         }
         append(item, spacing, level + 1, out);
@@ -194,12 +145,6 @@ std::string indentedJson(const Json& value, int indent) {
 std::string compactJson(const Json& value) {
     std::string out;
     append(value, {}, 0, out);
-    return out;
-}
-
-std::string jsonText(std::string_view text) {
-    std::string out;
-    appendText(text, out);
     return out;
 }
 

@@ -20,6 +20,7 @@ void NeighbourList::build(std::span<const Vec2> points, double reach, double ski
     skin_ = skin;
     listedReach_ = reach * (1.0 + skin);
     pairs_.clear();
+    pairs_.reserve(points.size() * kPairsPerPoint);
     listedAt_.assign(points.begin(), points.end());
     if (points.size() < 2) return;
     cells_.sort(points, listedReach_);
@@ -110,6 +111,7 @@ void NeighbourList::fillRows() {
     }
     std::int32_t sum = 0;
     for (std::int32_t& s : rowStart_) s = sum += s;
+    row_.reserve(2 * pairs_.capacity());
     row_.resize(2 * pairs_.size());
     for (const NeighbourPair pair : pairs_) {
         row_[--rowStart_[pair.low]] = pair.high;

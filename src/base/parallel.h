@@ -5,32 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <type_traits>
 
+#include "base/function_ref.h"
 #include "muster/task_runner.h"
 
 namespace muster {
 
-/// A reference to a callable `(std::int32_t item, std::int32_t worker)`; nothing is copied.
-class TaskRef {
-public:
-    /// Refers to `callable`, which has to outlive the reference.
-    template <class Callable>
-    requires(!std::is_same_v<std::remove_cvref_t<Callable>, TaskRef> &&
-             std::is_invocable_v<Callable&, std::int32_t, std::int32_t>)
-        TaskRef(Callable&& callable)  // NOLINT: implicit, so that lambdas can be passed.
-        : object_(const_cast<void*>(static_cast<const void*>(&callable))),
-          call_([](void* object, std::int32_t item, std::int32_t worker) {
-              (*static_cast<std::remove_reference_t<Callable>*>(object))(item, worker);
-          }) {}
-
-    /// Calls the callable.
-    void operator()(std::int32_t item, std::int32_t worker) const { call_(object_, item, worker); }
-
-private:
-    void* object_;
-    void (*call_)(void* object, std::int32_t item, std::int32_t worker);
-};
+/// One item of parallel work: a callable `(std::int32_t item, std::int32_t worker)`.
+using TaskRef = FunctionRef<void(std::int32_t, std::int32_t)>;
 
 /// Worker threads for a fork-join loop, and for one piece of background work at a time. With one thread, and
 /// under WebAssembly, all work is done in the calling thread.

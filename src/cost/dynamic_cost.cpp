@@ -20,13 +20,14 @@ bool isZero(const CellCost& c) {
 
 void DynamicCost::clear() {
     for (const std::int32_t cell : crowdCells_) crowdCost_[cell] = {0.0f, 0.0f, 0.0f, 0.0f};
-    for (const std::int32_t cell : movingCells_) movingCost_[cell] = 0.0f;
     crowdCells_.clear();
+    movingCost_.clear();
     movingCells_.clear();
     evaluated_.clear();
     nearCrowd_.clear();
     patchCells_.clear();
     blocked_.clear();
+    blockedCells_.clear();
 }
 
 void DynamicCost::reset(const Grid& ground, const Grid& density) {
@@ -43,14 +44,13 @@ void DynamicCost::reset(const Grid& ground, const Grid& density) {
         nearCrowdSums_.reserve(grid_);
         movingGrid_ = Grid::covering(grid_.box(), kMovingCell);
         movingLocator_ = BilinearLocator(movingGrid_);
-        movingCost_.assign(movingGrid_.count(), 0.0f);
-        movingCells_.clear();
-        patchCells_.reset(movingGrid_.count());
+        movingCost_.reset(movingGrid_);
+        patchCells_.reset(movingGrid_);
     }
     clear();
     if (!(ground == ground_)) {
         ground_ = ground;
-        blocked_.reset(ground_.count());
+        blocked_.reset(ground_);
     }
 }
 
@@ -118,23 +118,23 @@ void DynamicCost::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& p
         {std::max(piece.centre.x, end.x) + reach, std::max(piece.centre.y, end.y) + reach});
     for (std::int32_t y = low.y; y <= high.y; ++y)
         for (std::int32_t x = low.x; x <= high.x; ++x) {
-            const std::int32_t cell = movingGrid_.index({x, y});
             const Vec2 p = movingGrid_.centre({x, y});
             const auto g = static_cast<float>(discomfortAt(def, piece, p, kPeakPrecision));
-            setMovingCost(cell, std::max(movingCost_[cell], scale * g));
+            setMovingCost({x, y}, std::max(movingCost_[{x, y}], scale * g));
         }
 }
 
 // Moving patches multiply the unit cost by the ratio of the travel speeds without and with them.
 void DynamicCost::addMovingPatches(const Environment& environment, const CellRect& area) {
-    const std::span<const float> travelSpeed = environment.travelSpeed();
-    const std::span<const float> patchSpeed = environment.staticPatchSpeed();
+    const RasterView travelSpeed = environment.travelSpeed();
+    const RasterView patchSpeed = environment.staticPatchSpeed();
     const Cell low = movingGrid_.nearestCell(ground_.centre(area.low));
     const Cell high = movingGrid_.nearestCell(ground_.centre(area.high));
     for (std::int32_t y = low.y; y <= high.y; ++y)
         for (std::int32_t x = low.x; x <= high.x; ++x) {
-            const std::int32_t cell = movingGrid_.index({x, y});
-            if (!patchCells_.insert(cell)) continue;
+            const Cell cell{x, y};
+            if (patchCells_[cell] != 0) continue;
+            patchCells_.touch(cell) = 1;
             const std::int32_t at = ground_.index(ground_.nearestCell(movingGrid_.centre({x, y})));
             const float staticSpeed = patchSpeed[at] < kUnreachableCost ? patchSpeed[at] : 1.0f;
             if (travelSpeed[at] != staticSpeed)
@@ -154,15 +154,17 @@ void DynamicCost::addMovingObstacles(const Environment& environment, double radi
             for (std::int32_t x = area.low.x; x <= area.high.x; ++x) {
                 const std::int32_t cell = ground_.index({x, y});
                 if (clearance[cell] >= most || staticClearance[cell] < staticLeast) continue;
-                blocked_.insert(cell);
+                if (blocked_[{x, y}] == 0) blockedCells_.push_back({x, y});
+                blocked_.touch({x, y}) = 1;
             }
     }
 }
 
-void DynamicCost::setMovingCost(std::int32_t cell, float value) {
+void DynamicCost::setMovingCost(Cell cell, float value) {
     if (value == 0.0f) return;
-    if (movingCost_[cell] == 0.0f) movingCells_.push_back(cell);
-    movingCost_[cell] = std::min(value, kBlocked);
+    float& cost = movingCost_.touch(cell);
+    if (cost == 0.0f) movingCells_.push_back(cell);
+    cost = std::min(value, kBlocked);
 }
 
 void DynamicCost::updateBounds() {
@@ -176,12 +178,11 @@ void DynamicCost::updateBounds() {
     }
     nearCrowdSums_.build(grid_, nearCrowd_);
     movingBounds_ = {};
-    for (const std::int32_t cell : movingCells_)
-        movingBounds_.extend(movingGrid_.centre(movingGrid_.at(cell)), kMovingCell);
+    for (const Cell cell : movingCells_) movingBounds_.extend(movingGrid_.centre(cell), kMovingCell);
     blockedBounds_ = {};
-    for (const std::int32_t cell : blocked_.members()) {
-        movingBounds_.extend(ground_.centre(ground_.at(cell)), ground_.cell);
-        blockedBounds_.extend(ground_.centre(ground_.at(cell)), ground_.cell);
+    for (const Cell cell : blockedCells_) {
+        movingBounds_.extend(ground_.centre(cell), ground_.cell);
+        blockedBounds_.extend(ground_.centre(cell), ground_.cell);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/bilinear.h"
 #include "base/cell_set.h"
+#include "base/sparse_raster.h"
 #include "base/summed_area_table.h"
 #include "cost/density.h"
 #include "cost/static_ground.h"
@@ -49,7 +50,7 @@ public:
     /// The cells of the crowd cost, which are those of the density.
     const Grid& grid() const { return grid_; }
     /// True where the cost is zero everywhere.
-    bool empty() const { return crowdCells_.empty() && movingCells_.empty() && blocked_.empty(); }
+    bool empty() const { return crowdCells_.empty() && movingCells_.empty() && blockedCells_.empty(); }
 
     /// Relative cost inside moving obstacles, and its upper bound elsewhere.
     static constexpr float kBlocked = 20.0f;
@@ -84,11 +85,11 @@ private:
     void addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece);
     void addMovingPatches(const Environment& environment, const CellRect& area);
     void addMovingObstacles(const Environment& environment, double radius);
-    void setMovingCost(std::int32_t cell, float value);
+    void setMovingCost(Cell cell, float value);
     void updateBounds();
     bool crowdMeets(Vec2 a, Vec2 b) const;
     bool movingCostMeets(Vec2 a, Vec2 b) const {
-        return !(movingCells_.empty() && blocked_.empty()) && movingBounds_.meets(a, b);
+        return !(movingCells_.empty() && blockedCells_.empty()) && movingBounds_.meets(a, b);
     }
     double interpolateMovingCost(Vec2 p) const;
     double crowdCost(Vec2 p, const Direction& direction) const;
@@ -112,12 +113,14 @@ private:
     // Moving layer.
     Grid movingGrid_;
     BilinearLocator movingLocator_;
-    std::vector<float> movingCost_;
-    std::vector<std::int32_t> movingCells_;  // Cells whose moving cost is not zero.
-    CellSet patchCells_;                     // Cells under moving patches that are done.
+    SparseRaster<float> movingCost_;
+    std::vector<Cell> movingCells_;          // Cells whose moving cost is not zero.
+    SparseRaster<std::uint8_t> patchCells_;  // 1 for cells under moving patches that are done.
     Bounds movingBounds_;                    // Round movingCells_ and blocked_.
     Grid ground_;
-    CellSet blocked_;  // Ground cells where a character would overlap a moving obstacle.
+    SparseRaster<std::uint8_t>
+        blocked_;                     // 1 for ground cells where a character would overlap a moving obstacle.
+    std::vector<Cell> blockedCells_;  // These cells.
     Bounds blockedBounds_;
 };
 

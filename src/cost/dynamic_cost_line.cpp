@@ -94,13 +94,13 @@ inline double DynamicCost::crowdCostOnGround(Vec2 p, const Direction& direction,
 }
 
 double DynamicCost::interpolateMovingCost(Vec2 p) const {
-    if (blockedBounds_.meets(p, p) && blocked_.contains(ground_.index(ground_.nearestCell(p))))
-        return kBlocked;
-    const BilinearLocator::Location at = movingLocator_.at(p);
-    const float* low = movingCost_.data() + at.low;
-    const float* high = low + movingLocator_.up();
-    const std::int32_t right = movingLocator_.right();
-    return static_cast<double>(interpolateBilinear(low[0], low[right], high[0], high[right], at.fx, at.fy));
+    if (blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0) return kBlocked;
+    const BilinearPoint at = movingLocator_.point(p);
+    const Cell high{at.low.x + (movingLocator_.right() > 0 ? 1 : 0),
+                    at.low.y + (movingLocator_.up() > 0 ? 1 : 0)};
+    const auto [value] = movingCost_.square(at.low, high);
+    return static_cast<double>(interpolateBilinear(value[0], value[1], value[2], value[3],
+                                                   static_cast<float>(at.fx), static_cast<float>(at.fy)));
 }
 
 // True where the crowd cost may differ from zero in the bounding box of the line.

@@ -5,17 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "base/cell_rect.h"
 #include "base/grid.h"
+#include "cost/ground_node.h"
 #include "cost/unit_cost.h"
+#include "environment/environment.h"
 
 namespace muster {
-
-/// What the ground cost depends on, one value per cell.
-struct GroundRasters {
-    const Grid& grid;
-    std::span<const float> clearance;    ///< Distance from the cell's centre to the nearest obstacle [m].
-    std::span<const float> travelSpeed;  ///< Speed relative to running, > 0.
-};
 
 /// Distance at which a change of the clearance can still change the cost of a cell [cells].
 inline constexpr std::int32_t kGroundReach = 2;
@@ -37,5 +33,21 @@ void computeGroundCost(const GroundRasters& ground, double radius, double openCo
 /// The same for the listed cells.
 void computeGroundCost(const GroundRasters& ground, double radius, double openCost,
                        std::span<const std::int32_t> cells, const GroundCosts& costs);
+
+/// Computes the ground cost of small areas: each node is found once.
+class GroundCostCrop {
+public:
+    /// Writes the cost of the cells in `area` to `cost`, whose cells are walls so far: that of cell c to cell
+    /// c + `shift`; appends their wall nodes. The rasters must reach kGroundReach cells beyond the area, or
+    /// to the edge of the ground. The cells that the `gaps` cross become walls.
+    void compute(const GroundRasters& ground, double radius, double openCost, const CellRect& area,
+                 Cell shift, std::span<const ClosedGap> gaps, UnitCost& cost);
+
+private:
+    void findNodes(const GroundRasters& ground, double radius, const CellRect& area);
+    void closeGaps(const Grid& grid, std::span<const ClosedGap> gaps);
+
+    std::vector<GroundNode> nodes_;  // Per cell of the rasters.
+};
 
 }  // namespace muster

@@ -70,9 +70,10 @@ void UnitCostBuilder::updateGround(const UnitCostDef& def, const Environment& en
 }
 
 void UnitCostBuilder::computeAll(const Environment& environment) {
-    const std::span<const float> travelSpeed = environment.travelSpeed();
+    const RasterView travelSpeed = environment.travelSpeed();
     const std::int32_t count = cost_.grid.count();
-    travelSpeed_.assign(travelSpeed.begin(), travelSpeed.end());
+    travelSpeed_.resize(count);
+    for (std::int32_t k = 0; k < count; ++k) travelSpeed_[k] = travelSpeed[k];
     ground_.resize(count);
     unit_.resize(count);
     changed_.assign(count, 0);
@@ -110,7 +111,7 @@ void UnitCostBuilder::findChanges(const Environment& environment) {
 void UnitCostBuilder::compareRasters(const Environment& environment, const CellRect& area) {
     const Grid& grid = cost_.grid;
     const std::span<const float> clearance = environment.clearance();
-    const std::span<const float> travelSpeed = environment.travelSpeed();
+    const RasterView travelSpeed = environment.travelSpeed();
     const auto least = static_cast<float>(cost_.radius - kGroundBand * grid.cell);
     const auto most = static_cast<float>(cost_.radius + kGroundBand * grid.cell);
     for (std::int32_t y = area.low.y; y <= area.high.y; ++y) {
@@ -205,7 +206,7 @@ void UnitCostBuilder::addDynamicCost(const UnitCostDef& def, const Environment& 
     if (def.gamma == 0.0) return;
     // Cells with discomfort that the crowd does not reach.
     const Grid& grid = cost_.grid;
-    const std::span<const float> travelSpeed = environment.travelSpeed();
+    const RasterView travelSpeed = environment.travelSpeed();
     for (const std::int32_t index : discomfortCells_) {
         const Vec2 centre = grid.centre(grid.at(index));
         if (dense && crowdCells_.contains(density.grid().index(density.grid().nearestCell(centre)))) continue;
@@ -216,7 +217,7 @@ void UnitCostBuilder::addDynamicCost(const UnitCostDef& def, const Environment& 
 // Updates the ground cells whose centres lie in a density cell.
 void UnitCostBuilder::updateGroundWithin(const UnitCostDef& def, const Environment& environment,
                                          const DensityField& density, std::int32_t densityCell) {
-    const std::span<const float> travelSpeed = environment.travelSpeed();
+    const RasterView travelSpeed = environment.travelSpeed();
     const Grid& grid = cost_.grid;
     const Grid& coarse = density.grid();
     const double ratio = coarse.cell / grid.cell;

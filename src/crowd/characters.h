@@ -4,9 +4,26 @@
 #include <cstdint>
 #include <vector>
 
+#include "crowd/place_wait.h"
+#include "crowd/walk_progress.h"
 #include "muster/characters.h"
 
 namespace muster {
+
+/// Through which passage a character goes, and when.
+struct ChosenWay {
+    /// Its number (passages/way_number.h); -1 for none.
+    std::int32_t way = -1;
+    std::uint32_t turns = 0;  ///< Changes of the passage since the last command.
+    double passAt = 0.0;      ///< When it is let through, by the plan [s].
+    double share = 0.5;       ///< Where it goes through: 0 at one end of the gap, 1 at the other.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(way, turns, passAt, share);
+    }
+};
 
 /// One entry per character in each array, in ascending order of ids.
 struct Characters {
@@ -25,6 +42,9 @@ struct Characters {
     /// Id of the single-step patch crossed last, which is not done again until it has been left for a while;
     /// 0 for none.
     std::vector<std::uint32_t> lastSingle;
+    std::vector<WalkProgress> walk;  ///< How each gets on with its way.
+    std::vector<PlaceWait> wait;     ///< What keeps each from its place.
+    std::vector<ChosenWay> chosen;   ///< The way to the place, where many go.
 
     /// Number of characters.
     std::size_t size() const { return id.size(); }
@@ -38,7 +58,7 @@ struct Characters {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, group, position, velocity, heading, place, direction, cost, motion, phase, motionTime,
-                patch, lastSingle);
+                patch, lastSingle, walk, wait, chosen);
     }
 };
 

@@ -7,12 +7,28 @@
 namespace muster {
 namespace {
 
-constexpr double kConverged = 1e-4;           // Corrections below this share of a diameter end the iteration.
-constexpr double kPairSkin = 0.2;             // Skin of the pair list, as a share of the diameter.
-constexpr double kReported = 0.1;             // Overlaps above this share of the diameter are counted.
+constexpr double kConverged = 1e-4;        // Corrections below this share of a diameter end the iteration.
+constexpr double kPairSkin = 0.2;          // Skin of the pair list, as a share of the diameter.
+constexpr double kReported = 0.1;          // Overlaps above this share of the diameter are counted.
+constexpr double kDeepest = 0.09;          // Overlaps above this share of the diameter are taken back.
+constexpr double kFreeTolerance = 1e-3;    // A character is free down to this depth in an obstacle [m].
+constexpr double kReachTolerance = 1.005;  // Sliding along an obstacle may exceed the reach by this factor.
+constexpr double kWedgeSlack = 0.9e-3;     // In a gap as wide as itself a body is thinner by this [m].
+constexpr double kWedgeReach = 0.02;       // Walls on either side within this of the body make a gap [m].
+constexpr double kWedgeCosine = -0.5;      // The directions of these walls differ by more than that.
+constexpr int kReachRounds = 4;            // Of projections between obstacle and reach.
 constexpr std::size_t kMarkedPerTask = 1024;  // Characters per task.
 
 }  // namespace
+
+// The position, or where the way to it from the beginning of the step leaves the reach.
+Vec2 Contacts::withinReach(std::size_t character, Vec2 position) const {
+    if (bounds_.reach.empty()) return position;
+    const Vec2 from = bounds_.from[character];
+    const double reach = bounds_.reach[character];
+    const Vec2 way = position - from;
+    return lengthSquared(way) <= reach * reach ? position : from + clampLength(way, reach);
+}
 
 double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
     double worst = 0.0;
@@ -28,8 +44,8 @@ double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
         // Coincident characters separate along an axis that their indices choose.
         const Vec2 away = d > 1e-9 ? between / d
                                    : (((pair.low + pair.high) & 1) != 0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0});
-        a -= away * (0.5 * depth);
-        b += away * (0.5 * depth);
+        a = withinReach(pair.low, a - away * (0.5 * depth));
+        b = withinReach(pair.high, b + away * (0.5 * depth));
         worst = std::max(worst, depth);
         corrected_ = true;
     }
@@ -41,16 +57,59 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
     for (ObstacleCandidate& candidate : obstacleCandidates_) {
         Vec2& p = positions[candidate.index];
         if (p == candidate.free) continue;
-        const Vec2 free = environment.projectToFreeSpace(p, radius);
+        Vec2 free = environment.projectToFreeSpace(p, radius);
+        if (free != p && isWedged(radius, environment, candidate.index))
+            free = environment.projectToFreeSpace(p, radius - kWedgeSlack);
         if (free == p) {
             candidate.free = p;
             continue;
         }
         worst = std::max(worst, distance(p, free));
-        p = free;
+        p = withinReach(candidate.index, free);
         corrected_ = true;
     }
     return worst;
+}
+
+// True where the character began the step in a gap about as wide as itself. Routes lead through gaps that are
+// narrower by a hair, because they run along walls.
+bool Contacts::isWedged(double radius, const Environment& environment, std::int32_t character) const {
+    if (bounds_.from.empty()) return false;
+    const Vec2 from = bounds_.from[character];
+    Vec2 first;
+    bool wedged = false;
+    environment.forPiecesNear(from, radius + kWedgeReach, [&](const ObstaclePiece& piece) {
+        const SurfacePoint nearest = closestSurfacePoint(piece, from);
+        if (piece.moving || nearest.distance > radius + kWedgeReach) return;
+        const Vec2 towards = normalized(nearest.point - from);
+        wedged = wedged || dot(first, towards) < kWedgeCosine;
+        if (first == Vec2{}) first = towards;
+    });
+    return wedged;
+}
+
+// Where a character ends its step whose nearest free point is `free`. Out of an obstacle that was put on it,
+// it walks; a moving one pushes it. Where no free point is found in reach it stays where it was free.
+Vec2 Contacts::walkOut(double radius, const Environment& environment, std::size_t character,
+                       Vec2 free) const {
+    Vec2 end = withinReach(character, free);
+    if (end == free) return free;
+    const Vec2 from = bounds_.from[character];
+    bool wasFree = true, pushed = false;
+    environment.forPiecesNear(from, radius, [&](const ObstaclePiece& piece) {
+        if (piece.signedDistance(from) >= radius - kFreeTolerance) return;
+        wasFree = false;
+        pushed = pushed || piece.moving;
+    });
+    if (pushed) return free;
+    if (!wasFree) return end;
+    const double most = kReachTolerance * bounds_.reach[character];
+    for (int round = 0; round < kReachRounds; ++round) {
+        free = environment.projectToFreeSpace(end, radius);
+        if (distance(free, from) <= most) return free;
+        end = withinReach(character, free);
+    }
+    return from;
 }
 
 // Corrections of pairs may have moved characters into obstacles, which have priority.
@@ -61,8 +120,39 @@ void Contacts::leaveObstaclesFinally(double radius, const Environment& environme
         Vec2& p = positions[candidate.index];
         if (p == candidate.free) continue;
         if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
-        p = environment.projectToFreeSpace(p, radius);
+        const bool wedged = isWedged(radius, environment, candidate.index);
+        const double width = wedged ? radius - kWedgeSlack : radius;
+        p = walkOut(width, environment, candidate.index, environment.projectToFreeSpace(p, width));
         corrected_ = true;
+    }
+}
+
+// Puts a character back where it began the step; false where it is there already, or an obstacle is.
+bool Contacts::takeBackOne(double radius, const Environment& environment, std::int32_t character,
+                           std::span<Vec2> positions) {
+    const Vec2 from = bounds_.from[character];
+    Vec2& p = positions[character];
+    if (p == from || environment.distanceToObstacle(from, radius) < radius - kFreeTolerance) return false;
+    p = from;
+    corrected_ = true;
+    return true;
+}
+
+// The iteration does not always converge in a dense crowd, but nobody was too deep when the step began: of
+// pairs that have become too deep, both are put back, and so on with those that came after them.
+void Contacts::takeBack(double radius, const Environment& environment, std::span<Vec2> positions) {
+    const double diameter = 2.0 * radius;
+    const double least = (1.0 - kDeepest) * diameter;
+    for (bool changed = true; changed;) {
+        changed = false;
+        if (outdatedByCorrections(diameter, positions)) findPairs(diameter, positions);
+        for (const NeighbourPair pair : pairs_->pairs()) {
+            const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
+            if (d2 >= least * least || d2 >= lengthSquared(bounds_.from[pair.low] - bounds_.from[pair.high]))
+                continue;
+            for (const std::int32_t character : {pair.low, pair.high})
+                changed = takeBackOne(radius, environment, character, positions) || changed;
+        }
     }
 }
 
@@ -97,6 +187,7 @@ void Contacts::findObstacleCandidates(double radius, const Environment& environm
                                       std::span(nearObstacle_).subspan(first, count));
     });
     obstacleCandidates_.clear();
+    obstacleCandidates_.reserve(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (nearObstacle_[i] != 0) obstacleCandidates_.push_back({static_cast<std::int32_t>(i)});
 }
@@ -122,9 +213,10 @@ bool Contacts::outdatedByCorrections(double diameter, std::span<const Vec2> posi
 }
 
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment,
-                                std::span<Vec2> positions, const NeighbourList* neighbours,
-                                ThreadPool* pool) {
+                                std::span<Vec2> positions, const NeighbourList* neighbours, ThreadPool* pool,
+                                const ContactBounds& bounds) {
     const double diameter = 2.0 * def.radius;
+    bounds_ = bounds;
     pairs_ = neighbours;
     if (pairs_ == nullptr || !pairs_->holdsFor(positions, slack(diameter))) findPairs(diameter, positions);
     corrected_ = false;
@@ -139,6 +231,7 @@ ContactReport Contacts::resolve(const ContactDef& def, const Environment& enviro
         findObstacleCandidates(def.radius, environment, positions, pool);
     }
     leaveObstaclesFinally(def.radius, environment, positions);
+    if (!bounds.from.empty()) takeBack(def.radius, environment, positions);
     return report(diameter, positions);
 }
 

@@ -14,6 +14,8 @@ constexpr double kTouchGap = 0.04;      // Two bodies with a smaller gap touch [
 constexpr double kBlockedSpeed = 0.15;  // A slower character that touches another is blocked [m/s].
 constexpr double kAheadCosine = 0.5;    // Twice the cosine below which two characters are side by side.
 constexpr double kYieldSpeed = 0.3;     // At which a character steps back from a blocked one [m/s].
+constexpr float kStandsFor = 3.0f;      // Two who have stood and touched for so long bar each other [s].
+constexpr float kStepBack = 4.0f;       // Then they take turns of this length in stepping back [s].
 constexpr std::size_t kSteeredPerTask = 256;  // Characters per task.
 constexpr double kWalkingInCrowd = 0.05;      // A slower character does not walk along with others [m/s].
 constexpr double kWalkingSpeed = 0.15;        // A slower character stands and faces with the formation [m/s].
@@ -37,13 +39,32 @@ bool walkTogether(Vec2 a, Vec2 b) {
     return dot(a, b) > 0.0 && lengthSquared(a) > kLeast && lengthSquared(b) > kLeast;
 }
 
-// True where `a` is ahead of `b` in the mean direction of both. Of two side by side, the one with the lower
-// cost to its place counts as ahead.
-bool isAhead(const Characters& now, std::int32_t a, std::int32_t b) {
+// How far `a` is ahead of `b` in the mean direction of both; 0 where they are side by side.
+double lead(const Characters& now, std::int32_t a, std::int32_t b) {
     const Vec2 apart = now.position[a] - now.position[b];
     const double along = dot(apart, now.direction[a] + now.direction[b]);
-    if (std::fabs(along) > kAheadCosine * length(apart)) return along > 0.0;
+    return std::fabs(along) > kAheadCosine * length(apart) ? along : 0.0;
+}
+
+// Of two side by side, the one with the lower cost to its place counts as ahead.
+bool isAhead(const Characters& now, std::int32_t a, std::int32_t b) {
+    const double along = lead(now, a, b);
+    if (along != 0.0) return along > 0.0;
     return now.cost[a] != now.cost[b] ? now.cost[a] < now.cost[b] : a < b;
+}
+
+// True where both have stood for a while, and not in the queue of a passage.
+bool bothStand(const Characters& now, std::span<const PlaceWait> waits, std::int32_t a, std::int32_t b) {
+    const auto queues = [&](std::int32_t i) { return !now.chosen.empty() && now.chosen[i].way >= 0; };
+    return !waits.empty() && std::min(waits[a].stood, waits[b].stood) > kStandsFor && !queues(a) &&
+           !queues(b);
+}
+
+// Of two side by side who both stand, the other one steps back every few seconds: the first may have a wall
+// behind it.
+bool takesTurn(const Characters& now, std::span<const PlaceWait> waits, std::int32_t a, std::int32_t b) {
+    const float stood = std::min(waits[a].stood, waits[b].stood);
+    return lead(now, a, b) == 0.0 && static_cast<std::int32_t>(stood / kStepBack) % 2 == 1;
 }
 
 // The velocity towards the place: along the planned path, or straight where the place is near.
@@ -101,17 +122,25 @@ void Steering::addSeparationSteering(const Parameters::Character& def, const Cha
 }
 
 // Of two who touch and walk in the same direction, the one behind steps back from a blocked one ahead.
-// Otherwise crowds would form stable arches before doors.
-void Steering::yieldToBlocked(const Parameters::Character& def, const Characters& now) {
+// Otherwise crowds would form stable arches before doors. Of two who bar each other side by side, one steps
+// back against its own direction.
+void Steering::yieldToBlocked(const Parameters::Character& def, const Characters& now,
+                              std::span<const PlaceWait> waits) {
     const double touching = 2.0 * def.radius + kTouchGap;
     for (const NeighbourPair pair : neighbours_.pairs()) {
         std::int32_t front = pair.low, back = pair.high;
         if (isAhead(now, back, front)) std::swap(front, back);
+        const bool standing = bothStand(now, waits, front, back);
+        if (standing && takesTurn(now, waits, front, back)) std::swap(front, back);
         const Vec2 between = now.position[front] - now.position[back];
         if (lengthSquared(now.velocity[front]) > kBlockedSpeed * kBlockedSpeed) continue;
         if (lengthSquared(between) > touching * touching ||
             dot(now.direction[front], now.direction[back]) <= 0.0)
             continue;
+        if (standing) {
+            preferred_[back] = now.direction[back] * -kYieldSpeed;
+            continue;
+        }
         const Vec2 ahead = normalized(between, {1.0, 0.0});
         const double pressing = dot(preferred_[back], ahead) - std::max(0.0, dot(now.velocity[front], ahead));
         if (pressing > 0.0) preferred_[back] -= ahead * (pressing + kYieldSpeed);
@@ -132,7 +161,8 @@ void Steering::run(const Parameters::Character& def, const Characters& now, cons
     });
     neighbours_.build(now.position, 2.0 * def.radius + std::max(def.separationReach, kTouchGap));
     addSeparationSteering(def, now);
-    yieldToBlocked(def, now);
+    yieldToBlocked(def, now, input.waits);
+    giveWay_.run(def, now, environment, neighbours_, topSpeed_, preferred_);
     const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt,
                             std::min(1.0, kHeadingRate * dt)};
     forChunks(pool, count, kSteeredPerTask, [&, bounds](std::size_t i) {

@@ -7,6 +7,7 @@
 #include "base/neighbour_list.h"
 #include "base/parallel.h"
 #include "crowd/characters.h"
+#include "crowd/give_way.h"
 #include "environment/environment.h"
 #include "muster/parameters.h"
 
@@ -17,6 +18,7 @@ struct SteeringInput {
     std::span<const Vec2> place;          ///< Position of its place [m]; its own position for the unmatched.
     std::span<const Vec2> placeVelocity;  ///< Velocity of its place [m/s].
     std::span<const Vec2> facing;         ///< Unit heading of its formation, which it takes when standing.
+    std::span<const PlaceWait> waits = {};  ///< For how long it has stood; empty for none.
 };
 
 /// Computes next velocities and headings from the present state only, so the order of characters cannot
@@ -29,13 +31,17 @@ public:
              const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading,
              ThreadPool* pool = nullptr);
 
+    /// Of each character at the last run, on its ground [m/s].
+    std::span<const double> topSpeeds() const { return topSpeed_; }
     /// Close pairs of the last run, at its positions.
     const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
     void addSeparationSteering(const Parameters::Character& def, const Characters& now);
-    void yieldToBlocked(const Parameters::Character& def, const Characters& now);
+    void yieldToBlocked(const Parameters::Character& def, const Characters& now,
+                        std::span<const PlaceWait> waits);
 
+    GiveWay giveWay_;
     NeighbourList neighbours_;
     std::vector<Vec2> preferred_;   // Preferred velocities [m/s].
     std::vector<double> topSpeed_;  // [m/s]

@@ -21,7 +21,7 @@ struct FrontCell {
 class BucketQueue {
 public:
     BucketQueue() : buckets_(kRing) {
-        for (auto& bucket : buckets_) bucket.reserve(32);
+        for (auto& bucket : buckets_) bucket.reserve(128);
     }
 
     /// Empties the queue and sets the width of its buckets to `1 / inverseWidth`.

@@ -5,6 +5,8 @@
 namespace muster {
 namespace {
 
+constexpr std::size_t kReservedSources = 1024;  // Pseudo-sources with memory from the start.
+
 // Width of a bucket in units of the lowest unit cost. Cells of one bucket are visited in order of arrival,
 // and again where that order was wrong: a smaller width saves visits, a larger one saves empty buckets.
 constexpr float kBucketWidth = 0.125f;
@@ -35,6 +37,8 @@ void Front::resize(const Grid& grid) {
     stride_ = grid.width + 1;
     const std::size_t size = static_cast<std::size_t>(grid.height + 4) * stride_ + 2;
     nodes_.assign(size, {});
+    sources_.reserve(kReservedSources);
+    wallSource_.reserve(size);
     occluderOf_.assign(size, -1);
     // No value is below minus infinity: the padding is never reached.
     const FrontNode padding{kUnreachableCost, -kUnreachableCost, 0, 0};

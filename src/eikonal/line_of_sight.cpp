@@ -26,8 +26,9 @@ void LineOfSight::end() {
 // What lies at one point, which is in `cell`; `nearWall` is false where the cell is open.
 inline Visibility LineOfSight::sample(float px, float py, float unit, bool& nearWall,
                                       std::int32_t& cell) const {
-    const auto column = static_cast<std::int32_t>(px + 0.5f);
-    const auto row = static_cast<std::int32_t>(py + 0.5f);
+    // A wall node of a cell at the edge may lie outside the grid, and so may the middle of an arc.
+    const std::int32_t column = std::clamp(static_cast<std::int32_t>(px + 0.5f), 0, cost_->grid.width - 1);
+    const std::int32_t row = std::clamp(static_cast<std::int32_t>(py + 0.5f), 0, cost_->grid.height - 1);
     cell = row * cost_->grid.width + column;
     if (open(cell, unit)) {
         nearWall = false;

@@ -146,6 +146,7 @@ Result<ObstacleId> Environment::addObstacle(const ObstacleDef& def) {
     s.markDirty(*entry);
     s.countEdit(def.path.still());
     s.obstacles.push_back(std::move(*entry));
+    s.replacePieces(s.obstacles.size() - 1, 0, false);
     return id;
 }
 
@@ -158,7 +159,9 @@ Status Environment::changeObstacle(ObstacleId id, const ObstacleDef& def) {
     s.markDirty(s.obstacles[at]);
     s.markDirty(*entry);
     s.countEdit(s.obstacles[at].def.path.still() || def.path.still());
+    const std::size_t before = Impl::pieceCount(s.obstacles[at]);
     s.obstacles[at] = std::move(*entry);
+    s.replacePieces(at, before, false);
     return {};
 }
 
@@ -168,8 +171,10 @@ Status Environment::removeObstacle(ObstacleId id) {
     if (at < 0) return notFound("obstacle", id);
     s.markDirty(s.obstacles[at]);
     s.countEdit(s.obstacles[at].def.path.still());
+    const std::size_t before = Impl::pieceCount(s.obstacles[at]);
     s.obstacles.erase(s.obstacles.begin() + at);
     s.obstacleIds.erase(s.obstacleIds.begin() + at);
+    s.replacePieces(at, before, true);
     return {};
 }
 
@@ -179,7 +184,8 @@ void Environment::setFieldDefaults(double range, double strength) {
     if (range == s.def.defaultRange && strength == s.def.defaultStrength) return;
     s.def.defaultRange = range;
     s.def.defaultStrength = strength;
-    s.stale = true;  // The pieces carry both.
+    s.piecesStale = true;  // They carry both.
+    s.stale = true;
 }
 
 Result<PatchId> Environment::addPatch(const PatchDef& def) {
@@ -288,6 +294,9 @@ std::uint64_t Environment::groundVersion() const {
 std::uint64_t Environment::staticVersion() const {
     return impl_->staticVersion;
 }
+std::uint64_t Environment::staticPatchVersion() const {
+    return impl_->staticPatchVersion;
+}
 std::uint64_t Environment::instance() const {
     return impl_->instance;
 }
@@ -297,6 +306,14 @@ bool Environment::changesSince(std::uint64_t version, std::vector<CellRect>& are
     if (version == s.groundVersion) return true;
     if (version != s.changesFrom) return false;
     areas.insert(areas.end(), s.changes.begin(), s.changes.end());
+    return true;
+}
+
+bool Environment::staticChangesSince(std::uint64_t version, std::vector<CellRect>& areas) const {
+    const Impl& s = *impl_;
+    if (version < s.staticEditsFrom || version > s.staticVersion) return false;
+    for (const Impl::StaticEdit& edit : s.staticEdits)
+        if (edit.version > version) areas.push_back(edit.area);
     return true;
 }
 
@@ -325,14 +342,15 @@ std::span<const float> Environment::staticClearance() const {
     return impl_->clearance.fixed();
 }
 
-std::span<const float> Environment::staticPatchSpeed() const {
+RasterView Environment::staticPatchSpeed() const {
     impl_->ensure();
-    return impl_->patchSpeed.fixed();
+    return impl_->patchSpeed.fixedView();
 }
 
-std::span<const float> Environment::travelSpeed() const {
+RasterView Environment::travelSpeed() const {
+    static constexpr float kOpen = 1.0f;
     impl_->ensure();
-    return impl_->travelSpeed;
+    return impl_->travelSpeed.empty() ? RasterView(&kOpen) : RasterView(impl_->travelSpeed);
 }
 
 namespace {
@@ -404,7 +422,7 @@ bool Environment::load(Reader& archive) {
     }
     // Callers that know an old version must see that the ground changed.
     read->groundVersion = impl_->groundVersion + 1;
-    read->staticVersion = impl_->staticVersion + 1;
+    read->staticVersion = read->staticEditsFrom = impl_->staticVersion + 1;
     read->start(EnvironmentDef(read->def));
     impl_ = std::move(read);
     return true;

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "base/cell_rect.h"
+#include "base/function_ref.h"
 #include "base/grid.h"
+#include "base/raster_view.h"
 #include "environment/obstacle_piece.h"
 #include "muster/parameters.h"
 #include "muster/patch.h"
@@ -48,6 +49,14 @@ struct NarrowGap {
     Vec2 where;          ///< Midpoint of the gap [m].
     double width = 0.0;  ///< [m]
 };
+
+/// The shortest segment between two surfaces that are too near for something to pass between them.
+struct ClosedGap {
+    Vec2 a;  ///< On one surface [m].
+    Vec2 b;  ///< On the other surface, or the edge of the world [m].
+};
+/// True where the segment from `a` to `b` meets that of the gap.
+bool crosses(const ClosedGap& gap, Vec2 a, Vec2 b);
 
 /// Owns obstacles, patches and the rasters made of them. Definitions, ids and the clock are state; everything
 /// else is a cache, so saving writes only the state.
@@ -103,6 +112,12 @@ public:
     std::uint64_t groundVersion() const;
     /// Rises by one whenever something that stands still is added, changed or removed.
     std::uint64_t staticVersion() const;
+    /// Appends to `areas` the cells whose clearance or travel speed may have changed by things that stand
+    /// still since staticVersion() was `version`; some may overlap. False where that is not known any more,
+    /// so that all cells may have changed.
+    bool staticChangesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
+    /// The staticVersion() at which a patch that stands still was last added, changed or removed.
+    std::uint64_t staticPatchVersion() const;
     /// Differs between any two environments of a program and after load(). With a version it identifies the
     /// ground that a cache was made from.
     std::uint64_t instance() const;
@@ -121,11 +136,11 @@ public:
     /// per cell: exact up to kClearanceLimit and capped there; 0 or less inside.
     std::span<const float> clearance() const;
     /// Travel speed per cell, above 0: that of the slowest patch that shares area with the cell, else 1.
-    std::span<const float> travelSpeed() const;
+    RasterView travelSpeed() const;
     /// clearance() without moving obstacles.
     std::span<const float> staticClearance() const;
     /// Travel speed per cell of the slowest patch that stands still; infinite where there is none.
-    std::span<const float> staticPatchSpeed() const;
+    RasterView staticPatchSpeed() const;
     /// clearance() is capped here [m].
     static constexpr double kClearanceLimit = 3.0;
 
@@ -140,10 +155,21 @@ public:
     /// the edge of the box, in an obstacle or out of the box, and to 0 elsewhere.
     void markNearObstacles(std::span<const Vec2> points, double reach, std::span<std::uint8_t> near) const;
     /// Calls `visit(piece)` in ascending order for every piece whose surface may be within `radius` of `p`.
-    void forPiecesNear(Vec2 p, double radius, const std::function<void(const ObstaclePiece&)>& visit) const;
+    void forPiecesNear(Vec2 p, double radius, FunctionRef<void(const ObstaclePiece&)> visit) const;
     /// True where a disc of `radius` can move straight from `a` to `b` without touching an obstacle
     /// and without leaving the box.
     bool clearLine(Vec2 a, Vec2 b, double radius) const;
+    /// The same where obstacles that may move do not count.
+    bool clearStaticLine(Vec2 a, Vec2 b, double radius) const;
+    /// True where a disc of `radius` can get from `a` to `b` near the straight line between them: no obstacle
+    /// that stands still lies between them, and no gap narrower than the disc (closedGaps()). Both points
+    /// must be free for the disc, and at most a diameter apart. The disc may have to go round a corner, so
+    /// clearLine() may be false. Cells of a raster cannot tell: a gap may lie between two centres.
+    bool stepIsFree(Vec2 a, Vec2 b, double radius) const;
+    /// Appends the gaps narrower than `width` [m] between two convex parts that stand still, or between one
+    /// and the edge of the world, whose parts may act in `area` (all of them where it is the world's box). A
+    /// disc of that diameter cannot cross their segments, wherever it comes from. In a fixed order.
+    void closedGaps(const Box& area, double width, std::vector<ClosedGap>& gaps) const;
     /// Projects `p` onto the free space: moves it out of every obstacle and into the box, so that a disc of
     /// `radius` [m] is free. Where projections do not converge it returns the centre of the nearest free
     /// cell.
@@ -152,24 +178,6 @@ public:
     /// distance d < range of strength (1 - d / range) times the direction away from the piece's centre;
     /// inside, d is 0.
     Vec2 potentialField(Vec2 p) const;
-
-    /// Label of the connected free region of the cell that holds `p`, for discs of `radius` [m]; -1 for
-    /// blocked cells. Moving obstacles do not count. Labels are numbered in row-major order of first cells.
-    std::int32_t region(Vec2 p, double radius) const;
-    /// Number of such regions.
-    std::int32_t regionCount(double radius) const;
-    /// The centre of the free cell nearest to `p` with that region label (any region where -1), or `p`
-    /// itself where it already lies in one or there is none.
-    Vec2 nearestInRegion(Vec2 p, double radius, std::int32_t label) const;
-    /// A path for a disc of `radius` from `a` to `b` as corner points, both ends included: A* on the ground
-    /// cells, then smoothed. Empty where there is none or more than `maxCells` cells would be expanded.
-    /// Moving obstacles count where they stand now. From a start that is not free the path leads to the
-    /// nearest free cell; to a goal that is not free it ends in the nearest free cell.
-    std::vector<Vec2> findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells = 200000) const;
-    /// The same, written to `path`, whose memory is reused. The search keeps memory per thread and ground
-    /// cell.
-    void findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& path,
-                  std::int32_t maxCells = 200000) const;
 
     /// Gaps narrower than `width` [m], at most `most`: for each pair of obstacles the narrowest between
     /// convex parts that do not touch and have nothing between them, also within one obstacle, and to the
@@ -180,6 +188,9 @@ public:
     void save(class Writer& archive) const;
     /// Reads what save() wrote; false where it does not fit.
     bool load(class Reader& archive);
+    /// Takes over the rasters and versions of `before`, which becomes useless: they are edited where
+    /// obstacles or patches differ, or made again where the boxes differ or too much does. Call after load().
+    void keepCachesOf(Environment& before);
     /// Adds what save() writes to a hash.
     void hash(class Hasher& archive) const;
 

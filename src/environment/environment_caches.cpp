@@ -8,17 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr double kReachSlack = 1e-6;  // Boxes are grown by this beyond exact distances, against rounding [m].
-
-Box unite(const Box& a, const Box& b) {
-    return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
-            {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
-}
-
-Box boundsOfPiece(const ObstaclePiece& piece) {
-    if (!piece.corners.empty()) return boundsOf(piece.corners);
-    return Box{piece.centre, piece.centre}.grown(piece.radius);
-}
+constexpr std::size_t kMaxStaticEdits = 256;  // Edits that are remembered.
 
 Box boundsOfEntry(const ObstacleEntry& entry) {
     if (entry.def.polygon.empty()) return Box{entry.def.centre, entry.def.centre}.grown(entry.def.radius);
@@ -34,11 +24,6 @@ bool touchesCell(const Polygon& corners, Vec2 centre, double half) {
         if (depth <= 1e-9 * length(edge)) return false;
     }
     return true;
-}
-
-void widen(bool& any, Box& box, const Box& more) {
-    box = any ? unite(box, more) : more;
-    any = true;
 }
 
 }  // namespace
@@ -63,148 +48,104 @@ void Environment::Impl::start(const EnvironmentDef& definition) {
     grid = Grid::covering(def.box, def.cell);
     freshRasters = true;
     stale = true;
+    staticEdits.clear();
+    staticEditsFrom = staticPatchVersion = staticVersion;
 }
 
 void Environment::Impl::markDirty(const ObstacleEntry& entry) {
-    if (entry.def.path.still()) widen(obstaclesDirty, dirtyObstacles, boundsOfEntry(entry));
     stale = true;
+    if (!entry.def.path.still()) return;
+    const Box box = boundsOfEntry(entry).grown(kReach + kReachSlack);
+    if (!freshRasters) dirtyObstacles.push_back(box);
+    noteStaticEdit(box);
 }
 
 void Environment::Impl::markDirty(const PatchEntry& entry) {
-    if (entry.def.path.still()) widen(patchesDirty, dirtyPatches, boundsOf(entry.outline));
-    stale = true;
+    stale = patchPiecesStale = true;
+    if (!entry.def.path.still()) return;
+    const Box box = boundsOf(entry.outline).grown(kReachSlack);
+    if (!freshRasters) dirtyPatches.push_back(box);
+    noteStaticEdit(box);
+    staticPatchVersion = staticVersion + 1;
+}
+
+void Environment::Impl::noteStaticEdit(const Box& box) {
+    if (staticEdits.size() >= kMaxStaticEdits) {
+        const auto half = staticEdits.begin() + kMaxStaticEdits / 2;
+        staticEditsFrom = (half - 1)->version;
+        staticEdits.erase(staticEdits.begin(), half);
+    }
+    staticEdits.push_back({staticVersion + 1, CellRect::touching(grid, box)});
 }
 
 void Environment::Impl::refresh() {
     const std::lock_guard lock(mutex);
     if (!stale.load(std::memory_order_relaxed)) return;
-    const CellRect all{{0, 0}, {grid.width - 1, grid.height - 1}};
-    CellRect clearanceArea, speedArea;
+    std::vector<CellRect> clearanceAreas, speedAreas;
     if (freshRasters) {
+        const CellRect all{{0, 0}, {grid.width - 1, grid.height - 1}};
         clearance.reset(grid, static_cast<float>(kClearanceLimit));
+        clearance.allocate();
         patchSpeed.reset(grid, kNoPatch);
-        travelSpeed.assign(grid.count(), 1.0f);
+        travelSpeed = {};
         for (PieceIndex* pieceIndex : {&index, &patchIndex}) {
             pieceIndex->fixedGrid.reset(def.box);
             pieceIndex->movingGrid.reset(def.box);
         }
-        clearanceArea = speedArea = all;
+        clearanceAreas.push_back(all);
+        speedAreas.push_back(all);
+        piecesStale = patchPiecesStale = true;
         freshRasters = false;
     } else {
-        if (obstaclesDirty)
-            clearanceArea = CellRect::touching(grid, dirtyObstacles.grown(kReach + kReachSlack));
-        if (patchesDirty) speedArea = CellRect::touching(grid, dirtyPatches.grown(kReachSlack));
+        for (const Box& box : dirtyObstacles) clearanceAreas.push_back(CellRect::touching(grid, box));
+        for (const Box& box : dirtyPatches) speedAreas.push_back(CellRect::touching(grid, box));
     }
-    obstaclesDirty = patchesDirty = false;
-    rebuildPieces();
-    rebuildPatchPieces();
+    dirtyObstacles.clear();
+    dirtyPatches.clear();
+    refreshPieces();
+    refreshPatchPieces();
     clearance.removeMoving();
-    rebuildFixedClearance(clearanceArea);
+    for (const CellRect& area : clearanceAreas) rebuildFixedClearance(area);
     addMovingClearance();
-    if (!clearanceArea.empty()) components.clear();
     for (const CellRect& rect : patchSpeed.removeMoving()) updateTravelSpeed(rect);
-    rebuildFixedSpeed(speedArea);
+    for (const CellRect& area : speedAreas) rebuildFixedSpeed(area);
     addMovingSpeed();
+    dropUnusedRasters();
     stale.store(false, std::memory_order_release);
 }
 
-void Environment::Impl::rebuildPieces() {
-    pieces.clear();
-    pieceEntry.clear();
-    piecePart.clear();
-    index.fixed.clear();
-    index.moving.clear();
-    for (std::size_t e = 0; e < obstacles.size(); ++e) {
-        const std::size_t parts = std::max<std::size_t>(1, obstacles[e].parts.size());
-        for (std::size_t k = 0; k < parts; ++k) {
-            const bool moves = !obstacles[e].def.path.still();
-            (moves ? index.moving : index.fixed).push_back(static_cast<std::int32_t>(pieces.size()));
-            pieceEntry.push_back(static_cast<std::int32_t>(e));
-            piecePart.push_back(static_cast<std::int32_t>(k));
-            pieces.emplace_back();
-        }
-    }
-    index.bounds.resize(pieces.size());
-    index.reach.resize(pieces.size());
-    for (std::size_t number = 0; number < pieces.size(); ++number)
-        updatePiece(static_cast<std::int32_t>(number));
-    index.fixedGrid.fill(index.reach, index.fixed);
-    index.movingGrid.fill(index.reach, index.moving);
+void Environment::Impl::dropUnusedRasters() {
+    if (index.moving.empty()) clearance.dropCombined();
+    if (patchIndex.moving.empty()) patchSpeed.dropCombined();
+    if (!patchPieces.empty()) return;
+    patchSpeed.reset(grid, kNoPatch);
+    travelSpeed = {};
 }
 
-void Environment::Impl::updatePiece(std::int32_t number) {
-    const std::int32_t e = pieceEntry[number];
-    const ObstacleEntry& entry = obstacles[e];
-    const Placement& placement = entry.placement;
-    ObstaclePiece& piece = pieces[number];
-    piece.obstacle = obstacleIds[e];
-    piece.range = entry.def.range < 0.0 ? def.defaultRange : entry.def.range;
-    piece.strength = entry.def.strength < 0.0 ? def.defaultStrength : entry.def.strength;
-    piece.moving = !entry.def.path.still();
-    if (entry.parts.empty()) {
-        piece.centre = placement.apply(entry.def.centre);
-        piece.radius = entry.def.radius;
-    } else {
-        const Polygon& part = entry.parts[piecePart[number]];
-        piece.corners.resize(part.size());
-        for (std::size_t i = 0; i < part.size(); ++i)
-            piece.corners[i] = piece.moving ? placement.apply(part[i]) : part[i];
-        piece.centre = centroid(piece.corners);
-        double squared = 0.0;
-        for (Vec2 p : piece.corners) squared = std::max(squared, lengthSquared(p - piece.centre));
-        piece.radius = std::sqrt(squared);
-    }
-    piece.velocity = placement.velocity +
-                     perpendicular(piece.centre - placement.pivot - placement.now.position) *
-                         placement.angularVelocity;
-    index.bounds[number] = boundsOfPiece(piece);
-    index.reach[number] = index.bounds[number].grown(std::max(kReach, piece.range) + kReachSlack);
-}
-
-void Environment::Impl::rebuildPatchPieces() {
-    patchPieces.clear();
-    patchPart.clear();
-    patchIndex.fixed.clear();
-    patchIndex.moving.clear();
-    for (std::size_t e = 0; e < patches.size(); ++e) {
-        for (std::size_t k = 0; k < patches[e].parts.size(); ++k) {
-            const bool moves = !patches[e].def.path.still();
-            (moves ? patchIndex.moving : patchIndex.fixed)
-                .push_back(static_cast<std::int32_t>(patchPieces.size()));
-            patchPart.push_back(static_cast<std::int32_t>(k));
-            patchPieces.push_back({{}, static_cast<std::int32_t>(e)});
-        }
-    }
-    patchIndex.bounds.resize(patchPieces.size());
-    patchIndex.reach.resize(patchPieces.size());
-    for (std::size_t number = 0; number < patchPieces.size(); ++number) {
-        updatePatchPiece(static_cast<std::int32_t>(number));
-    }
-    patchIndex.fixedGrid.fill(patchIndex.reach, patchIndex.fixed);
-    patchIndex.movingGrid.fill(patchIndex.reach, patchIndex.moving);
-}
-
-void Environment::Impl::updatePatchPiece(std::int32_t number) {
-    PatchPiece& piece = patchPieces[number];
-    const PatchEntry& entry = patches[piece.patch];
-    const Polygon& part = entry.parts[patchPart[number]];
-    const bool moves = !entry.def.path.still();
-    piece.corners.resize(part.size());
-    for (std::size_t i = 0; i < part.size(); ++i)
-        piece.corners[i] = moves ? entry.placement.apply(part[i]) : part[i];
-    patchIndex.bounds[number] = boundsOf(piece.corners);
-    patchIndex.reach[number] = patchIndex.bounds[number].grown(kReachSlack);
-}
-
-void Environment::Impl::rebuildFixedClearance(const CellRect& area) {
-    if (area.empty()) return;
+// The distance to the border of the world, up to the limit.
+void Environment::Impl::fillBorderClearance(const CellRect& area) {
     const Box& box = def.box;
-    clearance.setFixed(area, [&](Cell c) {
+    const auto distanceToBorder = [&](Cell c) {
         const Vec2 p = grid.centre(c);
         const double inside = std::min(std::min(p.x - box.min.x, box.max.x - p.x),
                                        std::min(p.y - box.min.y, box.max.y - p.y));
         return static_cast<float>(std::min(inside, kClearanceLimit));
-    });
+    };
+    const Box middle = box.grown(-kClearanceLimit - grid.cell);
+    if (!(middle.min.x < middle.max.x && middle.min.y < middle.max.y))
+        return clearance.setFixed(area, distanceToBorder);
+    const CellRect inner = CellRect::touching(grid, middle).common(area);
+    if (inner.empty()) return clearance.setFixed(area, distanceToBorder);
+    clearance.fillFixed(inner, static_cast<float>(kClearanceLimit));
+    clearance.setFixed({area.low, {area.high.x, inner.low.y - 1}}, distanceToBorder);
+    clearance.setFixed({{area.low.x, inner.high.y + 1}, area.high}, distanceToBorder);
+    clearance.setFixed({{area.low.x, inner.low.y}, {inner.low.x - 1, inner.high.y}}, distanceToBorder);
+    clearance.setFixed({{inner.high.x + 1, inner.low.y}, {area.high.x, inner.high.y}}, distanceToBorder);
+}
+
+void Environment::Impl::rebuildFixedClearance(const CellRect& area) {
+    if (area.empty()) return;
+    fillBorderClearance(area);
     for (std::int32_t number : index.fixed) {
         const CellRect rect = CellRect::touching(grid, index.bounds[number].grown(kReach + kReachSlack))
                                   .common(area);
@@ -215,8 +156,8 @@ void Environment::Impl::rebuildFixedClearance(const CellRect& area) {
 }
 
 void Environment::Impl::rebuildFixedSpeed(const CellRect& area) {
-    if (area.empty()) return;
-    patchSpeed.setFixed(area, [](Cell) { return kNoPatch; });
+    if (area.empty() || patchPieces.empty()) return;
+    patchSpeed.fillFixed(area, kNoPatch);
     for (std::int32_t number : patchIndex.fixed) {
         const CellRect rect = CellRect::touching(grid, patchIndex.reach[number]).common(area);
         const PatchPiece& piece = patchPieces[number];
@@ -234,6 +175,12 @@ float Environment::Impl::lowerDistance(std::int32_t number, Vec2 p, float now) c
     const double squared = squaredDistance(index.bounds[number], p);
     const double bound = now + 1e-5;
     if (squared > 0.0 && (bound < 0.0 || squared > bound * bound)) return now;
+    if (index.isBox[number] != 0) {
+        const Box& box = index.bounds[number];
+        if (squared > 0.0) return static_cast<float>(std::sqrt(squared));
+        return static_cast<float>(
+            -std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y}));
+    }
     return static_cast<float>(pieces[number].signedDistance(p));
 }
 
@@ -258,6 +205,7 @@ void Environment::Impl::addMovingSpeed() {
 }
 
 void Environment::Impl::updateTravelSpeed(const CellRect& rect) {
+    if (travelSpeed.empty()) travelSpeed.assign(grid.count(), 1.0f);
     const std::span<const float> speeds = patchSpeed.combined();
     for (std::int32_t y = rect.low.y; y <= rect.high.y; ++y) {
         for (std::int32_t x = rect.low.x; x <= rect.high.x; ++x) {

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "environment/box_grid.h"
-#include "environment/connected_components.h"
 #include "environment/environment.h"
 #include "environment/layered_raster.h"
 
@@ -54,6 +53,7 @@ struct PatchPiece {
 struct PieceIndex {
     std::vector<Box> bounds;           ///< Of each piece [m].
     std::vector<Box> reach;            ///< Of each piece, grown by how far it acts [m].
+    std::vector<std::uint8_t> isBox;   ///< Of each piece: 1 where its bounds are the piece itself.
     std::vector<std::int32_t> fixed;   ///< Indices of pieces that never move.
     std::vector<std::int32_t> moving;  ///< Indices of pieces that may move.
     BoxGrid fixedGrid;                 ///< Of the reach of fixed pieces.
@@ -74,6 +74,14 @@ struct PieceIndex {
         }
     }
 };
+
+/// Parts nearer to each other than this touch [m].
+inline constexpr double kTouching = 1e-9;
+
+/// True where two boxes have a point in common.
+inline bool boxesMeet(const Box& a, const Box& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
 
 /// Squared distance from a point to a box; 0 inside.
 inline double squaredDistance(const Box& box, Vec2 p) {
@@ -101,9 +109,19 @@ struct Environment::Impl {
     std::vector<CellRect> changes;         // Cells that the last motion may have changed.
     std::atomic<bool> stale{true};
     std::mutex mutex;
-    bool freshRasters = true;          // The rasters hold nothing yet.
-    Box dirtyObstacles, dirtyPatches;  // Where things that stand still changed since the last refresh.
-    bool obstaclesDirty = false, patchesDirty = false;
+    bool freshRasters = true;         // The rasters and pieces hold nothing yet.
+    bool piecesStale = false;         // All pieces must be made again.
+    bool patchPiecesStale = false;    // The same for pieces of patches.
+    std::vector<Box> dirtyObstacles;  // Where obstacles that stand still changed since the last refresh.
+    std::vector<Box> dirtyPatches;    // The same for patches.
+    /// Cells that an edit of something that stands still may have changed, and the version that it led to.
+    struct StaticEdit {
+        std::uint64_t version = 0;
+        CellRect area;
+    };
+    std::vector<StaticEdit> staticEdits;   // The latest edits, oldest first.
+    std::uint64_t staticEditsFrom = 0;     // The version from which `staticEdits` lead to the present one.
+    std::uint64_t staticPatchVersion = 0;  // The version of the last edit of a patch.
     std::vector<ObstaclePiece> pieces;
     std::vector<std::int32_t> pieceEntry;  // Of each piece, index of its obstacle.
     std::vector<std::int32_t> piecePart;   // Of each piece, index within its obstacle's parts.
@@ -113,8 +131,8 @@ struct Environment::Impl {
     PieceIndex patchIndex;
     LayeredRaster clearance;         // [m]
     LayeredRaster patchSpeed;        // Travel speed of the slowest patch; kNoPatch where none lies.
-    std::vector<float> travelSpeed;  // As patchSpeed with moving patches; 1 where no patch lies.
-    ConnectedComponents components;  // Of the ground without moving obstacles.
+    std::vector<float> travelSpeed;  // As patchSpeed with moving patches; 1 where no patch lies. Empty
+                                     // without patches.
 
     /// A piece acts at least this far beyond its box [m].
     static constexpr double kReach = kClearanceLimit;
@@ -122,6 +140,7 @@ struct Environment::Impl {
     static constexpr double kContactTolerance = 1e-7;
     /// Bound on the rounding error of a clearance, which is kept as a float [m].
     static constexpr double kFloatError = 1e-6;
+    static constexpr double kReachSlack = 1e-6;  ///< Boxes are grown by this against rounding [m].
     /// Value of patchSpeed where no patch lies.
     static constexpr float kNoPatch = std::numeric_limits<float>::infinity();
 
@@ -135,8 +154,13 @@ struct Environment::Impl {
         if (still) ++staticVersion;
         changesFrom = kUnknown;
     }
+    /// Notes that an edit, counted next, changes what an entry covers.
     void markDirty(const ObstacleEntry& entry);
     void markDirty(const PatchEntry& entry);
+    void noteStaticEdit(const Box& box);
+    /// Replaces the pieces of an obstacle, of which there were `before`, by those that it has now; none and
+    /// `removed` where it was erased. Does nothing before the first refresh().
+    void replacePieces(std::size_t entry, std::size_t before, bool removed);
     void refresh();
     /// Updates the caches where they are stale.
     void ensure() {
@@ -145,22 +169,31 @@ struct Environment::Impl {
     void moveThings();
     void appendMovingAreas();
 
+    void refreshPieces();
+    void refreshPatchPieces();
     void rebuildPieces();
     void rebuildPatchPieces();
+    void resizePieces(std::size_t first, std::size_t before, std::size_t after);
+    /// Number of pieces of an obstacle.
+    static std::size_t pieceCount(const ObstacleEntry& entry) {
+        return std::max<std::size_t>(1, entry.parts.size());
+    }
     void updatePiece(std::int32_t number);
     void updatePatchPiece(std::int32_t number);
+    void fillBorderClearance(const CellRect& area);
     void rebuildFixedClearance(const CellRect& area);
     void rebuildFixedSpeed(const CellRect& area);
     float lowerDistance(std::int32_t number, Vec2 p, float now) const;
     void addMovingClearance();
     void addMovingSpeed();
     void updateTravelSpeed(const CellRect& rect);
+    void dropUnusedRasters();
 
     bool inBox(Vec2 p) const { return def.box.contains(p); }
     /// The box for the centres of discs that lie in the world; a point or line where it is narrower than
     /// they.
     Box centreBox(double radius) const;
-    bool blockedLine(Vec2 a, Vec2 b, double radius) const;
+    bool blockedLine(Vec2 a, Vec2 b, double radius, bool fixedOnly) const;
     /// Distance from `p` to the nearest surface [m], negative inside, `limit` where farther.
     double distanceTo(Vec2 p, double limit) const {
         return isFarther(p, limit) ? limit : exactDistance(p, limit);
@@ -169,6 +202,8 @@ struct Environment::Impl {
     /// A lower bound of the distance from `p` to the nearest surface or edge of the world [m], from the
     /// raster; minus infinity off the grid.
     double distanceLowerBound(Vec2 p) const;
+    /// The same without moving obstacles.
+    double stillDistanceLowerBound(Vec2 p) const;
     /// True where the raster proves that every surface is at least `limit` [m] away.
     bool isFarther(Vec2 p, double limit) const {
         const Cell c = grid.cellOf(p);

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "base/grid_search.h"
-#include "environment/a_star.h"
 #include "environment/environment_impl.h"
 
 namespace muster {
@@ -66,6 +65,12 @@ double Environment::Impl::distanceLowerBound(Vec2 p) const {
     return clearance.combined()[grid.index(c)] - distance(p, grid.centre(c)) - kFloatError;
 }
 
+double Environment::Impl::stillDistanceLowerBound(Vec2 p) const {
+    const Cell c = grid.cellOf(p);
+    if (!grid.contains(c)) return -std::numeric_limits<double>::infinity();
+    return clearance.fixed()[grid.index(c)] - distance(p, grid.centre(c)) - kFloatError;
+}
+
 double Environment::Impl::exactDistance(Vec2 p, double limit) const {
     double nearest = limit;
     double radius = std::max(limit, 0.0);
@@ -76,10 +81,11 @@ double Environment::Impl::exactDistance(Vec2 p, double limit) const {
     return nearest;
 }
 
-bool Environment::Impl::blockedLine(Vec2 a, Vec2 b, double radius) const {
+bool Environment::Impl::blockedLine(Vec2 a, Vec2 b, double radius, bool fixedOnly) const {
     const double least = std::max(radius - kContactTolerance, 1e-3 * kContactTolerance);
     const auto meets = [&](std::int32_t number) {
         const ObstaclePiece& piece = pieces[number];
+        if (fixedOnly && piece.moving) return false;
         if (boxSeparated(index.bounds[number], a, b, least + kSeparationMargin)) return false;
         const double far = least + piece.radius;
         if (lengthSquared(closestOnSegment(a, b, piece.centre) - piece.centre) > far * far) return false;
@@ -122,7 +128,7 @@ GroundSample Environment::ground(Vec2 p) const {
     if (s.patchPieces.empty()) return {};
     if (s.inBox(p)) {
         // A point in a patch lies in a cell that the patch covers in part.
-        if (s.patchSpeed.combined()[s.grid.index(s.grid.nearestCell(p))] == Impl::kNoPatch) return {};
+        if (s.patchSpeed.combinedView()[s.grid.index(s.grid.nearestCell(p))] == Impl::kNoPatch) return {};
         s.patchIndex.forPiecesAt(p, look);
     } else {
         for (std::size_t i = 0; i < s.patchPieces.size(); ++i) look(static_cast<std::int32_t>(i));
@@ -171,8 +177,7 @@ void Environment::markNearObstacles(std::span<const Vec2> points, double reach,
     }
 }
 
-void Environment::forPiecesNear(Vec2 p, double radius,
-                                const std::function<void(const ObstaclePiece&)>& visit) const {
+void Environment::forPiecesNear(Vec2 p, double radius, FunctionRef<void(const ObstaclePiece&)> visit) const {
     impl_->ensure();
     impl_->forNear(p, radius, [&](std::int32_t number) { visit(impl_->pieces[number]); });
 }
@@ -182,7 +187,15 @@ bool Environment::clearLine(Vec2 a, Vec2 b, double radius) const {
     if (!isFinite(a) || !isFinite(b)) return false;
     const Box inner = impl_->def.box.grown(Impl::kContactTolerance - radius);
     if (!inner.contains(a) || !inner.contains(b)) return false;
-    return !impl_->blockedLine(a, b, radius);
+    return !impl_->blockedLine(a, b, radius, false);
+}
+
+bool Environment::clearStaticLine(Vec2 a, Vec2 b, double radius) const {
+    impl_->ensure();
+    if (!isFinite(a) || !isFinite(b)) return false;
+    const Box inner = impl_->def.box.grown(Impl::kContactTolerance - radius);
+    if (!inner.contains(a) || !inner.contains(b)) return false;
+    return !impl_->blockedLine(a, b, radius, true);
 }
 
 Vec2 Environment::potentialField(Vec2 p) const {
@@ -204,79 +217,9 @@ Vec2 Environment::potentialField(Vec2 p) const {
     return sum;
 }
 
-std::int32_t Environment::region(Vec2 p, double radius) const {
-    impl_->ensure();
-    Impl& s = *impl_;
-    const Cell c = s.grid.cellOf(p);
-    if (!s.grid.contains(c)) return -1;
-    const std::int32_t i = s.grid.index(c);
-    const RegionLabels& regions = s.components.labels(s.grid, s.clearance.fixed(), radius);
-    // The clearance is mostly in the processor's cache already, the label is not.
-    if (regions.count == 1) return s.clearance.fixed()[i] >= radius ? 0 : -1;
-    return regions.label[i];
-}
-
-std::int32_t Environment::regionCount(double radius) const {
-    impl_->ensure();
-    Impl& s = *impl_;
-    return s.components.labels(s.grid, s.clearance.fixed(), radius).count;
-}
-
-Vec2 Environment::nearestInRegion(Vec2 p, double radius, std::int32_t label) const {
-    impl_->ensure();
-    Impl& s = *impl_;
-    const std::span<const std::int32_t> labels = s.components.labels(s.grid, s.clearance.fixed(), radius)
-                                                     .label;
-    const auto fits = [&](std::int32_t i) { return label < 0 ? labels[i] >= 0 : labels[i] == label; };
-    const Cell c = s.grid.cellOf(p);
-    if (s.grid.contains(c) && fits(s.grid.index(c))) return p;
-    const std::optional<Cell> found = nearestCellWhere(s.grid, p, fits);
-    return found ? s.grid.centre(*found) : p;
-}
-
 std::optional<Cell> Environment::Impl::nearestFreeCell(Vec2 p, double radius) const {
     const std::span<const float> values = clearance.combined();
     return nearestCellWhere(grid, p, [&](std::int32_t i) { return values[i] >= radius; });
-}
-
-std::vector<Vec2> Environment::findPath(Vec2 a, Vec2 b, double radius, std::int32_t maxCells) const {
-    std::vector<Vec2> path;
-    findPath(a, b, radius, path, maxCells);
-    return path;
-}
-
-void Environment::findPath(Vec2 a, Vec2 b, double radius, std::vector<Vec2>& path,
-                           std::int32_t maxCells) const {
-    impl_->ensure();
-    const Impl& s = *impl_;
-    path.clear();
-    if (!isFinite(a) || !isFinite(b)) return;
-    if (clearLine(a, b, radius)) {
-        path.assign({a, b});
-        return;
-    }
-    const std::optional<Cell> start = s.nearestFreeCell(a, radius);
-    const std::optional<Cell> goal = s.nearestFreeCell(b, radius);
-    if (!start || !goal) return;
-    // One search per thread, because queries may come from several threads at once.
-    static thread_local AStar search;
-    static thread_local std::vector<Vec2> full;
-    const std::span<const std::int32_t> cells = search.run(
-        s.grid, s.clearance.combined(), radius, s.grid.index(*start), s.grid.index(*goal), maxCells);
-    if (cells.empty()) return;
-    full.assign(1, a);
-    for (std::int32_t cell : cells) full.push_back(s.grid.centre(s.grid.at(cell)));
-    if (s.centreBox(radius).contains(b) && s.distanceTo(b, radius) >= radius - Impl::kContactTolerance)
-        full.push_back(b);
-    // Greedy path smoothing: each corner is joined to the last of the following points up to which the line
-    // is clear.
-    path.push_back(a);
-    for (std::size_t at = 0; at + 1 < full.size();) {
-        std::size_t next = at + 1;
-        while (next + 1 < full.size() && clearLine(full[at], full[next + 1], radius)) ++next;
-        path.push_back(full[next]);
-        at = next;
-    }
 }
 
 }  // namespace muster

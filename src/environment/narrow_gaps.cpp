@@ -9,8 +9,6 @@
 namespace muster {
 namespace {
 
-constexpr double kTouching = 1e-9;  // [m]
-
 // The narrowest gap between two pieces. Where parallel sides face each other it has a length: `first` and
 // `last` are midpoints at its ends.
 struct Span {
@@ -53,10 +51,6 @@ Span spanBetween(const ObstaclePiece& a, const ObstaclePiece& b) {
         if (b.segmentDistance(a.corners[j], a.corners[i]) == 0.0) span.width = 0.0;
     }
     return span;
-}
-
-bool boxesMeet(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
 // The gap between a piece and one side of the box; infinitely wide where the piece lies across or beyond it.

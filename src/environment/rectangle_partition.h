@@ -16,9 +16,9 @@ struct CellBlock {
     friend auto operator<=>(const CellBlock&, const CellBlock&) = default;
 };
 
-/// Partitions the marked cells (row by row, non-zero = marked) into rectangles. Three partitions are made
-/// and the smallest is returned: row runs merged with equal runs of the next row, the same with columns, and
-/// the largest rectangle first (greedy). Sorted by row and column.
+/// Partitions the marked cells (row by row, non-zero = marked) into rectangles. Two partitions are made and
+/// the smaller is returned: row runs merged with equal runs of the next row, and the same with columns.
+/// Sorted by row and column. Takes time in proportion to the cells.
 std::vector<CellBlock> partitionIntoRectangles(std::span<const char> marked, std::int32_t width,
                                                std::int32_t height);
 

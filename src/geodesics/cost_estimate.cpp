@@ -1,4 +1,5 @@
-// Costs by the cheapest source that knows: line of sight, refracted path, local fields, far fields.
+// Costs by the chain of sources: far fields over long distances, line of sight, refracted path, local fields,
+// far fields, routes, guess.
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +21,7 @@ constexpr double
 // A far field must tell less than this times the local cost, since it is off by up to a tenth near slow
 // ground.
 constexpr double kFarFactor = 0.6;
+constexpr double kWayReach = 10.0;  // Ways serve those who are at most so far from them [m].
 constexpr double kEndLength = 3.0;  // Of the straight line, at either end of a path of unknown course [m].
 
 }  // namespace
@@ -29,7 +31,7 @@ bool Geodesics::lineOfSight(Vec2 from, std::int32_t place) const {
 }
 
 double Geodesics::leastUnitCost() const {
-    return impl_->ground->fine().lowest;
+    return impl_->ground->lowestUnitCost();
 }
 
 // A path out of a disc of slow ground crosses at least its radius there.
@@ -37,7 +39,7 @@ double Geodesics::lowerBound(Vec2 from, std::int32_t place) const {
     const StaticGround& ground = *impl_->ground;
     const Vec2 to = impl_->places[place];
     const double line = distance(from, to);
-    const double lowest = ground.fine().lowest;
+    const double lowest = ground.lowestUnitCost();
     if (ground.uniform()) return lowest * line;
     const double atStart = std::clamp(ground.uniformClearance(from), 0.0, line);
     const double atEnd = std::clamp(ground.uniformClearance(to), 0.0, line - atStart);
@@ -54,98 +56,115 @@ float Geodesics::cost(Vec2 from, std::int32_t place) const {
 }
 
 float Geodesics::Impl::cost(Vec2 from, std::int32_t place) const {
-    const Vec2 to = places[place];
-    const double line = distance(from, to);
-    float byFar = 0.0f;
-    if (costByFarFields(from, place, line, byFar)) return byFar;
-    if (ground->lineOfSight(from, to, line)) return lineOfSightCost(from, to, line);
-    return static_cast<float>(estimate(from, place, false, line).cost);
+    return static_cast<float>(estimate(query(from, place, false)).cost);
 }
 
-float Geodesics::Impl::lineOfSightCost(Vec2 from, Vec2 to, double line) const {
-    return static_cast<float>(ground->unitCost(to) * line +
-                              dynamicCostBetween(*ground, *dynamicCost, from, to, line));
+// The chain of sources: the first that knows answers. Refracted paths and fields compete, and far fields
+// correct both.
+CostEstimate Geodesics::Impl::estimate(const CostQuery& q) const {
+    if (const auto found = byDistantFields(q)) return *found;
+    if (const auto found = byLineOfSight(q)) return *found;
+    const auto refracted = byRefractedPath(q);
+    // Between points of different ground that is the path; within slow ground another may lead out and in
+    // again.
+    if (refracted && ground->unitCost(q.from) != ground->unitCost(q.to)) return orByFarFields(*refracted, q);
+    const CostEstimate byFields = estimateByFields(q);
+    const bool local = byFields.source == CostSource::FineFields ||
+                       byFields.source == CostSource::MiddleFields;
+    const bool better = refracted && (!local || refracted->cost < byFields.cost);
+    return better ? orByFarFields(*refracted, q) : byFields;
 }
 
-double Geodesics::Impl::farCost(Vec2 from, std::int32_t place, double line) const {
-    const InterpolationStencil& stencil = farStencil[place];
-    if (stencil.count == 0) return kInfiniteCost;
-    const double square = far.squaredCost(stencil, from) -
-                          interpolationBias(ground->coarse().grid, from, ground->unitCost(from));
-    if (!(square < kInfiniteCost)) return kInfiniteCost;
-    const double least = ground->fine().lowest * line;
-    return std::sqrt(std::max(square, least * least));
+// The finest fields that know the path.
+CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
+    bool missing = false;  // Local fields that will tell are requested.
+    if (const auto found = byLocalFields(fine, CostSource::FineFields, q, missing))
+        return orByFarFields(*found, q);
+    if (const auto found = byLocalFields(middle, CostSource::MiddleFields, q, missing))
+        return orByFarFields(*found, q);
+    // On uniform ground the guess serves until the local fields are there.
+    if (!missing || !ground->uniform()) farRequests.add(q.place);
+    if (const auto found = byFarFields(q)) return *found;
+    if (const auto found = byRoute(q)) return *found;
+    return guess(q);
 }
 
 // Over long distances far fields are cheaper to read than a line of sight, and tell the same where there is
-// one.
-bool Geodesics::Impl::costByFarFields(Vec2 from, std::int32_t place, double line, float& cost) const {
-    if (line < kFarDistance || ground->open()) return false;
-    farRequests.add(place);
-    const double byFar = farCost(from, place, line);
-    cost = static_cast<float>(byFar);
-    return byFar < kInfiniteCost;
+// one. The dynamic cost is left out there.
+std::optional<CostEstimate> Geodesics::Impl::byDistantFields(const CostQuery& q) const {
+    if (q.line < (ground->hasWideCoarse() ? kFarDistanceInBox : kFarDistance) || ground->open()) return {};
+    farRequests.add(q.place);
+    const double cost = farCost(q);
+    if (!(cost < kInfiniteCost)) return {};
+    return CostEstimate{cost, CostSource::FarFields};
 }
 
-CostEstimate Geodesics::Impl::estimate(Vec2 from, std::int32_t place, bool byAssignee, double line) const {
-    const CostEstimate refracted = estimateRefracted(from, place, line);
-    const bool found = refracted.source == CostSource::RefractedPath;
-    // Between points of different ground that is the path; within slow ground another may lead out and in
-    // again.
-    if (found && ground->unitCost(from) != ground->unitCost(places[place]))
-        return orByFarFields(refracted, from, place);
-    const CostEstimate byFields = estimateByFields(from, place, byAssignee, line);
-    const bool better = refracted.cost < byFields.cost || byFields.source == CostSource::FarFields ||
-                        byFields.source == CostSource::Guess;
-    return found && better ? orByFarFields(refracted, from, place) : byFields;
+std::optional<CostEstimate> Geodesics::Impl::byLineOfSight(const CostQuery& q) const {
+    if (!ground->lineOfSight(q.from, q.to, q.line)) return {};
+    const double cost = ground->unitCost(q.to) * q.line +
+                        dynamicCostBetween(*ground, *dynamicCost, q.from, q.to, q.line);
+    return CostEstimate{cost, CostSource::LineOfSight};
 }
 
-// The finest local fields that cover the path; coarser ones where those do not know it.
-CostEstimate Geodesics::Impl::estimateByFields(Vec2 from, std::int32_t place, bool byAssignee,
-                                               double line) const {
-    bool requested = false;  // Local fields that will tell are missing.
-    if (fine.covers(from, place)) {
-        fine.request(place, byAssignee);
-        const double cost = fine.cost(from, place, line);
-        if (cost < kInfiniteCost) return orByFarFields({cost, CostSource::FineFields}, from, place);
-        requested = !fine.known(place);
-    }
-    if (middle.covers(from, place)) {
-        if (!requested) middle.request(place, byAssignee);
-        const double cost = middle.cost(from, place, line);
-        if (cost < kInfiniteCost) return orByFarFields({cost, CostSource::MiddleFields}, from, place);
-        requested = requested || !middle.known(place);
-    }
-    // On uniform ground the guess serves until the local fields are there.
-    if (!requested || !ground->uniform()) farRequests.add(place);
-    const double cost = farCost(from, place, line);
-    const double atEnds = dynamicCostAtEnds(from, places[place], line);
-    if (cost < kInfiniteCost) return {cost + atEnds, CostSource::FarFields};
-    return {kGuessFactor * ground->lineCost(from, places[place]) + atEnds, CostSource::Guess};
+// On ground of several unit costs, over short distances and without a wall in between.
+std::optional<CostEstimate> Geodesics::Impl::byRefractedPath(const CostQuery& q) const {
+    if (ground->uniform() || q.line > kRefractedDistance || !ground->collisionFree(q.from, q.to)) return {};
+    const RefractedPath refracted = refractedPath(*ground, q.from, q.to);
+    const Vec2 vertex = refracted.firstVertex;
+    double added = dynamicCostBetween(*ground, *dynamicCost, q.from, vertex);
+    if (!(vertex == q.to)) added += dynamicCostBetween(*ground, *dynamicCost, vertex, q.to);
+    return CostEstimate{refracted.cost + added, CostSource::RefractedPath, vertex};
 }
 
-// Unknown (infinite) on uniform ground, over long distances and behind walls.
-CostEstimate Geodesics::Impl::estimateRefracted(Vec2 from, std::int32_t place, double line) const {
-    const Vec2 to = places[place];
-    if (ground->uniform() || line > kRefractedDistance || !ground->collisionFree(from, to))
-        return {kInfiniteCost, CostSource::Guess};
-    const RefractedPath path = refractedPath(*ground, from, to);
-    double added = dynamicCostBetween(*ground, *dynamicCost, from, path.firstVertex);
-    if (!(path.firstVertex == to)) added += dynamicCostBetween(*ground, *dynamicCost, path.firstVertex, to);
-    return {path.cost + added, CostSource::RefractedPath, path.firstVertex};
+// Requests the fields of one level where they cover the path and no finer ones are on their way.
+std::optional<CostEstimate> Geodesics::Impl::byLocalFields(const LocalCosts& level, CostSource source,
+                                                           const CostQuery& q, bool& missing) const {
+    if (!level.covers(q.from, q.place)) return {};
+    if (!missing) level.request(q.place, q.byAssignee);
+    const double cost = level.cost(q.from, q.place, q.line);
+    if (cost < kInfiniteCost) return CostEstimate{cost, source};
+    missing = missing || !level.known(q.place);
+    return {};
+}
+
+std::optional<CostEstimate> Geodesics::Impl::byFarFields(const CostQuery& q) const {
+    const double cost = farCost(q);
+    if (!(cost < kInfiniteCost)) return {};
+    return CostEstimate{cost + dynamicCostAtEnds(q.from, q.to, q.line), CostSource::FarFields};
+}
+
+// Along a way that passes near both ends.
+std::optional<CostEstimate> Geodesics::Impl::byRoute(const CostQuery& q) const {
+    const double length = ways.lengthAlong(q.from, q.to, kWayReach);
+    if (!(length < kInfiniteCost)) return {};
+    return CostEstimate{ground->lowestUnitCost() * length + dynamicCostAtEnds(q.from, q.to, q.line),
+                        CostSource::Route};
+}
+
+CostEstimate Geodesics::Impl::guess(const CostQuery& q) const {
+    return {kGuessFactor * ground->lineCost(q.from, q.to) + dynamicCostAtEnds(q.from, q.to, q.line),
+            CostSource::Guess};
+}
+
+double Geodesics::Impl::farCost(const CostQuery& q) const {
+    const InterpolationStencil& stencil = farStencil[q.place];
+    if (stencil.count == 0) return kInfiniteCost;
+    const double square = far.squaredCost(stencil, q.from) -
+                          interpolationBias(ground->coarse().grid, q.from, ground->unitCost(q.from));
+    if (!(square < kInfiniteCost)) return kInfiniteCost;
+    const double least = ground->lowestUnitCost() * q.line;
+    return std::sqrt(std::max(square, least * least));
 }
 
 // A local field knows no path that leaves it. Through slow ground the local path may cost much more than
 // one around; where the far fields know a cheaper path, its cost is used. They are inexact for short paths.
-CostEstimate Geodesics::Impl::orByFarFields(CostEstimate local, Vec2 from, std::int32_t place) const {
-    const Vec2 to = places[place];
-    const double line = distance(from, to);
+CostEstimate Geodesics::Impl::orByFarFields(const CostEstimate& local, const CostQuery& q) const {
     const bool refracted = local.source == CostSource::RefractedPath;
-    if (ground->uniform() || (refracted && line < kMinFarDistance)) return local;
-    const double straight = refracted ? ground->fine().lowest * line : ground->lineCost(from, to);
+    if (ground->uniform() || (refracted && q.line < kMinFarDistance)) return local;
+    const double straight = refracted ? ground->lowestUnitCost() * q.line : ground->lineCost(q.from, q.to);
     if (local.cost <= kDetourFactor * straight) return local;
-    farRequests.add(place);
-    const double cost = farCost(from, place, line);
+    farRequests.add(q.place);
+    const double cost = farCost(q);
     return cost < kFarFactor * local.cost ? CostEstimate{cost, CostSource::FarFields} : local;
 }
 

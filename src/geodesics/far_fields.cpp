@@ -9,34 +9,76 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kCapacity = 1024;  // Fields.
-constexpr double kMinSpacing = 4.0;       // Between landmarks [m].
-constexpr double kMaxLandmarks = 100.0;   // Over a formation of one place per square metre, about.
+constexpr std::int32_t kCapacity = 1024;                             // Fields.
+constexpr std::size_t kReservedFields = 64, kReservedSources = 512;  // For which there is memory at first.
+constexpr double kMinSpacing = 4.0;                                  // Between landmarks [m].
+constexpr double kMaxLandmarks = 100.0;  // Over a formation of one place per square metre, about.
 // The path from a landmark to a place is nearly straight where it costs at most this times the straight line,
 // and kSlackCells cells more. Only such landmarks are interpolated.
 constexpr double kNearlyStraight = 1.15;
 constexpr double kSlackCells = 1.5;
+// From a landmark to the edge of its field, where that does not cover all ground [coarse cells].
+constexpr std::int32_t kHalfWidth = 64;
 
 }  // namespace
 
 FarFields::FarFields() : cache_(kCapacity) {}
 
-void FarFields::beginStep(const StaticGround& ground, std::size_t places) {
+bool FarFields::beginStep(const StaticGround& ground, std::size_t places) {
     double metres = kMinSpacing;
     while (static_cast<double>(places) / (metres * metres) > kMaxLandmarks) metres *= 2.0;
     const Grid& grid = ground.coarse().grid;
     const auto spacing = std::max(2, static_cast<std::int32_t>(metres / grid.cell + 0.5));
     const bool isNew = ground_ == nullptr || version_ != ground.version() || spacing != spacing_;
     const bool changed = ground_ != nullptr && isNew;
+    const bool sameLattice = spacing == spacing_;
+    const std::uint32_t before = version_;
     ground_ = &ground;
     version_ = ground.version();
     spacing_ = spacing;
-    if (isNew) {
-        lattice_.reset(grid, spacing);
-        slowLattice_.reset(grid, std::max(1, spacing / 2));
-    }
-    if (changed) cache_.clear();
+    if (isNew) resetLattices();
+    if (changed && sameLattice)
+        dropChanged(before);
+    else if (changed)
+        cache_.clear();
     cache_.beginStep();
+    return changed;
+}
+
+// A field depends on the ground in its box only, where it has one.
+void FarFields::dropChanged(std::uint32_t before) {
+    changes_.clear();
+    if (!ground_->hasWideCoarse() || !ground_->changesSince(before, changes_)) return cache_.clear();
+    const auto ratio = static_cast<std::int32_t>(ground_->coarse().grid.cell / ground_->grid().cell + 0.5);
+    // An edge reads the ground of its two cells, a partially blocked cell that of its neighbours too.
+    for (CellRect& area : changes_)
+        area = {{area.low.x / ratio - 2, area.low.y / ratio - 2},
+                {area.high.x / ratio + 2, area.high.y / ratio + 2}};
+    cache_.drop([&](std::int32_t landmark) {
+        const CellRect box = boxRound(landmark);
+        return std::any_of(changes_.begin(), changes_.end(),
+                           [&](const CellRect& area) { return !area.common(box).empty(); });
+    });
+}
+
+std::int32_t FarFields::cellsOfField() const {
+    if (ground_->hasWideCoarse()) return (2 * kHalfWidth + 1) * (2 * kHalfWidth + 1);
+    return std::max(1, ground_->coarse().grid.count());
+}
+
+void FarFields::resetLattices() {
+    if (ground_->coarse().cells.empty()) return;
+    lattice_.reset(ground_->coarse().grid, spacing_);
+    slowLattice_.reset(ground_->coarse().grid, std::max(1, spacing_ / 2));
+}
+
+void FarFields::bind(const StaticGround& ground) {
+    if (!cache_.begun() || spacing_ < 1) return;
+    if (kept_ && version_ != ground.version()) cache_.loseFields([](std::int32_t) { return true; });
+    kept_ = false;
+    ground_ = &ground;
+    version_ = ground.version();
+    resetLattices();
 }
 
 void FarFields::LandmarkLattice::reset(const Grid& grid, std::int32_t cells) {
@@ -88,6 +130,7 @@ bool FarFields::nearlyStraight(const CostField& field, Vec2 place, double square
 }
 
 InterpolationStencil FarFields::stencil(Vec2 place) {
+    if (ground_->coarse().cells.empty()) return {};
     const LandmarkSquare square = squareRound(place, isSlow(place) ? slowLattice_ : lattice_);
     const Grid& grid = ground_->coarse().grid;
     Landmark straight[4];
@@ -100,7 +143,7 @@ InterpolationStencil FarFields::stencil(Vec2 place) {
             cache_.request(square.cell[k]);
             continue;
         }
-        const double squared = cache_.field(slot).squaredCost(place);
+        const double squared = covers(slot, place) ? cache_.field(slot).squaredCost(place) : kInfiniteCost;
         const Landmark landmark{slot, grid.centre(grid.at(square.cell[k])),
                                 std::sqrt(std::max(0.0, squared))};
         if (nearlyStraight(cache_.field(slot), place, squared))
@@ -123,7 +166,17 @@ InterpolationStencil FarFields::stencil(Vec2 place) {
     return stencil;
 }
 
+// Beyond the box of a field nothing is known.
+bool FarFields::covers(std::int32_t slot, Vec2 from) const {
+    if (!ground_->hasWideCoarse()) return true;
+    const Vec2 off = from - cache_.field(slot).source();
+    const double reach = kHalfWidth * ground_->coarse().grid.cell;
+    return std::fabs(off.x) < reach && std::fabs(off.y) < reach;
+}
+
 double FarFields::squaredCost(const InterpolationStencil& stencil, Vec2 from) const {
+    for (std::int32_t k = 0; k < stencil.count; ++k)
+        if (!covers(stencil.slot[k], from)) return kInfiniteCost;
     if (!ground_->uniform()) return boundedSquaredCost(stencil, from);
     double sum = stencil.offset;
     for (std::int32_t k = 0; k < stencil.count; ++k)
@@ -160,32 +213,81 @@ double FarFields::boundedSquaredCost(const InterpolationStencil& stencil, Vec2 f
     return bounded * bounded;
 }
 
-void FarFields::growSolvers(const ThreadPool& pool) {
-    if (std::cmp_less(solvers_.size(), pool.threads())) solvers_.resize(pool.threads());
+void FarFields::growWorkers(const ThreadPool& pool) {
+    if (std::cmp_less(workers_.size(), pool.threads())) workers_.resize(pool.threads());
+}
+
+void FarFields::reserve(const StaticGround& ground) {
+    if (!ground.hasCoarse()) return;
+    cache_.reserve(kReservedFields, ground.coarse().grid.count(), kReservedSources);
 }
 
 std::int32_t FarFields::solveRequested(std::int32_t most, ThreadPool& pool) {
-    growSolvers(pool);
+    growWorkers(pool);
     return cache_.solveRequested(most, pool,
                                  [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
-                                     solve(landmark, field, solvers_[worker]);
+                                     solve(landmark, field, workers_[worker]);
                                  });
 }
 
-void FarFields::solveAll(ThreadPool& pool) {
-    growSolvers(pool);
-    cache_.solveAll(pool, [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
-        solve(landmark, field, solvers_[worker]);
+void FarFields::keepFieldsOf(FarFields& before) {
+    if (before.ground_ == nullptr) return;
+    cache_.keepFieldsOf(before.cache_);
+    version_ = before.version_;
+    kept_ = true;
+}
+
+void FarFields::solveMissing(ThreadPool& pool) {
+    growWorkers(pool);
+    cache_.solveMissing(pool, [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
+        solve(landmark, field, workers_[worker]);
     });
 }
 
 // Fast marching does not reach partially blocked cells, or only around the wall; they get the cost across
 // their free side.
-void FarFields::solve(std::int32_t landmark, CostField& field, EikonalSolver& solver) const {
+void FarFields::solve(std::int32_t landmark, CostField& field, Worker& worker) const {
+    if (ground_->hasWideCoarse()) return solveInBox(landmark, field, worker);
     const UnitCost& cost = ground_->coarse();
-    solver.solve(cost, cost.grid.centre(cost.grid.at(landmark)), {}, field);
+    worker.solver.solve(cost, cost.grid.centre(cost.grid.at(landmark)), {}, field);
     for (const StaticGround::PartiallyBlockedCell& partial : ground_->partiallyBlockedCells())
         field.lowerValue(partial.cell, field.value(partial.neighbour) + partial.cost);
+}
+
+CellRect FarFields::boxRound(std::int32_t landmark) const {
+    const Grid& grid = ground_->coarse().grid;
+    const Cell middle = grid.at(landmark);
+    return CellRect{{middle.x - kHalfWidth, middle.y - kHalfWidth},
+                    {middle.x + kHalfWidth, middle.y + kHalfWidth}}
+        .common({{0, 0}, {grid.width - 1, grid.height - 1}});
+}
+
+void FarFields::solveInBox(std::int32_t landmark, CostField& field, Worker& worker) const {
+    const UnitCost& whole = ground_->coarse();
+    const CellRect box = boxRound(landmark);
+    const Vec2 shift{box.low.x * whole.grid.cell, box.low.y * whole.grid.cell};
+    UnitCost& crop = worker.crop;
+    crop.grid = {whole.grid.origin + shift, whole.grid.cell, box.high.x - box.low.x + 1,
+                 box.high.y - box.low.y + 1};
+    crop.radius = whole.radius;
+    crop.lowest = whole.lowest;
+    crop.cells.clear();
+    for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
+        const auto row = whole.cells.begin() + whole.grid.index({box.low.x, y});
+        crop.cells.insert(crop.cells.end(), row, row + crop.grid.width);
+        crop.cells.back().east = crop.cells[crop.cells.size() - crop.grid.width].west = kUnreachableCost;
+    }
+    for (std::int32_t x = 0; x < crop.grid.width; ++x) {
+        crop.cells[x].south = kUnreachableCost;
+        crop.cells[crop.grid.index({x, crop.grid.height - 1})].north = kUnreachableCost;
+    }
+    worker.solver.solve(crop, whole.grid.centre(whole.grid.at(landmark)), {}, field);
+    const auto inBox = [&](Cell c) { return Cell{c.x - box.low.x, c.y - box.low.y}; };
+    for (const StaticGround::PartiallyBlockedCell& partial :
+         ground_->partiallyBlockedCellsIn(box.low.y, box.high.y))
+        if (!box.common({partial.cell, partial.cell}).empty() &&
+            !box.common({partial.neighbour, partial.neighbour}).empty())
+            field.lowerValue(inBox(partial.cell), field.value(inBox(partial.neighbour)) + partial.cost);
 }
 
 }  // namespace muster

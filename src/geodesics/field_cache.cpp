@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint32_t kIdleSteps = 240;   // A field unused for more steps may be evicted.
 constexpr std::size_t kMaxRequests = 8192;  // Requests between two calls of solveRequested().
+constexpr std::size_t kMostAdmitted = 64;   // Fields solved in a step for which there is memory at first.
 constexpr std::size_t kFilterSize = 4096;   // Entries of the filter against double requests.
 
 }  // namespace
@@ -18,11 +19,13 @@ FieldCache::FieldCache(std::int32_t capacity) : capacity_(capacity) {
     landmark_.reserve(capacity);
     lastUse_.reserve(capacity);
     requests_.reserve(kMaxRequests);
+    admitted_.reserve(kMostAdmitted);
     filter_.assign(kFilterSize, -1);
 }
 
 void FieldCache::clear() {
     ++generation_;
+    missing_.clear();
     count_ = 0;
     landmark_.clear();
     lastUse_.clear();
@@ -70,6 +73,20 @@ void FieldCache::insert(std::int32_t landmark, std::int32_t slot) {
     table_[at] = slot;
 }
 
+void FieldCache::keepFieldsOf(FieldCache& before) {
+    if (!before.missing_.empty()) return;
+    std::erase_if(missing_, [&](std::int32_t slot) {
+        const std::int32_t known = before.find(landmark_[slot]);
+        if (known < 0) return false;
+        std::swap(fields_[slot], before.fields_[known]);
+        before.landmark_[known] = -1;  // It has nothing more to give.
+        return true;
+    });
+    // The memory of the others serves later fields.
+    for (std::size_t k = fields_.size(); k < before.fields_.size(); ++k)
+        fields_.push_back(std::move(before.fields_[k]));
+}
+
 void FieldCache::rebuildTable() {
     std::fill(table_.begin(), table_.end(), -1);
     for (std::int32_t slot = 0; slot < count_; ++slot) insert(landmark_[slot], slot);
@@ -82,20 +99,7 @@ void FieldCache::rebuildFilter() {
 
 void FieldCache::evictUnused() {
     ++generation_;
-    std::int32_t remaining = 0;
-    for (std::int32_t slot = 0; slot < count_; ++slot) {
-        if (clock_ - lastUse_[slot] > kIdleSteps) continue;
-        if (remaining != slot) {
-            landmark_[remaining] = landmark_[slot];
-            lastUse_[remaining] = lastUse_[slot];
-            std::swap(fields_[remaining], fields_[slot]);
-        }
-        ++remaining;
-    }
-    count_ = remaining;
-    landmark_.resize(remaining);
-    lastUse_.resize(remaining);
-    rebuildTable();
+    keepWhere([&](std::int32_t slot) { return clock_ - lastUse_[slot] <= kIdleSteps; });
 }
 
 void FieldCache::admitRequests(std::int32_t most) {

@@ -23,8 +23,19 @@ public:
     void clear();
     /// Allocates memory for so many fields, at most the capacity, of so many cells and pseudo-sources each.
     void reserve(std::size_t fields, std::size_t cells, std::size_t pseudoSources);
+    /// Drops the fields and requests of landmarks for which `isBad(landmark)`.
+    template <class IsBad>
+    void drop(const IsBad& isBad) {
+        const std::int32_t before = count_;
+        keepWhere([&](std::int32_t slot) { return !isBad(landmark_[slot]); });
+        if (count_ != before) ++generation_;
+        std::erase_if(requests_, isBad);
+        rebuildFilter();
+    }
     /// Begins a step.
     void beginStep() { ++clock_; }
+    /// True after the first step.
+    bool begun() const { return clock_ > 0; }
     /// The slot of a landmark's field, -1 where there is none; marks the field as used in this step.
     std::int32_t use(std::int32_t landmark);
     /// The slot of a landmark's field, -1 where there is none.
@@ -44,12 +55,28 @@ public:
         });
         return static_cast<std::int32_t>(admitted_.size());
     }
-    /// Solves all fields again: after an archive was read, or where the costs have changed.
+    /// Solves the fields that an archive named and keepFieldsOf() did not bring.
     template <class Solve>
-    void solveAll(ThreadPool& pool, const Solve& solve) {
-        pool.run(count_, [&](std::int32_t slot, std::int32_t worker) {
+    void solveMissing(ThreadPool& pool, const Solve& solve) {
+        pool.run(static_cast<std::int32_t>(missing_.size()), [&](std::int32_t item, std::int32_t worker) {
+            const std::int32_t slot = missing_[item];
             solve(landmark_[slot], fields_[slot], worker);
         });
+        missing_.clear();
+    }
+    /// Takes from `before` the fields of the landmarks that an archive named; both are of one ground.
+    void keepFieldsOf(FieldCache& before);
+    /// The fields of landmarks for which `isLost(landmark)` are missing, whatever was kept: the ground is
+    /// another.
+    template <class IsLost>
+    void loseFields(const IsLost& isLost) {
+        std::size_t next = 0;  // Of missing_, whose slots ascend.
+        const std::vector<std::int32_t> before = std::exchange(missing_, {});
+        for (std::int32_t slot = 0; slot < count_; ++slot) {
+            const bool missing = next < before.size() && before[next] == slot;
+            next += missing ? 1 : 0;
+            if (missing || isLost(landmark_[slot])) missing_.push_back(slot);
+        }
     }
     /// The field in a slot.
     const CostField& field(std::int32_t slot) const { return fields_[slot]; }
@@ -76,6 +103,32 @@ private:
         fields_.resize(std::max(fields_.size(), landmark_.size()));
         rebuildTable();
         rebuildFilter();
+        missing_.clear();
+        loseFields([](std::int32_t) { return true; });
+    }
+    // Drops the slots that are not kept; the others move together.
+    template <class Keeps>
+    void keepWhere(const Keeps& keeps) {
+        std::int32_t remaining = 0;
+        std::size_t next = 0, missing = 0;  // Of missing_, whose slots ascend: the next, and those that stay.
+        for (std::int32_t slot = 0; slot < count_; ++slot) {
+            const bool isMissing = next < missing_.size() && missing_[next] == slot;
+            next += isMissing ? 1 : 0;
+            if (!keeps(slot)) continue;
+            if (isMissing) missing_[missing++] = remaining;
+            if (remaining != slot) {
+                landmark_[remaining] = landmark_[slot];
+                lastUse_[remaining] = lastUse_[slot];
+                std::swap(fields_[remaining], fields_[slot]);
+            }
+            ++remaining;
+        }
+        missing_.resize(missing);
+        if (remaining == count_) return;
+        count_ = remaining;
+        landmark_.resize(remaining);
+        lastUse_.resize(remaining);
+        rebuildTable();
     }
     void admitRequests(std::int32_t most);
     void evictUnused();
@@ -93,7 +146,8 @@ private:
     std::vector<CostField> fields_;  // Of each slot; fields beyond `count_` keep their memory for later ones.
     std::vector<std::int32_t> table_;     // Hash table: slots by landmark, -1 for none.
     std::vector<std::int32_t> requests_;  // Landmarks, in the order of the requests.
-    std::vector<std::int32_t> filter_;  // Last request of each hash, so that few landmarks are listed twice.
+    std::vector<std::int32_t> filter_;   // Last request of each hash, so that few landmarks are listed twice.
+    std::vector<std::int32_t> missing_;  // Slots whose fields an archive named and nobody solved since.
     std::vector<std::int32_t> admitted_;  // Slots of the fields to be solved now.
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "cost/ground_level.h"
 #include "geodesics/geodesics_impl.h"
 
 namespace muster {
@@ -15,7 +16,9 @@ constexpr std::size_t kFewPlaces = 500;        // Below, one field is solved in 
 constexpr std::uint32_t
     kFarStencilPeriod = 8;  // Steps between two searches for the far landmarks of a place.
 constexpr std::int32_t
-    kPrefetchFactor = 16;  // Budget of local fields before a first plan, in steps' budgets.
+    kPrefetchFactor = 16;                    // Budget of local fields before a first plan, in steps' budgets.
+constexpr std::uint32_t kUnknownPeriod = 4;  // Steps of a first plan between two looks for unknown costs.
+constexpr std::int64_t kLocalCells = 2000;   // Cells of a far field that cost as much as a local field.
 
 }  // namespace
 
@@ -29,8 +32,14 @@ Geodesics& Geodesics::operator=(Geodesics&&) noexcept = default;
 
 void Geodesics::reserve(const StaticGround& ground, std::size_t places) {
     if (ground.open()) return;
-    impl_->fine.fields().reserve(places);
-    impl_->middle.fields().reserve(places);
+    Impl& s = *impl_;
+    s.fine.fields().warmUp(ground.fineLevel());
+    s.middle.fields().warmUp(ground.middle());
+    s.fine.fields().reserve(places);
+    s.middle.fields().reserve(places);
+    s.far.reserve(ground);
+    s.ways.reserve();
+    s.routeSearch.reserve();
 }
 
 void Geodesics::update(const StaticGround& ground, const DynamicCost& dynamicCost,
@@ -44,12 +53,12 @@ void Geodesics::update(const StaticGround& ground, const DynamicCost& dynamicCos
     s.farStencil.resize(places.size());
     s.fine.beginStep(ground, ground.fineLevel(), dynamicCost, s.places);
     s.middle.beginStep(ground, ground.middle(), dynamicCost, s.places);
-    s.far.beginStep(ground, places.size());
+    if (s.far.beginStep(ground, places.size())) s.dropFarStencils();
     if (ground.open()) return;
     if (s.loaded) {
-        s.fine.solveAll(pool);
-        s.middle.solveAll(pool);
-        s.far.solveAll(pool);
+        s.fine.solveMissing(pool);
+        s.middle.solveMissing(pool);
+        s.far.solveMissing(pool);
         s.loaded = false;
     }
     s.updateFields(pool);
@@ -90,6 +99,12 @@ bool Geodesics::Impl::farStencilIsDue(std::size_t place) const {
     return farStencilKnown[place] == 0 || (step + place) % kFarStencilPeriod == 0;
 }
 
+// They refer to slots of fields that are no more.
+void Geodesics::Impl::dropFarStencils() {
+    std::fill(farStencilKnown.begin(), farStencilKnown.end(), std::uint8_t{0});
+    for (InterpolationStencil& stencil : farStencil) stencil.count = 0;
+}
+
 void Geodesics::Impl::updateFarStencils(bool all) {
     for (std::size_t j = 0; j < places.size(); ++j) {
         if (!farRequests.active(j)) {
@@ -116,32 +131,39 @@ void Geodesics::Impl::requestFields(Vec2 from, std::int32_t place) {
         farRequests.add(place);
 }
 
-// Far fields have to serve where walls keep local fields from telling, or their budget was too small.
+// Far fields have to serve where walls keep local fields from telling, or their budget was too small. All
+// pairs are looked at, because queries also request what else they lack.
 void Geodesics::Impl::requestFarWhereUnknown(std::span<const Vec2> from) {
     const auto count = static_cast<std::int32_t>(places.size());
     for (std::int32_t j = 0; j < count; ++j)
         if (fine.requested(j) || middle.requested(j))
             for (const Vec2 p : from)
-                if (middle.covers(p, j) &&
-                    estimate(p, j, false, distance(p, places[j])).source == CostSource::Guess)
+                if (middle.covers(p, j) && estimate(query(p, j, false)).source == CostSource::Guess)
                     farRequests.add(j);
 }
 
-void Geodesics::prefetch(std::span<const Vec2> from, ThreadPool& pool) {
+bool Geodesics::prefetch(std::span<const Vec2> from, bool thorough, std::int64_t& cells, ThreadPool& pool) {
     Impl& s = *impl_;
-    if (s.ground->open()) return;
+    if (s.ground->open()) return true;
     const auto count = static_cast<std::int32_t>(s.places.size());
     for (std::int32_t j = 0; j < count; ++j)
         for (std::size_t k = 0; k < from.size() && !s.farRequests.active(j); ++k) s.requestFields(from[k], j);
     for (LocalCosts* local : {&s.fine, &s.middle}) {
         local->updateLandmarks(false);
-        local->solveRequested(s.scaledBudget(kPrefetchFactor * s.def.finePerStep), pool);
+        const std::int64_t most = std::min<std::int64_t>(s.scaledBudget(kPrefetchFactor * s.def.finePerStep),
+                                                         cells / kLocalCells);
+        cells -= kLocalCells * local->solveRequested(static_cast<std::int32_t>(most), pool);
         local->updateLandmarks(false);
     }
-    s.requestFarWhereUnknown(from);
+    const std::int64_t each = s.far.cellsOfField();
+    const auto most = static_cast<std::int32_t>(std::min<std::int64_t>(cells / each, 1000));
+    if (thorough || s.step % kUnknownPeriod == 0) s.requestFarWhereUnknown(from);
     s.updateFarStencils(true);
-    s.far.solveRequested(std::numeric_limits<std::int32_t>::max(), pool);
+    const std::int32_t solved = s.far.solveRequested(most, pool);
+    cells -= solved * each;
+    const bool whole = solved < most;
     s.updateFarStencils(true);
+    return whole;
 }
 
 void Geodesics::retainFields(std::span<const SteeringTarget> targets) {
@@ -157,6 +179,18 @@ void Geodesics::save(Writer& archive) const {
 bool Geodesics::load(Reader& archive) {
     impl_->visit(archive);
     return archive.ok();
+}
+
+void Geodesics::keepFieldsOf(Geodesics& before) {
+    impl_->fine.keepFieldsOf(before.impl_->fine);
+    impl_->middle.keepFieldsOf(before.impl_->middle);
+    impl_->far.keepFieldsOf(before.impl_->far);
+}
+
+void Geodesics::bind(const StaticGround& ground) {
+    impl_->fine.fields().bind(ground.fineLevel());
+    impl_->middle.fields().bind(ground.middle());
+    impl_->far.bind(ground);
 }
 
 void Geodesics::hash(Hasher& archive) const {

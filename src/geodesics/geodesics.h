@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "cost/dynamic_cost.h"
 #include "cost/static_ground.h"
+#include "routes/route_graph.h"
 
 namespace muster {
 
@@ -43,19 +44,27 @@ struct Guidance {
     }
 };
 
+/// Whether a route serves a character whom no field leads.
+enum class RouteUse : std::uint8_t {
+    None,    ///< It needs none.
+    Wanted,  ///< Geodesics::findRoutes() finds one.
+    Known,   ///< The target is the next corner of its route.
+};
+
 /// What a character heads for on a long path, remembered for several steps: the farthest point of the path in
 /// line of sight, or, where none is, the local field of a landmark behind the next corner.
 struct SteeringTarget {
-    Vec2 point;                  ///< Point on the path [m].
-    std::int32_t place = -1;     ///< The place to which the path leads; -1 for none.
-    std::int32_t steps = 0;      ///< Steps for which the target remains valid.
-    std::int32_t landmark = -1;  ///< Landmark of the local field: a ground cell; -1 for none.
-    bool inSight = false;        ///< True where `point` is the target; false where the local field is.
+    Vec2 point;                       ///< Point on the path [m].
+    std::int32_t place = -1;          ///< The place to which the path leads; -1 for none.
+    std::int32_t steps = 0;           ///< Steps for which the target remains valid.
+    std::int32_t landmark = -1;       ///< Landmark of the local field: a ground cell; -1 for none.
+    bool inSight = false;             ///< True where `point` is the target; false where the local field is.
+    RouteUse route = RouteUse::None;  ///< Whether the target is that of a route.
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(point, place, steps, landmark, inSight);
+        archive(point, place, steps, landmark, inSight, route);
     }
 };
 
@@ -76,9 +85,14 @@ public:
     /// and `dynamicCost` must outlive the next call.
     void update(const StaticGround& ground, const DynamicCost& dynamicCost, std::span<const Vec2> places,
                 ThreadPool& pool);
-    /// Solves all far fields, and many local ones, that queries from these points would request: before a
-    /// first plan.
-    void prefetch(std::span<const Vec2> from, ThreadPool& pool);
+    /// Solves fields that queries from these points would request, for a first plan: local ones, then far
+    /// ones, with at most `cells` cells in all (local fields count more), which are taken off. True where no
+    /// far field is missing any more. Only a `thorough` call looks for all that is missing; others do so in
+    /// one step of four.
+    bool prefetch(std::span<const Vec2> from, bool thorough, std::int64_t& cells, ThreadPool& pool);
+    /// Finds routes for characters `from` [m] whose targets want one, at least one in a step. After update(),
+    /// before guidance().
+    void findRoutes(RouteGraph& routes, std::span<const Vec2> from, std::span<SteeringTarget> targets);
     /// Cost from `from` to a place [m of open ground] >= 0, finite. May be called from several threads.
     float cost(Vec2 from, std::int32_t place) const;
     /// Least unit cost of the ground: no cost is less than this times the straight distance.
@@ -102,6 +116,12 @@ public:
     void save(Writer& archive) const;
     /// Reads what save() wrote; fields are solved again by the next update(). False where it does not fit.
     bool load(Reader& archive);
+    /// Takes over the fields of `before` that load() named, where the ground is the same: the next update()
+    /// solves only the others. Call after load(), and then bind(). `before` becomes useless.
+    void keepFieldsOf(Geodesics& before);
+    /// Says on which ground the fields are that load() named: that of the archive, before any edit. Call
+    /// after load().
+    void bind(const StaticGround& ground);
     /// Adds what save() writes to a hash.
     void hash(Hasher& archive) const;
 

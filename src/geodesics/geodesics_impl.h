@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,21 +12,33 @@
 #include "geodesics/field_requests.h"
 #include "geodesics/geodesics.h"
 #include "geodesics/local_costs.h"
+#include "routes/shared_ways.h"
 
 namespace muster {
 
-/// Where a cost comes from.
+/// Where a cost comes from: the links of the chain of sources.
 enum class CostSource {
+    LineOfSight,    ///< The straight line.
     FineFields,     ///< Local fields on the ground cells.
     MiddleFields,   ///< Local fields on cells twice as wide.
     FarFields,      ///< Far fields on the coarse ground.
     RefractedPath,  ///< A path over ground of several unit costs without a wall.
+    Route,          ///< A way that somebody near by has found in the graph of routes.
     Guess,          ///< A multiple of the straight line's cost, until fields are there.
+};
+
+/// A question to the chain of sources.
+struct CostQuery {
+    Vec2 from;           ///< Start of the path [m].
+    Vec2 to;             ///< Position of the place [m].
+    std::int32_t place;  ///< The place.
+    double line;         ///< Straight distance [m].
+    bool byAssignee;     ///< The place is that of the character who asks.
 };
 
 /// A cost with its source, and where its path leads first.
 struct CostEstimate {
-    double cost;         ///< [m]; infinite where the source does not know.
+    double cost;         ///< [m]
     CostSource source;   ///< Where the cost comes from.
     Vec2 firstVertex{};  ///< First vertex of a RefractedPath [m].
 };
@@ -36,6 +49,8 @@ struct Geodesics::Impl {
     static constexpr std::int64_t kManyPlaces = 2500;
     /// From this distance on far fields are read first, whether or not there is a line of sight [m].
     static constexpr double kFarDistance = 20.0;
+    /// The same on ground where far fields cover a box: many walk there with many walls between them.
+    static constexpr double kFarDistanceInBox = 10.0;
 
     GeodesicsDef def;
     const StaticGround* ground = nullptr;
@@ -49,17 +64,19 @@ struct Geodesics::Impl {
     // Per place: 1 where its stencil was made since it was requested.
     std::vector<std::uint8_t> farStencilKnown;
     std::uint32_t step = 0;
-    bool loaded = false;  // An archive was read whose fields are not solved yet.
+    SharedWays ways;              // Found by findRoutes().
+    std::uint32_t nextRoute = 0;  // Character at which the round robin of routes begins.
+    bool loaded = false;          // An archive was read whose fields are not solved yet.
 
     explicit Impl(const GeodesicsDef& d);
 
     template <class Archive>
     void visit(Archive& archive) {
-        archive(places, farRequests, farStencilKnown, farStencil, step, fine, middle, far);
+        archive(places, farRequests, farStencilKnown, farStencil, step, fine, middle, far, ways, nextRoute);
         if constexpr (Archive::kReading) {
             const std::size_t n = places.size();
             if (fine.places() != n || middle.places() != n || farRequests.size() != n ||
-                farStencilKnown.size() != n || farStencil.size() != n)
+                farStencilKnown.size() != n || farStencil.size() != n || !ways.sane())
                 archive.fail();
             loaded = true;
         }
@@ -73,19 +90,32 @@ struct Geodesics::Impl {
     bool solveRequested(ThreadPool& pool);
     void updateFields(ThreadPool& pool);
     bool farStencilIsDue(std::size_t place) const;
+    void dropFarStencils();
     void updateFarStencils(bool all);
     void requestFields(Vec2 from, std::int32_t place);
     void requestFarWhereUnknown(std::span<const Vec2> from);
 
+    // Routes (route_guidance.cpp).
+    std::int64_t findRoute(RouteGraph& routes, Vec2 from, SteeringTarget& target);
+    Vec2 directionByRoute(const CostQuery& q, SteeringTarget& target) const;
+
     // Costs (cost_estimate.cpp).
+    CostQuery query(Vec2 from, std::int32_t place, bool byAssignee) const {
+        return {from, places[place], place, distance(from, places[place]), byAssignee};
+    }
     float cost(Vec2 from, std::int32_t place) const;
-    float lineOfSightCost(Vec2 from, Vec2 to, double line) const;
-    double farCost(Vec2 from, std::int32_t place, double line) const;
-    bool costByFarFields(Vec2 from, std::int32_t place, double line, float& cost) const;
-    CostEstimate estimate(Vec2 from, std::int32_t place, bool byAssignee, double line) const;
-    CostEstimate estimateByFields(Vec2 from, std::int32_t place, bool byAssignee, double line) const;
-    CostEstimate estimateRefracted(Vec2 from, std::int32_t place, double line) const;
-    CostEstimate orByFarFields(CostEstimate local, Vec2 from, std::int32_t place) const;
+    CostEstimate estimate(const CostQuery& q) const;
+    CostEstimate estimateByFields(const CostQuery& q) const;
+    std::optional<CostEstimate> byDistantFields(const CostQuery& q) const;
+    std::optional<CostEstimate> byLineOfSight(const CostQuery& q) const;
+    std::optional<CostEstimate> byRefractedPath(const CostQuery& q) const;
+    std::optional<CostEstimate> byLocalFields(const LocalCosts& level, CostSource source, const CostQuery& q,
+                                              bool& missing) const;
+    std::optional<CostEstimate> byFarFields(const CostQuery& q) const;
+    std::optional<CostEstimate> byRoute(const CostQuery& q) const;
+    CostEstimate guess(const CostQuery& q) const;
+    CostEstimate orByFarFields(const CostEstimate& local, const CostQuery& q) const;
+    double farCost(const CostQuery& q) const;
     double dynamicCostAtEnds(Vec2 from, Vec2 to, double line) const;
 
     // Directions (guidance.cpp).
@@ -100,6 +130,10 @@ struct Geodesics::Impl {
     std::uint32_t stagger(std::int32_t place) const {
         return ((static_cast<std::uint32_t>(place) * 977u + step) * 2654435761u) >> 16;
     }
+
+    // Working memory.
+    RouteSearch routeSearch;
+    std::vector<Vec2> path;  // [m]
 };
 
 }  // namespace muster

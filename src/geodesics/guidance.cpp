@@ -44,17 +44,14 @@ Guidance Geodesics::Impl::staticGuidance(Vec2 from, std::int32_t place, Steering
     // until then the field leads.
     if (target.place != place)
         target = {from, place, static_cast<std::int32_t>(stagger(place) % kTargetSteps), -1, false};
-    const double line = distance(from, to);
     const auto farField = [&]() -> const CostField& { return far.field(farStencil[place].nearest); };
+    const CostEstimate found = estimate(query(from, place, true));
     Guidance result;
-    if (costByFarFields(from, place, line, result.cost)) {
-        result.direction = directionToTarget(farField(), place, from, target);
-        return result;
-    }
-    if (ground->lineOfSight(from, to, line)) return {normalized(to - from), lineOfSightCost(from, to, line)};
-    const CostEstimate found = estimate(from, place, true, line);
     result.cost = static_cast<float>(found.cost);
     switch (found.source) {
+        case CostSource::LineOfSight:
+            result.direction = normalized(to - from);
+            break;
         case CostSource::RefractedPath:
             result.direction = normalized(found.firstVertex - from);
             break;
@@ -67,10 +64,11 @@ Guidance Geodesics::Impl::staticGuidance(Vec2 from, std::int32_t place, Steering
         case CostSource::FarFields:
             result.direction = directionToTarget(farField(), place, from, target);
             break;
+        case CostSource::Route:
         case CostSource::Guess:
             // A character waits for this, so whichever field comes first will do.
             farRequests.add(place);
-            result.direction = slideAlongWall(from, normalized(to - from));
+            result.direction = directionByRoute(query(from, place, true), target);
             break;
     }
     return result;
@@ -102,7 +100,7 @@ bool Geodesics::Impl::traceVisiblePoint(const CostField& field, Vec2 from, Steer
 // Paths down a landmark's field end at the landmark, so that all paths to places round it would coincide. Of
 // points turned to either side, the one from which the place itself is nearest replaces the target.
 Vec2 Geodesics::Impl::refinedTarget(Vec2 from, std::int32_t place, Vec2 point) const {
-    const auto costFrom = [&](Vec2 p) { return farCost(p, place, distance(p, places[place])); };
+    const auto costFrom = [&](Vec2 p) { return farCost(query(p, place, false)); };
     Vec2 best = point;
     double least = costFrom(point);
     for (const Rotation& turn : kTargetTurns)
@@ -123,8 +121,10 @@ Vec2 Geodesics::Impl::directionToTarget(const CostField& field, std::int32_t pla
     const bool valid = target.inSight && distance(from, target.point) > kTargetReached &&
                        (!checksSight || ground->lineOfSight(from, target.point));
     if (target.steps <= 0 || (target.inSight && !valid)) {
-        target.inSight = traceVisiblePoint(field, from, target);
-        if (target.inSight && farStencil[place].count > 0)
+        const bool seesPlace = ground->lineOfSight(from, places[place]);
+        if (seesPlace) target.point = places[place];
+        target.inSight = seesPlace || traceVisiblePoint(field, from, target);
+        if (!seesPlace && target.inSight && farStencil[place].count > 0)
             target.point = refinedTarget(from, place, target.point);
         // The number of steps varies, so that rows of characters do not trace in the same step.
         target.steps = kTargetSteps + static_cast<std::int32_t>(stagger(place) % kTargetSteps);
@@ -139,7 +139,7 @@ Vec2 Geodesics::Impl::directionToTarget(const CostField& field, std::int32_t pla
 // A direction of the coarse ground may lead into a wall; its part along the wall remains.
 Vec2 Geodesics::Impl::slideAlongWall(Vec2 from, Vec2 direction) const {
     if (ground->interpolatedClearance(from) > kWallTouch) return direction;
-    const double edge = ground->fine().grid.cell;
+    const double edge = ground->grid().cell;
     const Vec2 gradient{ground->interpolatedClearance(from + Vec2{edge, 0.0}) -
                             ground->interpolatedClearance(from - Vec2{edge, 0.0}),
                         ground->interpolatedClearance(from + Vec2{0.0, edge}) -

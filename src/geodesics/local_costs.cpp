@@ -24,7 +24,7 @@ void LocalCosts::beginStep(const StaticGround& ground, const GroundLevel& level,
     stencilRequests_.resize(places.size());
     visible_.resize(places.size());
     stencil_.resize(places.size());
-    fields_.beginStep(level, ground.version());
+    fields_.beginStep(level);
     if (!ground.open()) fields_.reserve(places.size());
 }
 
@@ -113,7 +113,7 @@ double LocalCosts::cost(Vec2 from, std::int32_t place, double line) const {
     if (!known(place)) return kInfiniteCost;
     double fixed = staticCost(from, place);
     if (!(fixed < kInfiniteCost)) return kInfiniteCost;
-    fixed = std::max(fixed, fields_.level().cost.lowest * line);
+    fixed = std::max(fixed, fields_.level().lowestUnitCost() * line);
     return fixed + dynamicCostAlong(field(place), from, places_[place]);
 }
 
@@ -122,7 +122,7 @@ double LocalCosts::cost(Vec2 from, std::int32_t place, double line) const {
 double LocalCosts::staticCost(Vec2 from, std::int32_t place) const {
     const VisibleLandmarks& visible = visible_[place];
     const GroundLevel& level = fields_.level();
-    const Grid& grid = level.cost.grid;
+    const Grid& grid = level.grid();
     double toFreeCell = 0.0;
     if (!(field(place).squaredCost(from) < kInfiniteCost)) {
         const std::int32_t cell = level.blocked(grid.index(grid.nearestCell(from))) ? level.freeCellNear(from)
@@ -165,7 +165,7 @@ double LocalCosts::costByCorners(const CostField& field, Vec2 from, Vec2 to) con
     const std::int32_t count = field.pathCorners(from, corners);
     if (count < 0 || count == kMaxCorners) return kInfiniteCost;
     const Vec2 landmark = field.source();
-    const float unitCost = fields_.level().cost.lowest;
+    const float unitCost = fields_.level().lowestUnitCost();
     if (ground_->unitCost(to) != unitCost || ground_->unitCost(landmark) != unitCost ||
         ground_->unitCost(from) != unitCost)
         return kInfiniteCost;
@@ -183,7 +183,7 @@ double LocalCosts::interpolatedCost(Vec2 from, std::int32_t place) const {
     if (stencil.count == 0)
         return field(place).cost(from) + ground_->unitCost(to) * distance(field(place).source(), to);
     const double square = fields_.squaredCost(stencil, from) -
-                          interpolationBias(fields_.level().cost.grid, from, ground_->unitCost(from));
+                          interpolationBias(fields_.level().grid(), from, ground_->unitCost(from));
     return square < kInfiniteCost ? std::sqrt(std::max(0.0, square)) : kInfiniteCost;
 }
 
@@ -196,7 +196,7 @@ Vec2 LocalCosts::direction(Vec2 from, std::int32_t place) const {
     if (distance(from, down.source()) < kNearLandmark * distance(down.source(), to))
         return normalized(to - from);
     const GroundLevel& level = fields_.level();
-    const Grid& grid = level.cost.grid;
+    const Grid& grid = level.grid();
     const std::int32_t cell = down.squaredCost(from) < kInfiniteCost ? -1 : level.freeCellNear(from);
     return cell >= 0 ? normalized(grid.centre(grid.at(cell)) - from) : down.direction(from);
 }

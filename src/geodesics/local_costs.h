@@ -26,8 +26,10 @@ public:
     std::int32_t solveRequested(std::int32_t most, ThreadPool& pool) {
         return fields_.solveRequested(most, pool);
     }
-    /// Solves the fields that an archive named.
-    void solveAll(ThreadPool& pool) { fields_.solveAll(pool); }
+    /// Takes over the fields of `before` that an archive named. Call after reading it.
+    void keepFieldsOf(LocalCosts& before) { fields_.keepFieldsOf(before.fields_); }
+    /// Solves the fields that an archive named and keepFieldsOf() did not bring.
+    void solveMissing(ThreadPool& pool) { fields_.solveMissing(pool); }
     /// Finds the landmarks of the requested places, and requests the fields that are missing. `countsAsStep`
     /// ages the requests of places.
     void updateLandmarks(bool countsAsStep);

@@ -17,34 +17,70 @@ constexpr float kClearanceMargin = 0.7f;     // [cells]
 constexpr std::size_t kMinReserved = 96;     // Fields with memory from the start.
 constexpr std::size_t kPlacesPerField = 2;   // One more field has memory for so many places.
 constexpr std::size_t kMaxReserved = 1024;   // Most fields with memory from the start.
-constexpr std::size_t kPseudoSources = 256;  // Pseudo-sources in most local fields, at most.
-
-bool precedes(const WallNode& node, std::int32_t cell) {
-    return node.cell < cell;
-}
+constexpr std::size_t kPseudoSources = 256;  // Pseudo-sources in most local fields on uniform ground.
 
 }  // namespace
 
 LocalFields::LocalFields(const LocalFieldsDef& def) : def_(def), cache_(def.capacity) {}
 
-void LocalFields::beginStep(const GroundLevel& level, std::uint32_t version) {
-    const bool changed = level_ != nullptr && version_ != version;
-    level_ = &level;
-    version_ = version;
-    if (changed) cache_.clear();
+void LocalFields::beginStep(const GroundLevel& level) {
+    const bool changed = level_.has_value() && version_ != level.version();
+    level_ = level;
+    if (changed) dropChanged();
+    version_ = level.version();
     cache_.beginStep();
+}
+
+// A field depends on the ground in its box only.
+bool LocalFields::isChanged(std::int32_t landmark) const {
+    const CellRect box = boxRound(landmark);
+    return std::any_of(changes_.begin(), changes_.end(),
+                       [&](const CellRect& area) { return !area.common(box).empty(); });
+}
+
+void LocalFields::dropChanged() {
+    changes_.clear();
+    if (!level_->changesSince(version_, changes_)) return cache_.clear();
+    cache_.drop([&](std::int32_t landmark) { return isChanged(landmark); });
+}
+
+void LocalFields::bind(const GroundLevel& level) {
+    if (!cache_.begun()) return;
+    level_ = level;
+    changes_.clear();
+    if (kept_ && version_ != level.version()) {
+        const bool known = level.changesSince(version_, changes_);
+        cache_.loseFields([&](std::int32_t landmark) { return !known || isChanged(landmark); });
+    }
+    kept_ = false;
+    version_ = level.version();
 }
 
 void LocalFields::reserve(std::size_t places) {
     const std::size_t size = 2 * def_.halfWidth + 1;
-    cache_.reserve(std::min(kMaxReserved, kMinReserved + places / kPlacesPerField), size * size,
-                   kPseudoSources);
+    // Places on slow ground have four fields each, with more pseudo-sources.
+    const std::size_t fields = kMinReserved + (slow_ ? 4 * places : places / kPlacesPerField);
+    cache_.reserve(std::min(kMaxReserved, fields), size * size, slow_ ? size * size / 2 : kPseudoSources);
+}
+
+// A field that nobody reads brings the memory of one thread to its size.
+void LocalFields::warmUp(const GroundLevel& level) {
+    if (!workers_.empty()) return;
+    slow_ = !level.uniform();
+    workers_.resize(1);
+    const std::optional<GroundLevel> before = std::exchange(level_, level);
+    const std::size_t size = 2 * def_.halfWidth + 1;
+    workers_[0].crop.nodes.reserve(size * size);
+    CostField field;
+    const Grid& grid = level.grid();
+    solve(grid.index({grid.width / 2, grid.height / 2}), field, workers_[0]);
+    level_ = before;
 }
 
 std::int32_t LocalFields::spacingAt(std::int32_t cell) const {
-    const auto perCell = static_cast<float>(1.0 / level_->cost.grid.cell);
-    const float clearance = level_->clearance[cell] * perCell;
-    const float uniformClearance = level_->uniformClearance[cell] * perCell;
+    const auto perCell = static_cast<float>(1.0 / level_->grid().cell);
+    const float clearance = level_->clearance(cell) * perCell;
+    const float uniformClearance = level_->uniformClearance(cell) * perCell;
     const auto fits = [&](std::int32_t cells) {
         const auto spacing = static_cast<float>(cells);
         return clearance >= kClearancePerSpacing * spacing + kClearanceMargin && uniformClearance >= spacing;
@@ -55,7 +91,7 @@ std::int32_t LocalFields::spacingAt(std::int32_t cell) const {
 }
 
 LandmarkSquare LocalFields::squareRound(Vec2 place, std::int32_t spacing) const {
-    const Grid& grid = level_->cost.grid;
+    const Grid& grid = level_->grid();
     const double u = (place.x - grid.origin.x) / grid.cell - 0.5;
     const double v = (place.y - grid.origin.y) / grid.cell - 0.5;
     const auto left = static_cast<std::int32_t>(std::floor(u / spacing)) * spacing;
@@ -76,9 +112,9 @@ LandmarkSquare LocalFields::squareRound(Vec2 place, std::int32_t spacing) const 
 }
 
 VisibleLandmarks LocalFields::visibleLandmarks(const StaticGround& ground, Vec2 place) {
-    const Grid& grid = level_->cost.grid;
+    const Grid& grid = level_->grid();
     // On slow ground the cost to a landmark far off says little of the cost to the place.
-    const bool slow = ground.unitCost(place) > level_->cost.lowest;
+    const bool slow = ground.unitCost(place) > level_->lowestUnitCost();
     for (std::int32_t spacing = slow ? 1 : kWidestSpacing; spacing > 0; spacing /= 2) {
         const LandmarkSquare square = squareRound(place, spacing);
         std::array<std::pair<double, std::int32_t>, 4> order;  // Squared distance and landmark, ascending.
@@ -105,7 +141,7 @@ VisibleLandmarks LocalFields::visibleLandmarks(const StaticGround& ground, Vec2 
 }
 
 InterpolationStencil LocalFields::stencil(Vec2 place, float unitCost) {
-    const Grid& grid = level_->cost.grid;
+    const Grid& grid = level_->grid();
     const LandmarkSquare square = squareRound(place, spacingAt(grid.index(grid.nearestCell(place))));
     Landmark solved[4];
     std::size_t count = 0;
@@ -132,7 +168,7 @@ double LocalFields::squaredCost(const InterpolationStencil& stencil, Vec2 from) 
 }
 
 std::int32_t LocalFields::landmarkNear(Vec2 p, std::int32_t fallback) const {
-    const Grid& grid = level_->cost.grid;
+    const Grid& grid = level_->grid();
     const Cell c = grid.nearestCell(p);
     const auto onLattice = [](std::int32_t k, std::int32_t size) {
         return std::min((k + kWidestSpacing / 2) / kWidestSpacing * kWidestSpacing, size - 1);
@@ -154,43 +190,31 @@ std::int32_t LocalFields::solveRequested(std::int32_t most, ThreadPool& pool) {
                                  });
 }
 
-void LocalFields::solveAll(ThreadPool& pool) {
+void LocalFields::keepFieldsOf(LocalFields& before) {
+    if (!before.level_.has_value()) return;
+    cache_.keepFieldsOf(before.cache_);
+    version_ = before.version_;
+    kept_ = true;
+}
+
+void LocalFields::solveMissing(ThreadPool& pool) {
     growWorkers(pool);
-    cache_.solveAll(pool, [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
+    cache_.solveMissing(pool, [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
         solve(landmark, field, workers_[worker]);
     });
 }
 
 void LocalFields::solve(std::int32_t landmark, CostField& field, Worker& worker) const {
-    cropUnitCost(landmark, worker.crop);
-    const Grid& grid = level_->cost.grid;
+    level_->unitCost(boxRound(landmark), worker.scratch, worker.crop);
+    const Grid& grid = level_->grid();
     worker.solver.solve(worker.crop, grid.centre(grid.at(landmark)), {}, field);
 }
 
-// Copies the box round a landmark to a unit cost of its own; cells outside the ground become walls.
-void LocalFields::cropUnitCost(std::int32_t landmark, UnitCost& crop) const {
-    constexpr float kWall = std::numeric_limits<float>::infinity();
-    const std::int32_t size = 2 * def_.halfWidth + 1;
-    const UnitCost& whole = level_->cost;
-    const Grid& grid = whole.grid;
-    const Cell middle = grid.at(landmark);
-    const Cell low{middle.x - def_.halfWidth, middle.y - def_.halfWidth};
-    crop.grid = {grid.origin + Vec2{low.x * grid.cell, low.y * grid.cell}, grid.cell, size, size};
-    crop.radius = whole.radius;
-    crop.lowest = whole.lowest;
-    crop.cells.assign(size * size, {kWall, kWall, kWall, kWall});
-    crop.nodes.clear();
-    const std::int32_t left = std::max(0, low.x);
-    const std::int32_t right = std::min(grid.width - 1, low.x + size - 1);
-    for (std::int32_t y = std::max(0, low.y); y <= std::min(grid.height - 1, low.y + size - 1); ++y) {
-        const auto from = whole.cells.begin() + grid.index({left, y});
-        std::copy(from, from + (right - left + 1), crop.cells.begin() + (y - low.y) * size + (left - low.x));
-        auto node = std::lower_bound(whole.nodes.begin(), whole.nodes.end(), grid.index({left, y}), precedes);
-        for (; node != whole.nodes.end() && node->cell <= grid.index({right, y}); ++node) {
-            crop.nodes.push_back(*node);
-            crop.nodes.back().cell = (y - low.y) * size + (grid.at(node->cell).x - low.x);
-        }
-    }
+// Some of its cells may lie off the ground.
+CellRect LocalFields::boxRound(std::int32_t landmark) const {
+    const Cell middle = level_->grid().at(landmark);
+    return {{middle.x - def_.halfWidth, middle.y - def_.halfWidth},
+            {middle.x + def_.halfWidth, middle.y + def_.halfWidth}};
 }
 
 }  // namespace muster

@@ -3,9 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "cost/static_ground.h"
+#include "cost/ground_level.h"
 #include "eikonal/eikonal_solver.h"
 #include "geodesics/field_cache.h"
 #include "geodesics/interpolation_stencil.h"
@@ -36,15 +37,22 @@ class LocalFields {
 public:
     explicit LocalFields(const LocalFieldsDef& def);  ///< Has no fields yet.
 
-    /// Begins a step on this level of the ground, which must outlive the next call; drops all fields where
-    /// the ground's version has changed.
-    void beginStep(const GroundLevel& level, std::uint32_t version);
+    /// Begins a step on this level of a ground, which must outlive the next call; drops the fields on whose
+    /// boxes the ground has changed.
+    void beginStep(const GroundLevel& level);
+    /// Allocates working memory for fields on this level.
+    void warmUp(const GroundLevel& level);
     /// Allocates memory for the fields that so many places may need while they move.
     void reserve(std::size_t places);
     /// Solves at most `most` of the requested fields; returns their number.
     std::int32_t solveRequested(std::int32_t most, ThreadPool& pool);
-    /// Solves the fields that an archive named.
-    void solveAll(ThreadPool& pool);
+    /// Takes over the fields of `before` that an archive named. Call after reading it.
+    void keepFieldsOf(LocalFields& before);
+    /// Says on which ground the fields are that an archive named: that of the archive. Call after
+    /// keepFieldsOf(), before the first step.
+    void bind(const GroundLevel& level);
+    /// Solves the fields that an archive named and keepFieldsOf() did not bring.
+    void solveMissing(ThreadPool& pool);
     /// The landmarks in line of sight of a place whose fields are there; requests the field of the nearest
     /// landmark.
     VisibleLandmarks visibleLandmarks(const StaticGround& ground, Vec2 place);
@@ -71,7 +79,7 @@ public:
     const GroundLevel& level() const { return *level_; }
     /// A point at most so far from a place, along each axis, lies in the fields of all landmarks round it
     /// [m].
-    double reach() const { return (def_.halfWidth - kWidestSpacing - 0.5) * level_->cost.grid.cell; }
+    double reach() const { return (def_.halfWidth - kWidestSpacing - 0.5) * level_->grid().cell; }
 
     /// Lets an archive read or write which fields there are.
     template <class Archive>
@@ -84,20 +92,26 @@ private:
     struct Worker {
         EikonalSolver solver;
         UnitCost crop;  // The unit cost round the landmark.
+        GroundLevel::Scratch scratch;
     };
     std::int32_t spacingAt(std::int32_t cell) const;
     LandmarkSquare squareRound(Vec2 place, std::int32_t spacing) const;
     void growWorkers(const ThreadPool& pool);
     void solve(std::int32_t landmark, CostField& field, Worker& worker) const;
-    void cropUnitCost(std::int32_t landmark, UnitCost& crop) const;
+    CellRect boxRound(std::int32_t landmark) const;
+    void dropChanged();
+    bool isChanged(std::int32_t landmark) const;
 
     static constexpr std::int32_t kWidestSpacing = 4;  // Between landmarks [cells].
 
     LocalFieldsDef def_;
     FieldCache cache_;
-    const GroundLevel* level_ = nullptr;
+    std::optional<GroundLevel> level_;
     std::uint32_t version_ = 0;  // Of the ground.
+    bool kept_ = false;          // keepFieldsOf() was called and bind() not yet.
     std::vector<Worker> workers_;
+    bool slow_ = false;              // Some ground was slow when memory was reserved.
+    std::vector<CellRect> changes_;  // Of the ground since the last step.
 };
 
 }  // namespace muster

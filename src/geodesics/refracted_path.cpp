@@ -63,7 +63,7 @@ RefractedPath refractedPath(const StaticGround& ground, Vec2 from, Vec2 to) {
     const double whole = distance(from, to);
     const Vec2 change = lerp(from, to, straight.largestChange);
     const Vec2 normal = perpendicular((to - from) / whole);
-    const double lowest = ground.fine().lowest;
+    const double lowest = ground.lowestUnitCost();
     for (const double offset : kRefractionOffsets) {
         const double length1 = length({straight.largestChange * whole, offset});
         const double length2 = length({(1.0 - straight.largestChange) * whole, offset});

@@ -39,15 +39,6 @@ Status validateAmounts(const char* what, std::span<const double> amounts) {
     return {};
 }
 
-Status validateUnitCost(const UnitCost* cost) {
-    if (cost == nullptr) return invalidArgument("plan has no unit cost");
-    const Grid& grid = cost->grid;
-    if (grid.width <= 0 || grid.height <= 0 || !(grid.cell > 0.0) ||
-        cost->cells.size() != static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height))
-        return invalidArgument("plan unit cost does not fill its grid");
-    return {};
-}
-
 Status validateIncumbents(std::span<const std::int32_t> incumbent, std::size_t places) {
     for (std::size_t k = 0; k < incumbent.size(); ++k)
         if (incumbent[k] < -1 || std::cmp_greater_equal(incumbent[k], places))
@@ -58,16 +49,24 @@ Status validateIncumbents(std::span<const std::int32_t> incumbent, std::size_t p
 
 }  // namespace
 
+Status validateUnitCost(const UnitCost& cost) {
+    const Grid& grid = cost.grid;
+    const bool whole = grid.width > 0 && grid.height > 0 && grid.cell > 0.0 &&
+                       cost.cells.size() ==
+                           static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
+    return whole ? Status{} : invalidArgument("plan unit cost does not fill its grid");
+}
+
 Status validatePlan(const PlanDef& def, const PlanInput& input) {
     const std::size_t characters = input.characters.size();
     const std::size_t places = input.places.size();
-    const bool needsUnitCost = input.unitCost != nullptr || input.ground == nullptr;
     const Status checks[] = {validateDef(def),
-                             needsUnitCost ? validateUnitCost(input.unitCost) : Status{},
                              validateSize("supply", input.supply.size(), characters, true),
                              validateSize("demand", input.demand.size(), places, true),
                              validateSize("usable", input.usable.size(), places, true),
                              validateSize("connected", input.connected.size(), characters, true),
+                             validateSize("barred", input.barred.size(), characters, true),
+                             validateSize("wait", input.wait.size(), input.barred.size(), false),
                              validateSize("incumbent", input.incumbent.size(), characters, false),
                              validatePoints("character", input.characters),
                              validatePoints("place", input.places),

@@ -3,6 +3,7 @@
 #include "io/take/take_encoder.h"
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
+#include "session/event_notices.h"
 #include "session/notice_position.h"
 #include "session/scene_json.h"
 #include "session/session_state.h"
@@ -137,13 +138,19 @@ Result<std::vector<std::uint8_t>> Session::take() const {
     const auto append = [&](const std::vector<std::uint8_t>& record) {
         bytes.insert(bytes.end(), record.begin(), record.end());
     };
-    std::size_t next = 0;
+    std::size_t next = 0, nextEvent = 0;
+    const auto appendEventsUntil = [&](std::uint32_t until) {
+        for (; nextEvent < take.events.size() && take.events[nextEvent].step <= until; ++nextEvent)
+            append(TakeEncoder::event(take.events[nextEvent]));
+    };
     for (const HashMark& mark : take.marks) {
+        appendEventsUntil(mark.step);
         for (; next < mark.commands; ++next) append(TakeEncoder::command(take.commands[next]));
         append(take.finished && &mark == &take.marks.back() ? TakeEncoder::end(mark)
                                                             : TakeEncoder::mark(mark));
     }
     for (; next < take.commands.size(); ++next) append(TakeEncoder::command(take.commands[next]));
+    appendEventsUntil(take.steps());
     return bytes;
 }
 
@@ -266,6 +273,7 @@ void Session::Impl::stepOnce() {
         noticeAll(protocol::NoticeLevel::Warning, "take-full",
                   "The take is full; restart to record a new one.");
     }
+    noticeEvents();
     stepEvents.clear();
     appendEvents(*world, stepEvents);
     for (auto& [id, client] : clients) {
@@ -303,6 +311,12 @@ void Session::Impl::reportRejections() {
             notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(),
                    positionOf(body));
     }
+}
+
+void Session::Impl::noticeEvents() {
+    std::vector<EventNotice> notices;
+    appendNotices(*world, notices);
+    for (const EventNotice& one : notices) noticeAll(one.level, one.code, one.text, one.position);
 }
 
 void Session::Impl::refreshScene() {

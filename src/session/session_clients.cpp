@@ -55,9 +55,10 @@ void Session::Impl::notice(SessionClient& client, protocol::NoticeLevel level, c
     client.outbox.push_back(protocol::encode(message));
 }
 
-void Session::Impl::noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text) {
+void Session::Impl::noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text,
+                              std::optional<Vec2> place) {
     for (auto& [id, client] : clients) {
-        if (client.greeted) notice(client, level, code, text);
+        if (client.greeted) notice(client, level, code, text, place);
     }
 }
 

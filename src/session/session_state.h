@@ -74,6 +74,7 @@ struct Session::Impl {
     void stepOnce();
     void replayEnded();
     void reportRejections();
+    void noticeEvents();
     void warn();
     void touchState() { ++state; }
     /// True where a client waits for the next step. That step may come up to one time step early.
@@ -88,7 +89,8 @@ struct Session::Impl {
     void greet(std::uint32_t id, SessionClient& client);
     void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,
                 const std::string& text, std::optional<Vec2> place = std::nullopt);
-    void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text);
+    void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text,
+                   std::optional<Vec2> place = std::nullopt);
     void sendScene(SessionClient& client);
     void buildFrame();
     void sendFrame(SessionClient& client);

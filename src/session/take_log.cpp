@@ -41,6 +41,7 @@ void TakeLog::command(const Command& command) {
 }
 
 void TakeLog::observe(const World& world) {
+    if (const auto events = TakeEncoder::events(world); !events.empty()) append(events);
     if (world.stepCount() % kTakeMarkSpacing != 0 || full_) return;
     append(TakeEncoder::mark({world.stepCount(), world.hash()}));
 }

@@ -88,9 +88,23 @@ void RunMetrics::watchArrivals(const World& world) {
     }
 }
 
+void RunMetrics::watchSpeeds(const World& world) {
+    const CharactersView characters = world.characters();
+    const Environment& environment = inspect::environment(world);
+    const bool patches = !environment.patchIds().empty();
+    const double step = world.parameters().character.maxSpeed * world.parameters().stepTime;
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        const double ratio = distance(last_[i], characters.position[i]) / step;
+        if (ratio <= topSpeedRatio_) continue;
+        topSpeedRatio_ = std::max(topSpeedRatio_,
+                                  patches ? ratio / environment.ground(last_[i]).travelSpeed : ratio);
+    }
+}
+
 void RunMetrics::observe(const World& world) {
     const CharactersView characters = world.characters();
     follow(characters);
+    watchSpeeds(world);
     const bool sample = world.stepCount() % samplePeriod_ == 0;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         walked_[i] += distance(last_[i], characters.position[i]);
@@ -101,7 +115,7 @@ void RunMetrics::observe(const World& world) {
     }
     if (sample) ++trailSamples_;
     watchArrivals(world);
-    for (const Event& event : world.events()) swaps_ += event.kind == EventKind::Swap ? 1 : 0;
+    for (const Event& event : world.events()) ++events_[static_cast<std::size_t>(event.kind)];
     characterSeconds_ += static_cast<double>(ids_.size()) * world.parameters().stepTime;
     overlapPairsMax_ = std::max(overlapPairsMax_, world.contacts().overlapPairs);
     worstPenetration_ = std::max(worstPenetration_, world.contacts().worstPenetration);
@@ -110,13 +124,24 @@ void RunMetrics::observe(const World& world) {
     for (std::size_t s = 0; s < stageSum_.size(); ++s) stageSum_[s] += world.stageTimes().milliseconds[s];
 }
 
+bool RunMetrics::hasArrived(const World& world, std::size_t character) const {
+    const std::uint32_t at = reachedAt_[character];
+    return at != kNever && (world.stepCount() - at) * world.parameters().stepTime >= kArrivedFor - 1e-9;
+}
+
+std::int32_t RunMetrics::notArrived(const World& world) const {
+    std::int32_t count = 0;
+    for (std::size_t i = 0; i < ids_.size(); ++i) count += hasArrived(world, i) ? 0 : 1;
+    return count;
+}
+
 void RunMetrics::arrivals(const World& world, RunFigures& figures) const {
     const double stepTime = world.parameters().stepTime;
     const std::uint32_t clock = world.lastCommandStep();
     std::vector<double> moments;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         const std::uint32_t at = reachedAt_[i];
-        const bool arrived = at != kNever && (world.stepCount() - at) * stepTime >= kArrivedFor - 1e-9;
+        const bool arrived = hasArrived(world, i);
         moments.push_back(arrived ? (at > clock ? (at - clock) * stepTime : 0.0)
                                   : std::numeric_limits<double>::infinity());
         if (arrived || trailSamples_ < trail_[i].size()) continue;
@@ -154,8 +179,10 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
     arrivals(world, figures);
     figures.overlapPairsMax = overlapPairsMax_;
     figures.worstPenetration = worstPenetration_;
-    if (characterSeconds_ > 0.0)
-        figures.swapsPerCharacterPerSecond = static_cast<double>(swaps_) / characterSeconds_;
+    figures.topSpeedRatio = topSpeedRatio_;
+    figures.events = events_;
+    const auto swaps = static_cast<double>(events_[static_cast<std::size_t>(EventKind::Swap)]);
+    if (characterSeconds_ > 0.0) figures.swapsPerCharacterPerSecond = swaps / characterSeconds_;
     for (std::size_t g = 0; g < world.groupCount(); ++g) figures.planned.add(world.group(g).walk);
     for (const double walk : walked_) figures.walked.add(walk);
     std::vector<double> lags;

@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "crowd/walk_progress.h"
 #include "muster/world.h"
 
 namespace muster {
 
-inline constexpr double kArrivedReach = 0.5;  ///< "Arrived": within this of its place [m]...
-inline constexpr double kArrivedFor = 1.0;    ///< ... for this long [s].
-inline constexpr double kStuckMove = 0.25;    ///< "Stuck": moved less than this [m]...
-inline constexpr double kStuckFor = 5.0;      ///< ... for this long [s].
+/// Number of events by kind.
+using EventCounts = std::array<std::uint64_t, static_cast<std::size_t>(EventKind::Count)>;
 
 /// Figures of a run. Times count from the last command.
 struct RunFigures {
@@ -24,14 +23,16 @@ struct RunFigures {
     std::int32_t stuck = 0;       ///< Not arrived, and within 0.25 m for the last 5 s.
     /// Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
     double pathRatio = -1.0;
-    std::int32_t overlapPairsMax = 0;         ///< Most pairs at once deeper than 10 % of the mean diameter.
-    double worstPenetration = 0.0;            ///< Share of the mean diameter.
+    std::int32_t overlapPairsMax = 0;  ///< Most pairs at once deeper than 10 % of the mean diameter.
+    double worstPenetration = 0.0;     ///< Share of the mean diameter.
+    double topSpeedRatio = 0.0;  ///< Largest displacement of a step, in steps at top speed on that ground.
     double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
     WalkTotals planned;                       ///< Paths to the places by the last plan, all groups.
     WalkTotals walked;                        ///< Paths walked by those still there.
     double lagP95 = 0.0;                      ///< Distance to the place at the end, p95 [m].
     std::int32_t unmatched = 0;               ///< At the end.
     std::int32_t collected = 0;               ///< Items.
+    EventCounts events{};                     ///< Of the whole run, by kind.
     double stepP50 = 0.0;                     ///< [ms]
     double stepP95 = 0.0;                     ///< [ms]
     double stepMax = 0.0;                     ///< [ms]
@@ -50,10 +51,14 @@ public:
 
     /// True where nothing is left to do: no control still moves, places stand, and all have arrived.
     bool settled(const World& world) const;
+    /// Characters that are not arrived.
+    std::int32_t notArrived(const World& world) const;
 
 private:
     void follow(const CharactersView& characters);
     void watchArrivals(const World& world);
+    void watchSpeeds(const World& world);
+    bool hasArrived(const World& world, std::size_t character) const;
     void arrivals(const World& world, RunFigures& figures) const;
     double pathRatio(const World& world) const;
 
@@ -68,10 +73,11 @@ private:
     bool still_ = true;                // Nothing moved on a path and no command was given.
     std::vector<float> stepTimes_;
     std::array<double, static_cast<std::size_t>(Stage::Count)> stageSum_{};
-    std::uint64_t swaps_ = 0;
+    EventCounts events_{};
     double characterSeconds_ = 0.0;
     std::int32_t overlapPairsMax_ = 0;
     double worstPenetration_ = 0.0;
+    double topSpeedRatio_ = 0.0;
 };
 
 }  // namespace muster

@@ -128,6 +128,8 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
         "A change of places must lower the objective of those it concerns by more than this share."),
     field<&P::plan, &P::Plan::geodesic>("plan.geodesic", "switch", 0.0, 1.0,
                                         "Costs by the cost field; else straight-line distances."),
+    field<&P::plan, &P::Plan::waits>("plan.waits", "switch", 0.0, 1.0,
+                                     "Where many wait before a passage, some go round."),
     field<&P::character, &P::Character::radius>("character.radius", "m", 0.05, kMaxRadius,
                                                 "Radius of a character."),
     field<&P::character, &P::Character::maxSpeed>("character.maxSpeed", "m/s", 0.01, 50.0,

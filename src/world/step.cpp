@@ -20,11 +20,11 @@ constexpr StageFunction kStages[] = {
     [](WorldEngine& w) { deformFinalMeshes(w.state); },
     [](WorldEngine& w) { w.places.run(w.state, *w.pool); },
     [](WorldEngine& w) { w.cost.run(w.state); },
-    [](WorldEngine& w) { w.plans.run(w.state, w.cost, *w.pool, w.events); },
-    [](WorldEngine& w) { w.steering.run(w.state, w.plans, *w.pool); },
+    [](WorldEngine& w) { w.plans.run(w.state, w.cost, w.ways, *w.pool, w.events); },
+    [](WorldEngine& w) { w.steering.run(w.state, w.cost, w.ways, *w.pool); },
     [](WorldEngine& w) { w.contactReport = w.contacts.run(w.state, w.steering, *w.pool); },
     [](WorldEngine& w) { w.patches.run(w.state); },
-    [](WorldEngine& w) { raiseEvents(w.state, w.patches.events(), w.events); },
+    [](WorldEngine& w) { w.happenings.run(w.state, w.patches.events(), w.events); },
 };
 static_assert(std::size(kStages) == static_cast<std::size_t>(Stage::Count));
 

@@ -137,7 +137,7 @@ const DensityField& density(const World& world) {
 }
 const UnitCost* unitCost(const World& world) {
     WorldEngine& engine = WorldAccess::of(world);
-    return engine.state.stepCount == 0 ? nullptr : &engine.cost.unitCost(engine.state);
+    return engine.state.stepCount == 0 ? nullptr : &engine.cost.unitCost();
 }
 const GroupDef& groupDef(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].def;

@@ -6,14 +6,14 @@
 #include "muster/map_import.h"
 #include "world/state/check_state.h"
 #include "world/state/group_edits.h"
+#include "world/state/keep_caches.h"
+#include "world/state/snapshot_format.h"
 #include "world/state/world_archive.h"
 #include "world/validation.h"
 #include "world/world_engine.h"
 
 namespace muster {
 namespace {
-
-constexpr std::uint32_t kSnapshotMagic = 0x4d535032;  // "MSP2"
 
 Status checkRunner(const TaskRunner& runner) {
     if (runner.run == nullptr)
@@ -42,6 +42,19 @@ Status addGround(Environment& environment, const WorldDef& def) {
         const auto added = environment.addPatch(patch);
         if (!added.ok()) return added.status().within("map");
     }
+    return {};
+}
+
+/// Reads a whole state from a snapshot and checks it.
+Status readSnapshot(std::span<const std::uint8_t> snapshot, WorldState& state, ThreadPool& pool) {
+    const auto bytes = openSnapshot(snapshot);
+    if (!bytes.ok()) return bytes.status();
+    Reader reader(*bytes);
+    loadState(reader, state, pool);
+    if (!reader.ok() || reader.remaining() != 0)
+        return {StatusCode::ParseError, "snapshot: found state that does not fit together, expected a world"};
+    if (const Status fits = checkState(state); !fits.ok())
+        return {StatusCode::ParseError, "snapshot: " + fits.message() + ", expected a world as it was saved"};
     return {};
 }
 
@@ -91,8 +104,8 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
         if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");
     }
     engine->cost.reset(state);
-    engine->plans.prepare(state);
-    engine->plans.reserve(state, engine->cost.density());
+    engine->ways.reset(state);
+    engine->plans.reserve(state, engine->cost);
     return World(std::move(engine));
 }
 
@@ -121,11 +134,15 @@ std::uint64_t World::hash() const {
 
 std::vector<std::uint8_t> World::snapshot() const {
     Writer writer;
-    std::uint32_t magic = kSnapshotMagic;
-    writer(magic);
+    for (std::size_t k = 0; k < kSnapshotHeadBytes; ++k) {
+        std::uint8_t none = 0;
+        writer(none);
+    }
     engine_->finishBackgroundWork();
     saveState(writer, engine_->state);
-    return writer.take();
+    std::vector<std::uint8_t> bytes = writer.take();
+    sealSnapshot(bytes);
+    return bytes;
 }
 
 Result<World> World::restore(std::span<const std::uint8_t> snapshot, std::int32_t threads) {
@@ -138,22 +155,21 @@ Result<World> World::restore(std::span<const std::uint8_t> snapshot, const TaskR
 }
 
 Result<World> World::restoreOn(std::unique_ptr<ThreadPool> pool, std::span<const std::uint8_t> snapshot) {
-    Reader reader(snapshot);
-    std::uint32_t magic = 0;
-    reader(magic);
-    if (magic != kSnapshotMagic)
-        return Status(StatusCode::ParseError, "snapshot: found another kind of file, expected a world");
     auto engine = std::make_unique<WorldEngine>();
     engine->pool = std::move(pool);
-    loadState(reader, engine->state, *engine->pool);
-    if (!reader.ok() || reader.remaining() != 0)
-        return Status(StatusCode::ParseError, "snapshot: found torn or foreign data, expected a whole world");
-    if (const Status fits = checkState(engine->state); !fits.ok())
-        return Status(StatusCode::ParseError,
-                      "snapshot: " + fits.message() + ", expected a world as it was saved");
-    engine->cost.reset(engine->state);
-    engine->plans.prepare(engine->state);
+    if (Status read = readSnapshot(snapshot, engine->state, *engine->pool); !read.ok()) return read;
+    engine->goOnFromState();
     return World(std::move(engine));
+}
+
+Status World::rewind(std::span<const std::uint8_t> snapshot) {
+    engine_->finishBackgroundWork();
+    WorldState earlier;
+    if (Status read = readSnapshot(snapshot, earlier, *engine_->pool); !read.ok()) return read;
+    keepCaches(earlier, engine_->state);
+    engine_->state = std::move(earlier);
+    engine_->goOnFromState();
+    return {};
 }
 
 }  // namespace muster

@@ -8,10 +8,12 @@
 #include "muster/world.h"
 #include "world/stages/contact_stage.h"
 #include "world/stages/cost_stage.h"
+#include "world/stages/event_stage.h"
 #include "world/stages/patch_stage.h"
 #include "world/stages/place_stage.h"
 #include "world/stages/plan_stage.h"
 #include "world/stages/steering_stage.h"
+#include "world/stages/way_stage.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -27,16 +29,28 @@ struct WorldEngine {
 
     PlaceStage places;
     CostStage cost;
+    WayStage ways;
     PlanStage plans;
     SteeringStage steering;
     ContactStage contacts;
     PatchStage patches;
+    EventStage happenings;
 
     /// Declared last: its destructor waits for background work, which reads the members above.
     std::unique_ptr<ThreadPool> pool;
 
     /// One time step (step.cpp).
     void step();
+    /// Prepares to go on from a state that was just read, with the memory that the stages have. No background
+    /// work may be running.
+    void goOnFromState() {
+        cost.reset(state);
+        ways.reset(state);
+        for (const Group& group : state.groups) group.plan->bind(cost);
+        events.clear();
+        rejections.clear();
+        contactReport = {};
+    }
     /// Waits for background work, which writes parts of the state.
     void finishBackgroundWork() const { pool->wait(); }
 };

@@ -152,14 +152,14 @@ TEST_CASE("bad input gives one sentence and exit code 1") {
 
 TEST_CASE("play reports every result by name, records a take that replays, and writes the trajectory") {
     const std::string small = put("small.json", kSmall), drag = put("drag.json", kDrag);
-    const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 6";
+    const std::string common = "play '" + small + "' --gestures '" + drag + "' --seconds 8";
     const Outcome outcome = runProgram(common + " --json --take '" + path("a.take") + "' --trajectory '" +
                                        path("a.csv") + "'");
     REQUIRE_MESSAGE(outcome.code == 0, outcome.error);
     CHECK(outcome.error.empty());
     const Json figures = json(outcome);
     for (const char* key : {"characters", "steps", "hash", "arrived95_s", "arrived100_s", "stuck",
-                            "path_ratio", "overlap_pairs_max", "worst_penetration_pct",
+                            "path_ratio", "overlap_pairs_max", "worst_penetration_pct", "top_speed_ratio",
                             "swaps_per_character_per_s", "planned", "walked", "step_ms"}) {
         CAPTURE(key);
         CHECK(figures.contains(key));
@@ -169,18 +169,23 @@ TEST_CASE("play reports every result by name, records a take that replays, and w
     CHECK(walked["sum_m"].get<double>() > walked["longest_m"].get<double>());
     CHECK(walked["sum_m"].get<double>() <= 9 * walked["longest_m"].get<double>());
     CHECK(figures["planned"]["squares_m2"].get<double>() >= 0.0);
-    CHECK(figures["steps"] == 360);
+    CHECK(figures["steps"] == 480);
     CHECK(figures["path_ratio"].is_null());
     CHECK(figures["step_ms"]["stages"].size() == 11);
+    CHECK(figures["events"]["arrived"] == 1);
+    CHECK(figures["events"]["stuck"] == 0);
+    CHECK(figures["events"]["noPath"] == 0);
     // The same run on two threads and as text gives the same hash.
     const Outcome text = runProgram(common + " --threads 2");
     CHECK(text.out.find(figures["hash"].get<std::string>()) != std::string::npos);
     CHECK(text.out.find("arrived95_s") != std::string::npos);
 
     const Json replayed = json(runProgram("replay '" + path("a.take") + "' --json"));
+    CHECK(replayed["events"] == 1);
+    CHECK(replayed["figures"]["events"] == figures["events"]);
     CHECK(replayed["reproduced"] == true);
     CHECK(replayed["hash"] == figures["hash"]);
-    CHECK(replayed["steps"] == 360);
+    CHECK(replayed["steps"] == 480);
     for (const char* key :
          {"characters", "steps", "hash", "arrived100_s", "stuck", "overlap_pairs_max", "unmatched"})
         CHECK(replayed["figures"][key] == figures[key]);
@@ -188,7 +193,7 @@ TEST_CASE("play reports every result by name, records a take that replays, and w
 
     const std::string csv = slurp(path("a.csv"));
     CHECK(csv.rfind("t,id,x,y,place_x,place_y\n0,1,", 0) == 0);
-    CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 9 * 361);
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 9 * 481);
 }
 
 TEST_CASE("without seconds a run ends when all characters stand") {

@@ -87,7 +87,7 @@ TEST_CASE("reproduce writes a report, a line per experiment in a log, and the ve
     std::vector<std::string> keys;
     for (const auto& [key, value] : results[0].items()) keys.push_back(key);
     CHECK(keys == std::vector<std::string>{"experiment", "criterion", "preset", "value", "threshold", "pass",
-                                           "seeds", "low", "high"});
+                                           "binding", "seeds", "low", "high"});
     CHECK(results[0]["experiment"] == "X2");
     CHECK(results[0]["seeds"] == 1);
     CHECK(results[0]["value"].is_number());

@@ -17,17 +17,18 @@ TEST_CASE("wider cells have the clearance and the unit cost of the ground that t
     environment.setTime(0.0);
     StaticGround ground;
     ground.update(environment, 1.0, 0.25);
-    const GroundLevel& level = ground.middle();
-    const Grid& grid = level.cost.grid;
-    CHECK(grid.cell == 2.0 * ground.fine().grid.cell);
+    const GroundLevel level = ground.middle();
+    const Grid& grid = level.grid();
+    const UnitCost cost = level.unitCost();
+    CHECK(grid.cell == 2.0 * ground.grid().cell);
     for (std::int32_t k = 0; k < grid.count(); ++k) {
         const Vec2 p = grid.centre(grid.at(k));
         const double clearance = environment.distanceToObstacle(p) - 0.25;
         // Clearance is known up to a limit, and kinks where two walls are as near.
-        if (clearance < 1.0) REQUIRE(std::fabs(level.clearance[k] - clearance) < 0.1);
-        REQUIRE(level.blocked(k) == (level.clearance[k] < 0.0f));
+        if (clearance < 1.0) REQUIRE(std::fabs(level.clearance(k) - clearance) < 0.1);
+        REQUIRE(level.blocked(k) == (level.clearance(k) < 0.0f));
     }
-    const auto east = [&](Vec2 p) { return level.cost.cells[grid.index(grid.cellOf(p))].east; };
+    const auto east = [&](Vec2 p) { return cost.cells[grid.index(grid.cellOf(p))].east; };
     CHECK(east({-8.1, 0.1}) == doctest::Approx(1.0));
     CHECK(east({7.1, 0.1}) == doctest::Approx(4.0));
     CHECK(level.freeCellNear({-1.1, 1.1}) == -1);
@@ -45,11 +46,11 @@ TEST_CASE("no path leads through a wall thinner than a cell") {
             environment.setTime(0.0);
             StaticGround ground;
             ground.update(environment, 1.0, 0.25);
-            for (const UnitCost* cost : {&ground.fine(), &ground.middle().cost}) {
+            for (const UnitCost& cost : {ground.fineLevel().unitCost(), ground.middle().unitCost()}) {
                 EikonalSolver solver;
                 CostField field;
                 const Vec2 from{-2.0, 0.0}, to{3.0, 0.0};
-                solver.solve(*cost, to, {}, field);
+                solver.solve(cost, to, {}, field);
                 // Round the end of the wall, less what cells of half a metre may be off.
                 const double least = std::hypot(shift + 2.0, 4.0) + std::hypot(3.0 - shift - thickness, 4.0);
                 CHECK(field.cost(from) > 0.99 * least);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "cost/static_ground.h"
+#include "cost/ground_level.h"
 #include "environment/environment.h"
 
 namespace muster::test {

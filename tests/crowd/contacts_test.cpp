@@ -117,3 +117,79 @@ TEST_CASE("contacts are the same for any number of threads") {
         CHECK(same.worstPenetration == report.worstPenetration);
     }
 }
+
+TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays apart") {
+    Random random(11);
+    Environment environment = emptyWorld(12);
+    ObstacleDef block;
+    block.polygon = {{-1, -2}, {1, -2}, {1, 2}, {-1, 2}};
+    REQUIRE(environment.addObstacle(block).ok());
+    environment.setTime(0.0);
+    Contacts contacts;
+    std::vector<Vec2> positions;
+    for (int i = 0; i < 200; ++i) positions.push_back({0.55 * (i % 20) - 5.2, 3.0 + 0.55 * (i / 20)});
+    const double step = 2.0 / 60.0;
+    for (int k = 0; k < 240; ++k) {
+        // All walk towards one point beyond the block at top speed.
+        const std::vector<Vec2> before = positions;
+        const std::vector<double> reach(before.size(), step);
+        for (Vec2& p : positions) p += clampLength(Vec2{0, -4} - p, step);
+        const ContactReport report = contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr,
+                                                      {before, reach});
+        CHECK(report.overlapPairs == 0);
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            CHECK(distance(positions[i], before[i]) < step * 1.0001);
+            CHECK(environment.distanceToObstacle(positions[i]) > 0.25 - 1e-6);
+        }
+    }
+}
+
+TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes it") {
+    Environment environment = emptyWorld(10);
+    ObstacleDef block;
+    block.polygon = {{-1, -3}, {1, -3}, {1, 3}, {-1, 3}};
+    const ObstacleId id = environment.addObstacle(block).value();
+    environment.setTime(0.0);
+    Contacts contacts;
+    std::vector<Vec2> positions{{0.5, 0}};
+    int steps = 0;
+    for (; environment.distanceToObstacle(positions[0]) < 0.25 - 1e-6; ++steps) {
+        const std::vector<Vec2> before = positions;
+        const std::vector<double> reach{0.05};
+        contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr, {before, reach});
+        REQUIRE(distance(positions[0], before[0]) < 0.05 + 1e-9);
+        REQUIRE(steps < 20);
+    }
+    CHECK(steps == 15);  // 0.75 m.
+    block.path.waypoints = {{0, {0, 0}, 0}, {1, {0.5, 0}, 0}};
+    REQUIRE(environment.changeObstacle(id, block).ok());
+    environment.setTime(0.2);
+    const std::vector<Vec2> before = positions;
+    const std::vector<double> reach{0.05};
+    contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr, {before, reach});
+    CHECK(positions[0].x == doctest::Approx(1.35));
+}
+
+TEST_CASE("a body passes a gap that is a hair narrower than itself, and no narrower one") {
+    for (const double width : {0.4985, 0.495}) {
+        Environment environment = emptyWorld(10);
+        for (const double side : {-1.0, 1.0}) {
+            ObstacleDef disc;
+            disc.centre = {0.0, side * (1.0 + 0.5 * width)};
+            disc.radius = 1.0;
+            REQUIRE(environment.addObstacle(disc).ok());
+        }
+        environment.setTime(0.0);
+        Contacts contacts;
+        std::vector<Vec2> positions{{-1.0, 0.02}};
+        const std::vector<double> reach{2.0 / 60};
+        for (int step = 0; step < 120; ++step) {
+            const std::vector<Vec2> from = positions;
+            positions[0].x += 2.0 / 60;
+            contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr, {from, reach});
+            CHECK(environment.distanceToObstacle(positions[0]) > 0.25 - 1e-3);
+            CHECK(distance(from[0], positions[0]) <= 1.006 * reach[0]);
+        }
+        CHECK((positions[0].x > 1.0) == (width > 0.498));
+    }
+}

@@ -175,3 +175,20 @@ TEST_CASE("steering gives the same bits with any number of threads") {
     }
     CHECK(length(velocity[500]) > 0.01);
 }
+
+TEST_CASE("of two who bar each other abreast the one with the longer way steps back, after a while") {
+    const Environment environment = ground(1.0);
+    Characters c;
+    add(c, {0, 0.25}, {1, 0});
+    add(c, {0, -0.25}, {1, 0});
+    c.cost = {3.0, 4.0};
+    const std::vector<Vec2> places{{3, 0}, {4, 0}}, still(2), facing(2, Vec2{1, 0});
+    for (const float stood : {0.5f, 3.5f}) {
+        const std::vector<PlaceWait> waits(2, PlaceWait{{}, stood});
+        std::vector<Vec2> velocity(2), heading(2);
+        Steering steering;
+        steering.run({}, c, {places, still, facing, waits}, environment, kStep, velocity, heading);
+        CHECK(velocity[0].x > 0.0);
+        CHECK((velocity[1].x < 0.0) == (stood > 3.0f));
+    }
+}

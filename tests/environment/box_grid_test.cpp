@@ -88,3 +88,45 @@ TEST_CASE("a refill forgets what was there, and a box outside the world is nowhe
     grid.reset(world);
     CHECK(total(grid) == 0);
 }
+
+TEST_CASE("inserted, removed and renumbered boxes are found as after a refill") {
+    Random random(7);
+    for (int round = 0; round < 20; ++round) {
+        const Box world{{-20, -10}, {20, 15}};
+        BoxGrid grid, refilled;
+        grid.reset(world);
+        refilled.reset(world);
+        std::vector<Box> boxes(20);
+        std::vector<std::int32_t> items;
+        for (Box& box : boxes) box = randomBox(world, 12.0, random);
+        for (std::int32_t i = 0; i < 10; ++i) items.push_back(i);
+        grid.fill(boxes, items);
+        for (int edit = 0; edit < 60; ++edit) {
+            const auto at = random.below(static_cast<std::uint32_t>(boxes.size()));
+            const auto item = static_cast<std::int32_t>(at);
+            const auto where = std::lower_bound(items.begin(), items.end(), item);
+            if (where == items.end() || *where != item) {
+                items.insert(where, item);
+                grid.insert(boxes[at], item);
+            } else if (random.below(3) == 0) {
+                // It goes, and those behind it move up.
+                items.erase(where);
+                grid.remove(boxes[at], item);
+                for (std::int32_t& other : items) other -= other > item ? 1 : 0;
+                grid.renumber(item + 1, -1);
+                boxes.erase(boxes.begin() + item);
+                boxes.push_back(randomBox(world, 12.0, random));
+            } else {
+                items.erase(where);
+                grid.remove(boxes[at], item);
+                boxes[at] = randomBox(world, 12.0, random);
+            }
+            refilled.fill(boxes, items);
+            for (int i = 0; i < 40; ++i) {
+                const Vec2 p = pointIn(world, random);
+                const auto found = grid.at(p), expected = refilled.at(p);
+                REQUIRE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+            }
+        }
+    }
+}

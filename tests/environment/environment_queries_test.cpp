@@ -207,73 +207,12 @@ TEST_CASE("patches touch cells that share area, not those that share an edge") {
     patch.polygon = {{0, 0}, {2, 0}, {2, 1.1}, {0, 1.1}};
     REQUIRE(environment.addPatch(patch).ok());
     int slow = 0;
-    for (float speed : environment.travelSpeed()) slow += speed < 1.0f ? 1 : 0;
+    for (float speed : valuesOf(environment.travelSpeed(), environment.grid())) slow += speed < 1.0f ? 1 : 0;
     CHECK(slow == 4);
     patch.speed = 2.0;
     REQUIRE(environment.changePatch(environment.patchIds()[0], patch).ok());
     CHECK(environment.ground({1, 1}).travelSpeed == 2.0);
     CHECK(environment.travelSpeed()[environment.grid().index({4, 4})] == 2.0f);
-}
-
-TEST_CASE("region labels equal a flood fill in row-major order; nearest cells equal a full search") {
-    Random random(12);
-    for (int round = 0; round < 8; ++round) {
-        const Environment environment = randomWorld(random, 25, 0.0);
-        // Without the moving ones, as the labels are.
-        Environment still = emptyWorld(20.0, 0.25);
-        for (ObstacleId id : environment.obstacleIds()) {
-            if (environment.obstacle(id)->path.still())
-                REQUIRE(still.addObstacle(*environment.obstacle(id)).ok());
-        }
-        const Grid& grid = environment.grid();
-        for (const double radius : {0.2, 0.45}) {
-            std::vector<std::int32_t> label(grid.count(), -1);
-            std::int32_t next = 0;
-            for (std::int32_t first = 0; first < grid.count(); ++first) {
-                if (label[first] >= 0 || still.clearance()[first] < radius) continue;
-                std::vector<Cell> queue{grid.at(first)};
-                label[first] = next;
-                for (std::size_t k = 0; k < queue.size(); ++k) {
-                    const Cell c = queue[k];
-                    for (const Cell n :
-                         {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
-                        if (!grid.contains(n) || label[grid.index(n)] >= 0 ||
-                            still.clearance()[grid.index(n)] < radius)
-                            continue;
-                        label[grid.index(n)] = next;
-                        queue.push_back(n);
-                    }
-                }
-                ++next;
-            }
-            int wrong = 0;
-            for (std::int32_t i = 0; i < grid.count(); ++i) {
-                if (environment.region(grid.centre(grid.at(i)), radius) != label[i]) ++wrong;
-            }
-            CHECK(wrong == 0);
-            for (int i = 0; i < 60; ++i) {
-                const Vec2 p = randomPoint(random, 12.0);
-                const std::int32_t wanted = static_cast<std::int32_t>(
-                                                random.below(static_cast<std::uint32_t>(next + 1))) -
-                                            1;
-                const Vec2 found = environment.nearestInRegion(p, radius, wanted);
-                double best = 1e9;
-                for (std::int32_t k = 0; k < grid.count(); ++k) {
-                    if (wanted < 0 ? label[k] >= 0 : label[k] == wanted)
-                        best = std::min(best, distance(grid.centre(grid.at(k)), p));
-                }
-                const std::int32_t here = environment.region(p, radius);
-                if (here >= 0 && (wanted < 0 || here == wanted)) {
-                    CHECK(found == p);
-                } else {
-                    CHECK(distance(found, p) == doctest::Approx(best).epsilon(1e-12));
-                }
-            }
-        }
-    }
-    const Environment open = emptyWorld(8.0, 1.0);
-    CHECK(open.nearestInRegion({1, 1}, 0.3, 77) == Vec2{1, 1});
-    CHECK(open.region({9, 9}, 0.3) == -1);
 }
 
 TEST_CASE("narrow gaps between obstacles are found by width") {
@@ -353,26 +292,4 @@ TEST_CASE("an obstacle without a slot has no gap within, however many parts it h
     }
     REQUIRE(environment.addObstacle(star).ok());
     CHECK(environment.narrowGaps(0.2).empty());
-}
-
-TEST_CASE("regions are counted, and a single one has the label 0 on all free cells") {
-    Environment open = emptyWorld(16.0, 0.25);
-    REQUIRE(open.addObstacle(rectangle({-2, -2}, {2, 2})).ok());
-    open.setTime(0.0);
-    CHECK(open.regionCount(0.25) == 1);
-    CHECK(open.region({0, 0}, 0.25) == -1);
-    CHECK(open.region({-6, 5}, 0.25) == 0);
-    CHECK(open.region({30, 0}, 0.25) == -1);
-    // A wall with a door for the slim: two rooms for the stout.
-    REQUIRE(open.addObstacle(rectangle({-0.2, 2}, {0.2, 5})).ok());
-    REQUIRE(open.addObstacle(rectangle({-0.2, 6.2}, {0.2, 8})).ok());
-    REQUIRE(open.addObstacle(rectangle({-0.2, -8}, {0.2, -2})).ok());
-    open.setTime(0.0);
-    CHECK(open.regionCount(0.25) == 1);
-    CHECK(open.regionCount(0.9) == 2);
-    CHECK(open.region({-6, 0}, 0.9) != open.region({6, 0}, 0.9));
-    CHECK(open.region({-6, 0}, 0.25) == open.region({6, 0}, 0.25));
-    // Nowhere to stand at all.
-    CHECK(open.regionCount(20.0) == 0);
-    CHECK(open.region({-6, 0}, 20.0) == -1);
 }

@@ -58,6 +58,10 @@ TEST_CASE("moving things come and go, and the layers are what brute force makes 
                         static_cast<std::int32_t>(1 + random.below(15))};
         LayeredRaster raster;
         raster.reset(grid, 10.0f);
+        CHECK(raster.fixed().empty());
+        CHECK(raster.combinedView().isConstant());
+        CHECK(raster.fixedView()[grid.count() - 1] == 10.0f);
+        raster.allocate();
         std::vector<float> fixed(grid.count(), 10.0f);
         CHECK(copy(raster.fixed()) == fixed);
         CHECK(copy(raster.combined()) == fixed);
@@ -79,6 +83,9 @@ TEST_CASE("moving things come and go, and the layers are what brute force makes 
             CHECK(raster.movingAreas().size() == things.size());
             before = things.size();
         }
+        raster.removeMoving();
+        raster.dropCombined();
+        CHECK(raster.combined().data() == raster.fixed().data());
     }
 }
 

@@ -23,21 +23,17 @@ Environment anyWorld(Random& random) {
 
 }  // namespace
 
-TEST_CASE("property: projected discs are free, paths keep to free cells, nothing is NaN") {
+TEST_CASE("property: projected discs are free, nothing is NaN") {
     CHECK(rc::check([] {
         Random random(*rc::gen::arbitrary<std::uint64_t>());
         Environment environment = anyWorld(random);
         environment.setTime(random.uniform(-1, 9));
         for (int i = 0; i < 20; ++i) {
-            const Vec2 p{random.uniform(-9, 9), random.uniform(-9, 9)},
-                q{random.uniform(-9, 9), random.uniform(-9, 9)};
+            const Vec2 p{random.uniform(-9, 9), random.uniform(-9, 9)};
             const Vec2 free = environment.projectToFreeSpace(p, 0.25);
             RC_ASSERT(environment.distanceToObstacle(free) > 0.25 - 1e-6);
             RC_ASSERT(isFinite(environment.potentialField(p)));
             RC_ASSERT(environment.ground(p).travelSpeed > 0.0);
-            for (Vec2 corner : environment.findPath(free, q, 0.25)) {
-                RC_ASSERT(environment.distanceToObstacle(corner) > 0.25 - 1e-5);
-            }
         }
     }));
 }
@@ -61,7 +57,7 @@ TEST_CASE("property: an environment restored in the middle continues alike") {
                 RC_ASSERT(b.removeObstacle(b.obstacleIds()[0]).ok());
             }
             RC_ASSERT(std::equal(a.clearance().begin(), a.clearance().end(), b.clearance().begin()));
-            RC_ASSERT(std::equal(a.travelSpeed().begin(), a.travelSpeed().end(), b.travelSpeed().begin()));
+            RC_ASSERT(valuesOf(a.travelSpeed(), a.grid()) == valuesOf(b.travelSpeed(), b.grid()));
             Hasher ha, hb;
             a.hash(ha);
             b.hash(hb);

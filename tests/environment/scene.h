@@ -3,6 +3,7 @@
 
 #include <doctest.h>
 
+#include "base/grid_search.h"
 #include "base/maths.h"
 #include "base/random.h"
 #include "environment/environment.h"
@@ -17,6 +18,13 @@ inline Environment emptyWorld(double side, double cell) {
     Result<Environment> made = Environment::create(def);
     REQUIRE(made.ok());
     return std::move(*made);
+}
+
+/// All values of a raster.
+inline std::vector<float> valuesOf(const RasterView& view, const Grid& grid) {
+    std::vector<float> values;
+    for (std::int32_t i = 0; i < grid.count(); ++i) values.push_back(view[i]);
+    return values;
 }
 
 inline ObstacleDef disc(Vec2 centre, double radius) {
@@ -74,5 +82,24 @@ inline PatchDef randomPatch(Random& random, double reach, bool moves) {
     if (moves) def.path = randomPath(random);
     return def;
 }
+
+/// Regions by flood fill of fine cells whose centres are free for a disc of `radius`.
+struct FineRegions {
+    FineRegions(const Environment& environment, double radius, double cell)
+        : grid(Grid::covering(environment.def().box, cell)), label(grid.count()) {
+        const Box inner = environment.def().box.grown(-radius);
+        for (std::int32_t i = 0; i < grid.count(); ++i) {
+            const Vec2 p = grid.centre(grid.at(i));
+            const bool free = inner.contains(p) && environment.distanceToObstacle(p, radius + 0.1) >= radius;
+            label[i] = free ? kUnlabelled : -1;
+        }
+        std::vector<std::int32_t> stack;
+        labelRegions(grid, label, stack);
+    }
+    std::int32_t at(Vec2 p) const { return label[grid.index(grid.nearestCell(p))]; }
+
+    Grid grid;
+    std::vector<std::int32_t> label;
+};
 
 }  // namespace muster::test

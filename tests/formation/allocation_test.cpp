@@ -16,6 +16,8 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
     disc.centre = {-6.5, 0.2};  // Its field reaches the mesh, but no place needs a path round it.
     REQUIRE(environment.addObstacle(disc).ok());
     environment.setTime(0.0);
+    RouteGraph routes;
+    routes.update(environment, 0.25);
     Stage s(square(100));
     for (std::uint32_t t = 0; t < 3; ++t) REQUIRE(s.down(t, s.vertex(static_cast<std::int32_t>(t * 40))));
     for (std::uint32_t t = 0; t < 3; ++t)
@@ -30,7 +32,7 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
         s.mesh.applyEnvironment(s.meshDef, environment, kStep);
         s.mesh.placePositions(targets);
         const long beforePlaces = allocations;
-        places.advance({}, targets, environment, -1, kStep);
+        places.advance({}, targets, routes, -1, kStep);
         byPlaces += allocations - beforePlaces;
         return ok;
     };
@@ -56,13 +58,15 @@ TEST_CASE("places that search paths round a block and through a patch again and 
     slow.speed = 0.5;
     REQUIRE(environment.addPatch(slow).ok());
     environment.setTime(0.0);
+    RouteGraph routes;
+    routes.update(environment, 0.25);
     PlaceTracker places;
     std::vector<Vec2> targets(49);
     const auto aim = [&](double x) {
         for (int k = 0; k < 49; ++k) targets[k] = {x + 0.8 * (k % 7 - 3), 0.8 * (k / 7 - 3)};
     };
     aim(-8.0);
-    places.reset({}, targets, environment, -1);
+    places.reset({}, targets, routes, -1);
     long counted = 0;
     std::size_t detours = 0;
     for (int pass = 0; pass < 8; ++pass) {
@@ -70,7 +74,7 @@ TEST_CASE("places that search paths round a block and through a patch again and 
         aim(pass % 2 == 0 ? 8.0 : -8.0);
         const long before = allocations;
         for (int k = 0; k < 1500; ++k) {
-            places.advance({}, targets, environment, -1, kStep);
+            places.advance({}, targets, routes, -1, kStep);
             for (const Vec2 p : places.positions()) detours += std::fabs(p.y) > 5.0 ? 1 : 0;
         }
         if (pass >= 4) counted += allocations - before;

@@ -26,14 +26,17 @@ TEST_CASE("the free space by bounds from the raster equals that by exact distanc
         if (round % 2 == 0) REQUIRE(environment.addObstacle(rectangle({-0.3, -10.0}, {0.3, 10.0})).ok());
         environment.setTime(0.7);
         const std::int32_t region = round % 4 - 1;
-        const FreeSpace space(def, environment, region);
+        RouteGraph routes;
+        routes.update(environment, def.radius);
+        NearestReachable nearest;
+        const FreeSpace space(def, routes, region, nearest);
         for (int k = 0; k < 2000; ++k) {
             const Vec2 p{random.uniform(-10.5, 10.5), random.uniform(-10.5, 10.5)};
             const double distance = random.uniform(0.0, 4.0);
             CHECK(space.isClear(p, distance) == isClear(environment, def, p, distance));
             if (space.clearanceAt(space.cellOf(p)) >= distance)
                 CHECK(environment.distanceToObstacle(p, 20.0) >= distance);
-            const std::int32_t label = environment.region(p, def.radius);
+            const std::int32_t label = routes.region(p);
             const bool free = isClear(environment, def, p, space.clearRadius());
             if (!free || label >= 0 || region < 0)
                 CHECK(space.contains(p) == (free && (region < 0 || label == region)));

@@ -12,6 +12,13 @@ inline Environment emptyWorld(double half = 16.0) {
     return *Environment::create(def);
 }
 
+/// The routes of an environment as it is now.
+inline RouteGraph& routes(const Environment& environment, double radius = 0.25) {
+    static RouteGraph graph;
+    graph.update(environment, radius);
+    return graph;
+}
+
 inline ObstacleDef box(Vec2 min, Vec2 max) {
     ObstacleDef def;
     def.polygon = {min, {max.x, min.y}, max, {min.x, max.y}};

@@ -31,7 +31,10 @@ TEST_CASE("separated targets lie in the free space and are separated, whatever t
         Environment environment = emptyWorld(20.0, 0.25);
         for (int k = 0; k < 8; ++k) REQUIRE(environment.addObstacle(randomObstacle(random, 9.0, false)).ok());
         const PlaceDef def;
-        const FreeSpace space(def, environment, -1);
+        RouteGraph routes;
+        routes.update(environment, def.radius);
+        NearestReachable nearest;
+        const FreeSpace space(def, routes, -1, nearest);
         std::vector<Vec2> targets(200);
         const double size = round % 2 == 0 ? 9.0 : 2.0;
         for (Vec2& p : targets) p = {random.uniform(-size, size), random.uniform(-size, size)};
@@ -54,7 +57,10 @@ TEST_CASE("targets that are separated and free stay where they are, bit for bit"
     const std::vector<Vec2> before = targets;
     std::vector<std::uint8_t> fit;
     SeparationMemory memory;
-    separateTargets(FreeSpace(def, environment, -1), kSeparation, targets, fit, memory);
+    RouteGraph routes;
+    routes.update(environment, def.radius);
+    NearestReachable nearest;
+    separateTargets(FreeSpace(def, routes, -1, nearest), kSeparation, targets, fit, memory);
     CHECK(targets == before);
     CHECK(std::count(fit.begin(), fit.end(), 1) == 100);
 }
@@ -65,7 +71,10 @@ TEST_CASE("of too many targets for the free space, those of lower index are fit 
     std::vector<Vec2> targets(60);
     std::vector<std::uint8_t> fit;
     SeparationMemory memory;
-    separateTargets(FreeSpace(def, environment, -1), kSeparation, targets, fit, memory);
+    RouteGraph routes;
+    routes.update(environment, def.radius);
+    NearestReachable nearest;
+    separateTargets(FreeSpace(def, routes, -1, nearest), kSeparation, targets, fit, memory);
     CHECK(fit[0] == 1);
     const auto count = std::count(fit.begin(), fit.end(), 1);
     CHECK(count >= 4);

@@ -109,7 +109,7 @@ TEST_CASE("costs to places on slow ground are near those of the place's own fiel
         const Vec2 place{random.uniform(4.5, 13.5), random.uniform(-7.5, 7.5)};
         const InterpolationStencil stencil = far.stencil(place);
         REQUIRE(stencil.count > 0);
-        solver.solve(far.ground.fine(), place, {}, field);
+        solver.solve(far.ground.fineLevel().unitCost(), place, {}, field);
         for (int n = 0; n < 20; ++n) {
             const Vec2 from = freeSpot(far.environment, random, 28.0);
             if (distance(from, place) < 8.0) continue;
@@ -134,7 +134,7 @@ TEST_CASE("far fields restored from an archive give the same costs") {
     Reader reader(writer.bytes());
     other.fields.visit(reader);
     REQUIRE(reader.ok());
-    other.fields.solveAll(other.pool);
+    other.fields.solveMissing(other.pool);
     CHECK(other.fields.count() == far.fields.count());
     CHECK(other.cost(other.fields.stencil({9.0, 2.0}), {-15.0, -3.0}) == cost);
 }

@@ -26,14 +26,12 @@ struct Scene {
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
     }
-    Vec2 at(std::int32_t landmark) const {
-        return ground.fine().grid.centre(ground.fine().grid.at(landmark));
-    }
+    Vec2 at(std::int32_t landmark) const { return ground.grid().centre(ground.grid().at(landmark)); }
     std::int32_t solve(std::int32_t most) {
         cache.beginStep();
         return cache.solveRequested(most, pool, [&](std::int32_t landmark, CostField& field, std::int32_t) {
             solved.push_back(landmark);
-            solver.solve(ground.fine(), at(landmark), {}, field);
+            solver.solve(ground.fineLevel().unitCost(), at(landmark), {}, field);
         });
     }
     // Every field is that of its landmark.
@@ -96,8 +94,8 @@ TEST_CASE("an archive restores which fields there are, and one beyond the capaci
     Reader reader(writer.bytes());
     copy.cache.visit(reader);
     REQUIRE(reader.ok());
-    copy.cache.solveAll(copy.pool, [&](std::int32_t landmark, CostField& field, std::int32_t) {
-        copy.solver.solve(copy.ground.fine(), copy.at(landmark), {}, field);
+    copy.cache.solveMissing(copy.pool, [&](std::int32_t landmark, CostField& field, std::int32_t) {
+        copy.solver.solve(copy.ground.fineLevel().unitCost(), copy.at(landmark), {}, field);
     });
     CHECK(copy.cache.count() == 9);
     CHECK(copy.consistent());
@@ -107,4 +105,38 @@ TEST_CASE("an archive restores which fields there are, and one beyond the capaci
     Reader again(writer.bytes());
     small.cache.visit(again);
     CHECK_FALSE(again.ok());
+}
+
+TEST_CASE(
+    "fields are taken over by landmark, only what is missing is solved, and lost ones are solved again") {
+    Scene before(32);
+    for (std::int32_t landmark = 0; landmark < 900; landmark += 61) before.cache.request(landmark);
+    before.solve(9);
+    Writer writer;
+    before.cache.visit(writer);
+    before.cache.request(899);  // The later cache has one more, and others in other slots.
+    before.solve(1);
+    Scene copy(32);
+    Reader reader(writer.bytes());
+    copy.cache.visit(reader);
+    copy.cache.keepFieldsOf(before.cache);
+    std::int32_t solved = 0;
+    const auto solve = [&](std::int32_t landmark, CostField& field, std::int32_t) {
+        copy.solver.solve(copy.ground.fineLevel().unitCost(), copy.at(landmark), {}, field);
+        ++solved;
+    };
+    copy.cache.loseFields([](std::int32_t landmark) { return landmark == 61 || landmark == 122; });
+    copy.cache.solveMissing(copy.pool, solve);
+    CHECK(solved == 2);
+    CHECK(copy.consistent());
+    copy.cache.solveMissing(copy.pool, solve);
+    CHECK(solved == 2);
+    // Of a cache whose own fields are missing nothing is taken.
+    Scene unsolved(32), other(32);
+    Reader again(writer.bytes()), third(writer.bytes());
+    unsolved.cache.visit(again);
+    other.cache.visit(third);
+    other.cache.keepFieldsOf(unsolved.cache);
+    other.cache.solveMissing(copy.pool, solve);
+    CHECK(solved == 2 + 9);
 }

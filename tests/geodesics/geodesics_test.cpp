@@ -24,10 +24,12 @@ struct Scene {
     std::vector<Vec2> places;
     Geodesics geodesics;
     ThreadPool pool{2};
+    UnitCost fineCost;
 
     explicit Scene(Environment made) : environment(std::move(made)) {
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
+        fineCost = ground.fineLevel().unitCost();
         density = DensityField(environment.def().box, {});
         dynamicCost.update({}, environment, density, 0.25);
     }
@@ -69,7 +71,7 @@ Errors errorsOf(Scene& scene, std::size_t count, double half, double reach, std:
     EikonalSolver solver;
     CostField field;
     for (std::size_t j = 0; j < count; ++j) {
-        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
+        solver.solve(scene.fineCost, scene.places[j], {}, field);
         for (const Vec2 p : from[j]) {
             const auto place = static_cast<std::int32_t>(j);
             const double truth = field.cost(p);
@@ -142,7 +144,8 @@ TEST_CASE("far costs around a block and through a corridor are near the exact on
         from.push_back({random.uniform(-40, -15), random.uniform(-25, 25)});
     }
     scene.step();
-    scene.geodesics.prefetch(from, scene.pool);
+    std::int64_t cells = 1000000000;
+    scene.geodesics.prefetch(from, true, cells, scene.pool);
     const std::vector<Shape> walls = {{{{-6, -48}, {6, -48}, {6, -3}, {-6, -3}}},
                                       {{{-6, 3}, {6, 3}, {6, 48}, {-6, 48}}}};
     double worst = 0.0;
@@ -185,7 +188,7 @@ TEST_CASE("a path around slow ground is found, inside and outside local fields")
     EikonalSolver solver;
     CostField field;
     for (std::int32_t j = 0; j < 2; ++j) {
-        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
+        solver.solve(scene.fineCost, scene.places[j], {}, field);
         for (const Vec2 p : from) {
             CAPTURE(p);
             CHECK(scene.geodesics.cost(p, j) == doctest::Approx(field.cost(p)).epsilon(0.15));
@@ -206,7 +209,7 @@ TEST_CASE("no cost is below its lower bound, which includes the slow ground at b
     CostField field;
     int closer = 0;
     for (std::int32_t j = 0; j < 40; ++j) {
-        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
+        solver.solve(scene.fineCost, scene.places[j], {}, field);
         for (int k = 0; k < 40; ++k) {
             const Vec2 p = freeSpot(scene.environment, random, 12.0);
             const double line = scene.geodesics.leastUnitCost() * distance(p, scene.places[j]);
@@ -248,7 +251,7 @@ TEST_CASE("a far path that begins beside a cart includes the cost of leaving it"
         const double exact = field.cost(inFront);
         CHECK(scene.geodesics.cost(away, j) == doctest::Approx(field.cost(away)).epsilon(0.04));
         CHECK(scene.geodesics.cost(inFront, j) == doctest::Approx(exact).epsilon(0.12));
-        solver.solve(scene.ground.fine(), scene.places[j], {}, field);
+        solver.solve(scene.fineCost, scene.places[j], {}, field);
         CHECK(exact > 1.15 * field.cost(inFront));
     }
 }

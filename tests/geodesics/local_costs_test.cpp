@@ -28,7 +28,7 @@ struct Scene {
         DensityField density(environment.def().box, {});
         dynamicCost.update({}, environment, density, 0.25);
     }
-    const GroundLevel& level(bool wide) const { return wide ? ground.middle() : ground.fineLevel(); }
+    GroundLevel level(bool wide) const { return wide ? ground.middle() : ground.fineLevel(); }
 };
 
 const std::vector<Shape> kBlock = {{{{-3, -4}, {3, -4}, {3, 4}, {-3, 4}}}};

@@ -29,11 +29,11 @@ Environment wood() {
 // allocations.
 long solveAlong(LocalFields& fields, const StaticGround& ground, ThreadPool& pool, double y,
                 std::int32_t count) {
-    const Grid& grid = ground.fine().grid;
+    const Grid& grid = ground.grid();
     const std::int32_t known = fields.count();
     const long before = allocations;
     for (std::int32_t k = 0; fields.count() < known + count; ++k) {
-        fields.beginStep(ground.fineLevel(), ground.version());
+        fields.beginStep(ground.fineLevel());
         for (const double x : {-20.0 + 0.5 * (2 * k), -20.0 + 0.5 * (2 * k + 1)}) {
             const std::int32_t landmark = grid.index(grid.nearestCell({x, y}));
             if (!ground.fineLevel().blocked(landmark)) fields.retain(landmark);
@@ -51,7 +51,7 @@ TEST_CASE("local fields allocate nothing where memory was reserved") {
     const StaticGround ground = groundOf(environment);
     ThreadPool pool(1);
     LocalFields fields({512, 16});
-    fields.beginStep(ground.fineLevel(), ground.version());
+    fields.beginStep(ground.fineLevel());
     fields.reserve(600);
     // The solver's own memory grows to the size of a local field.
     for (const double y : {-18.5, -15.2, -12.4, -9.6, -6.5, 14.8, 18.2, 7.1})
@@ -64,7 +64,7 @@ TEST_CASE("local fields allocate nothing where memory was reserved") {
     CHECK(fields.count() >= first + 75);
     // Without reserved memory every field allocates its own.
     LocalFields bare({512, 16});
-    bare.beginStep(ground.fineLevel(), ground.version());
+    bare.beginStep(ground.fineLevel());
     solveAlong(bare, ground, pool, -18.5, 20);
     CHECK(solveAlong(bare, ground, pool, 1.7, 25) >= 50);
 }
@@ -75,7 +75,7 @@ TEST_CASE("reserved memory changes no field") {
     ThreadPool pool(2);
     LocalFields reserved({64, 16});
     LocalFields bare({64, 16});
-    reserved.beginStep(ground.fineLevel(), ground.version());
+    reserved.beginStep(ground.fineLevel());
     reserved.reserve(1000);  // Beyond the capacity, which limits it.
     solveAlong(reserved, ground, pool, 4.4, 24);
     solveAlong(bare, ground, pool, 4.4, 24);
@@ -87,6 +87,38 @@ TEST_CASE("reserved memory changes no field") {
             const Vec2 p = reserved.field(slot).source() +
                            Vec2{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)};
             REQUIRE(reserved.field(slot).cost(p) == bare.field(slot).cost(p));
+        }
+    }
+}
+
+TEST_CASE("after an edit the fields that it does not touch stay, and all are those of the new ground") {
+    Environment environment = wood();
+    StaticGround ground = groundOf(environment);
+    ThreadPool pool(1);
+    LocalFields fields({512, 16});
+    solveAlong(fields, ground, pool, 1.7, 40);
+    const std::int32_t before = fields.count();
+    ObstacleDef tree;
+    tree.centre = {-18.0, 3.0};
+    tree.radius = 0.8;
+    REQUIRE(environment.addObstacle(tree).ok());
+    ground.update(environment, 1.0, 0.25);
+    fields.beginStep(ground.fineLevel());
+    CHECK(fields.count() < before);
+    CHECK(fields.count() > before / 3);
+    LocalFields fresh({512, 16});
+    fresh.beginStep(ground.fineLevel());
+    Random random(3);
+    const Grid& grid = ground.grid();
+    for (std::int32_t slot = 0; slot < fields.count(); ++slot) {
+        const CostField& field = fields.field(slot);
+        const std::int32_t landmark = grid.index(grid.nearestCell(field.source()));
+        fresh.retain(landmark);
+        fresh.solveRequested(1, pool);
+        const CostField& expected = fresh.field(fresh.find(landmark));
+        for (int k = 0; k < 40; ++k) {
+            const Vec2 p = field.source() + Vec2{random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0)};
+            REQUIRE(field.squaredCost(p) == expected.squaredCost(p));
         }
     }
 }

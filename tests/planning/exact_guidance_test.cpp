@@ -40,8 +40,9 @@ Guided guide(muster::Plan& plan, const muster::Environment& environment, Vec2 p,
              const std::vector<Vec2>& placesNow, double direct = 1.5) {
     Guided out{};
     muster::ThreadPool pool;
-    plan.guide({{&p, 1}, {&place, 1}, placesNow, &environment, direct}, pool, {&out.direction, 1},
-               {&out.cost, 1});
+    muster::FixedCosts costs;
+    costs.world = &environment;
+    plan.guide({{&p, 1}, {&place, 1}, placesNow, &costs, direct}, pool, {&out.direction, 1}, {&out.cost, 1});
     return out;
 }
 

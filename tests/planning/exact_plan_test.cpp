@@ -279,8 +279,8 @@ TEST_CASE("bad input is refused by name and changes nothing") {
     CHECK(refused(definition(0.5, 0.0), good) == "plan exponent is not in [1, 16]");
     CHECK(refused(definition(2.0, -1.0), good) == "plan threshold is not a finite number >= 0");
     muster::PlanInput none = good.view();
-    none.unitCost = nullptr;
-    CHECK(plan->start(def, none).message() == "plan has no unit cost");
+    none.costs = nullptr;
+    CHECK(plan->start(def, none).message() == "plan has no costs");
     PlanResult result;
     muster::ThreadPool pool(1);
     CHECK(plan->finish(pool, result).message() == "no plan is under way");

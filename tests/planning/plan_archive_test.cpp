@@ -47,10 +47,12 @@ OwnedInput scene(std::uint64_t seed) {
 
 void checkSame(Plan& a, Plan& b, const OwnedInput& input) {
     const muster::Environment environment;
+    muster::FixedCosts costs;
+    costs.world = &environment;
     const std::vector<std::int32_t> place = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     std::vector<Vec2> directionA(9), directionB(9);
     std::vector<double> costA(9), costB(9);
-    const muster::GuidanceInput steering{input.characters, place, input.places, &environment, 1.5};
+    const muster::GuidanceInput steering{input.characters, place, input.places, &costs, 1.5};
     muster::ThreadPool pool;
     a.guide(steering, pool, directionA, costA);
     b.guide(steering, pool, directionB, costB);

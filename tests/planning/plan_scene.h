@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "planning/fixed_costs.h"
 #include "planning/plan.h"
 
 namespace muster_test {
@@ -46,7 +47,14 @@ struct OwnedInput {
     std::vector<std::int32_t> incumbent;
     muster::UnitCost cost;
 
-    muster::PlanInput view() const { return {characters, supply, places, demand, usable, incumbent, &cost}; }
+    muster::FixedCosts costs = {};
+
+    /// Valid until the input moves.
+    muster::PlanInput view() const {
+        auto& given = const_cast<muster::FixedCosts&>(costs);
+        given.unit = &cost;
+        return {characters, supply, places, demand, usable, incumbent, &given};
+    }
     /// Makes everybody unmatched.
     void noIncumbents() { incumbent.assign(characters.size(), -1); }
 };

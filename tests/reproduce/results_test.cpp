@@ -23,7 +23,7 @@ TEST_CASE("results.json has an entry per verdict with the keys that were agreed 
     REQUIRE(all.is_array());
     REQUIRE(all.size() == 9);
     const std::vector<std::string> keys = {"experiment", "criterion", "preset", "value", "threshold",
-                                           "pass",       "seeds",     "low",    "high"};
+                                           "pass",       "binding",   "seeds",  "low",   "high"};
     for (const Json& entry : all) {
         std::vector<std::string> found;
         for (const auto& [key, value] : entry.items()) found.push_back(key);

@@ -121,7 +121,8 @@ TEST_CASE("A touch reaches the next frame and steers the crowd") {
     double mean = 0.0;
     for (const double x : client.page.x) mean += x / 16.0;
     CHECK(mean == doctest::Approx(3.0).epsilon(0.2));
-    CHECK(client.notices.empty());
+    REQUIRE(client.notices.size() == 1);
+    CHECK(client.notices[0].code == "arrived");
 }
 
 TEST_CASE("A client that acknowledges nothing gets one frame, then the newest; its memory stays bounded") {

@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include "world/scenes.h"
+#include "world/state/snapshot_format.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -76,16 +77,40 @@ TEST_CASE("different seeds and different commands give different hashes") {
     CHECK(a.hash() != c.hash());
 }
 
-TEST_CASE("torn and foreign snapshots are refused with a sentence") {
+TEST_CASE("torn, foreign, tampered snapshots and other versions are refused with one sentence each") {
     World world = World::create(busyFloor(1)).value();
     for (int s = 0; s < 10; ++s) world.step();
     const auto bytes = world.snapshot();
-    for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 7) {
-        const auto torn = World::restore(std::span<const std::uint8_t>(bytes).first(size));
-        CHECK_FALSE(torn.ok());
-        CHECK_FALSE(torn.status().message().empty());
+    const std::uint64_t hash = world.hash();
+    const auto refusal = [&](std::span<const std::uint8_t> changed) {
+        const auto restored = World::restore(changed);
+        REQUIRE_FALSE(restored.ok());
+        const Status rewound = world.rewind(changed);
+        CHECK(rewound.message() == restored.status().message());
+        CHECK(world.hash() == hash);  // Nothing has changed.
+        return restored.status().message();
+    };
+    const std::string state = std::to_string(bytes.size() - kSnapshotHeadBytes);
+    for (std::size_t size = kSnapshotHeadBytes; size < bytes.size(); size += 1 + size / 7)
+        CHECK(refusal(std::span(bytes).first(size)) == "snapshot: found " +
+                                                           std::to_string(size - kSnapshotHeadBytes) +
+                                                           " bytes of state, expected " + state);
+    CHECK(refusal(std::span(bytes).first(20)) == "snapshot: found 20 bytes, expected a whole head of 28");
+    const std::string foreign = "snapshot: found another kind of data, expected a world's snapshot";
+    CHECK(refusal({}) == foreign);
+    CHECK(refusal(std::vector<std::uint8_t>(500, 7)) == foreign);
+    auto changed = bytes;
+    changed.push_back(0);
+    CHECK(refusal(changed).rfind("snapshot: found ", 0) == 0);
+    for (const std::size_t at : {kSnapshotHeadBytes, bytes.size() / 2, bytes.size() - 1}) {
+        changed = bytes;
+        changed[at] ^= 1;
+        CHECK(refusal(changed) ==
+              "snapshot: found bytes that do not match their checksum, expected them as they were saved");
     }
-    auto longer = bytes;
-    longer.push_back(0);
-    CHECK_FALSE(World::restore(longer).ok());
+    changed = bytes;
+    changed[8] = 99;
+    CHECK(refusal(changed) == "snapshot: found version 99, expected version 5, which this Muster writes");
+    const std::vector<std::uint8_t> old{'2', 'P', 'S', 'M', 0, 0, 0, 0};
+    CHECK(refusal(old) == "snapshot: found version 2, expected version 5, which this Muster writes");
 }

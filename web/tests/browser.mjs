@@ -4,6 +4,7 @@ import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
+import * as objectives from './cases/objectives.mjs';
 import * as overlays from './cases/overlays.mjs';
 import * as people from './cases/people.mjs';
 import * as realMaps from './cases/real_maps.mjs';
@@ -43,6 +44,7 @@ const kCases = [
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
   ['paused', feedback.paused, ['desktop'], { room: true }],
   ['refused', feedback.refused, ['desktop', 'phone'], {}],
+  ['objectives', objectives.objectives, ['desktop'], { scenario: 'scenarios/block.json' }],
   ['overlays', overlays.overlays, ['desktop'], { scenario: 'scenarios/block.json' }],
   ['overlay after a loss', overlays.overlayAfterLoss, ['desktop', 'phone'], { scenario: 'scenarios/block.json' }],
   ['scenario picker', scenarios.scenarioPicker, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],

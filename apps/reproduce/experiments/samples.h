@@ -27,7 +27,8 @@ struct RunSample {
     std::map<std::string, double> figures;
     std::map<std::string, std::vector<Vec2>> curves;  ///< By name, for charts.
     std::vector<FilmFrame> film;                      ///< Where asked for.
-    std::uint64_t hash = 0;                           ///< Of the world at the end; 0 where there is none.
+    std::string plan;        ///< Method of the plans at the end: "fast" or "exact"; empty where unknown.
+    std::uint64_t hash = 0;  ///< Of the world at the end; 0 where there is none.
 };
 
 /// All runs of an experiment.

@@ -6,6 +6,8 @@
 
 #include "muster/parameter_table.h"
 #include "muster/scenario.h"
+#include "planning/plan.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -121,6 +123,7 @@ void Trial::report(RunSample& sample) {
     sample.figures["swaps"] = figures.swapsPerCharacterPerSecond;
     sample.figures["overlaps"] = figures.overlapPairsMax;
     sample.figures["penetration"] = 100.0 * figures.worstPenetration;
+    if (world_->groupCount() > 0) sample.plan = inspect::plan(*world_, 0).name();
     sample.hash = figures.hash;
     for (FilmFrame& frame : frames_) sample.film.push_back(std::move(frame));
     frames_.clear();

@@ -43,7 +43,9 @@ public:
             "encounter still, but not for each crossing. The paper gives no numbers here; the limits are "
             "ours."};
     }
-    std::vector<Arm> arms() const override { return {{"course", "The course"}}; }
+    std::vector<Arm> arms() const override {
+        return {{"course", "The course"}, {"course", "The course", "paper"}};
+    }
     std::vector<FigureInfo> figures() const override {
         return {
             {"finished", "characters behind the pool", "", 0},
@@ -64,6 +66,9 @@ public:
     }
     Result<RunSample> run(const RunRequest& request) const override;
     void judge(const Samples& samples, Judge& judge) const override;
+
+private:
+    static void judgePreset(const char* preset, const Samples& samples, Judge& judge);
 };
 
 /// The motions and phases that each character had.
@@ -189,12 +194,16 @@ Result<RunSample> CourseExperiment::run(const RunRequest& request) const {
 }
 
 void CourseExperiment::judge(const Samples& samples, Judge& judge) const {
+    for (const char* const preset : {"muster", "paper"}) judgePreset(preset, samples, judge);
+}
+
+void CourseExperiment::judgePreset(const char* preset, const Samples& samples, Judge& judge) {
     const auto all = [&](const char* criterion, const char* figure) {
-        judge.require(criterion, "muster", samples.values("course", "muster", figure), Aggregate::Lowest,
+        judge.require(criterion, preset, samples.values("course", preset, figure), Aggregate::Lowest,
                       Comparison::AtLeast, 100.0);
     };
     const auto none = [&](const char* criterion, const char* figure) {
-        judge.require(criterion, "muster", samples.values("course", "muster", figure), Aggregate::Highest,
+        judge.require(criterion, preset, samples.values("course", preset, figure), Aggregate::Highest,
                       Comparison::AtMost, 0.0);
     };
     all("100 of 100 through the course in every seed", "finished");
@@ -203,8 +212,8 @@ void CourseExperiment::judge(const Samples& samples, Judge& judge) const {
     none("each encounter by positions has exactly one climb or jump in the same step, in every seed",
          "mismatches");
     all("100 of 100 are seen going into and out of crawling and swimming in every seed", "transitions");
-    judge.require("changes of formation on the way in every seed", "muster",
-                  samples.values("course", "muster", "changes"), Aggregate::Lowest, Comparison::AtLeast, 1.0);
+    judge.require("changes of formation on the way in every seed", preset,
+                  samples.values("course", preset, "changes"), Aggregate::Lowest, Comparison::AtLeast, 1.0);
     none("nobody is stuck in any seed", "stuck");
 }
 

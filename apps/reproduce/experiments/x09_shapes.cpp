@@ -37,6 +37,17 @@ struct Variation {
     }
 };
 
+/// Gives the changes of formation another order, by the seed; the last stays the square.
+void shuffleShapes(std::uint64_t seed, std::vector<Command>& commands) {
+    if (seed == 1) return;
+    std::vector<SetFormation*> changes;
+    for (Command& command : commands)
+        if (auto* change = std::get_if<SetFormation>(&command.body)) changes.push_back(change);
+    Random random(seed + 500);
+    for (std::size_t k = changes.size(); k-- > 2;)
+        std::swap(changes[k - 1]->formation, changes[random.below(static_cast<std::uint32_t>(k))]->formation);
+}
+
 /// Figures of a change, by the name of its shape: the bottleneck walking time, and the times to arrive and to
 /// stand within 0.1 m relative to it.
 void reportChange(const FormationChangeRecord& change, double speed, RunSample& sample) {
@@ -56,6 +67,7 @@ Result<RunSample> runOpen(const RunRequest& request) {
     auto trial = Trial::open(request, {.scenario = "x09-shapes"});
     if (!trial.ok()) return trial.status();
     Variation(request.seed, {0.5, 0.5}, 0.35).apply(*trial);
+    shuffleShapes(request.seed, trial->commands());
     if (Status s = trial->start(); !s.ok()) return s;
     ChangeWatch watch(trial->world());
     const auto observe = [&] { watch.observe(trial->world()); };
@@ -187,42 +199,42 @@ Result<RunSample> runCorridor(const RunRequest& request) {
 class ShapesExperiment final : public Experiment {
 public:
     ExperimentText text() const override {
-        return {"X9",
-                "Changes of formation",
-                "Figure 9a-c: a square turns into an arrow, which passes a narrow corridor, its sides "
-                "deforming for "
-                "the time being, and then into other shapes. Checkpoints in the environment switch the "
-                "formation. "
-                "Changes are quick, with minimal congestion.",
-                "36 characters. In the open keys turn a square into an arrow, a line, a ring, a crescent and "
-                "back, "
-                "while nobody drags. Each change is timed until 95 % have arrived (within 0.5 m of the "
-                "place, for 1 "
-                "s) and divided by the bottleneck walking time: the least longest straight walk over all "
-                "assignments "
-                "of where people stand to the new places, at top speed. In the corridor scene one finger "
-                "draws the "
-                "crowd from hall to hall, through a passage 4 m wide and 12 m long. A checkpoint before it "
-                "makes the "
-                "square an arrow, one behind it makes the arrow a crescent, where the finger stops. The "
-                "width is the "
-                "crowd's extent across the corridor.",
-                "x09-corridor",
-                "By the preset muster each change takes less than the bottleneck walking time, because who "
-                "is within "
-                "half a metre has arrived; standing within a tenth of a metre takes up to 1.3 times that "
-                "time, which "
-                "is the time to gather speed and to stop.\nBy the preset paper the changes to the line and "
-                "to the "
-                "ring take half as long again as the bottleneck allows. The least sum of costs (exponent 1) "
-                "does not "
-                "mind one long walk among many short ones; the least sum of squares does.\nIn the corridor "
-                "the arrow "
-                "is half as wide as before, nobody loses the place, and the shape comes back by itself. "
-                "Seeds turn "
-                "and shift the formation in the open and shift crowd and finger sideways before the "
-                "corridor; little "
-                "depends on either."};
+        return {
+            "X9",
+            "Changes of formation",
+            "Figure 9a-c: a square turns into an arrow, which passes a narrow corridor, its sides "
+            "deforming for "
+            "the time being, and then into other shapes. Checkpoints in the environment switch the "
+            "formation. "
+            "Changes are quick, with minimal congestion.",
+            "36 characters. In the open keys turn a square into an arrow, a line, a ring, a crescent and "
+            "back, "
+            "while nobody drags. Each change is timed until 95 % have arrived (within 0.5 m of the "
+            "place, for 1 "
+            "s) and divided by the bottleneck walking time: the least longest straight walk over all "
+            "assignments "
+            "of where people stand to the new places, at top speed. In the corridor scene one finger "
+            "draws the "
+            "crowd from hall to hall, through a passage 4 m wide and 12 m long. A checkpoint before it "
+            "makes the "
+            "square an arrow, one behind it makes the arrow a crescent, where the finger stops. The "
+            "width is the "
+            "crowd's extent across the corridor.",
+            "x09-corridor",
+            "By the preset muster each change takes less than the bottleneck walking time, because who "
+            "is within "
+            "half a metre has arrived; standing within a tenth of a metre takes up to 1.3 times that "
+            "time, which "
+            "is the time to gather speed and to stop.\nBy the preset paper the changes to the line and "
+            "to the "
+            "ring take half as long again as the bottleneck allows. The least sum of costs (exponent 1) "
+            "does not "
+            "mind one long walk among many short ones; the least sum of squares does.\nIn the corridor "
+            "the arrow "
+            "is half as wide as before, nobody loses the place, and the shape comes back by itself. "
+            "Seeds turn "
+            "and shift the formation in the open and give the shapes another order, so that each is come to "
+            "from others, and shift crowd and finger sideways before the corridor."};
     }
     std::vector<Arm> arms() const override {
         return {{"open", "In the open"},

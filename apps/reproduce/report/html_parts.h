@@ -42,6 +42,8 @@ std::string requirementText(const Verdict& verdict);
 std::string verdictValueText(const Verdict& verdict);
 /// "34 to 36, 10 seeds", as text; names seeds without a value.
 std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds);
+/// "fast plan", as text: the method of the arm's plans.
+std::string planOf(const ExperimentResult& experiment, const Arm& arm);
 /// "Transport (paper)", as text: the preset is named where it is not "muster".
 std::string armTitle(const Arm& arm);
 /// The symbol for pass or fail, with its word.

@@ -42,7 +42,7 @@ std::string summaryRow(const ExperimentResult& experiment, const Verdict& verdic
 std::string figureCell(const ExperimentResult& experiment, const Arm& arm, const FigureInfo& figure) {
     const std::vector<RunSample>& runs = experiment.samples.runs(arm.id, arm.preset);
     const auto measured = static_cast<std::size_t>(std::count_if(
-        runs.begin(), runs.end(), [&](const RunSample& run) { return run.figures.count(figure.name) > 0; }));
+        runs.begin(), runs.end(), [&](const RunSample& run) { return run.figures.contains(figure.name); }));
     if (measured == 0) return cell(armTitle(arm), "<span class=\"none\">–</span>", "number");
     const std::vector<double> values = experiment.samples.values(arm.id, arm.preset, figure.name);
     if (values.empty())
@@ -72,8 +72,8 @@ std::string figuresTable(const ExperimentResult& experiment, std::size_t from, s
         html = "<div class=\"scroll\"><table class=\"figures\">\n<thead><tr><th scope=\"col\">Figure</th>";
     for (std::size_t a = from; a < to; ++a) {
         const Arm& arm = experiment.arms[a];
-        html += "<th scope=\"col\" class=\"number\">" + escaped(arm.title) + " " + small(arm.preset) +
-                "</th>";
+        html += "<th scope=\"col\" class=\"number\">" + escaped(arm.title) + " " +
+                small(arm.preset + ", " + planOf(experiment, arm)) + "</th>";
     }
     html += "</tr></thead>\n<tbody>\n";
     for (const FigureInfo& figure : experiment.figures) {
@@ -151,11 +151,12 @@ std::string figuresTables(const ExperimentResult& experiment, std::int32_t seeds
 std::string hashTable(const ExperimentResult& experiment) {
     std::string html =
         "<table class=\"hashes\">\n<thead><tr><th scope=\"col\">Arm</th><th scope=\"col\">Preset</th>"
-        "<th scope=\"col\">Hash</th></tr></thead>\n<tbody>\n";
+        "<th scope=\"col\">Plan</th><th scope=\"col\">Hash</th></tr></thead>\n<tbody>\n";
     for (const Arm& arm : experiment.arms) {
         const std::vector<RunSample>& runs = experiment.samples.runs(arm.id, arm.preset);
         const bool has = !runs.empty() && runs.front().hash != 0;
-        html += "<tr><td>" + escaped(arm.title) + "</td><td>" + escaped(arm.preset) + "</td><td><code>" +
+        html += "<tr><td>" + escaped(arm.title) + "</td><td>" + escaped(arm.preset) + "</td><td>" +
+                escaped(planOf(experiment, arm)) + "</td><td><code>" +
                 (has ? toHex(runs.front().hash) : "none") + "</code></td></tr>\n";
     }
     return html + "</tbody></table>\n";

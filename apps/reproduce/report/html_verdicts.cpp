@@ -122,6 +122,14 @@ std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds) {
     return low == high ? "the same in " + all : range + ", " + all;
 }
 
+std::string planOf(const ExperimentResult& experiment, const Arm& arm) {
+    std::string names;
+    for (const RunSample& run : experiment.samples.runs(arm.id, arm.preset))
+        if (!run.plan.empty() && names.find(run.plan) == std::string::npos)
+            names += (names.empty() ? "" : " and ") + run.plan;
+    return names.empty() ? "no plan" : names + " plan";
+}
+
 std::string armTitle(const Arm& arm) {
     return arm.title + (arm.preset == "muster" ? "" : " (" + arm.preset + ")");
 }

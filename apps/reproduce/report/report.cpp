@@ -24,7 +24,8 @@ Status writeFilms(const ExperimentResult& experiment, const std::string& folder)
         std::string name = lowerCase(experiment.text.id) + "-film";
         if (experiment.arms.size() > 1)
             name += "-" + arm.id + (arm.preset == "muster" ? "" : "-" + arm.preset);
-        const std::string path = folder + "/" + name + ".svg";
+        name += ".svg";
+        const std::string path = (std::filesystem::path(folder) / name).string();
         if (Status s = writeTextFile(path, filmStrip(runs.front().film)); !s.ok()) return s;
     }
     return {};
@@ -42,6 +43,7 @@ std::string resultsJson(const Reproduction& reproduction) {
                       {"value", orNull(v.value)},
                       {"threshold", orNull(v.threshold)},
                       {"pass", v.pass},
+                      {"binding", v.binding},
                       {"seeds", v.seeds},
                       {"low", orNull(v.low)},
                       {"high", orNull(v.high)}});

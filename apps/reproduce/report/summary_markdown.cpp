@@ -3,6 +3,22 @@
 #include "reproduce/report/markup.h"
 
 namespace muster {
+namespace {
+
+/// One line per experiment: which plan each arm used.
+std::string planLines(const Reproduction& reproduction) {
+    std::string text = "\nPlans of the arms:\n\n";
+    for (const ExperimentResult& experiment : reproduction.experiments) {
+        text += "- " + experiment.text.id + ": ";
+        for (std::size_t a = 0; a < experiment.arms.size(); ++a)
+            text += (a == 0 ? "" : ", ") + armTitle(experiment.arms[a]) + ": " +
+                    planOf(experiment, experiment.arms[a]);
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace
 
 std::string summaryMarkdown(const Reproduction& reproduction) {
     const CriteriaCount count = countCriteria(reproduction);
@@ -26,7 +42,7 @@ std::string summaryMarkdown(const Reproduction& reproduction) {
             }
         }
     }
-    return text;
+    return text + planLines(reproduction);
 }
 
 }  // namespace muster

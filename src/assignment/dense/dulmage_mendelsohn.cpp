@@ -18,11 +18,7 @@ void DulmageMendelsohn::decompose(std::int32_t rows, std::int32_t columns, const
     rows_ = rows;
     columns_ = columns;
     negligible_ = negligible;
-    flow_.assign(static_cast<std::size_t>(rows) * columns, 0.0);
-    remainingSupply_.assign(supply.begin(), supply.end());
-    remainingDemand_.assign(demand.begin(), demand.end());
-    rowPredecessor_.assign(rows, -1);
-    columnPredecessor_.assign(columns, -1);
+    flow_.reset(supply, demand);
     fillGreedily();
     // No column is reached twice in a round, so a round visits every pair at most once. A column from which
     // one row found no path gives none to the next row either, unless a path was found meanwhile: hence the
@@ -31,10 +27,10 @@ void DulmageMendelsohn::decompose(std::int32_t rows, std::int32_t columns, const
         found = false;
         openAllColumns();
         for (std::int32_t i = 0; i < rows_; ++i) {
-            if (remainingSupply_[i] <= negligible_) continue;
+            if (flow_.remainingSupply[i] <= negligible_) continue;
             const std::int32_t j = findAugmentingPath(i);
             if (j < 0) continue;
-            augment(i, j);
+            flow_.augment(i, j);
             found = true;
         }
     }
@@ -46,12 +42,12 @@ void DulmageMendelsohn::decompose(std::int32_t rows, std::int32_t columns, const
 
 void DulmageMendelsohn::fillGreedily() {
     for (std::int32_t i = 0; i < rows_; ++i) {
-        for (std::int32_t j = 0; j < columns_ && remainingSupply_[i] > negligible_; ++j) {
-            if (remainingDemand_[j] <= negligible_ || !isPossible(i, j)) continue;
-            const double amount = std::min(remainingSupply_[i], remainingDemand_[j]);
-            flow_[at(i, j)] = amount;
-            remainingSupply_[i] -= amount;
-            remainingDemand_[j] -= amount;
+        for (std::int32_t j = 0; j < columns_ && flow_.remainingSupply[i] > negligible_; ++j) {
+            if (flow_.remainingDemand[j] <= negligible_ || !isPossible(i, j)) continue;
+            const double amount = std::min(flow_.remainingSupply[i], flow_.remainingDemand[j]);
+            flow_.at(i, j) = amount;
+            flow_.remainingSupply[i] -= amount;
+            flow_.remainingDemand[j] -= amount;
         }
     }
 }
@@ -75,12 +71,12 @@ std::int32_t DulmageMendelsohn::findAugmentingPath(std::int32_t row) {
                 openColumns_[open++] = j;
                 continue;
             }
-            columnPredecessor_[j] = i;
-            if (remainingDemand_[j] > negligible_) end = j;
+            flow_.columnPredecessor[j] = i;
+            if (flow_.remainingDemand[j] > negligible_) end = j;
             for (std::int32_t k = 0; k < rows_ && end < 0; ++k) {
-                if (flow_[at(k, j)] <= negligible_ || isReached_[k]) continue;
+                if (flow_.at(k, j) <= negligible_ || isReached_[k]) continue;
                 isReached_[k] = 1;
-                rowPredecessor_[k] = j;
+                flow_.rowPredecessor[k] = j;
                 queue_.push_back(k);
             }
         }
@@ -88,22 +84,6 @@ std::int32_t DulmageMendelsohn::findAugmentingPath(std::int32_t row) {
         if (end >= 0) return end;
     }
     return -1;
-}
-
-// Sends what the path just found can carry.
-void DulmageMendelsohn::augment(std::int32_t row, std::int32_t column) {
-    double amount = std::min(remainingSupply_[row], remainingDemand_[column]);
-    for (std::int32_t i = columnPredecessor_[column]; i != row; i = columnPredecessor_[rowPredecessor_[i]])
-        amount = std::min(amount, flow_[at(i, rowPredecessor_[i])]);
-    for (std::int32_t j = column;;) {
-        const std::int32_t i = columnPredecessor_[j];
-        flow_[at(i, j)] += amount;
-        if (i == row) break;
-        j = rowPredecessor_[i];
-        flow_[at(i, j)] -= amount;
-    }
-    remainingSupply_[row] -= amount;
-    remainingDemand_[column] -= amount;
 }
 
 // Marks what the rows with supply left can reach: that is what the last round, which found no path, reached.
@@ -122,13 +102,13 @@ void DulmageMendelsohn::markHorizontal() {
         queue_.push_back(j);
     };
     for (std::int32_t j = 0; j < columns_; ++j)
-        if (remainingDemand_[j] > negligible_) mark(j);
+        if (flow_.remainingDemand[j] > negligible_) mark(j);
     for (std::size_t head = 0; head < queue_.size(); ++head) {
         for (std::int32_t i = 0; i < rows_; ++i) {
             if (rowPart_[i] == DulmageMendelsohnPart::Horizontal || !isPossible(i, queue_[head])) continue;
             rowPart_[i] = DulmageMendelsohnPart::Horizontal;
             for (std::int32_t j = 0; j < columns_; ++j)
-                if (columnPart_[j] != DulmageMendelsohnPart::Horizontal && flow_[at(i, j)] > negligible_)
+                if (columnPart_[j] != DulmageMendelsohnPart::Horizontal && flow_.at(i, j) > negligible_)
                     mark(j);
         }
     }

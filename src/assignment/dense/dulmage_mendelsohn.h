@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "assignment/dense/dense_flow.h"
+
 namespace muster {
 
 /// The part of a row or column, which is the same for all largest transports.
@@ -27,14 +29,10 @@ public:
     const std::vector<DulmageMendelsohnPart>& columnPart() const { return columnPart_; }  ///< Per column.
 
 private:
-    std::size_t at(std::int32_t row, std::int32_t column) const {
-        return static_cast<std::size_t>(column) * rows_ + row;
-    }
     bool isPossible(std::int32_t row, std::int32_t column) const;
     void fillGreedily();
     void openAllColumns();
     std::int32_t findAugmentingPath(std::int32_t row);
-    void augment(std::int32_t row, std::int32_t column);
     void markVertical();
     void markHorizontal();
 
@@ -42,16 +40,12 @@ private:
     std::int32_t rows_ = 0;
     std::int32_t columns_ = 0;
     double negligible_ = 0.0;
-    std::vector<double> flow_;             // Rows x columns, column-major.
-    std::vector<double> remainingSupply_;  // Per row.
-    std::vector<double> remainingDemand_;  // Per column.
+    DenseFlow flow_;
     std::vector<DulmageMendelsohnPart> rowPart_;
     std::vector<DulmageMendelsohnPart> columnPart_;
-    std::vector<std::int32_t> openColumns_;        // Not reached in this round, ascending.
-    std::vector<std::int32_t> queue_;              // Rows; columns in markHorizontal().
-    std::vector<std::uint8_t> isReached_;          // Per row, in this round.
-    std::vector<std::int32_t> rowPredecessor_;     // Per row: the column it was reached from.
-    std::vector<std::int32_t> columnPredecessor_;  // Per column: the row it was reached from.
+    std::vector<std::int32_t> openColumns_;  // Not reached in this round, ascending.
+    std::vector<std::int32_t> queue_;        // Rows; columns in markHorizontal().
+    std::vector<std::uint8_t> isReached_;    // Per row, in this round.
 };
 
 }  // namespace muster

@@ -9,9 +9,7 @@ namespace muster {
 
 void SuccessiveShortestPaths::reset(std::span<const double> supply, std::span<const double> demand) {
     augmentations_ = 0;
-    flow_.assign(static_cast<std::size_t>(rows_) * columns_, 0.0);
-    remainingSupply_.assign(supply.begin(), supply.end());
-    remainingDemand_.assign(demand.begin(), demand.end());
+    flow_.reset(supply, demand);
     columnDual_.assign(columns_, 0.0);
     rowDual_.assign(rows_, 0.0);
     for (std::int32_t i = 0; i < rows_; ++i) {
@@ -19,8 +17,6 @@ void SuccessiveShortestPaths::reset(std::span<const double> supply, std::span<co
         if (lowest < kInfiniteCost) rowDual_[i] = lowest;
     }
     rowDistance_.assign(rows_, kInfiniteCost);
-    rowPredecessor_.assign(rows_, -1);
-    columnPredecessor_.assign(columns_, -1);
 }
 
 bool SuccessiveShortestPaths::solve(std::int32_t rows, std::int32_t columns, const double* cost,
@@ -33,7 +29,7 @@ bool SuccessiveShortestPaths::solve(std::int32_t rows, std::int32_t columns, con
     reset(supply, demand);
     bool complete = true;
     for (std::int32_t i = 0; i < rows_; ++i) {
-        while (remainingSupply_[i] > negligible_) {
+        while (flow_.remainingSupply[i] > negligible_) {
             if (sendFrom(i)) continue;
             complete = false;
             break;
@@ -50,7 +46,7 @@ void SuccessiveShortestPaths::relax(std::int32_t i) {
         const double distance = base + c[j] - columnDual_[j];
         if (distance < columnDistance_[j]) {
             columnDistance_[j] = distance;
-            columnPredecessor_[j] = i;
+            flow_.columnPredecessor[j] = i;
         }
     }
 }
@@ -65,8 +61,8 @@ std::int32_t SuccessiveShortestPaths::nearestOpenColumn() const {
         if (best < 0 || columnDistance_[j] < columnDistance_[openColumns_[best]]) {
             best = k;
         } else if (columnDistance_[j] == columnDistance_[openColumns_[best]]) {
-            const bool here = remainingDemand_[j] > negligible_;
-            const bool there = remainingDemand_[openColumns_[best]] > negligible_;
+            const bool here = flow_.remainingDemand[j] > negligible_;
+            const bool there = flow_.remainingDemand[openColumns_[best]] > negligible_;
             if (here != there ? here : j < openColumns_[best]) best = k;
         }
     }
@@ -76,9 +72,9 @@ std::int32_t SuccessiveShortestPaths::nearestOpenColumn() const {
 // Goes back from a full column to the rows that fill it.
 void SuccessiveShortestPaths::reachRowsOf(std::int32_t column) {
     for (std::int32_t i = 0; i < rows_; ++i) {
-        if (flow_[at(i, column)] <= negligible_ || rowDistance_[i] < kInfiniteCost) continue;
+        if (flow_.at(i, column) <= negligible_ || rowDistance_[i] < kInfiniteCost) continue;
         rowDistance_[i] = columnDistance_[column];
-        rowPredecessor_[i] = column;
+        flow_.rowPredecessor[i] = column;
         reachedRows_.push_back(i);
         relax(i);
     }
@@ -95,13 +91,13 @@ bool SuccessiveShortestPaths::sendFrom(std::int32_t row) {
     for (const std::int32_t i : reachedRows_) rowDistance_[i] = kInfiniteCost;
     reachedRows_.assign(1, row);
     rowDistance_[row] = 0.0;
-    rowPredecessor_[row] = -1;
+    flow_.rowPredecessor[row] = -1;
     relax(row);
     for (std::int32_t best = nearestOpenColumn(); best >= 0; best = nearestOpenColumn()) {
         const std::int32_t j = openColumns_[best];
-        if (remainingDemand_[j] > negligible_) {
+        if (flow_.remainingDemand[j] > negligible_) {
             updateDuals(columnDistance_[j]);
-            augment(row, j);
+            flow_.augment(row, j);
             return true;
         }
         openColumns_[best] = openColumns_.back();
@@ -116,21 +112,6 @@ bool SuccessiveShortestPaths::sendFrom(std::int32_t row) {
 void SuccessiveShortestPaths::updateDuals(double distance) {
     for (const std::int32_t i : reachedRows_) rowDual_[i] += distance - rowDistance_[i];
     for (const std::int32_t j : settledColumns_) columnDual_[j] -= distance - columnDistance_[j];
-}
-
-void SuccessiveShortestPaths::augment(std::int32_t row, std::int32_t column) {
-    double amount = std::min(remainingSupply_[row], remainingDemand_[column]);
-    for (std::int32_t i = columnPredecessor_[column]; i != row; i = columnPredecessor_[rowPredecessor_[i]])
-        amount = std::min(amount, flow_[at(i, rowPredecessor_[i])]);
-    for (std::int32_t j = column;;) {
-        const std::int32_t i = columnPredecessor_[j];
-        flow_[at(i, j)] += amount;
-        if (i == row) break;
-        j = rowPredecessor_[i];
-        flow_[at(i, j)] -= amount;
-    }
-    remainingSupply_[row] -= amount;
-    remainingDemand_[column] -= amount;
 }
 
 }  // namespace muster

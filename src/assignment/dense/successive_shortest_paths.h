@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "assignment/dense/dense_flow.h"
+
 namespace muster {
 
 /// Sends all that the rows supply to columns at least cost: for each row a Dijkstra search on reduced costs,
@@ -18,17 +20,13 @@ public:
                std::span<const double> demand, double negligible);
 
     /// Amount sent from row to column.
-    double flow(std::int32_t row, std::int32_t column) const { return flow_[at(row, column)]; }
+    double flow(std::int32_t row, std::int32_t column) const { return flow_.at(row, column); }
     const std::vector<double>& rowDual() const { return rowDual_; }  ///< u; u_i + v_j <= c_ij.
     /// v <= 0; 0 where demand is left.
     const std::vector<double>& columnDual() const { return columnDual_; }
     std::int32_t augmentations() const { return augmentations_; }  ///< Searches for a shortest path.
 
 private:
-    // Column-major, since a search needs the rows that fill a column.
-    std::size_t at(std::int32_t row, std::int32_t column) const {
-        return static_cast<std::size_t>(column) * rows_ + row;
-    }
     const double* row(std::int32_t i) const { return cost_ + static_cast<std::size_t>(i) * columns_; }
     void reset(std::span<const double> supply, std::span<const double> demand);
     void relax(std::int32_t row);
@@ -36,25 +34,20 @@ private:
     void reachRowsOf(std::int32_t column);
     bool sendFrom(std::int32_t row);
     void updateDuals(double distance);
-    void augment(std::int32_t row, std::int32_t column);
 
     const double* cost_ = nullptr;
     std::int32_t rows_ = 0;
     std::int32_t columns_ = 0;
     std::int32_t augmentations_ = 0;
     double negligible_ = 0.0;
-    std::vector<double> flow_;             // Rows x columns, column-major.
-    std::vector<double> remainingSupply_;  // Per row.
-    std::vector<double> remainingDemand_;  // Per column.
+    DenseFlow flow_;
     std::vector<double> rowDual_;
     std::vector<double> columnDual_;
-    std::vector<double> rowDistance_;           // Infinite for rows that are not reached.
-    std::vector<std::int32_t> rowPredecessor_;  // The column a row was reached from, -1 for the first.
-    std::vector<std::int32_t> reachedRows_;     // In order.
+    std::vector<double> rowDistance_;        // Infinite for rows that are not reached.
+    std::vector<std::int32_t> reachedRows_;  // In order.
     std::vector<double> columnDistance_;
-    std::vector<std::int32_t> columnPredecessor_;  // The row a column was reached from.
-    std::vector<std::int32_t> openColumns_;        // Not settled yet.
-    std::vector<std::int32_t> settledColumns_;     // Their distance is final.
+    std::vector<std::int32_t> openColumns_;     // Not settled yet.
+    std::vector<std::int32_t> settledColumns_;  // Their distance is final.
 };
 
 }  // namespace muster

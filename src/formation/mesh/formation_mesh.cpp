@@ -90,6 +90,15 @@ Status FormationMesh::change(const Formation& formation) {
     return {};
 }
 
+void FormationMesh::keepCachesOf(FormationMesh& before) {
+    const TriangleMesh& mesh = formation_.mesh;
+    const TriangleMesh& old = before.formation_.mesh;
+    if (!before.solverReady_ || mesh.vertices != old.vertices || mesh.triangles != old.triangles) return;
+    std::swap(solver_, before.solver_);
+    solverReady_ = true;
+    before.solverReady_ = false;
+}
+
 void FormationMesh::setPose(const Pose& pose) {
     MUSTER_ASSERT(goodPose(pose));
     const Pose old = pose_;

@@ -59,6 +59,10 @@ public:
     /// Positions of all places on Vf [m].
     void placePositions(std::vector<Vec2>& positions) const;
 
+    /// Takes over the factorised systems of `before`, where the rest shape is the same. Call after reading an
+    /// archive.
+    void keepCachesOf(FormationMesh& before);
+
     /// Lets an archive read or write the state (not the solver: that is a cache).
     template <class Archive>
     void visit(Archive& archive) {

@@ -7,6 +7,7 @@
 
 #include "environment/environment.h"
 #include "muster/parameters.h"
+#include "routes/nearest_reachable.h"
 
 namespace muster {
 
@@ -23,17 +24,22 @@ struct PlaceDef {
 /// The free space of one kind of character in one region of an environment.
 class FreeSpace {
 public:
-    /// `region` is a label of Environment::region(), or -1 for all regions.
-    FreeSpace(const PlaceDef& def, const Environment& environment, std::int32_t region)
+    /// `region` is a label of RouteGraph::region(), or -1 for all regions; `routes` are those of the radius.
+    /// `nearest` must not be used by others meanwhile.
+    FreeSpace(const PlaceDef& def, const RouteGraph& routes, std::int32_t region, NearestReachable& nearest)
         : def_(def),
-          environment_(environment),
+          environment_(routes.environment()),
+          routes_(routes),
+          nearest_(nearest),
           region_(region),
-          inner_(environment.def().box.grown(-clearRadius())),
-          grid_(environment.grid()),
-          clearance_(environment.clearance()),
+          inner_(environment_.def().box.grown(-clearRadius())),
+          grid_(environment_.grid()),
+          clearance_(environment_.clearance()),
           clearanceError_(0.5 * std::sqrt(2.0) * grid_.cell + kRoundingError),
-          undivided_(region < 0 || (region == 0 && environment.regionCount(def.radius) == 1)) {}
+          undivided_(region < 0 || (region == 0 && routes.regionCount() == 1)) {}
 
+    const RouteGraph& routes() const { return routes_; }  ///< As given.
+    std::int32_t region() const { return region_; }       ///< As given.
     /// Radius and clearance together [m].
     double clearRadius() const { return def_.radius + def_.clearance; }
     /// Index of the cell that holds `p`, or of the nearest to it.
@@ -43,15 +49,24 @@ public:
     double clearanceAt(std::int32_t cell) const { return clearance_[cell] - clearanceError_; }
     /// True where no obstacle lies within `distance` [m] of `p`, and the box holds `p` with its clearance.
     bool isClear(Vec2 p, double distance) const {
-        return inner_.contains(p) && (clearanceAt(cellOf(p)) >= distance || isClearExactly(p, distance));
+        if (!inner_.contains(p)) return false;
+        const std::int32_t cell = cellOf(p);
+        if (clearanceAt(cell) >= distance) return true;
+        return clearanceMayReach(p, cell, distance) && isClearExactly(p, distance);
     }
     /// True where a character can stand at `p` with clearance, in the region.
     bool contains(Vec2 p) const {
         // A cell with enough clearance lies in a region, and where there is only one, in that.
         return (undivided_ && clearanceAt(cellOf(p)) >= clearRadius()) || containsExactly(p);
     }
-    /// `p` where the free space contains it, else a near point of the free space.
+    /// `p` where the free space contains it, else a near point of the free space. Not from several threads.
     Vec2 nearest(Vec2 p) const;
+    /// True where all free ground is in the region.
+    bool undivided() const { return region_ < 0 || undivided_; }
+    /// True where the ground at `p` is cut off from the region. Not from several threads.
+    bool isCutOff(Vec2 p) const;
+    /// The nearest ground of the region. Not from several threads.
+    Vec2 nearestInRegion(Vec2 p) const { return nearest_.find(routes_, p, region_); }
     /// `p` projected out of obstacles with clearance, whatever the region.
     Vec2 project(Vec2 p) const { return environment_.projectToFreeSpace(p, clearRadius()); }
 
@@ -59,12 +74,24 @@ private:
     // Bound on the rounding error of clearances, which are kept as floats [m].
     static constexpr double kRoundingError = 1e-5;
 
+    // False where the clearance of the cell of `p` tells that an obstacle is nearer than `distance`.
+    bool clearanceMayReach(Vec2 p, std::int32_t cell, double distance) const {
+        const double most = clearance_[cell] + clearanceError_;
+        if (most >= distance || clearance_[cell] >= Environment::kClearanceLimit - kRoundingError)
+            return true;
+        // It counts the edge of the box, too, which is no obstacle here.
+        const Box& box = environment_.def().box;
+        return std::fmin(std::fmin(p.x - box.min.x, box.max.x - p.x),
+                         std::fmin(p.y - box.min.y, box.max.y - p.y)) <= most;
+    }
     bool isClearExactly(Vec2 p, double distance) const;
     bool containsExactly(Vec2 p) const;
     bool inRegion(Vec2 p) const;
 
     const PlaceDef& def_;
     const Environment& environment_;
+    const RouteGraph& routes_;
+    NearestReachable& nearest_;
     std::int32_t region_;
     Box inner_;  // The box for characters with clearance [m].
     Grid grid_;

@@ -5,17 +5,25 @@
 #include <cstring>
 #include <utility>
 
+#include "base/infinite_cost.h"
+
 namespace muster {
 namespace {
 
-constexpr std::int32_t kSearchesPerStep = 3;  // Bounds the cost of path searches in a step.
-constexpr double kMetresPerStep = 12.0;   // Bound on the straight distances of all searches but the last [m].
+// Path searches go on in a step until they have used so many operations, of 10 to 100 ns each.
+constexpr std::int64_t kWorkPerStep = 15000;
 constexpr double kLeastProgress = 0.1;    // A place that moves by less than this share of a step is blocked.
 constexpr double kAttractionSpeed = 2.0;  // Of reachable targets to their targets, in top speeds of places.
 constexpr std::size_t kPlacesPerMove = 256;  // Places per task.
 // A new path is searched when the goal has moved farther than this [m]
 constexpr double kReplanDistance = 1.0;
+constexpr std::size_t kReservedCorners = 64;  // For which a new path has memory.
+constexpr std::size_t kReservedPaths = 512;   // For which there is memory at first.
+constexpr double kGoalInSight = 20.0;  // On a long route the goal is looked for from this distance on [m].
 constexpr double kReplanShare = 0.25;  // and than this share of the straight distance to it.
+// Of the line to a goal so many metres are tested in each step, the rest when the place has come so far.
+constexpr double kNearSight = 4.0;
+constexpr double kSightPeriod = 0.25;
 
 }  // namespace
 
@@ -36,7 +44,7 @@ bool PlaceTracker::consistent() const {
         if (!std::all_of(detour.path.begin(), detour.path.end(), sane)) return false;
         last = detour.place;
     }
-    return true;
+    return ways_.sane();
 }
 
 void PlaceTracker::readTargets(std::span<const Vec2> targets, const Environment& environment) {
@@ -46,22 +54,48 @@ void PlaceTracker::readTargets(std::span<const Vec2> targets, const Environment&
         if (!isFinite(p)) p = (box.min + box.max) / 2.0;
 }
 
-void PlaceTracker::separateAll(const PlaceDef& def, const Environment& environment, std::int32_t region) {
+// Targets on ground that is cut off move to the nearest ground of the region all alike, as far as the
+// farthest of them has to, so that they keep their arrangement.
+void PlaceTracker::bringWithinReach(const FreeSpace& space) {
+    asked_ = wanted_;
+    if (space.undivided()) return;
+    cutOff_.clear();
+    const bool holds = reach_.size() == wanted_.size() && reachGraph_ == &space.routes() &&
+                       reachVersion_ == space.routes().version() && reachRegion_ == space.region();
+    if (!holds) reach_.assign(wanted_.size(), {{kInfiniteCost, 0.0}, {}, false});
+    reachGraph_ = &space.routes();
+    reachVersion_ = space.routes().version();
+    reachRegion_ = space.region();
+    Vec2 shift;
+    for (std::size_t k = 0; k < wanted_.size(); ++k) {
+        Reach& reach = reach_[k];
+        if (!(reach.target == wanted_[k])) {
+            reach = {wanted_[k], {}, space.isCutOff(wanted_[k])};
+            if (reach.cutOff) reach.way = space.nearestInRegion(wanted_[k]) - wanted_[k];
+        }
+        if (!reach.cutOff) continue;
+        cutOff_.push_back(static_cast<std::int32_t>(k));
+        if (lengthSquared(reach.way) > lengthSquared(shift)) shift = reach.way;
+    }
+    for (const std::int32_t k : cutOff_) wanted_[k] += shift;
+}
+
+void PlaceTracker::separateAll(const PlaceDef& def, const RouteGraph& routes, std::int32_t region) {
     targets_.target = wanted_;
     targets_.reachable = wanted_;
-    separateTargets(FreeSpace(def, environment, region), 2.0 * def.radius, targets_.reachable, targets_.fit,
-                    separationMemory_);
+    separateTargets(FreeSpace(def, routes, region, nearest_), 2.0 * def.radius, targets_.reachable,
+                    targets_.fit, separationMemory_);
 }
 
 // Moves single places. They do not interact with each other, only with the ground.
 class PlaceTracker::Mover {
 public:
-    Mover(PlaceTracker& tracker, const PlaceDef& def, const Environment& environment, double dt)
+    Mover(PlaceTracker& tracker, const PlaceDef& def, const RouteGraph& routes, double dt)
         : tracker_(tracker),
           def_(def),
-          environment_(environment),
-          speed_(environment.travelSpeed()),
-          space_(def, environment, -1),
+          environment_(routes.environment()),
+          speed_(environment_.travelSpeed()),
+          space_(def, routes, -1, tracker.nearest_),
           dt_(dt),
           radius_(lineRadius(def)) {}
 
@@ -75,7 +109,7 @@ public:
         PathNeed need = PathNeed::None;
         // Mostly no obstacle is nearer than the goal.
         if (space_.clearanceAt(cell) < left + radius_)
-            need = moveNearObstacles(position, goal, left, reach, detour);
+            need = moveNearObstacles(position, goal, left, reach, detour, testsWholeLine(place));
         else if (before != goal)
             position = stepTowards(before, goal, left, reach);
         tracker_.velocity_[place] = dt_ > 0.0 ? (position - before) / dt_ : Vec2{};
@@ -83,9 +117,12 @@ public:
     }
 
 private:
-    PathNeed moveNearObstacles(Vec2& position, Vec2 goal, double left, double reach, Detour* detour) {
+    PathNeed moveNearObstacles(Vec2& position, Vec2 goal, double left, double reach, Detour* detour,
+                               bool whole) {
         if (position == goal && space_.isClear(position, radius_)) return PathNeed::None;
-        if (lineIsClear(position, goal, left)) {
+        // Routes are taut: the goal comes in sight near the end of one, and long lines are costly.
+        const bool far = detour != nullptr && detour->path.size() > 2 && left > kGoalInSight;
+        if (!far && goesStraight(position, goal, left, whole, detour != nullptr)) {
             position = stepTowards(position, goal, left, reach);
             return PathNeed::None;
         }
@@ -102,6 +139,21 @@ private:
         const bool searched = detour != nullptr && distance(detour->goal, goal) <= kReplanDistance;
         approach(position, goal, reach);
         return searched ? PathNeed::KeepDetour : PathNeed::Search;
+    }
+
+    // Rows of places do not test their lines in the same step.
+    bool testsWholeLine(std::int32_t place) const {
+        const std::uint32_t hash = static_cast<std::uint32_t>(place) * 2654435761u;
+        const Vec2 phase{(hash >> 24) / 256.0, ((hash >> 16) & 255) / 256.0};
+        const Vec2 now = tracker_.position_[place] / kSightPeriod + phase;
+        const Vec2 before = now - tracker_.velocity_[place] * (dt_ / kSightPeriod);
+        return std::floor(now.x) != std::floor(before.x) || std::floor(now.y) != std::floor(before.y);
+    }
+
+    // Long lines are costly, and mostly as clear as a step before.
+    bool goesStraight(Vec2 from, Vec2 goal, double left, bool whole, bool onDetour) const {
+        if (whole || left <= kNearSight) return lineIsClear(from, goal, left);
+        return !onDetour && lineIsClear(from, stepTowards(from, goal, left, kNearSight), kNearSight);
     }
 
     bool lineIsClear(Vec2 a, Vec2 b, double length) const {
@@ -157,7 +209,7 @@ private:
     PlaceTracker& tracker_;
     const PlaceDef& def_;
     const Environment& environment_;
-    std::span<const float> speed_;  // Travel speed per cell.
+    RasterView speed_;  // Travel speed per cell.
     FreeSpace space_;
     double dt_;      // [s]
     double radius_;  // For tests of lines [m].
@@ -179,14 +231,29 @@ void PlaceTracker::dropDetours(const Drop& drop) {
     detours_.resize(count);
 }
 
-void PlaceTracker::reset(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
+// Paths are searched where there are obstacles.
+void PlaceTracker::reserve(const Environment& environment) {
+    if (environment.obstacleIds().empty()) return;
+    const std::size_t paths = std::min(position_.size(), kReservedPaths);
+    detours_.reserve(position_.size());
+    samples_.reserve(kReservedCorners);
+    sparePaths_.reserve(position_.size());
+    while (sparePaths_.size() < paths) sparePaths_.emplace_back().reserve(kReservedCorners);
+    ways_.reserve();
+    search_.reserve();
+}
+
+void PlaceTracker::reset(const PlaceDef& def, std::span<const Vec2> targets, const RouteGraph& routes,
                          std::int32_t region) {
-    readTargets(targets, environment);
-    separateAll(def, environment, region);
+    readTargets(targets, routes.environment());
+    bringWithinReach(FreeSpace(def, routes, region, nearest_));
+    separateAll(def, routes, region);
     position_ = targets_.reachable;
     velocity_.assign(position_.size(), {});
     detours_.clear();
-    nextPathSearch_ = targets_.nextSearch = 0;
+    ways_.clear();
+    reserve(routes.environment());
+    nextPathSearch_ = targets_.nextSearch = targets_.quiet = targets_.pause = 0;
 }
 
 namespace {
@@ -209,6 +276,7 @@ auto& detourFor(Detours& detours, Paths& sparePaths, std::int32_t place) {
             at->path.swap(sparePaths.back());
             sparePaths.pop_back();
         }
+        at->path.reserve(kReservedCorners);
     }
     return *at;
 }
@@ -224,22 +292,18 @@ std::int32_t firstSearching(const std::vector<Need>& needs, Need search, std::in
 
 }  // namespace
 
-// Searches few paths per step, round robin.
-void PlaceTracker::searchPaths(const PlaceDef& def, const Environment& environment) {
+// Searches the paths that are needed, round robin, at least one in a step.
+void PlaceTracker::searchPaths(RouteGraph& routes) {
     const auto n = static_cast<std::int32_t>(position_.size());
     if (n == 0) return;
-    std::int32_t left = kSearchesPerStep;
+    std::int64_t left = kWorkPerStep;
     const auto first = static_cast<std::int32_t>(nextPathSearch_ % static_cast<std::uint32_t>(n));
     nextPathSearch_ = static_cast<std::uint32_t>((first + 1) % n);
-    double metres = kMetresPerStep;
     const auto search = [&](std::int32_t place) {
-        const Vec2 goal = targets_.reachable[place];
         Detour& detour = detourFor(detours_, sparePaths_, place);
-        detour.goal = goal;
-        environment.findPath(position_[place], goal, def.radius, detour.path);
-        metres -= distance(position_[place], goal);
-        left = metres > 0.0 ? left - 1 : 0;
-        if (left == 0) nextPathSearch_ = static_cast<std::uint32_t>((place + 1) % n);
+        detour.goal = targets_.reachable[place];
+        left -= findPath(routes, position_[place], detour.goal, detour.path);
+        if (left <= 0) nextPathSearch_ = static_cast<std::uint32_t>((place + 1) % n);
     };
     // Where no path was found the search is repeated when the round robin begins at the place.
     if (needs_[first] == PathNeed::KeepDetour && detourAt(detours_, first)->path.empty()) search(first);
@@ -272,13 +336,14 @@ void PlaceTracker::moveAll(Mover& mover, ThreadPool* pool) {
         for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
 }
 
-void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
+void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, RouteGraph& routes,
                            std::int32_t region, double dt, ThreadPool* pool) {
-    readTargets(targets, environment);
-    const FreeSpace space(def, environment, region);
+    readTargets(targets, routes.environment());
+    const FreeSpace space(def, routes, region, nearest_);
+    bringWithinReach(space);
     TargetUpdate update(space, 2.0 * def.radius, kAttractionSpeed * def.maxSpeed * dt, targets_,
                         updateMemory_);
-    if (!update.run(wanted_, pool)) separateAll(def, environment, region);
+    if (!update.run(wanted_, pool)) separateAll(def, routes, region);
     const std::vector<Vec2>& reachable = targets_.reachable;
     const std::size_t n = reachable.size();
     const std::size_t old = std::min({position_.size(), velocity_.size(), n});
@@ -287,10 +352,11 @@ void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, c
     velocity_.resize(old);
     velocity_.resize(n, {});
     dropDetours([&](const Detour& d) { return d.place < 0 || std::cmp_greater_equal(d.place, n); });
-    Mover mover(*this, def, environment, dt);
+    ways_.age();
+    Mover mover(*this, def, routes, dt);
     moveAll(mover, pool);
     dropDetours([&](const Detour& d) { return needs_[d.place] == PathNeed::None; });
-    searchPaths(def, environment);
+    searchPaths(routes);
 }
 
 }  // namespace muster

@@ -10,6 +10,7 @@
 #include "environment/environment.h"
 #include "formation/places/target_separation.h"
 #include "formation/places/target_update.h"
+#include "routes/shared_ways.h"
 
 namespace muster {
 
@@ -18,19 +19,22 @@ namespace muster {
 class PlaceTracker {
 public:
     /// Puts every place on its reachable target at once (a new group).
-    void reset(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
+    void reset(const PlaceDef& def, std::span<const Vec2> targets, const RouteGraph& routes,
                std::int32_t region);
     /// Moves places towards `targets` (one per place) for `dt` [s]. Reachable targets lie in the free space
     /// of the region, a diameter apart; places that find none are unfit. A place whose straight line is
-    /// blocked follows a path round the obstacle; it never crosses one. If there are more targets than
-    /// places, places are added at their reachable targets; if there are fewer, the last places are dropped.
-    void advance(const PlaceDef& def, std::span<const Vec2> targets, const Environment& environment,
-                 std::int32_t region, double dt, ThreadPool* pool = nullptr);
+    /// blocked follows a route round the obstacle; it never crosses one. `routes` are those of the
+    /// characters' radius. If there are more targets than places, places are added at their reachable
+    /// targets; if there are fewer, the last places are dropped.
+    void advance(const PlaceDef& def, std::span<const Vec2> targets, RouteGraph& routes, std::int32_t region,
+                 double dt, ThreadPool* pool = nullptr);
 
     const std::vector<Vec2>& positions() const { return position_; }   ///< [m]
     const std::vector<Vec2>& velocities() const { return velocity_; }  ///< [m/s]
     /// 1 where a character can stand, 0 where the place is unfit and stays unmatched.
     const std::vector<std::uint8_t>& fit() const { return targets_.fit; }
+    /// Target of each place in the last reset() or advance(): a point of the final mesh [m].
+    const std::vector<Vec2>& targets() const { return asked_; }
     /// Reachable target of each place after the last reset() or advance() [m].
     const std::vector<Vec2>& reachableTargets() const { return targets_.reachable; }
 
@@ -38,7 +42,7 @@ public:
     template <class Archive>
     void visit(Archive& archive) {
         archive(position_, velocity_, targets_.fit, detours_, nextPathSearch_, targets_.reachable,
-                targets_.target, targets_.nextSearch);
+                targets_.target, targets_.nextSearch, targets_.quiet, targets_.pause, ways_);
         if constexpr (Archive::kReading)
             if (!consistent()) archive.fail();
     }
@@ -65,22 +69,42 @@ private:
     template <class Drop>
     void dropDetours(const Drop& drop);
     void readTargets(std::span<const Vec2> targets, const Environment& environment);
-    void separateAll(const PlaceDef& def, const Environment& environment, std::int32_t region);
+    void bringWithinReach(const FreeSpace& space);
+    void separateAll(const PlaceDef& def, const RouteGraph& routes, std::int32_t region);
     void moveAll(Mover& mover, ThreadPool* pool);
-    void searchPaths(const PlaceDef& def, const Environment& environment);
+    void searchPaths(RouteGraph& routes);
+    void reserve(const Environment& environment);
+    std::int64_t findPath(RouteGraph& routes, Vec2 from, Vec2 to, std::vector<Vec2>& path);
+    std::int64_t passMovingObstacles(RouteGraph& routes, std::vector<Vec2>& path);
 
     std::vector<Vec2> position_;  // [m]
     std::vector<Vec2> velocity_;  // [m/s]
     ReachableTargets targets_;
     std::vector<Detour> detours_;       // In ascending order of places.
     std::uint32_t nextPathSearch_ = 0;  // Place at which the round robin of path searches begins.
+    SharedWays ways_;
 
     // Working memory and caches.
-    std::vector<Vec2> wanted_;     // Targets, all finite [m].
-    std::vector<PathNeed> needs_;  // Of each place.
+    std::vector<Vec2> wanted_;  // Targets, all finite [m].
+    std::vector<Vec2> asked_;   // The same before some were brought within reach [m].
+    /// What brought a target within reach, which holds while it rests on the same ground.
+    struct Reach {
+        Vec2 target;  // [m]
+        Vec2 way;     // To the region [m].
+        bool cutOff = false;
+    };
+    std::vector<Reach> reach_;  // Per place, for the graph, its version and the region.
+    const RouteGraph* reachGraph_ = nullptr;
+    std::uint64_t reachVersion_ = 0;
+    std::int32_t reachRegion_ = -1;
+    std::vector<std::int32_t> cutOff_;  // Places whose targets are cut off.
+    std::vector<PathNeed> needs_;       // Of each place.
     TargetUpdateMemory updateMemory_;
     SeparationMemory separationMemory_;
     std::vector<std::vector<Vec2>> sparePaths_;  // Memory of paths that ended.
+    NearestReachable nearest_;
+    RouteSearch search_;
+    std::vector<Vec2> samples_;  // Of a path [m].
 };
 
 }  // namespace muster

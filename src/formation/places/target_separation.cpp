@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kIterations = 8;       // Of pushing targets apart.
 constexpr double kOvershoot = 1.02;  // Pairs are pushed this much too far, so that few iterations suffice.
-constexpr std::int32_t kSearchBudget = 60000;  // Points examined for all relocated targets together.
+constexpr std::int32_t kSearchBudget = 10000;  // Points examined on rings for all relocated targets together.
 
 // One Jacobi iteration: pushes targets closer than `separation` apart, each by half of what is missing.
 // Examines only pairs with a target marked in `moved`, and then marks those that moved. False where no pair
@@ -79,6 +79,7 @@ public:
         std::int32_t budget = kSearchBudget;
         for (std::size_t k = 0; k < targets_.size() && budget > 0; ++k)
             if (fit_[k] == 0) relocate(k, budget);
+        flood();
         for (std::uint8_t& f : fit_) f = f != 0 ? 1 : 0;
     }
 
@@ -87,13 +88,26 @@ private:
     static constexpr std::uint8_t kRelocated = 2;
 
     void relocate(std::size_t k, std::int32_t& budget) {
-        searchRings(targets_[k], separation_, std::numeric_limits<double>::infinity(), budget, [&](Vec2 p) {
-            if (isOccupied(p) || !space_.contains(p)) return false;
-            memory_.taken.push_back(p);
-            targets_[k] = p;
-            fit_[k] = kRelocated;
-            return true;
-        });
+        searchRings(targets_[k], separation_, std::numeric_limits<double>::infinity(), budget,
+                    [&](Vec2 p) { return tryPoint(k, p); });
+    }
+
+    bool tryPoint(std::size_t k, Vec2 p) {
+        if (isOccupied(p) || !space_.contains(p)) return false;
+        memory_.taken.push_back(p);
+        targets_[k] = p;
+        fit_[k] = kRelocated;
+        return true;
+    }
+
+    // For those that the rings did not serve.
+    void flood() {
+        SiteFlood& flood = memory_.flood;
+        flood.begin(space_.routes(), space_.region(), kSiteSpacing * separation_);
+        for (std::size_t k = 0; k < targets_.size(); ++k)
+            if (fit_[k] == 0) flood.add(static_cast<std::int32_t>(k), targets_[k]);
+        flood.run(static_cast<std::int32_t>(targets_.size()),
+                  [&](std::int32_t k, Vec2 p) { return tryPoint(static_cast<std::size_t>(k), p); });
     }
 
     bool isOccupied(Vec2 p) const {

@@ -7,6 +7,7 @@
 #include "base/cell_list.h"
 #include "base/neighbour_list.h"
 #include "formation/places/free_space.h"
+#include "formation/places/site_flood.h"
 
 namespace muster {
 
@@ -14,6 +15,8 @@ namespace muster {
 inline constexpr double kTargetSkin = 0.8;
 /// Factor of the separation that still counts as enough, so that touching targets stay so while they move.
 inline constexpr double kSeparationTolerance = 1.0 - 1e-9;
+/// Of points that a flood finds, in separations.
+inline constexpr double kSiteSpacing = 1.01;
 
 /// Working memory of separateTargets().
 struct SeparationMemory {
@@ -23,6 +26,7 @@ struct SeparationMemory {
     std::vector<NeighbourPair> conflicts;  ///< Pairs that are too close after the last iteration.
     CellList cells;                        ///< Of the targets while some are relocated.
     std::vector<Vec2> taken;               ///< Points that relocated targets have taken [m].
+    SiteFlood flood;                       ///< For those with no free point near by.
 };
 
 /// Moves `targets` [m] to points of the free space that are at least `separation` [m] apart:
@@ -30,8 +34,8 @@ struct SeparationMemory {
 /// 2. Pairs that are too close are pushed apart by Jacobi iterations, and projected again.
 /// 3. Of those still too close a greedy maximal independent set, in ascending order, stays; the others are
 /// relocated
-///    to free points near by.
-/// `fit` is set to 1 for targets that have such a point, and to 0 for the others.
+///    to free points near by, or where there is none to the next ones that a flood over the region finds.
+/// `fit` is set to 1 for targets that have such a point, and to 0 for the others: the region is full.
 void separateTargets(const FreeSpace& space, double separation, std::vector<Vec2>& targets,
                      std::vector<std::uint8_t>& fit, SeparationMemory& memory);
 

@@ -20,6 +20,9 @@ constexpr std::size_t kPlacesPerPoint = 5;  // plus one for so many places.
 constexpr std::int32_t kReservedShare = 4;
 constexpr std::int32_t kProjectionCost = 8;  // Cost of a projection onto the free space, in examined points.
 constexpr double kLeastGain = 2.0;           // A new point is nearer to the target by this, in separations.
+constexpr std::uint32_t kFloodPause = 120;   // Steps before the next flood where a region is full.
+// Where all places have searched in vain and nothing has moved since, they go on with this share of points.
+constexpr std::int32_t kQuietShare = 16;
 
 }  // namespace
 
@@ -34,6 +37,42 @@ bool TargetUpdate::correct(Vec2& point, Vec2 from) const {
     const bool free = near != point && space_.contains(near);
     point = free ? near : space_.project(near);
     return lengthSquared(point - from) <= most * most * (1.0 + 1e-9) && (free || space_.contains(point));
+}
+
+// True where the proposals of the last step were made on this ground.
+bool TargetUpdate::restingHold() {
+    RestingProposals& r = m_.resting;
+    const Environment& environment = space_.routes().environment();
+    const bool holds = r.proposals.size() == s_.reachable.size() && r.instance == environment.instance() &&
+                       r.version == environment.staticVersion() && r.region == space_.region() &&
+                       r.attraction == attraction_ && r.separation == separation_ &&
+                       r.clear == space_.clearRadius();
+    r.instance = environment.instance();
+    r.version = environment.staticVersion();
+    r.region = space_.region();
+    r.attraction = attraction_;
+    r.separation = separation_;
+    r.clear = space_.clearRadius();
+    if (!holds) r.proposals.assign(s_.reachable.size(), {});
+    return environment.movingObstacleAreas().empty();
+}
+
+// What a target that rests proposes does not change while nothing does.
+void TargetUpdate::proposeOrRecall(std::int32_t k, Vec2 target, bool recalls) {
+    RestingProposals::Proposal& last = m_.resting.proposals[k];
+    const bool rests = recalls && s_.fit[k] != 0 && s_.target[k] == target;
+    if (rests && last.known && last.reachable == s_.reachable[k] && last.target == target) {
+        m_.advected[k] = last.advected;
+        m_.next[k] = last.next;
+        m_.level[k] = last.level;
+        m_.exact[k] = last.exact;
+        return;
+    }
+    propose(k, target);
+    // A point that an obstacle has come over is found out where it is fixed.
+    last.known = rests && m_.level[k] != Fixed;
+    if (last.known)
+        last = {s_.reachable[k], target, m_.advected[k], m_.next[k], m_.level[k], m_.exact[k], true};
 }
 
 void TargetUpdate::propose(std::int32_t k, Vec2 target) {
@@ -149,16 +188,34 @@ void TargetUpdate::relocateRoundRobin(std::span<const Vec2> targets) {
     m_.relocated.clear();
     const std::size_t n = targets.size();
     std::int32_t budget = kBaseBudget + static_cast<std::int32_t>(n / kPlacesPerPoint);
+    if (s_.quiet > n) budget /= kQuietShare;
     listSearching(targets, static_cast<std::int32_t>(s_.nextSearch % n));
     for (const bool fit : {false, true}) {
         const std::int32_t reserved = fit ? 0 : budget / kReservedShare;
         for (std::size_t at = 0; at < m_.searching.size() && budget > reserved; ++at) {
             const std::int32_t k = m_.searching[at];
             if ((s_.fit[k] != 0) != fit || (fit && s_.reachable[k] == targets[k])) continue;
-            relocate(k, targets[k], budget);
+            s_.quiet = relocate(k, targets[k], budget) ? 0 : s_.quiet + 1;
             s_.nextSearch = static_cast<std::uint32_t>((k + 1) % n);
         }
     }
+    if (s_.pause > 0) --s_.pause;
+    if (s_.pause == 0) flood();
+}
+
+// For places without a point, all that one flood meets.
+void TargetUpdate::flood() {
+    bool any = false;
+    for (const std::int32_t k : m_.searching) {
+        if (s_.fit[k] != 0) continue;
+        if (!any) m_.flood.begin(space_.routes(), space_.region(), kSiteSpacing * separation_);
+        any = true;
+        m_.flood.add(k, s_.reachable[k]);
+    }
+    if (!any) return;
+    const bool served = m_.flood.run(1, [&](std::int32_t k, Vec2 p) { return tryPoint(k, p); });
+    s_.quiet = 0;
+    if (!served) s_.pause = kFloodPause;
 }
 
 // Places that are not on their targets, from `first` on and round.
@@ -177,8 +234,10 @@ bool TargetUpdate::run(std::span<const Vec2> targets, ThreadPool* pool) {
     if (n == 0 || s_.reachable.size() != n || s_.target.size() != n || s_.fit.size() != n) return false;
     for (auto* points : {&m_.next, &m_.advected}) points->resize(n);
     for (auto* marks : {&m_.level, &m_.exact, &m_.yielding}) marks->resize(n);
+    for (auto* list : {&m_.yields, &m_.lowered, &m_.searching, &m_.relocated}) list->reserve(n);
+    const bool recalls = restingHold();
     forChunks(pool, n, kPlacesPerTask,
-              [&](std::size_t k) { propose(static_cast<std::int32_t>(k), targets[k]); });
+              [&](std::size_t k) { proposeOrRecall(static_cast<std::int32_t>(k), targets[k], recalls); });
     const std::size_t jumps = std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Discontinuous});
     if (jumps * kDiscontinuousShare > n) return false;
     for (std::size_t k = 0; k < n; ++k) {
@@ -189,6 +248,7 @@ bool TargetUpdate::run(std::span<const Vec2> targets, ThreadPool* pool) {
     }
     m_.neighbours.updateRows(s_.reachable, m_.next, s_.fit, separation_, kTargetSkin);
     resolveConflicts();
+    if (s_.reachable != m_.next) s_.quiet = 0;
     s_.reachable.swap(m_.next);
     s_.target.assign(targets.begin(), targets.end());
     relocateRoundRobin(targets);

@@ -9,6 +9,7 @@
 #include "base/neighbour_list.h"
 #include "base/parallel.h"
 #include "formation/places/free_space.h"
+#include "formation/places/site_flood.h"
 
 namespace muster {
 
@@ -19,9 +20,25 @@ struct ReachableTargets {
         reachable;  ///< Of each target, the point of the free space that the place heads for [m].
     std::vector<std::uint8_t> fit;  ///< 1 where a place has such a point, 0 where it stays unmatched.
     std::uint32_t nextSearch = 0;   ///< Index of the place whose search for a better point comes next.
+    std::uint32_t quiet = 0;        ///< Searches without success since a reachable target moved.
+    std::uint32_t pause = 0;        ///< Steps until a flood is tried again, after one that found no room.
 };
 
-/// Working memory of TargetUpdate. Only the neighbour list outlives a step, and it is a cache.
+/// Proposals of the last step for targets that rested. One holds while all that it was made from is the same.
+struct RestingProposals {
+    struct Proposal {
+        Vec2 reachable, target;             ///< What it was made from [m].
+        Vec2 advected, next;                ///< What it says [m].
+        std::uint8_t level = 0, exact = 0;  ///< What it says.
+        bool known = false;                 ///< Only for places that were fit and at rest.
+    };
+    std::vector<Proposal> proposals;  ///< Per place.
+    std::uint64_t instance = 0, version = 0;
+    std::int32_t region = -1;
+    double attraction = -1.0, separation = -1.0, clear = -1.0;
+};
+
+/// Working memory of TargetUpdate. Only neighbour list and resting proposals outlive a step, as caches.
 struct TargetUpdateMemory {
     NeighbourList neighbours;             ///< Of the reachable targets.
     std::vector<Vec2> advected;           ///< Where each is if it moves along with its target [m].
@@ -33,12 +50,15 @@ struct TargetUpdateMemory {
     std::vector<std::int32_t> lowered;    ///< Those whose level was lowered last.
     std::vector<std::int32_t> searching;  ///< Those that are not on their targets, round robin.
     std::vector<std::int32_t> relocated;  ///< Those relocated in this step.
+    RestingProposals resting;             ///< Of the last step.
+    SiteFlood flood;                      ///< For places with no free point near by.
 };
 
 /// One step of reachable targets. A reachable target that lies on its target moves with it. Others are
 /// advected by the displacement of their targets and attracted by them. Where two come too close, one gives
 /// up attraction first, then advection; where all keep their points nobody is too close. Those without a
-/// point, or not on their targets, search for a better one, round robin and within a budget.
+/// point, or not on their targets, search for a better one, round robin and within a budget. A flood over the
+/// region serves those without one that find none near by.
 class TargetUpdate {
 public:
     /// Reachable targets stay `separation` [m] apart; attraction moves them by up to `attraction` [m] per
@@ -55,6 +75,8 @@ private:
     enum Level : std::uint8_t { Fixed, Advected, Attracted, Discontinuous };
 
     double maxStep() const;
+    bool restingHold();
+    void proposeOrRecall(std::int32_t place, Vec2 target, bool recalls);
     void propose(std::int32_t place, Vec2 target);
     void proposeAttracted(std::int32_t place, Vec2 target, Vec2 advected, bool free);
     bool correct(Vec2& point, Vec2 from) const;
@@ -64,6 +86,7 @@ private:
     void lowerLevel(std::int32_t place);
     void relocateRoundRobin(std::span<const Vec2> targets);
     void listSearching(std::span<const Vec2> targets, std::int32_t first);
+    void flood();
     bool relocate(std::int32_t place, Vec2 target, std::int32_t& budget);
     bool tryPoint(std::int32_t place, Vec2 point);
 

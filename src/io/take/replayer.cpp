@@ -1,5 +1,6 @@
 #include "io/take/replayer.h"
 
+#include <algorithm>
 #include <string>
 
 #include "base/hash.h"
@@ -24,7 +25,24 @@ Status Replayer::submit(World& world) {
     return submitUntil(world, marked ? take_->marks[nextMark_].commands : take_->commands.size());
 }
 
+// The world may raise more events than the take holds, which may be older than these events.
+Status Replayer::compareEvents(const World& world) {
+    const auto& events = take_->events;
+    for (; nextEvent_ < events.size() && events[nextEvent_].step <= world.stepCount(); ++nextEvent_) {
+        const TakeEvent& raised = events[nextEvent_];
+        const auto now = world.events();
+        if (raised.step == world.stepCount() && std::find(now.begin(), now.end(), raised.event) != now.end())
+            continue;
+        return {StatusCode::Corrupt, "step " + std::to_string(raised.step) + ": found no event '" +
+                                         eventKindName(raised.event.kind) + "' of " +
+                                         std::to_string(raised.event.subject) + " with " +
+                                         std::to_string(raised.event.value) + ", expected it as recorded"};
+    }
+    return {};
+}
+
 Status Replayer::compare(World& world) {
+    if (Status s = compareEvents(world); !s.ok()) return s;
     const auto& marks = take_->marks;
     for (; nextMark_ < marks.size() && marks[nextMark_].step == world.stepCount(); ++nextMark_) {
         const HashMark& mark = marks[nextMark_];

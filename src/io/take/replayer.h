@@ -25,16 +25,19 @@ public:
 
     /// Submits the commands recorded before the next mark. Fails like World::submit and compare().
     Status submit(World& world);
-    /// Compares the marks of the world's step. Fails with Corrupt, naming the step, where a hash differs.
+    /// Compares the marks and events of the world's step. Fails with Corrupt, naming the step, where a hash
+    /// differs or the world does not raise an event of the take.
     Status compare(World& world);
 
 private:
     Status submitUntil(World& world, std::size_t end);
+    Status compareEvents(const World& world);
 
     const Take* take_;
     std::uint32_t steps_;  // Stored, because counting the steps takes long.
     std::size_t nextCommand_ = 0;
     std::size_t nextMark_ = 0;
+    std::size_t nextEvent_ = 0;
     std::uint32_t compared_ = 0;
     std::uint64_t lastHash_ = 0;
 };

@@ -50,6 +50,24 @@ std::vector<std::uint8_t> TakeEncoder::command(const Command& command) {
     return bytes;
 }
 
+std::vector<std::uint8_t> TakeEncoder::event(const TakeEvent& raised) {
+    Writer writer;
+    writer(raised.step, raised.event);
+    std::vector<std::uint8_t> bytes;
+    putRecord(bytes, RecordKind::Event, writer.bytes());
+    return bytes;
+}
+
+std::vector<std::uint8_t> TakeEncoder::events(const World& world) {
+    std::vector<std::uint8_t> bytes;
+    for (const Event& one : world.events()) {
+        if (!isOrderEvent(one.kind)) continue;
+        const std::vector<std::uint8_t> record = event({world.stepCount(), one});
+        bytes.insert(bytes.end(), record.begin(), record.end());
+    }
+    return bytes;
+}
+
 std::vector<std::uint8_t> TakeEncoder::mark(const HashMark& mark) {
     return markRecord(RecordKind::Mark, mark);
 }

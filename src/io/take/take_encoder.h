@@ -15,6 +15,10 @@ public:
     static std::vector<std::uint8_t> begin(const WorldDef& def);
     /// Encodes a command record.
     static std::vector<std::uint8_t> command(const Command& command);
+    /// Encodes an event.
+    static std::vector<std::uint8_t> event(const TakeEvent& event);
+    /// Encodes the events of orders in a world's last step, one record each.
+    static std::vector<std::uint8_t> events(const World& world);
     /// Encodes a hash mark.
     static std::vector<std::uint8_t> mark(const HashMark& mark);
     /// Encodes the end record, with the last mark.

@@ -20,6 +20,7 @@ enum class RecordKind : std::uint8_t {
     Command = 2,   ///< A command as encodeCommand() writes it.
     Mark = 3,      ///< u32 step, u64 hash.
     End = 4,       ///< Like Mark; it is the last record.
+    Event = 5,     ///< u32 step, u8 kind, u32 subject, u32 value, f64 x, f64 y.
 };
 
 }  // namespace muster

@@ -82,6 +82,8 @@ private:
                 return scenario(payload);
             case RecordKind::Command:
                 return command(payload);
+            case RecordKind::Event:
+                return event(payload);
             case RecordKind::Mark:
             case RecordKind::End:
                 take_.finished = kind == RecordKind::End;
@@ -107,6 +109,18 @@ private:
         if (!command.ok()) return corrupt(command.status().message());
         if (reader.remaining() > 0) return corrupt("found bytes too many");
         take_.commands.push_back(std::move(command).value());
+        return {};
+    }
+
+    Status event(std::span<const std::uint8_t> payload) {
+        Reader reader(payload);
+        TakeEvent raised;
+        reader(raised.step, raised.event);
+        if (!reader.ok() || reader.remaining() > 0) return corrupt("found an event of the wrong size");
+        if (!isOrderEvent(raised.event.kind)) return corrupt("found an event of unknown kind");
+        if (!take_.events.empty() && raised.step < take_.events.back().step)
+            return corrupt("found an earlier event");
+        take_.events.push_back(raised);
         return {};
     }
 

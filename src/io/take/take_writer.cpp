@@ -34,6 +34,8 @@ Status TakeWriter::command(const Command& command) {
 }
 
 Status TakeWriter::observe(const World& world) {
+    if (const auto events = TakeEncoder::events(world); !events.empty())
+        if (Status s = append(events); !s.ok()) return s;
     if (world.stepCount() % kTakeMarkSpacing != 0) return {};
     return append(TakeEncoder::mark({world.stepCount(), world.hash()}));
 }

@@ -21,7 +21,7 @@ void ExactPlan::guide(const GuidanceInput& input, ThreadPool&, std::span<Vec2> d
         FieldGuidance guidance{{0.0, 0.0}, kInfiniteCost};
         const std::int32_t place = input.place[i];
         if (place >= 0 && std::cmp_less(place, input.places.size()))
-            guidance = guideOne(input.characters[i], place, input.places[place], *input.environment,
+            guidance = guideOne(input.characters[i], place, input.places[place], input.costs->environment(),
                                 input.directReach);
         direction[i] = guidance.direction;
         cost[i] = guidance.cost;

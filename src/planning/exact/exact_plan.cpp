@@ -15,14 +15,17 @@ std::unique_ptr<Plan> makeExactPlan() {
 
 Status ExactPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = validatePlan(def, input); !status.ok()) return status;
-    pending_.freeze(def, input, finished_);
+    if (input.costs == nullptr) return invalidArgument("plan has no costs");
+    const UnitCost& cost = input.costs->unitCost();
+    if (Status status = validateUnitCost(cost); !status.ok()) return status;
+    pending_.freeze(def, input, cost, finished_);
     return {};
 }
 
-void ExactPlan::advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) {
-    if (!pending() || slices <= 0 || slice < 0) return;
+void ExactPlan::advance(std::int32_t share, std::int32_t shares, ThreadPool& pool) {
+    if (!pending() || shares <= 0 || share < 0) return;
     const std::int64_t end = static_cast<std::int64_t>(pending_.places()) *
-                             (static_cast<std::int64_t>(slice) + 1) / slices;
+                             (static_cast<std::int64_t>(share) + 1) / shares;
     pending_.solve(static_cast<std::int32_t>(std::min<std::int64_t>(end, pending_.places())), pool, workers_);
 }
 
@@ -132,6 +135,7 @@ void ExactPlan::keepIncumbents(PlanResult& result) {
 void ExactPlan::report(PlanResult& result) {
     result.cost.assign(pending_.characters(), kInfiniteCost);
     result.objective = 0.0;
+    result.provisional = result.first = false;
     result.reassigned = 0;
     std::size_t k = 0;
     for (std::int32_t i = 0; i < pending_.characters(); ++i) {

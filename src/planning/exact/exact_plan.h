@@ -17,10 +17,10 @@ namespace muster {
 class ExactPlan final : public Plan {
 public:
     const char* name() const override { return "exact"; }
-    bool readsUnitCost() const override { return true; }
+    std::int32_t shares(std::int32_t period) const override { return period; }
     Status start(const PlanDef& def, const PlanInput& input) override;
     bool pending() const override { return pending_.valid(); }
-    void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
+    void advance(std::int32_t share, std::int32_t shares, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
     void guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec2> direction,
                std::span<double> cost) override;

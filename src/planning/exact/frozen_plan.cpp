@@ -33,7 +33,8 @@ void growWorkers(std::vector<FieldWorker>& workers, const ThreadPool& pool) {
 
 }  // namespace
 
-void FrozenPlan::freeze(const PlanDef& def, const PlanInput& input, const FrozenPlan& former) {
+void FrozenPlan::freeze(const PlanDef& def, const PlanInput& input, const UnitCost& cost,
+                        const FrozenPlan& former) {
     def_ = def;
     copySpan(input.characters, characters_);
     copySpan(input.supply, supply_);
@@ -41,7 +42,9 @@ void FrozenPlan::freeze(const PlanDef& def, const PlanInput& input, const Frozen
     copySpan(input.demand, demand_);
     copySpan(input.usable, usable_);
     copySpan(input.incumbent, incumbent_);
-    unitCost_ = *input.unitCost;
+    copySpan(input.barred, barred_);
+    copySpan(input.wait, wait_);
+    unitCost_ = cost;
     solved_ = 0;
     inheritUnlimited(former);
     valid_ = true;
@@ -159,17 +162,20 @@ const CostField* FrozenPlan::field(std::int32_t place) const {
 double FrozenPlan::pairCost(std::int32_t character, std::int32_t place) const {
     const CostField* toPlace = field(place);
     if (toPlace == nullptr || characterRegion_[character] != placeRegion_[place]) return kInfiniteCost;
+    const double wait = !barred_.empty() && barred_[character] == place ? wait_[character] : 0.0;
+    if (wait < 0.0) return -wait;
     const double straight = distance(characters_[character], places_[place]);
-    if (!def_.geodesic) return straight;
+    if (!def_.geodesic) return straight + wait;
     if (!isTarget(character, place)) return kBoundShare * static_cast<double>(unitCost_.lowest) * straight;
     const Vec2 from = freePoint_[character];
-    return std::max(0.0, toPlace->cost(from)) + distance(characters_[character], from);
+    const double walk = std::max(0.0, toPlace->cost(from)) + distance(characters_[character], from);
+    return walk + wait;
 }
 
 template <class Self, class Archive>
 void FrozenPlan::visitInputs(Self& self, Archive& archive) {
     archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_,
-            self.incumbent_, self.solved_, self.unlimited_);
+            self.incumbent_, self.barred_, self.wait_, self.solved_, self.unlimited_);
 }
 
 void FrozenPlan::save(Writer& archive) const {
@@ -191,8 +197,10 @@ bool FrozenPlan::load(Reader& archive, std::int32_t& progress) {
     solved_ = 0;
     if (!loadUnitCost(archive, unitCost_) || progress < 0 || progress > places()) return false;
     if (unlimited_.size() != places_.size()) return false;
-    const PlanInput input{characters_, supply_, places_, demand_, usable_, incumbent_, &unitCost_};
-    if (!validatePlan(def_, input).ok()) return false;
+    PlanInput input{characters_, supply_, places_, demand_, usable_, incumbent_};
+    input.barred = barred_;
+    input.wait = wait_;
+    if (!validatePlan(def_, input).ok() || !validateUnitCost(unitCost_).ok()) return false;
     valid_ = true;
     derive();
     return true;

@@ -24,7 +24,7 @@ struct FieldWorker {
 class FrozenPlan {
 public:
     /// Copies a valid input. Places whose fronts were unlimited in `former` keep that for some plans.
-    void freeze(const PlanDef& def, const PlanInput& input, const FrozenPlan& former);
+    void freeze(const PlanDef& def, const PlanInput& input, const UnitCost& cost, const FrozenPlan& former);
     /// Empties it, keeping memory.
     void clear() { valid_ = false; }
     /// Solves the fields of the places [solved(), end).
@@ -92,6 +92,8 @@ private:
     std::vector<double> demand_;           // Per place; empty for 1 each.
     std::vector<std::uint8_t> usable_;     // Per place; empty for all.
     std::vector<std::int32_t> incumbent_;  // Per character, -1 for none.
+    std::vector<std::int32_t> barred_;     // Per character, as in PlanInput; empty for none.
+    std::vector<float> wait_;              // Per character [m].
     UnitCost unitCost_;
     std::int32_t solved_ = 0;              // Places whose fields are done.
     std::vector<std::uint8_t> unlimited_;  // Per place: plans for which its front remains unlimited.

@@ -6,6 +6,7 @@
 
 #include "base/infinite_cost.h"
 #include "base/maths.h"
+#include "cost/ground_level.h"
 #include "planning/copy_span.h"
 #include "planning/plan_validation.h"
 
@@ -20,13 +21,11 @@ constexpr std::size_t kPrefetchPoints = 24;  // Characters from which a first pl
 constexpr double kBottleneckExponent = 8.0;  // Approximates the bottleneck objective.
 constexpr double kBottleneckShare = 0.2;     // Commit threshold share with the bottleneck objective.
 constexpr std::size_t
-    kCharactersPerStep = 10000;                 // A round of the assignment takes one more step per so many.
-constexpr std::int32_t kMaxStepsPerRound = 6;   // Ten rounds a second.
-constexpr std::int32_t kSearchShare = 3;        // One search may settle this fraction of all nodes.
-constexpr std::int32_t kMaxSearch = 4000;       // Nodes that one search may settle, at most.
-constexpr double kMaxSettled = 40000.0;         // Nodes that all searches of a step may settle.
-constexpr std::size_t kSmallCrowd = 3000;       // Up to here a first plan gets kSmallCrowdRounds.
-constexpr std::int32_t kSmallCrowdRounds = 24;  // Repairs after a cold start.
+    kCharactersPerStep = 10000;                // A round of the assignment takes one more step per so many.
+constexpr std::int32_t kMaxStepsPerRound = 6;  // Ten rounds a second.
+constexpr std::int32_t kSearchShare = 3;       // One search may settle this fraction of all nodes.
+constexpr std::int32_t kMaxSearch = 4000;      // Nodes that one search may settle, at most.
+constexpr double kMaxSettled = 40000.0;        // Nodes that all searches of a step may settle.
 
 }  // namespace
 
@@ -34,48 +33,56 @@ std::unique_ptr<Plan> makeFastPlan() {
     return std::make_unique<FastPlan>();
 }
 
-void FastPlan::reserve(std::size_t characters, std::size_t places, const StaticGround& ground) {
+void FastPlan::reserve(std::size_t characters, std::size_t places, PlanCosts& costs) {
     assignment_.reserve(assignmentDef(characters), characters, places);
-    geodesics_.reserve(ground, places);
+    geodesics_.reserve(costs.staticGround(), places);
+    costs.dynamicCost();
 }
 
 Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = validatePlan(def, input); !status.ok()) return status;
+    if (input.costs == nullptr) return invalidArgument("plan has no costs");
     if (!input.supply.empty() || !input.demand.empty())
         return invalidArgument("a fast plan takes one unit of supply and demand each");
-    if (input.ground == nullptr || input.dynamicCost == nullptr)
-        return invalidArgument("a fast plan needs the static ground and the dynamic cost");
     def_ = def;
     copySpan(input.characters, characters_);
     copySpan(input.places, places_);
     copySpan(input.usable, usable_);
     copySpan(input.incumbent, incumbent_);
     copySpan(input.connected, connected_);
-    ground_ = input.ground;
-    dynamicCost_ = input.dynamicCost;
+    copySpan(input.barred, barred_);
+    copySpan(input.wait, wait_);
+    copySpan(input.ways.way, way_);
+    copySpan(input.ways.reach, reach_);
+    copySpan(input.ways.onward, onward_);
+    ground_ = &input.costs->staticGround();
+    planCosts_ = input.costs;
     pending_ = true;
     guided_ = assigned_ = false;
     return {};
 }
 
 // Local fields are retained here, when no query reads them.
-void FastPlan::updateGeodesics(ThreadPool& pool, const StaticGround& ground, const DynamicCost& dynamicCost,
+void FastPlan::updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<const Vec2> characters,
                                std::span<const Vec2> places) {
     geodesics_.retainFields(targets_);
-    geodesics_.update(ground, dynamicCost, places, pool);
+    geodesics_.update(costs.staticGround(), costs.dynamicCost(), places, pool);
+    if (RouteGraph* const routes = costs.routes()) geodesics_.findRoutes(*routes, characters, targets_);
 }
 
 void FastPlan::advance(std::int32_t, std::int32_t, ThreadPool& pool) {
     if (!pending_ || guided_ || assigned_) return;
-    updateGeodesics(pool, *ground_, *dynamicCost_, places_);
+    updateGeodesics(pool, *planCosts_, characters_, places_);
     geodesicsUpdated_ = true;
+    prepareFirst(pool);
     evaluateGuidance(pool);
     guided_ = true;
 }
 
 void FastPlan::assign(ThreadPool& pool) {
     if (!guided_ || assigned_) return;
-    costs_.set(geodesics_, def_.geodesic, characters_, places_, guidedPlace_, incumbentCost_);
+    costs_.set(geodesics_, ways(), def_.geodesic, characters_, places_, guidedPlace_, incumbentCost_, barred_,
+               wait_);
     if (def_.reassign) updateAssignment(pool);
     assigned_ = true;
 }
@@ -89,7 +96,6 @@ DynamicAssignmentDef FastPlan::assignmentDef(std::size_t characters) const {
     def.exponent = def_.bottleneck ? kBottleneckExponent : def_.exponent;
     def.threshold = def_.bottleneck ? 0.0 : def_.commitThreshold;
     def.thresholdShare = def_.bottleneck ? kBottleneckShare : def_.commitThresholdShare;
-    if (characters <= kSmallCrowd) def.initialRounds = kSmallCrowdRounds;
     const auto count = static_cast<double>(std::max<std::size_t>(1, characters));
     def.settledPerNode = std::min(def.settledPerNode, kMaxSettled / count);
     // Where a large formation rotates, the gain of one node is paid for by many others along a long cycle.
@@ -112,6 +118,14 @@ void FastPlan::evaluateGuidance(ThreadPool& pool) {
         const bool samePlace = guidedPlace_[i] == place;
         guidedPlace_[i] = place;
         if (place < 0) return;
+        const double byWay = ways().cost(i, place, places_.size());
+        if (byWay < kInfiniteCost && def_.geodesic) {
+            // Its passage leads it; the target of a way that it does not go would mislead it behind.
+            targets_[i] = {};
+            guidance_[i] = {normalized(places_[place] - characters_[i]), static_cast<float>(byWay)};
+            incumbentCost_[i] = guidance_[i].cost;
+            return;
+        }
         const bool reusesDirection = samePlace && guidance_[i].cost > kDistantCost &&
                                      (i + guidanceRound_) % 2 == 0;
         if (reusesDirection)
@@ -129,26 +143,38 @@ bool FastPlan::incumbentsAreAssigned() const {
            std::equal(assigned.begin(), assigned.end(), incumbent_.begin());
 }
 
-// Prefetches the fields for some evenly picked characters, then starts cold. Nobody has an incumbent place,
-// so every gain is committed.
-void FastPlan::assignFirst(const AssignmentInput& input, ThreadPool& pool) {
-    std::vector<Vec2> from;
-    const std::size_t stride = std::max<std::size_t>(1, characters_.size() / kPrefetchPoints);
-    for (std::size_t i = 0; i < characters_.size(); i += stride) from.push_back(characters_[i]);
-    geodesics_.prefetch(from, pool);
-    DynamicAssignmentDef def = assignmentDef(characters_.size());
-    def.threshold = 0.0;
-    def.thresholdShare = 0.0;
-    assignment_.coldStart(def, input, costs_, pool);
+void FastPlan::prepareFirst(ThreadPool& pool) {
+    const bool nobody = std::all_of(incumbent_.begin(), incumbent_.end(),
+                                    [](std::int32_t j) { return j < 0; });
+    bool whole = false;
+    if (first_.begin(nobody && def_.reassign, def_.reassign && incumbentsAreAssigned())) {
+        prefetchPoints_.clear();
+        const std::size_t stride = std::max<std::size_t>(1, characters_.size() / kPrefetchPoints);
+        for (std::size_t i = 0; i < characters_.size(); i += stride)
+            prefetchPoints_.push_back(characters_[i]);
+        whole = geodesics_.prefetch(prefetchPoints_, first_.looksThoroughly(def_),
+                                    first_.cells(def_, characters_.size()), pool);
+    }
+    first_.decide(def_, whole, characters_.size());
 }
 
+// Until the first plan is made nobody has a place worth keeping, so every gain is committed.
 void FastPlan::updateAssignment(ThreadPool& pool) {
     const AssignmentInput input{characters_, places_, usable_, connected_};
-    if (std::all_of(incumbent_.begin(), incumbent_.end(), [](std::int32_t j) { return j < 0; }))
-        return assignFirst(input, pool);
-    if (!incumbentsAreAssigned())
-        assignment_.warmStart(assignmentDef(characters_.size()), input, incumbent_, costs_, pool);
-    assignment_.update(assignmentDef(characters_.size()), input, costs_, pool);
+    DynamicAssignmentDef def = assignmentDef(characters_.size());
+    if (first_.unfinished()) def.threshold = def.thresholdShare = 0.0;
+    def.initialRounds = FirstPlan::roundsAtOnce(characters_.size());
+    switch (first_.action()) {
+        case FirstPlan::Action::Start:
+            return assignment_.coldStart(def, input, costs_, pool);
+        case FirstPlan::Action::Wait:
+            return;
+        case FirstPlan::Action::Repair:
+        case FirstPlan::Action::None:
+            break;
+    }
+    if (!incumbentsAreAssigned()) assignment_.warmStart(def, input, incumbent_, costs_, pool);
+    assignment_.update(def, input, costs_, pool);
 }
 
 Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
@@ -174,6 +200,8 @@ void FastPlan::report(PlanResult& result) const {
     result.flows.clear();
     result.cost.assign(characters_.size(), kInfiniteCost);
     result.objective = 0.0;
+    result.provisional = first_.provisional();
+    result.first = first_.unfinished();
     result.reassigned = 0;
     for (std::int32_t i = 0; std::cmp_less(i, characters_.size()); ++i) {
         const std::int32_t j = place[i];
@@ -224,8 +252,7 @@ void FastPlan::guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec
                      std::span<double> cost) {
     MUSTER_ASSERT(input.place.size() == input.characters.size() &&
                   direction.size() == input.characters.size() && cost.size() == input.characters.size());
-    if (!geodesicsUpdated_ && input.ground != nullptr)
-        updateGeodesics(pool, *input.ground, *input.dynamicCost, input.places);
+    if (!geodesicsUpdated_) updateGeodesics(pool, *input.costs, input.characters, input.places);
     const bool evaluated = geodesicsUpdated_ && guidedPlace_.size() == input.characters.size();
     geodesicsUpdated_ = false;
     targets_.resize(input.characters.size());
@@ -250,7 +277,7 @@ double FastPlan::costAt(std::int32_t place, Vec2 p) const {
         return kInfiniteCost;
     const Vec2 source = places_[place];
     if (picture_.ground != ground_->version() || !(picture_.place == source)) {
-        picture_.solver.solve(ground_->fine(), source, {}, picture_.field);
+        picture_.solver.solve(ground_->fineLevel().unitCost(), source, {}, picture_.field);
         picture_.place = source;
         picture_.ground = ground_->version();
     }
@@ -265,6 +292,14 @@ void FastPlan::save(Writer& archive) const {
 bool FastPlan::load(Reader& archive, ThreadPool&) {
     visit(*this, archive);
     return archive.ok() && geodesics_.load(archive) && consistent();
+}
+
+void FastPlan::keepFieldsOf(Plan& before) {
+    if (auto* const other = dynamic_cast<FastPlan*>(&before)) geodesics_.keepFieldsOf(other->geodesics_);
+}
+
+void FastPlan::bind(PlanCosts& costs) {
+    geodesics_.bind(costs.staticGround());
 }
 
 bool FastPlan::consistent() const {

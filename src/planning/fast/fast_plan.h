@@ -8,6 +8,7 @@
 #include "assignment/dynamic/dynamic_assignment.h"
 #include "eikonal/eikonal_solver.h"
 #include "geodesics/geodesics.h"
+#include "planning/fast/first_plan.h"
 #include "planning/fast/geodesic_cost_oracle.h"
 #include "planning/plan.h"
 
@@ -18,11 +19,11 @@ namespace muster {
 class FastPlan final : public Plan {
 public:
     const char* name() const override { return "fast"; }
-    bool readsUnitCost() const override { return false; }
-    void reserve(std::size_t characters, std::size_t places, const StaticGround& ground) override;
+    void reserve(std::size_t characters, std::size_t places, PlanCosts& costs) override;
+    std::int32_t shares(std::int32_t) const override { return 1; }
     Status start(const PlanDef& def, const PlanInput& input) override;
     bool pending() const override { return pending_; }
-    void advance(std::int32_t slice, std::int32_t slices, ThreadPool& pool) override;
+    void advance(std::int32_t share, std::int32_t shares, ThreadPool& pool) override;
     Status finish(ThreadPool& pool, PlanResult& result) override;
     bool worksInBackground() const override { return true; }
     void workInBackground() override;
@@ -32,6 +33,8 @@ public:
     double costAt(std::int32_t place, Vec2 p) const override;
     void save(Writer& archive) const override;
     bool load(Reader& archive, ThreadPool& pool) override;
+    void keepFieldsOf(Plan& before) override;
+    void bind(PlanCosts& costs) override;
     bool suits(std::size_t characters, std::size_t places, const Grid& grid) const override;
     void hash(Hasher& archive) const override;
 
@@ -39,17 +42,18 @@ private:
     template <class Self, class Archive>
     static void visit(Self& self, Archive& archive) {
         archive(self.def_, self.characters_, self.places_, self.usable_, self.incumbent_, self.connected_,
-                self.incumbentCost_, self.guidance_, self.guidedPlace_, self.guidanceRound_, self.pending_,
-                self.assigned_, self.assignment_, self.targets_, self.waitingPlace_, self.waitingCursor_,
-                self.everFinished_);
+                self.barred_, self.wait_, self.incumbentCost_, self.guidance_, self.guidedPlace_,
+                self.guidanceRound_, self.pending_, self.assigned_, self.assignment_, self.targets_,
+                self.waitingPlace_, self.waitingCursor_, self.everFinished_, self.first_);
     }
     bool consistent() const;
+    PlannedWays ways() const { return {way_, reach_, onward_}; }
     bool guidanceConsistent() const;
-    void updateGeodesics(ThreadPool& pool, const StaticGround& ground, const DynamicCost& dynamicCost,
+    void updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<const Vec2> characters,
                          std::span<const Vec2> places);
     void evaluateGuidance(ThreadPool& pool);
     void assign(ThreadPool& pool);
-    void assignFirst(const AssignmentInput& input, ThreadPool& pool);
+    void prepareFirst(ThreadPool& pool);
     void updateAssignment(ThreadPool& pool);
     std::span<const std::int32_t> placeOf() const;
     void report(PlanResult& result) const;
@@ -59,11 +63,15 @@ private:
     DynamicAssignmentDef assignmentDef(std::size_t characters) const;
 
     PlanDef def_;
-    std::vector<Vec2> characters_;           // Positions [m].
-    std::vector<Vec2> places_;               // Positions [m].
-    std::vector<std::uint8_t> usable_;       // Per place; empty for all.
-    std::vector<std::int32_t> incumbent_;    // Per character, -1 for none.
-    std::vector<std::uint8_t> connected_;    // Per character, as in PlanInput.
+    std::vector<Vec2> characters_;         // Positions [m].
+    std::vector<Vec2> places_;             // Positions [m].
+    std::vector<std::uint8_t> usable_;     // Per place; empty for all.
+    std::vector<std::int32_t> incumbent_;  // Per character, -1 for none.
+    std::vector<std::uint8_t> connected_;  // Per character, as in PlanInput.
+    std::vector<std::int32_t> barred_;     // Per character, as in PlanInput.
+    std::vector<float> wait_;              // Per character, as in PlanInput [m].
+    std::vector<std::int32_t> way_;        // The ways of PlannedWays, of this step only.
+    std::vector<float> reach_, onward_;
     std::vector<float> incumbentCost_;       // Per character: cost to its incumbent place [m].
     std::vector<Guidance> guidance_;         // Per character, to guidedPlace_.
     std::vector<std::int32_t> guidedPlace_;  // Per character: its incumbent when its guidance was evaluated.
@@ -74,14 +82,16 @@ private:
     // ended.
     bool assigned_ = false;
     bool everFinished_ = false;
+    FirstPlan first_;
     DynamicAssignment assignment_;
     Geodesics geodesics_;
     std::vector<SteeringTarget> targets_;     // Per character.
     std::vector<std::int32_t> waitingPlace_;  // Per character, -1 for none.
     std::uint32_t waitingCursor_ = 0;  // The character with whom the next search for waiting places begins.
     // Of this step only.
+    std::vector<Vec2> prefetchPoints_;
     const StaticGround* ground_ = nullptr;
-    const DynamicCost* dynamicCost_ = nullptr;
+    PlanCosts* planCosts_ = nullptr;
     bool geodesicsUpdated_ = false;  // They have this step's places.
     GeodesicCostOracle costs_;
     ThreadPool backgroundPool_;  // Of one thread.

@@ -6,6 +6,7 @@
 
 #include "assignment/dynamic/cost_oracle.h"
 #include "geodesics/geodesics.h"
+#include "planning/planned_ways.h"
 
 namespace muster {
 
@@ -15,15 +16,20 @@ class GeodesicCostOracle final : public CostOracle {
 public:
     /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
     /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
-    void set(const Geodesics& geodesics, bool geodesic, std::span<const Vec2> characters,
-             std::span<const Vec2> places, std::span<const std::int32_t> incumbent,
-             std::span<const float> incumbentCost) {
+    /// `barred` and `wait` as in PlanInput.
+    void set(const Geodesics& geodesics, const PlannedWays& ways, bool geodesic,
+             std::span<const Vec2> characters, std::span<const Vec2> places,
+             std::span<const std::int32_t> incumbent, std::span<const float> incumbentCost,
+             std::span<const std::int32_t> barred, std::span<const float> wait) {
         geodesics_ = &geodesics;
+        ways_ = ways;
         geodesic_ = geodesic;
         characters_ = characters;
         places_ = places;
         incumbent_ = incumbent;
         incumbentCost_ = incumbentCost;
+        barred_ = barred;
+        wait_ = wait;
     }
     float cost(std::int32_t character, std::int32_t place) override { return pairCost(character, place); }
     double leastUnitCost() const override { return geodesic_ ? geodesics_->leastUnitCost() : 1.0; }
@@ -42,17 +48,27 @@ public:
 
 private:
     float pairCost(std::int32_t character, std::int32_t place) const {
+        if (barred_.empty() || barred_[character] != place) return walkCost(character, place);
+        const float wait = wait_[character];
+        return wait < 0.0f ? -wait : walkCost(character, place) + wait;
+    }
+    float walkCost(std::int32_t character, std::int32_t place) const {
         if (incumbent_[character] == place) return incumbentCost_[character];
         if (!geodesic_) return static_cast<float>(distance(characters_[character], places_[place]));
-        return geodesics_->cost(characters_[character], place);
+        const double byWay = ways_.cost(character, place, places_.size());
+        return byWay < kInfiniteCost ? static_cast<float>(byWay)
+                                     : geodesics_->cost(characters_[character], place);
     }
 
     const Geodesics* geodesics_ = nullptr;
+    PlannedWays ways_;
     bool geodesic_ = true;
     std::span<const Vec2> characters_;         // Positions [m].
     std::span<const Vec2> places_;             // Positions [m].
     std::span<const std::int32_t> incumbent_;  // Per character, -1 for none.
     std::span<const float> incumbentCost_;     // Per character [m].
+    std::span<const std::int32_t> barred_;     // Per character, -1 for none.
+    std::span<const float> wait_;              // Per character [m].
 };
 
 }  // namespace muster

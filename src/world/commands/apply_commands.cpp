@@ -32,6 +32,7 @@ public:
         if (touch.group && group == nullptr) return notFound("group", touch.group.value);
         if (group == nullptr)
             return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
+        group->order.fresh = true;
         return refused(group->controls.touchDown(controlDef(state_.parameters), command_.client, touch.touch,
                                                  touch.position, touch.time, group->mesh.formation().mesh,
                                                  group->mesh.finalMesh(), group->mesh.userMesh()),
@@ -54,6 +55,7 @@ public:
     Status operator()(const AddControl& add) {
         Group* group = state_.findGroup(add.group);
         if (group == nullptr) return notFound("group", add.group.value);
+        group->order.fresh = true;
         return refused(
             group->controls.addControl(controlDef(state_.parameters), command_.client, add.kind, add.touches,
                                        add.positions, stamp(add.time), group->mesh.formation().mesh,
@@ -95,6 +97,7 @@ public:
         Group* group = state_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
         group->controls.clear();
+        group->order.begin(state_.stepCount);
         group->mesh.setPose({set.position, {cosine(set.angle), sine(set.angle)}});
         return {};
     }
@@ -107,17 +110,19 @@ public:
         return {};
     }
     Status operator()(const AddObstacle& add) {
-        return state_.environment.addObstacle(add.obstacle).status();
+        return edited(editableGround().addObstacle(add.obstacle).status());
     }
     Status operator()(const ChangeObstacle& change) {
-        return state_.environment.changeObstacle(change.id, change.obstacle);
+        return edited(editableGround().changeObstacle(change.id, change.obstacle));
     }
-    Status operator()(const RemoveObstacle& remove) { return state_.environment.removeObstacle(remove.id); }
-    Status operator()(const AddPatch& add) { return state_.environment.addPatch(add.patch).status(); }
+    Status operator()(const RemoveObstacle& remove) {
+        return edited(editableGround().removeObstacle(remove.id));
+    }
+    Status operator()(const AddPatch& add) { return edited(editableGround().addPatch(add.patch).status()); }
     Status operator()(const ChangePatch& change) {
-        return state_.environment.changePatch(change.id, change.patch);
+        return edited(editableGround().changePatch(change.id, change.patch));
     }
-    Status operator()(const RemovePatch& remove) { return state_.environment.removePatch(remove.id); }
+    Status operator()(const RemovePatch& remove) { return edited(editableGround().removePatch(remove.id)); }
     Status operator()(const SetParameter& set) {
         if (set.name == "time.step")
             return invalidArgument("parameter 'time.step' stands for the life of a world");
@@ -132,11 +137,22 @@ public:
             pool_.wait();  // Background work reads the plans.
             exchangePlans(state_);
         }
-        state_.environment.setFieldDefaults(next.field.range, next.field.strength);
+        editableGround().setFieldDefaults(next.field.range, next.field.strength);
         return status;
     }
 
 private:
+    // Background work reads the ground.
+    Environment& editableGround() {
+        pool_.wait();
+        return state_.environment;
+    }
+    // Counts the versions of the ground.
+    Status edited(Status status) {
+        state_.groundEdits += status.ok() ? 1 : 0;
+        return status;
+    }
+
     // A trajectory never lies in the world's future. (The stamp of a touch that comes down may, where the
     // world is paused: it tells which touches came down together.)
     double stamp(double time) const { return std::clamp(time, 0.0, state_.time()); }

@@ -1,6 +1,8 @@
 // The stage of contacts: nobody enters another or an obstacle (SPEC A6).
 #pragma once
 
+#include <vector>
+
 #include "base/parallel.h"
 #include "crowd/contacts.h"
 #include "world/stages/steering_stage.h"
@@ -16,6 +18,7 @@ public:
 
 private:
     Contacts contacts_;
+    std::vector<double> reach_;  // Of each character in a step [m].
 };
 
 }  // namespace muster

@@ -1,35 +1,58 @@
 #include "world/stages/cost_stage.h"
 
-#include <algorithm>
-
 #include "world/state/layer_defs.h"
 
 namespace muster {
+namespace {
 
-void CostStage::reset(const WorldState& state) {
+// The unit cost is updated in every step while somebody asks for it at least so often: an update of what one
+// step changed costs far less than a build from scratch.
+constexpr std::int32_t kUnreadSteps = 60;
+
+}  // namespace
+
+void CostStage::reset(WorldState& state) {
+    state_ = &state;
     def_ = state.parameters.density;
     density_ = DensityField(state.environment.def().box, def_);
-    built_ = false;
+    unitCostBuilt_ = dynamicCostBuilt_ = false;
+    unitCostUnread_ = kUnreadSteps;
 }
 
-void CostStage::run(const WorldState& state) {
+void CostStage::run(WorldState& state) {
     const Parameters::Density& def = state.parameters.density;
-    if (def.cell != def_.cell || def.lambda != def_.lambda) reset(state);
+    if (&state != state_ || def.cell != def_.cell || def.lambda != def_.lambda) reset(state);
     density_.splat(state.characters.position, state.characters.velocity);
-    built_ = false;
-    const auto reads = [](const Group& group) { return group.plan->readsUnitCost(); };
-    if (std::any_of(state.groups.begin(), state.groups.end(), reads)) build(state);
+    unitCostBuilt_ = dynamicCostBuilt_ = false;
+    if (unitCostUnread_ >= kUnreadSteps) return;
+    ++unitCostUnread_;
+    buildUnitCost();
 }
 
-const UnitCost& CostStage::unitCost(const WorldState& state) {
-    if (!built_) build(state);
+const UnitCost& CostStage::unitCost() {
+    unitCostUnread_ = 0;
+    if (!unitCostBuilt_) buildUnitCost();
     return builder_.cost();
 }
 
-void CostStage::build(const WorldState& state) {
-    builder_.update(unitCostDef(state.parameters), state.environment, density_,
-                    state.parameters.character.radius);
-    built_ = true;
+void CostStage::buildUnitCost() {
+    builder_.update(unitCostDef(state_->parameters), state_->environment, density_,
+                    state_->parameters.character.radius);
+    unitCostBuilt_ = true;
+}
+
+const StaticGround& CostStage::staticGround() {
+    const Parameters::Cost& cost = state_->parameters.cost;
+    ground_.update(state_->environment, cost.alpha + cost.beta, state_->parameters.character.radius);
+    return ground_;
+}
+
+const DynamicCost& CostStage::dynamicCost() {
+    if (dynamicCostBuilt_) return dynamicCost_;
+    dynamicCost_.update(unitCostDef(state_->parameters), state_->environment, density_,
+                        state_->parameters.character.radius);
+    dynamicCostBuilt_ = true;
+    return dynamicCost_;
 }
 
 }  // namespace muster

@@ -1,32 +1,42 @@
-// The stage of density and unit cost (SPEC A3 to A5).
+// The stage of density and costs (SPEC A3 to A5).
 #pragma once
 
 #include "cost/density.h"
 #include "cost/unit_cost_builder.h"
+#include "planning/plan_costs.h"
 #include "world/state/world_state.h"
 
 namespace muster {
 
-/// Owns the density of the crowd, and the unit cost for the plans that read it.
-class CostStage {
+/// Owns the density of the crowd, and the costs that plans read. It computes those that somebody asks for.
+class CostStage final : public PlanCosts {
 public:
     /// Prepares the density for a world before its first step.
-    void reset(const WorldState& state);
-    /// Computes the density, and the unit cost where a plan of this step reads it.
-    void run(const WorldState& state);
+    void reset(WorldState& state);
+    /// Computes the density; costs of the last step are out of date then. The state must outlive the next
+    /// call.
+    void run(WorldState& state);
 
     /// Density and average velocity by the last run.
     const DensityField& density() const { return density_; }
-    /// The unit cost by the last run; computed now where no plan read it.
-    const UnitCost& unitCost(const WorldState& state);
+    const Environment& environment() const override { return state_->environment; }
+    const UnitCost& unitCost() override;
+    const StaticGround& staticGround() override;
+    const DynamicCost& dynamicCost() override;
+    RouteGraph* routes() override { return &state_->refreshRoutes(); }
 
 private:
-    void build(const WorldState& state);
+    void buildUnitCost();
 
+    WorldState* state_ = nullptr;
     Parameters::Density def_;  // The density is made for its cell and lambda.
     DensityField density_;
     UnitCostBuilder builder_;
-    bool built_ = false;  // For the density as it is.
+    bool unitCostBuilt_ = false;       // For the density as it is.
+    std::int32_t unitCostUnread_ = 0;  // Steps since the unit cost was last asked for.
+    StaticGround ground_;
+    DynamicCost dynamicCost_;
+    bool dynamicCostBuilt_ = false;  // For the density as it is.
 };
 
 }  // namespace muster

@@ -1,9 +1,16 @@
 #include "world/stages/event_stage.h"
 
+#include <algorithm>
+
+#include "world/stages/cut_off.h"
 #include "world/state/group_edits.h"
 
 namespace muster {
 namespace {
+
+constexpr double kStandingPlaces = 0.1;  // Places that move slower stand [m/s].
+constexpr double kDrawnFor = 0.25;       // A way that is not drawn further for this long is whole [s].
+constexpr double kStuckEvery = 0.5;      // Time between looks for who is stuck [s].
 
 void collectItems(WorldState& state, std::vector<Event>& events) {
     const Characters& characters = state.characters;
@@ -56,10 +63,92 @@ void measureLag(WorldState& state) {
     }
 }
 
+void watchWalks(WorldState& state) {
+    Characters& c = state.characters;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        WalkProgress& walk = c.walk[i];
+        if (distance(c.position[i], walk.anchor) >= kStuckMove) {
+            walk.anchor = c.position[i];
+            walk.movedAt = state.stepCount;
+            walk.stuckRaised = false;
+        }
+        const bool stays = walk.within && state.stepCount - walk.since >= stepsIn(state, kStayedFor);
+        if (stays || distance(c.position[i], walk.camp) >= kCampReach) {
+            walk.camp = c.position[i];
+            walk.campedAt = state.stepCount;
+        }
+        const std::int32_t place = c.place[i];
+        const bool within = place >= 0 &&
+                            distance(c.position[i], state.groups[c.group[i]].places.positions()[place]) <=
+                                kArrivedReach;
+        if (within == walk.within) continue;
+        walk.within = within;
+        walk.since = state.stepCount;
+    }
+}
+
+/// True while fingers' ways are still to be followed, or a control that was let go ends.
+bool isDrawn(const Group& group) {
+    for (const Control& control : group.controls.controls())
+        for (const ControlPoint& point : control.points)
+            if (!point.trajectory.empty() || (!point.down && !control.pinned)) return true;
+    return false;
+}
+
+// Where some have no way, their places stand short of where the order wants them.
+bool placesStand(const Group& group) {
+    if (group.order.withoutWay > 0) return false;
+    const PlaceTracker& places = group.places;
+    for (std::size_t k = 0; k < places.positions().size(); ++k)
+        if (length(places.velocities()[k]) > kStandingPlaces ||
+            distance(places.positions()[k], places.reachableTargets()[k]) > kArrivedReach)
+            return false;
+    return true;
+}
+
+/// Tells of an arrival that is awaited; or begins to await one where somebody is out of reach.
+void raiseArrival(const WorldState& state, Group& group, std::vector<Event>& events) {
+    OrderProgress& order = group.order;
+    if (order.arrival == ArrivalWatch::Raised) return;
+    const std::uint32_t second = stepsIn(state, kArrivedFor);
+    std::uint32_t matched = 0;
+    bool allNear = true, allLong = true;
+    for (const std::int32_t i : group.members) {
+        if (state.characters.place[i] < 0) continue;
+        const WalkProgress& walk = state.characters.walk[i];
+        ++matched;
+        allNear = allNear && walk.within;
+        allLong = allLong && walk.within && state.stepCount - walk.since >= second;
+    }
+    const bool stand = placesStand(group);
+    if (order.arrival == ArrivalWatch::Idle && (!allNear || !stand)) order.arrival = ArrivalWatch::Awaited;
+    if (order.arrival != ArrivalWatch::Awaited || matched == 0 || !allLong || !stand ||
+        state.stepCount - order.step < second)
+        return;
+    order.arrival = ArrivalWatch::Raised;
+    events.push_back({EventKind::Arrived, group.id.value, matched, group.mesh.pose().position});
+}
+
+void watchOrder(WorldState& state, Group& group, std::vector<Event>& events) {
+    OrderProgress& order = group.order;
+    if (isDrawn(group)) {
+        order.arrival = ArrivalWatch::Awaited;
+        order.step = state.stepCount;
+        order.judged = false;
+        return;
+    }
+    if (order.ground != state.groundEdits && order.arrival == ArrivalWatch::Raised)
+        order.arrival = ArrivalWatch::Idle;
+    if (state.stepCount - order.step >= stepsIn(state, kDrawnFor)) raiseWayEvents(state, group, events);
+    raiseArrival(state, group, events);
+}
+
 }  // namespace
 
-void raiseEvents(WorldState& state, std::span<const MotionEvent> changes, std::vector<Event>& events) {
+void EventStage::run(WorldState& state, std::span<const MotionEvent> changes, std::vector<Event>& events) {
     const Characters& characters = state.characters;
+    events.reserve(characters.size() + 4 * state.groups.size() + state.items.size());
+    standstill_.reserve(characters);
     for (const MotionEvent& change : changes) {
         // The first kinds of both lists correspond one to one.
         const auto kind = static_cast<EventKind>(change.change);
@@ -69,6 +158,10 @@ void raiseEvents(WorldState& state, std::span<const MotionEvent> changes, std::v
     collectItems(state, events);
     meetCheckpoints(state, events);
     measureLag(state);
+    watchWalks(state);
+    for (Group& group : state.groups) watchOrder(state, group, events);
+    if (state.stepCount % stepsIn(state, kStuckEvery) == 0) standstill_.raise(state, events);
+    movingGates_.raise(state, events);
 }
 
 }  // namespace muster

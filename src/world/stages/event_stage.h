@@ -1,4 +1,4 @@
-// The stage of events: motion changes, items, checkpoints, and the lag of every group. It needs no memory.
+// The stage of events: motion changes, items, checkpoints, how orders get on, and the lag of every group.
 #pragma once
 
 #include <span>
@@ -6,11 +6,22 @@
 
 #include "crowd/motion_state.h"
 #include "muster/event.h"
+#include "world/stages/moving_gates.h"
+#include "world/stages/standstill.h"
 #include "world/state/world_state.h"
 
 namespace muster {
 
-/// Collects items, changes formations at checkpoints, measures lags, and appends what happened to `events`.
-void raiseEvents(WorldState& state, std::span<const MotionEvent> changes, std::vector<Event>& events);
+/// Raises the events of a step.
+class EventStage {
+public:
+    /// Collects items, changes formations at checkpoints, measures lags, watches orders, and appends what
+    /// happened to `events`.
+    void run(WorldState& state, std::span<const MotionEvent> changes, std::vector<Event>& events);
+
+private:
+    Standstill standstill_;
+    MovingGates movingGates_;
+};
 
 }  // namespace muster

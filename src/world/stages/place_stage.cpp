@@ -8,13 +8,15 @@ namespace muster {
 
 void PlaceStage::run(WorldState& state, ThreadPool& pool) {
     const PlaceDef def = placeDef(state.parameters);
-    for (Group& group : state.groups) {
+    RouteGraph& routes = state.refreshRoutes();
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        Group& group = state.groups[g];
         group.mesh.placePositions(targets_);
+        spacing_.settle(state, g, targets_);
         group.region = mainRegion(state, group, regionCounts_);
         const auto isUsed = [](std::int32_t count) { return count > 0; };
         group.split = std::count_if(regionCounts_.begin(), regionCounts_.end(), isUsed) > 1;
-        group.places.advance(def, targets_, state.environment, group.region, state.parameters.stepTime,
-                             &pool);
+        group.places.advance(def, targets_, routes, group.region, state.parameters.stepTime, &pool);
     }
 }
 

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <numeric>
 
+#include "world/stages/own_routes.h"
 #include "world/state/layer_defs.h"
 
 namespace muster {
 namespace {
 
-bool readsGround(const WorldState& state) {
-    return std::any_of(state.groups.begin(), state.groups.end(),
-                       [](const Group& group) { return !group.plan->readsUnitCost(); });
-}
+// Characters for which first plans are made in one step, unless a single group has more.
+constexpr std::size_t kFirstCharacters = 500;
+// In large worlds this share of all.
+constexpr std::size_t kFirstShare = 10;
+
+constexpr float kLeastCost = 0.01f;  // Of a place whose cost is known [m].
 
 /// Groups take different steps of the period, so that their plans do not fall on one step.
 bool isDue(const WorldState& state, std::size_t index) {
@@ -22,23 +25,9 @@ bool isDue(const WorldState& state, std::size_t index) {
 
 }  // namespace
 
-void PlanStage::prepare(const WorldState& state) {
-    const Parameters::Cost& cost = state.parameters.cost;
-    if (readsGround(state))
-        ground_.update(state.environment, cost.alpha + cost.beta, state.parameters.character.radius);
-}
-
-void PlanStage::reserve(WorldState& state, const DensityField& density) {
-    if (readsGround(state)) dynamicCost_.reset(state.environment.grid(), density.grid());
+void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
     for (Group& group : state.groups)
-        group.plan->reserve(group.members.size(), group.places.positions().size(), ground_);
-}
-
-void PlanStage::update(const WorldState& state, const DensityField& density) {
-    if (!readsGround(state)) return;
-    prepare(state);
-    dynamicCost_.update(unitCostDef(state.parameters), state.environment, density,
-                        state.parameters.character.radius);
+        group.plan->reserve(group.members.size(), group.places.positions().size(), costs);
 }
 
 // Marks who stands on ground that is cut off from where most of the group is; empty where nobody does.
@@ -46,18 +35,37 @@ void PlanStage::findConnected(const WorldState& state, const Group& group) {
     connected_.clear();
     if (!group.split) return;
     for (const Vec2 p : members_.positions()) {
-        const std::int32_t label = state.environment.region(p, state.parameters.character.radius);
+        const std::int32_t label = state.routes.region(p);
         connected_.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
     }
 }
 
-void PlanStage::start(const WorldState& state, CostStage& cost, Group& group) {
+void PlanStage::gatherWaits(const WorldState& state, const Group& group) {
+    barred_.clear();
+    wait_.clear();
+    for (const std::int32_t i : group.members) {
+        const PlaceWait& wait = state.characters.wait[i];
+        const double exact = exactCost(state, i);
+        const bool same = wait.place == state.characters.place[i];
+        // One place counts: its own, where its cost is known, unless another one was barred.
+        const bool counts = exact >= 0.0 && (same || wait.place < 0);
+        barred_.push_back(counts ? state.characters.place[i] : wait.place);
+        const float known = std::max(kLeastCost, static_cast<float>(exact) + (same ? wait.cost : 0.0f));
+        wait_.push_back(counts ? -known : wait.cost);
+    }
+}
+
+void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group) {
     const PlanMode mode = state.parameters.plan.mode;
     members_.gather(state.characters, group);
     std::vector<std::int32_t>& incumbent = members_.places();
     PlanDef def = planDef(state.parameters);
     group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
     def.reassign = group.reassigns;
+    if (group.planNow || group.provisional) {
+        def.firstPlans = firstPlans_;
+        def.firstPlanRank = firstPlanRank_++;
+    }
     // Who lost its place because that was not usable gets it back.
     if (mode == PlanMode::Fixed)
         std::iota(incumbent.begin(), incumbent.end(), 0);
@@ -69,16 +77,14 @@ void PlanStage::start(const WorldState& state, CostStage& cost, Group& group) {
     input.places = group.places.positions();
     input.usable = group.places.fit();
     input.incumbent = incumbent;
-    const bool slow = group.plan->readsUnitCost();
-    if (slow) {
-        input.unitCost = &cost.unitCost(state);
-    } else {
-        findConnected(state, group);
-        input.connected = connected_;
-        input.ground = &ground_;
-        input.dynamicCost = &dynamicCost_;
-    }
-    group.slices = group.planNow || !slow ? 1 : planPeriod(state.parameters);
+    input.costs = &costs;
+    findConnected(state, group);
+    input.connected = connected_;
+    gatherWaits(state, group);
+    input.barred = barred_;
+    input.wait = wait_;
+    input.ways = ways;
+    group.slices = group.plan->shares(group.planNow ? 1 : planPeriod(state.parameters));
     group.slice = 0;
     const Status status = group.plan->start(def, input);
     MUSTER_ASSERT(status.ok());
@@ -102,12 +108,13 @@ void PlanStage::finish(WorldState& state, Group& group, ThreadPool& pool, std::v
         const std::int32_t i = group.members[k];
         const std::int32_t place = places[k];
         if (place == characters.place[i]) continue;
-        if (!group.planNow && place >= 0 && characters.place[i] >= 0)
+        if (!result_.first && !group.planNow && place >= 0 && characters.place[i] >= 0)
             events.push_back({EventKind::Swap, characters.id[i], static_cast<std::uint32_t>(place),
                               characters.position[i]});
         characters.place[i] = place;
     }
-    group.assigned = true;
+    group.provisional = result_.provisional;
+    group.assigned = !result_.provisional;
     group.planNow = false;
 }
 
@@ -115,27 +122,49 @@ void PlanStage::launch(ThreadPool& pool) {
     if (background_.empty()) return;
     pool.launch(
         [](void* plans) {
-            for (Plan* plan : *static_cast<std::vector<Plan*>*>(plans)) plan->workInBackground();
+            for (Assigner* plan : *static_cast<std::vector<Assigner*>*>(plans)) plan->workInBackground();
         },
         &background_);
 }
 
-void PlanStage::run(WorldState& state, CostStage& cost, ThreadPool& pool, std::vector<Event>& events) {
+// Does the next share of a pending plan.
+void PlanStage::advance(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
+    Assigner& plan = *group.plan;
+    plan.advance(group.slice, group.slices, pool);
+    if (++group.slice < group.slices) return;
+    // A first plan is finished at once; later ones hold from the next step on.
+    if (plan.worksInBackground() && !group.planNow)
+        background_.push_back(&plan);
+    else
+        finish(state, group, pool, events);
+}
+
+// The first plans of large groups do not fall on one step.
+bool PlanStage::waitsForFirstPlan(const WorldState& state, const Group& group) {
+    const std::size_t count = group.members.size();
+    const std::size_t most = std::max(kFirstCharacters, state.characters.position.size() / kFirstShare);
+    if (firstCharacters_ > 0 && firstCharacters_ + count > most) return true;
+    firstCharacters_ += count;
+    return false;
+}
+
+void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadPool& pool,
+                    std::vector<Event>& events) {
     pool.wait();
     background_.clear();
-    update(state, cost.density());
+    ways.run(state, costs, pool);
+    firstPlans_ = static_cast<std::int32_t>(
+        std::count_if(state.groups.begin(), state.groups.end(),
+                      [](const Group& group) { return group.planNow || group.provisional; }));
+    firstPlanRank_ = 0;
+    firstCharacters_ = 0;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         Group& group = state.groups[g];
-        Plan& plan = *group.plan;
-        if (plan.worksInBackground() && plan.pending() && !group.planNow) finish(state, group, pool, events);
-        if (isDue(state, g)) start(state, cost, group);
-        if (!plan.pending()) continue;
-        plan.advance(group.slice, group.slices, pool);
-        // A first plan is finished at once; later ones hold from the next step on.
-        if (plan.worksInBackground() && !group.planNow)
-            background_.push_back(&plan);
-        else if (plan.worksInBackground() || ++group.slice >= group.slices)
-            finish(state, group, pool, events);
+        const bool worked = group.plan->pending() && group.slice >= group.slices;
+        if (worked && !group.planNow) finish(state, group, pool, events);
+        if (group.planNow && waitsForFirstPlan(state, group)) continue;
+        if (isDue(state, g)) start(state, costs, ways.waysOf(g), group);
+        if (group.plan->pending()) advance(state, group, pool, events);
     }
     launch(pool);
 }

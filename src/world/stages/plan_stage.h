@@ -6,42 +6,42 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "cost/dynamic_cost.h"
-#include "cost/static_ground.h"
 #include "muster/event.h"
 #include "planning/plan.h"
-#include "world/stages/cost_stage.h"
 #include "world/stages/member_arrays.h"
+#include "world/stages/way_stage.h"
 #include "world/state/world_state.h"
 
 namespace muster {
 
-/// Starts, advances and finishes the plans of all groups. Exact plans are cut into shares, one per step; fast
-/// plans are made in one step, and part of their work goes on in the background until the next.
+/// Starts, advances and finishes the plans of all groups. The work of a plan is cut into shares, one per
+/// step; what is left after the last share goes on in the background until the next step.
 class PlanStage {
 public:
-    /// Prepares what plans read of the ground before the first step.
-    void prepare(const WorldState& state);
     /// Allocates memory for the first plans of a new world.
-    void reserve(WorldState& state, const DensityField& density);
-    /// Writes places of characters, and appends Swap events to `events`.
-    void run(WorldState& state, CostStage& cost, ThreadPool& pool, std::vector<Event>& events);
-
-    const StaticGround& ground() const { return ground_; }           ///< What stands still.
-    const DynamicCost& dynamicCost() const { return dynamicCost_; }  ///< Of the crowd and moving things.
+    void reserve(WorldState& state, PlanCosts& costs);
+    /// Has the ways chosen first, after all background work. Writes places of characters, and appends Swap
+    /// events to `events`.
+    void run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadPool& pool,
+             std::vector<Event>& events);
 
 private:
-    void update(const WorldState& state, const DensityField& density);
-    void start(const WorldState& state, CostStage& cost, Group& group);
+    void start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group);
+    void advance(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void finish(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    bool waitsForFirstPlan(const WorldState& state, const Group& group);
+    void gatherWaits(const WorldState& state, const Group& group);
     void findConnected(const WorldState& state, const Group& group);
     void launch(ThreadPool& pool);
 
-    StaticGround ground_;
-    DynamicCost dynamicCost_;
-    std::vector<Plan*> background_;  // Plans whose work goes on until the next run.
+    std::vector<Assigner*> background_;  // Plans whose work goes on until the next run.
+    std::int32_t firstPlans_ = 0;        // Groups whose first plan is not made, or provisional.
+    std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.
+    std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
     MemberArrays members_;
     std::vector<std::uint8_t> connected_;
+    std::vector<std::int32_t> barred_;  // Of one group's members, as in PlanInput.
+    std::vector<float> wait_;
     PlanResult result_;
 };
 

@@ -2,9 +2,13 @@
 
 #include <limits>
 
+#include "crowd/hand_over.h"
+
 namespace muster {
 namespace {
 
+constexpr double kTouching = 0.15;        // Who stands in the way of another is nearer than this [m].
+constexpr double kFarAhead = 100.0;       // Where somebody heads who goes through a passage [m].
 constexpr double kWaitingDistance = 2.0;  // The unmatched stop this far from the nearest place [m].
 
 }  // namespace
@@ -24,19 +28,16 @@ void SteeringStage::directUnmatched(const WorldState& state, const Group& group)
     }
 }
 
-void SteeringStage::guide(WorldState& state, Group& group, const PlanStage& plans, ThreadPool& pool) {
+void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs, const WayStage& ways,
+                          ThreadPool& pool) {
+    Group& group = state.groups[index];
     const std::size_t count = group.members.size();
     members_.gather(state.characters, group);
     directions_.resize(count);
     costs_.resize(count);
     directUnmatched(state, group);
-    const GuidanceInput input{members_.positions(),
-                              members_.places(),
-                              group.places.positions(),
-                              &state.environment,
-                              state.parameters.character.directReach,
-                              &plans.ground(),
-                              &plans.dynamicCost()};
+    const GuidanceInput input{members_.positions(), members_.places(), group.places.positions(), &costs,
+                              state.parameters.character.directReach};
     group.plan->guide(input, pool, directions_, costs_);
     const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
     Characters& characters = state.characters;
@@ -48,19 +49,27 @@ void SteeringStage::guide(WorldState& state, Group& group, const PlanStage& plan
         characters.cost[i] = place >= 0 ? costs_[k] : std::numeric_limits<double>::infinity();
         placePosition_[i] = place >= 0 ? group.places.positions()[place] : characters.position[i];
         placeVelocity_[i] = place >= 0 ? group.places.velocities()[place] : Vec2{};
+        if (!ways.guide(state, index, k, place, characters.direction[i], characters.cost[i])) continue;
+        // Its place is behind the passage, however near it is in a straight line.
+        placePosition_[i] = characters.position[i] + characters.direction[i] * kFarAhead;
+        placeVelocity_[i] = {};
     }
 }
 
-void SteeringStage::run(WorldState& state, const PlanStage& plans, ThreadPool& pool) {
+void SteeringStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, ThreadPool& pool) {
     const std::size_t count = state.characters.size();
     for (auto* array :
          {&placePosition_, &placeVelocity_, &facing_, &next_.position, &next_.velocity, &next_.heading})
         array->resize(count);
-    for (Group& group : state.groups) guide(state, group, plans, pool);
+    for (std::size_t g = 0; g < state.groups.size(); ++g) guide(state, g, costs, ways, pool);
+    ownRoutes_.run(state);
     const double dt = state.parameters.stepTime;
-    const SteeringInput input{placePosition_, placeVelocity_, facing_};
+    const SteeringInput input{placePosition_, placeVelocity_, facing_, state.characters.wait};
     steering_.run(state.parameters.character, state.characters, input, state.environment, dt, next_.velocity,
                   next_.heading, &pool);
+    const Parameters::Character& character = state.parameters.character;
+    updateWaits({2.0 * character.radius + kTouching, character.maxSpeed}, state.characters,
+                steering_.neighbours(), dt, state.characters.wait);
     for (std::size_t i = 0; i < count; ++i)
         next_.position[i] = state.characters.position[i] + next_.velocity[i] * dt;
 }

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
 #include "crowd/steering.h"
+#include "planning/plan_costs.h"
 #include "world/stages/member_arrays.h"
-#include "world/stages/plan_stage.h"
+#include "world/stages/own_routes.h"
+#include "world/stages/way_stage.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -23,16 +26,19 @@ struct NextMotion {
 class SteeringStage {
 public:
     /// Writes directions and costs of characters, and the next motion.
-    void run(WorldState& state, const PlanStage& plans, ThreadPool& pool);
+    void run(WorldState& state, PlanCosts& costs, const WayStage& ways, ThreadPool& pool);
 
     NextMotion& next() { return next_; }  ///< By the last run; contacts correct it.
-    const NeighbourList& neighbours() const { return steering_.neighbours(); }  ///< Of the last run.
+    std::span<const double> topSpeeds() const { return steering_.topSpeeds(); }  ///< Of the last run [m/s].
+    const NeighbourList& neighbours() const { return steering_.neighbours(); }   ///< Of the last run.
 
 private:
-    void guide(WorldState& state, Group& group, const PlanStage& plans, ThreadPool& pool);
+    void guide(WorldState& state, std::size_t index, PlanCosts& costs, const WayStage& ways,
+               ThreadPool& pool);
     void directUnmatched(const WorldState& state, const Group& group);
 
     Steering steering_;
+    OwnRoutes ownRoutes_;
     MemberArrays members_;
     std::vector<Vec2> directions_;  // Of one group's members.
     std::vector<double> costs_;

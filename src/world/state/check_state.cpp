@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "passages/way_number.h"
 #include "world/validation.h"
 
 namespace muster {
@@ -53,9 +54,10 @@ Status checkGround(const Environment& environment) {
 
 Status checkArrays(const Characters& c) {
     const std::size_t n = c.size();
-    for (const std::size_t size : {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(),
-                                   c.place.size(), c.direction.size(), c.cost.size(), c.motion.size(),
-                                   c.phase.size(), c.motionTime.size(), c.patch.size(), c.lastSingle.size()})
+    for (const std::size_t size :
+         {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
+          c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(), c.motionTime.size(),
+          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.wait.size(), c.chosen.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
         !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||
@@ -63,7 +65,9 @@ Status checkArrays(const Characters& c) {
         return wrong("a character with a number out of range");
     for (std::size_t i = 0; i < n; ++i)
         if (std::isnan(c.cost[i]) || !(c.motionTime[i] >= 0.0 && c.motionTime[i] <= 1e9) ||
-            c.phase[i] > MotionPhase::Locked)
+            c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) || !isPlace(c.wait[i].anchor) ||
+            !isPlace(c.walk[i].camp) || !(c.wait[i].stood >= 0.0f) || c.wait[i].place < -1 ||
+            !(c.wait[i].cost >= 0.0f && c.wait[i].cost <= 1e3f))
             return wrong("a character with a number out of range");
     return {};
 }
@@ -121,6 +125,11 @@ Status checkGroup(const Group& group, const Grid& grid) {
         if (!arePlaces(*points)) return wrong("a mesh that is out of range");
     if (!(group.meanLag >= 0.0 && group.meanLag <= kMaxCoordinate * 100.0))
         return wrong("a lag out of range");
+    if (!isPlace(group.settling.centre) || !isPlace(group.settling.shift))
+        return wrong("a group with a number out of range");
+    if (group.order.arrival > ArrivalWatch::Awaited || group.order.withoutWay < 0 ||
+        group.order.behindMoving < 0)
+        return wrong("progress out of range");
     if (group.slice < 0 || group.slices < 1 || group.slice > group.slices)
         return wrong("shares of a plan out of range");
     if (!group.lastAssignment.empty() && group.lastAssignment.size() != count)
@@ -129,6 +138,60 @@ Status checkGroup(const Group& group, const Grid& grid) {
         if (place < -1 || place >= def.count) return wrong("last places that do not suit their group");
     if (!group.plan->suits(count, count, grid)) return wrong("a plan for another group");
     return checkControls(group.controls, formation.mesh);
+}
+
+bool isSane(const Passage& passage) {
+    const auto isDepth = [](double depth) { return depth >= 0.0 && depth <= 1e3; };
+    return isPlace(passage.a) && isPlace(passage.b) && passage.width() > 0.0 && passage.speed > 0.0 &&
+           passage.speed <= 1e3 && passage.pace > 0.0 && passage.pace <= 1.0 && isDepth(passage.left) &&
+           isDepth(passage.right);
+}
+
+bool isSane(const SurveyDef& def) {
+    return isPlace(def.from) && isPlace(def.to) && def.people >= 0.0 && def.people <= 1e9 &&
+           def.speed > 0.0 && def.speed <= 1e9;
+}
+
+bool isSane(const SurveyState& survey, std::size_t passages) {
+    const auto all = [](const auto& list) {
+        return std::all_of(list.begin(), list.end(), [](const auto& x) { return isSane(x); });
+    };
+    std::size_t crowd = 0;
+    for (const SurveyDef& def : survey.orders) crowd += def.crowd;
+    const bool searching = survey.phase == SurveyPhase::Search;
+    const bool idle = survey.phase == SurveyPhase::None;
+    return survey.phase <= SurveyPhase::Fields && all(survey.orders) && all(survey.passages) &&
+           arePlaces(survey.crowd) && crowd == survey.crowd.size() && (searching || survey.orders.empty()) &&
+           (idle || (survey.known >= passages && survey.known <= survey.passages.size())) &&
+           (survey.openCost.empty() ||
+            (searching && !survey.orders.empty() && survey.openCost.size() == survey.orders.front().crowd)) &&
+           survey.shortest >= 0.0 && survey.capacity >= 0.0 && survey.cells >= 0;
+}
+
+Status checkOwnRoutes(const WorldState& state) {
+    std::uint32_t last = 0;
+    for (const OwnRoute& route : state.ownRoutes) {
+        if (route.character <= last || route.character >= state.nextCharacter || !isPlace(route.goal) ||
+            !arePlaces(route.path) || !(route.cost >= 0.0f))
+            return wrong("a route out of range");
+        last = route.character;
+    }
+    return {};
+}
+
+Status checkWays(const WorldState& state) {
+    for (const Passage& passage : state.passages)
+        if (!isSane(passage)) return wrong("a passage out of range");
+    if (!isSane(state.survey, state.passages.size())) return wrong("a survey that contradicts itself");
+    for (const ChosenWay& chosen : state.characters.chosen)
+        if (chosen.way < -1 || (chosen.way >= 0 && passageOf(chosen.way) >= state.passages.size()) ||
+            !(std::fabs(chosen.passAt) <= 1e9) || !(chosen.share >= 0.0 && chosen.share <= 1.0))
+            return wrong("a way out of range");
+    for (const Group& group : state.groups)
+        if (!isPlace(group.surveyFrom) || !isPlace(group.surveyTo) || !isPlace(group.waysFor) ||
+            !isVelocity(group.goalDrift) || !isPlace(group.foreseen))
+            return wrong("a survey out of range");
+    return {};
 }
 
 Status checkQueueAndMarks(const WorldState& state) {
@@ -174,6 +237,8 @@ Status checkState(WorldState& state) {
         if (state.characters.place[i] < -1 ||
             state.characters.place[i] >= state.groups[state.characters.group[i]].def.count)
             return wrong("a character with a place that is none");
+    if (Status s = checkWays(state); !s.ok()) return s;
+    if (Status s = checkOwnRoutes(state); !s.ok()) return s;
     return checkQueueAndMarks(state);
 }
 

@@ -11,6 +11,8 @@
 #include "muster/views.h"
 #include "muster/world_def.h"
 #include "planning/plan.h"
+#include "world/state/order_progress.h"
+#include "world/state/settling.h"
 
 namespace muster {
 
@@ -28,11 +30,19 @@ struct Group {
     double meanLag = 0.0;                      ///< Mean distance to the goals of places [m] (SPEC U6).
     std::uint32_t formationVersion = 1;        ///< Grows when the mesh is exchanged.
     bool planNow = true;                       ///< The next plan is made whole in one step, at once.
+    bool provisional = false;                  ///< The last plan was made by rough costs.
     bool assigned = false;                     ///< True once a plan was finished for this formation.
     bool reassigns = true;                     ///< The pending plan may change places.
     std::vector<std::int32_t> lastAssignment;  ///< Place of each member by the last plan that reassigned.
     std::int32_t slice = 0;                    ///< Shares of the pending plan that are done.
     std::int32_t slices = 1;                   ///< Shares into which it was cut.
+    OrderProgress order;                       ///< How far it has come with its order.
+    Settling settling;                         ///< Where it settles.
+    Vec2 surveyFrom;                           ///< Where passages were last looked for from [m]...
+    Vec2 surveyTo;                             ///< ... and where to [m].
+    Vec2 waysFor;                              ///< Mean goal for which ways were last chosen [m].
+    Vec2 goalDrift;                            ///< Velocity of the mean goal before that [m/s].
+    Vec2 foreseen;                             ///< How far goals will have moved soon [m].
 
     // Caches of a step.
     std::int32_t region = -1;           ///< Region in which most of its characters stand; -1 for none.
@@ -43,7 +53,8 @@ struct Group {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
-                planNow, assigned, reassigns, lastAssignment, slice, slices);
+                planNow, provisional, assigned, reassigns, lastAssignment, slice, slices, order, settling,
+                surveyFrom, surveyTo, waysFor, goalDrift, foreseen);
     }
 };
 

@@ -4,9 +4,11 @@
 #include <string>
 
 #include "base/maths.h"
+#include "base/neighbour_list.h"
 #include "crowd/contacts.h"
 #include "formation/shapes/formation.h"
 #include "world/state/layer_defs.h"
+#include "world/state/standing_room.h"
 #include "world/validation.h"
 
 namespace muster {
@@ -34,12 +36,16 @@ void addCharacter(WorldState& state, const Group& group, std::uint32_t groupInde
     c.motionTime.push_back(0.0);
     c.patch.push_back(0);
     c.lastSingle.push_back(0);
+    c.walk.push_back({c.position.back(), state.stepCount, state.stepCount, false, false, c.position.back(),
+                      state.stepCount});
+    c.wait.push_back({});
+    c.chosen.push_back({});
 }
 
 void removeCharacter(Characters& c, std::ptrdiff_t index) {
     const auto erase = [index](auto&... arrays) { (arrays.erase(arrays.begin() + index), ...); };
     erase(c.id, c.group, c.position, c.velocity, c.heading, c.place, c.direction, c.cost, c.motion, c.phase,
-          c.motionTime, c.patch, c.lastSingle);
+          c.motionTime, c.patch, c.lastSingle, c.walk, c.wait, c.chosen);
 }
 
 Status checkNewGroup(const WorldState& state, const GroupDef& def) {
@@ -69,11 +75,35 @@ Vec2 startOf(const GroupDef& def, std::int32_t index, const std::vector<Vec2>& p
     return start;
 }
 
+/// True where two of the characters still stand in each other.
+bool anyInside(const WorldState& state) {
+    constexpr double kDeep = 0.9;  // Diameters.
+    const double least = kDeep * 2.0 * state.parameters.character.radius;
+    const std::vector<Vec2>& positions = state.characters.position;
+    NeighbourList neighbours;
+    neighbours.build(positions, least);
+    return std::any_of(neighbours.pairs().begin(), neighbours.pairs().end(), [&](NeighbourPair pair) {
+        return lengthSquared(positions[pair.high] - positions[pair.low]) < least * least;
+    });
+}
+
+/// Where so many start in walls that there is no room beside them, all start at their places.
+void startAtPlaces(WorldState& state, const Group& group) {
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        const std::int32_t i = group.members[k];
+        if (group.places.fit()[k] == 0) continue;
+        state.characters.position[i] = group.places.reachableTargets()[k];
+        state.characters.walk[i].anchor = state.characters.position[i];
+    }
+    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
+                       state.characters.position);
+}
+
 /// Puts the places of a group on their reachable targets.
-void resetPlaces(const WorldState& state, Group& group, const std::vector<Vec2>& targets) {
+void resetPlaces(WorldState& state, Group& group, const std::vector<Vec2>& targets) {
     std::vector<std::int32_t> counts;
-    group.places.reset(placeDef(state.parameters), targets, state.environment,
-                       mainRegion(state, group, counts));
+    RouteGraph& routes = state.refreshRoutes();
+    group.places.reset(placeDef(state.parameters), targets, routes, mainRegion(state, group, counts));
 }
 
 }  // namespace
@@ -111,6 +141,7 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
                        state.characters.position);
     resetPlaces(state, state.groups.back(), targets);
+    if (def.starts.empty() && anyInside(state)) startAtPlaces(state, state.groups.back());
     return {};
 }
 
@@ -144,7 +175,11 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
     group.assigned = false;
     group.lastAssignment.clear();
     ++group.formationVersion;
-    for (const std::int32_t i : group.members) state.characters.place[i] = -1;
+    group.order.begin(state.stepCount);
+    for (const std::int32_t i : group.members) {
+        state.characters.place[i] = -1;
+        state.characters.wait[i] = {};
+    }
     return {};
 }
 
@@ -155,10 +190,14 @@ void setCount(WorldState& state, Group& group, std::int32_t count) {
     for (const Vec2 v : group.mesh.formation().mesh.vertices) reach = std::max(reach, length(v));
     const auto now = static_cast<std::int32_t>(group.members.size());
     const double spacing = std::max(group.def.formation.spacing, 2.2 * state.parameters.character.radius);
+    StandingRoom room(state.environment, state.parameters.character.radius);
+    if (count > now)
+        for (const Vec2 p : state.characters.position) room.occupy(p);
     for (std::int32_t k = now; k < count; ++k) {
         const std::int32_t n = k - now;
-        const Vec2 local{-(reach + spacing * (1 + n / kRank)), spacing * (n % kRank - 4.5)};
-        addCharacter(state, group, index, pose.apply(local));
+        const std::int32_t rank = 1 + n / kRank;
+        const Vec2 local{-(reach + spacing * rank), spacing * (n % kRank - 4.5)};
+        addCharacter(state, group, index, room.take(pose.apply(local)));
     }
     for (std::int32_t k = now; k-- > count;) removeCharacter(state.characters, group.members[k]);
     state.refreshMembers();

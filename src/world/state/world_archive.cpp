@@ -91,10 +91,11 @@ void archiveGroups(auto& ar, WorldState& state, ThreadPool* pool) {
 void archiveState(auto& ar, WorldState& state, ThreadPool* pool) {
     archive(ar, state.parameters);
     archive(ar, state.environment);
-    ar(state.characters);
+    ar(state.characters, state.ownRoutes);
     archive(ar, state.queue);
     ar(state.checkpoints, state.checkpointGroups, state.checkpointState, state.items, state.collected,
-       state.random, state.stepCount, state.lastCommandStep, state.nextCharacter, state.nextGroup);
+       state.random, state.stepCount, state.passages, state.survey, state.waysLookedAt, state.waysChosenAt,
+       state.lastCommandStep, state.groundEdits, state.nextCharacter, state.nextGroup);
     if constexpr (std::decay_t<decltype(ar)>::kReading)
         if (!ar.ok()) return;
     archiveGroups(ar, state, pool);

@@ -16,10 +16,9 @@ void WorldState::refreshMembers() {
 
 std::int32_t mainRegion(const WorldState& state, const Group& group, std::vector<std::int32_t>& counts) {
     counts.clear();
-    const double radius = state.parameters.character.radius;
-    const bool only = state.environment.regionCount(radius) <= 1;
+    const bool only = state.routes.regionCount() <= 1;
     for (const std::int32_t i : group.members) {
-        const std::int32_t label = state.environment.region(state.characters.position[i], radius);
+        const std::int32_t label = state.routes.region(state.characters.position[i]);
         if (label < 0) continue;
         if (only) return label;
         if (label >= std::ssize(counts)) counts.resize(label + 1, 0);

@@ -11,7 +11,10 @@
 #include "muster/command.h"
 #include "muster/parameters.h"
 #include "muster/world_def.h"
+#include "passages/survey_state.h"
+#include "routes/route_graph.h"
 #include "world/state/group.h"
+#include "world/state/own_route.h"
 
 namespace muster {
 
@@ -21,6 +24,7 @@ struct WorldState {
     Environment environment;                          ///< Obstacles, patches and the ground.
     Characters characters;                            ///< In ascending order of ids.
     std::vector<Group> groups;                        ///< In ascending order of ids.
+    std::vector<OwnRoute> ownRoutes;                  ///< In ascending order of characters.
     std::vector<Command> queue;                       ///< In the order of comesBefore().
     std::vector<FormationCheckpointDef> checkpoints;  ///< As defined.
     std::vector<GroupId> checkpointGroups;            ///< Whom each checkpoint concerns; none for any group.
@@ -29,9 +33,17 @@ struct WorldState {
     std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
     Random random;                                    ///< For start positions.
     std::uint32_t stepCount = 0;                      ///< Steps done.
+    std::vector<Passage> passages;                    ///< Gaps before which somebody may have to wait.
+    SurveyState survey;                               ///< Looks for further ones.
+    std::uint32_t waysLookedAt = 0;                   ///< Step in which groups were last looked at for that.
+    std::uint32_t waysChosenAt = 0;                   ///< Step in which ways were last chosen.
     std::uint32_t lastCommandStep = 0;                ///< Step of the last applied command; 0 for none.
+    std::uint32_t groundEdits = 0;                    ///< Commands that changed obstacles or patches.
     std::uint32_t nextCharacter = 1;                  ///< Id of the next character.
     std::uint32_t nextGroup = 1;                      ///< Id of the next group.
+
+    // Caches.
+    RouteGraph routes;  ///< Where characters can walk; as it was after the last refreshRoutes().
 
     /// Simulated time [s].
     double time() const { return stepCount * parameters.stepTime; }
@@ -39,6 +51,11 @@ struct WorldState {
     Group* findGroup(GroupId id);
     /// Brings Group::members up to date after characters have joined or left.
     void refreshMembers();
+    /// Brings the routes up to date after the ground or the radius of characters has changed.
+    RouteGraph& refreshRoutes() {
+        routes.update(environment, parameters.character.radius);
+        return routes;
+    }
 };
 
 /// The order in which commands are applied.
@@ -46,7 +63,7 @@ inline bool comesBefore(const Command& a, const Command& b) {
     return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
 }
 
-/// The connected region in which most of a group's characters stand, the lower label among equals; -1 for
+/// The region in which most of a group's characters stand, the lower label among equals; -1 for
 /// none. `counts` becomes the number of its characters by region.
 std::int32_t mainRegion(const WorldState& state, const Group& group, std::vector<std::int32_t>& counts);
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/take/take_encoder.h"
+
 using namespace muster;
 
 namespace {
@@ -230,4 +232,73 @@ TEST_CASE("a take without commands and marks has no step") {
     CHECK(replayer.steps() == 0);
     CHECK(replayer.unmarked() == 0);
     CHECK(replayer.compared() == 0);
+}
+
+namespace {
+
+/// A take in which an order is carried out, as it is written record by record.
+std::vector<std::uint8_t> takeWithArrival(std::vector<TakeEvent>& told) {
+    World world = *World::create(smallDef());
+    std::vector<std::uint8_t> bytes = TakeEncoder::begin(smallDef());
+    const auto append = [&](const std::vector<std::uint8_t>& record) {
+        bytes.insert(bytes.end(), record.begin(), record.end());
+    };
+    const Command order{20, 7, 0, SetPose{world.group(0).id, {2, 1}, 0.0}};
+    REQUIRE(world.submit(order).ok());
+    append(TakeEncoder::command(order));
+    for (int s = 0; s < 400; ++s) {
+        world.step();
+        append(TakeEncoder::events(world));
+        for (const Event& event : world.events())
+            if (isOrderEvent(event.kind)) told.push_back({world.stepCount(), event});
+    }
+    append(TakeEncoder::end({world.stepCount(), world.hash()}));
+    return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("what was told of orders stands in the take, and a replay tells it again") {
+    std::vector<TakeEvent> told;
+    const auto bytes = takeWithArrival(told);
+    const auto take = parseTake(bytes, "memory");
+    REQUIRE_MESSAGE(take.ok(), take.status().message());
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].event.kind == EventKind::Arrived);
+    CHECK(take->events == told);
+    std::uint32_t compared = 0;
+    CHECK(replay(*take, compared).ok());
+    CHECK(compared == 1);
+    // Takes of before have no events.
+    Take before = *take;
+    before.events.clear();
+    CHECK(replay(before, compared).ok());
+}
+
+TEST_CASE("an event that the world does not tell ends the replay at its step") {
+    std::vector<TakeEvent> told;
+    const Take take = *parseTake(takeWithArrival(told), "memory");
+    const auto refused = [&](const auto& tamper) {
+        Take other = take;
+        tamper(other.events[0]);
+        std::uint32_t compared = 0;
+        const Status status = replay(other, compared);
+        CHECK(status.code() == StatusCode::Corrupt);
+        return status.message();
+    };
+    const std::string step = std::to_string(told[0].step);
+    CHECK(refused([](TakeEvent& e) { ++e.event.value; }) ==
+          "step " + step + ": found no event 'arrived' of 1 with 5, expected it as recorded");
+    CHECK(refused([](TakeEvent& e) { e.event.kind = EventKind::NoPath; }).rfind("step " + step, 0) == 0);
+    CHECK(refused([](TakeEvent& e) { e.step -= 1; }).rfind("step " + std::to_string(told[0].step - 1), 0) ==
+          0);
+}
+
+TEST_CASE("a record of an event that is none is refused") {
+    std::vector<std::uint8_t> bytes = TakeEncoder::begin(smallDef());
+    const auto record = TakeEncoder::event({3, {EventKind::Swap, 1, 2, {}}});
+    bytes.insert(bytes.end(), record.begin(), record.end());
+    const auto take = parseTake(bytes, "memory");
+    CHECK(take.status().code() == StatusCode::Corrupt);
+    CHECK(take.status().message().find("found an event of unknown kind") != std::string::npos);
 }

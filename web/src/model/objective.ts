@@ -11,7 +11,7 @@ export interface Walks {
   readonly longest: number;
 }
 
-/** Index: how plan.objective numbers them. */
+/** The choices, in the order of the menu. */
 export const kObjectives: readonly {
   readonly label: string;
   readonly unit: string;
@@ -48,25 +48,27 @@ export function objectiveText(index: number, walks: Walks): string {
 const valueOf = (parameters: readonly SceneParameter[], name: string): number | undefined =>
   parameters.find((one) => one.name === name)?.value;
 
-/** Index of the world's objective; -1 where its parameters do not hold one. */
+/** Values of plan.objective. */
+const kPower = 0;
+const kLongestWalk = 1;
+
+/** Index of the world's objective; -1 where its parameters hold none of ours. */
 export function objectiveOf(parameters: readonly SceneParameter[]): number {
-  const chosen = valueOf(parameters, 'plan.objective');
-  if (chosen !== undefined) return Math.min(kObjectives.length - 1, Math.max(0, Math.round(chosen)));
+  if (valueOf(parameters, 'plan.objective') === kLongestWalk) return 2;
   const exponent = valueOf(parameters, 'plan.exponent');
   return exponent === 1 ? 0 : exponent === 2 ? 1 : -1;
 }
 
 /** Indices of the objectives that the world supports. */
 export function objectivesFor(parameters: readonly SceneParameter[]): readonly number[] {
-  if (valueOf(parameters, 'plan.objective') !== undefined) return [0, 1, 2];
-  return valueOf(parameters, 'plan.exponent') !== undefined ? [0, 1] : [];
+  if (valueOf(parameters, 'plan.exponent') === undefined) return [];
+  return valueOf(parameters, 'plan.objective') === undefined ? [0, 1] : [0, 1, 2];
 }
 
-/** The parameter that sets this objective. */
-export function objectiveParameter(
-  parameters: readonly SceneParameter[],
-  index: number,
-): { readonly name: string; readonly value: number } {
-  if (valueOf(parameters, 'plan.objective') !== undefined) return { name: 'plan.objective', value: index };
-  return { name: 'plan.exponent', value: index + 1 };
+/** The parameters that set this objective: least sum and least squares are the power objective with exponent 1 and 2. */
+export function objectiveParameters(parameters: readonly SceneParameter[], index: number): readonly SceneParameter[] {
+  if (index === 2) return [{ name: 'plan.objective', value: kLongestWalk }];
+  const exponent = { name: 'plan.exponent', value: index + 1 };
+  const known = valueOf(parameters, 'plan.objective') !== undefined;
+  return known ? [exponent, { name: 'plan.objective', value: kPower }] : [exponent];
 }

@@ -3,7 +3,7 @@
 import { OverlayKind, PlaybackAction } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../link/studio_client';
-import { kObjectives, objectiveParameter } from '../model/objective';
+import { kObjectives, objectiveParameters } from '../model/objective';
 import type { OwnPeople } from './own_people';
 import type { StudioActions } from '../model/studio_actions';
 import { downloadTake, openTake } from './takes';
@@ -114,8 +114,8 @@ export class StudioController implements StudioActions {
   }
 
   setObjective(index: number): void {
-    const { name, value } = objectiveParameter(this.store_.state.parameters, index);
-    this.client_.send({ type: 'SetParameter', name, value });
+    for (const { name, value } of objectiveParameters(this.store_.state.parameters, index))
+      this.client_.send({ type: 'SetParameter', name, value });
     this.say_(`Plans: ${kObjectives[index]!.label.toLowerCase()}`);
   }
 

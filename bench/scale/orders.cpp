@@ -1,0 +1,174 @@
+#include "scale/orders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "base/maths.h"
+#include "base/random.h"
+#include "muster/world.h"
+#include "scale/meter.h"
+
+namespace muster::scale {
+namespace {
+
+constexpr double kSpacing = 1.0;      // Of both formations [m].
+constexpr double kBetween = 2.0;      // Two groups of a row, edge to edge [m].
+constexpr double kWalk = 20.0;        // From the middle of the crossing to the first rows, about [m].
+constexpr double kOrderPeriod = 0.5;  // Between two poses [s].
+constexpr double kStanding = 0.05;    // A slower character stands [m/s].
+constexpr double kNear = 0.5;         // From its place [m].
+
+// Side of the square formation of one group.
+double sideOf(const OrdersDef& def) {
+    return kSpacing * std::ceil(std::sqrt(static_cast<double>(def.count) / def.groups));
+}
+
+// Centre of a group, from the middle of the row of groups that walk its way.
+double offsetOf(const OrdersDef& def, std::int32_t group) {
+    const std::int32_t row = (def.groups + 1 - group % 2) / 2;
+    return (group / 2 - 0.5 * (row - 1)) * (sideOf(def) + kBetween);
+}
+
+// From the middle to where groups start and go.
+double awayOf(const OrdersDef& def) {
+    return 0.5 * (def.groups / 2) * (sideOf(def) + kBetween) + kWalk;
+}
+
+WorldDef worldOf(const OrdersDef& def) {
+    WorldDef world;
+    const double away = awayOf(def);
+    const double edge = away + sideOf(def);
+    world.box = {{-edge, -edge}, {edge, edge}};
+    Random random(def.seed);
+    for (std::int32_t k = 0; k < def.obstacles; ++k) {
+        ObstacleDef disc;
+        disc.centre = {random.uniform(-edge, edge), random.uniform(-edge, edge)};
+        disc.radius = 0.5;
+        world.obstacles.push_back(disc);
+    }
+    for (std::int32_t k = 0; k < def.groups; ++k) {
+        GroupDef group;
+        group.name = "Group " + std::to_string(k);
+        group.count = def.count / def.groups;
+        group.formation.kind = FormationKind::Square;
+        group.formation.spacing = kSpacing;
+        const double offset = offsetOf(def, k);
+        group.position = k % 2 == 0 ? Vec2{-away, offset} : Vec2{offset, -away};
+        world.groups.push_back(group);
+    }
+    return world;
+}
+
+/// Gives the orders of a step: all groups cross the square, and the first one gets a new pose every half
+/// second.
+class Director {
+public:
+    explicit Director(const OrdersDef& def) : def_(def), away_(awayOf(def)) {}
+
+    Status before(World& world) {
+        for (std::int32_t k = 1; k < def_.groups && world.stepCount() == 0; ++k) {
+            const double offset = offsetOf(def_, k);
+            const Vec2 goal = k % 2 == 0 ? Vec2{away_, offset} : Vec2{offset, away_};
+            if (Status status = order(world, k, goal, 0.0); !status.ok()) return status;
+        }
+        const auto period = static_cast<std::uint32_t>(kOrderPeriod / world.parameters().stepTime + 0.5);
+        if (world.stepCount() % period != 0) return {};
+        const std::uint32_t n = world.stepCount() / period;
+        return order(world, 0, {away_, offsetOf(def_, 0) + (n % 2 == 0 ? 4.0 : -4.0)}, 0.1 * (n % 7));
+    }
+
+private:
+    Status order(World& world, std::size_t group, Vec2 position, double angle) {
+        Command command;
+        command.step = world.stepCount();
+        command.sequence = ++sequence_;
+        command.body = SetPose{world.group(group).id, position, angle};
+        return world.submit(command);
+    }
+
+    const OrdersDef& def_;
+    double away_;
+    std::uint32_t sequence_ = 0;
+};
+
+// How long each character has stood still, not arrived.
+class Waits {
+public:
+    void look(const World& world) {
+        const CharactersView characters = world.characters();
+        since_.resize(characters.size(), 0);
+        for (std::size_t i = 0; i < characters.size(); ++i) {
+            const std::span<const Vec2> places = world.group(characters.group[i]).placePositions;
+            const bool near = characters.place[i] >= 0 &&
+                              distance(characters.position[i], places[characters.place[i]]) < kNear;
+            const bool stands = length(characters.velocity[i]) < kStanding && !near;
+            since_[i] = stands ? since_[i] + 1 : 0;
+            longest_ = std::max(longest_, since_[i]);
+        }
+    }
+    std::int32_t longest() const { return longest_; }
+
+private:
+    std::vector<std::int32_t> since_;
+    std::int32_t longest_ = 0;
+};
+
+std::string stagesOf(const StageTimes& times) {
+    std::string text;
+    for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
+        if (times.milliseconds[k] < 0.5) continue;
+        char part[64];
+        std::snprintf(part, sizeof(part), "%s%s %.1f", text.empty() ? "" : ", ",
+                      stageName(static_cast<Stage>(k)), times.milliseconds[k]);
+        text += part;
+    }
+    return text;
+}
+
+// One run: lowers `least` to its times, and notes the stages of steps that were the slowest so far.
+Status run(const OrdersDef& def, std::vector<double>& least, std::vector<std::string>& stages,
+           OrdersRow& row) {
+    Result<World> world = World::create(worldOf(def));
+    if (!world.ok()) return world.status();
+    Director director(def);
+    Waits waits;
+    for (std::size_t step = 0; step < least.size(); ++step) {
+        if (Status status = director.before(*world); !status.ok()) return status;
+        const double began = threadMilliseconds();
+        world->step();
+        const double took = threadMilliseconds() - began;
+        waits.look(*world);
+        if (took >= least[step]) continue;
+        least[step] = took;
+        stages[step] = stagesOf(world->stageTimes());
+    }
+    row.longestWait = waits.longest() * world->parameters().stepTime;
+    const std::uint64_t hash = world->hash();
+    if (row.hash != 0 && row.hash != hash) return Status(StatusCode::Corrupt, "orders: two runs differ");
+    row.hash = hash;
+    return {};
+}
+
+}  // namespace
+
+Result<OrdersRow> measureOrders(const OrdersDef& def) {
+    const auto steps = static_cast<std::size_t>(def.seconds * 60.0);
+    std::vector<double> least(std::max<std::size_t>(2, steps), 1e300);
+    std::vector<std::string> stages(least.size());
+    OrdersRow row;
+    for (std::int32_t k = 0; k < def.runs; ++k)
+        if (Status status = run(def, least, stages, row); !status.ok()) return status;
+    const auto worst = std::max_element(least.begin(), least.end());
+    row.first = least.front();
+    row.worst = *worst;
+    row.worstStep = static_cast<std::int32_t>(worst - least.begin());
+    row.worstStages = stages[row.worstStep];
+    row.p50 = quantile(least, 0.5);
+    row.p95 = quantile(least, 0.95);
+    return row;
+}
+
+}  // namespace muster::scale

@@ -1,0 +1,66 @@
+// The point of a cell that a cost field holds the value of, found from the clearance around it
+// (docs/method/unit-cost.md).
+#pragma once
+
+#include <algorithm>
+
+#include "base/grid.h"
+#include "base/raster_view.h"
+
+namespace muster {
+
+/// What the ground cost depends on, one value per cell.
+struct GroundRasters {
+    const Grid& grid;
+    std::span<const float> clearance;  ///< Distance from the cell's centre to the nearest obstacle [m].
+    RasterView travelSpeed;            ///< Speed relative to running, > 0.
+};
+
+/// The point of a cell that a cost field holds the value of: the centre, or the wall node.
+struct GroundNode {
+    bool free = false;     ///< Whether a character can be there.
+    float x = 0.0f;        ///< From the cell's centre [cells].
+    float y = 0.0f;        ///< From the cell's centre [cells].
+    float normalX = 0.0f;  ///< Unit vector away from the wall; null where the node is the centre.
+    float normalY = 0.0f;  ///< Unit vector away from the wall; null where the node is the centre.
+};
+
+/// Finds the nodes of cells from the clearance around them.
+class GroundNodeFinder {
+public:
+    /// For characters of `radius` [m]; the rasters must outlive it.
+    GroundNodeFinder(const GroundRasters& ground, double radius) : ground_(ground), radius_(radius) {}
+    /// The node of a cell; not free off the grid.
+    GroundNode find(Cell cell) const;
+    /// True where the cell and its four neighbours are free and have no wall nodes.
+    bool farFromWalls(Cell cell) const {
+        constexpr double kCells = 1.75;
+        const Grid& grid = ground_.grid;
+        return cell.x > 0 && cell.y > 0 && cell.x + 1 < grid.width && cell.y + 1 < grid.height &&
+               ground_.clearance[grid.index(cell)] > radius_ + kCells * grid.cell;
+    }
+
+private:
+    // Estimates of the clearance's slope along one axis [cells per cell].
+    struct Slope {
+        double wall = 0.0;         // One-sided, before a straight wall: the clearance is linear.
+        double corner = 0.0;       // One-sided, round a corner: the clearance squared is quadratic.
+        double central = 0.0;      // Exact for both where both neighbours lie outside obstacles.
+        bool bothOutside = false;  // Whether both neighbours do.
+        std::int32_t outer = 0;    // The side, 1 or -1, on which the clearance is higher.
+    };
+
+    // The clearance of a cell; beyond the grid's edge that of the nearest cell.
+    double at(std::int32_t x, std::int32_t y) const {
+        return ground_.clearance[ground_.grid.index(
+            {std::clamp(x, 0, ground_.grid.width - 1), std::clamp(y, 0, ground_.grid.height - 1)})];
+    }
+    bool clearanceGradient(Cell cell, bool free, Vec2& gradient) const;
+    Slope slopeOf(double here, Cell after, Cell before) const;
+    Vec2 refineNormal(Cell cell, Vec2 coarse) const;
+
+    const GroundRasters& ground_;
+    double radius_;
+};
+
+}  // namespace muster

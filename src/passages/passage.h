@@ -1,0 +1,34 @@
+// Passages: gaps between obstacles that let only so many through in a second.
+#pragma once
+
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// Characters that pass in a second, per metre of clear width, at full travel speed [1/(s m)].
+inline constexpr double kPassageFlow = 4.5;
+
+/// A gap between two obstacles, or an obstacle and the edge of the world, where it is narrowest.
+struct Passage {
+    Vec2 a, b;           ///< Its ends, on the surfaces of the two obstacles [m].
+    double speed = 1.0;  ///< Travel speed of the ground in it, relative to running, above 0.
+    double left = 0.0;   ///< How far the narrows go on to the left of the line from `a` to `b` [m].
+    double right = 0.0;  ///< The same to the right [m].
+    double pace = 1.0;   ///< Share of the nominal flow that gets through, above 0.
+
+    double width() const { return distance(a, b); }                            ///< Clear width [m].
+    double capacity() const { return kPassageFlow * width() * speed * pace; }  ///< Characters a second.
+    Vec2 middle() const { return 0.5 * (a + b); }                              ///< [m]
+    /// Positive on the left of the line from `a` to `b`, negative on the right.
+    double leftOf(Vec2 p) const { return cross(b - a, p - a); }
+    /// True on the left; points on the line, within rounding, count as left.
+    bool onLeft(Vec2 p) const { return leftOf(p) > -1e-6 * width(); }
+
+    /// Lets an archive read or write the passage.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(a, b, speed, left, right, pace);
+    }
+};
+
+}  // namespace muster

@@ -1,0 +1,37 @@
+// The menu of objectives against a running world: what is chosen is what the world then makes least.
+import { expect } from '../support/expect.mjs';
+
+/** Menu entry, and the world's parameters once it is chosen (the exponent is left alone by the longest walk). */
+const kChoices = [
+  ['Least longest', { 'plan.objective': 1 }],
+  ['Least sum', { 'plan.objective': 0, 'plan.exponent': 1 }],
+  ['Least squares', { 'plan.objective': 0, 'plan.exponent': 2 }],
+  ['Least longest', { 'plan.objective': 1, 'plan.exponent': 2 }],
+  ['Least squares', { 'plan.objective': 0, 'plan.exponent': 2 }],
+];
+
+const parameters = (studio) =>
+  studio.page.evaluate(() =>
+    Object.fromEntries(globalThis.__muster.state.parameters.map(({ name, value }) => [name, value])),
+  );
+
+export async function objectives(studio) {
+  const menu = studio.page.locator('select.objective');
+  const chosen = () => menu.evaluate((select) => select.selectedOptions[0]?.textContent ?? '');
+  const before = await parameters(studio);
+  expect(before['plan.objective'] === 0 && before['plan.exponent'] === 2, `the default: ${JSON.stringify(before)}`);
+  expect((await chosen()) === 'Least squares', `the menu tells the default: ${await chosen()}`);
+  for (const [label, wanted] of kChoices) {
+    await menu.selectOption({ label });
+    await studio.eventually(async () => {
+      const now = await parameters(studio);
+      for (const [name, value] of Object.entries(wanted))
+        expect(now[name] === value, `${label}: ${name} is ${now[name]}, expected ${value}`);
+    });
+    const { step } = await studio.frame();
+    await studio.until('ten steps', (from) => globalThis.__muster.frame.step > from + 10, step);
+    expect((await chosen()) === label, `the menu still says ${label}: ${await chosen()}`);
+    const refusals = await studio.page.locator('.notice:is([data-level="error"], [data-level="warning"])').count();
+    expect(refusals === 0, `${label} is not refused`);
+  }
+}
