@@ -123,10 +123,12 @@ void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
         const double beyond = distance(closestOnSegment(passage.a, passage.b, now.position[i]),
                                        now.position[i]);
         const double depth = fromLeft(chosen.way) ? passage.right : passage.left;
-        if (behind && beyond > depth + kThrough) chosen.way = -1;
-        // Who gets nowhere tries without a passage until the next command.
         const double still = (state.stepCount - now.walk[i].movedAt) * state.parameters.stepTime;
-        if (!behind && still * passage.speed > kPatience) chosen = {-1, kGaveUp};
+        // Who gets nowhere, be it in the mouth behind the gap, tries without a passage until the next command.
+        if (behind && beyond > depth + kThrough)
+            chosen.way = -1;
+        else if (still * passage.speed > kPatience)
+            chosen = {-1, kGaveUp};
     });
 }
 
