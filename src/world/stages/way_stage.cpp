@@ -108,37 +108,47 @@ bool WayStage::survey(WorldState& state) {
     return true;
 }
 
-// Who has gone through is free again.
+// Who has gone through is free again, be it because its goal lies in the mouth behind the gap. Who gets nowhere
+// tries without a passage until the next command; in the mouth nobody walks to and fro either.
+void WayStage::dropIfPassed(WorldState& state, std::size_t i, bool behind) {
+    const Characters& now = state.characters;
+    ChosenWay& chosen = state.characters.chosen[i];
+    const Passage& passage = state.passages[passageOf(chosen.way)];
+    const auto away = [&](Vec2 p) { return distance(closestOnSegment(passage.a, passage.b, p), p); };
+    // Far from the gap, it has come through another one.
+    const double end = (fromLeft(chosen.way) ? passage.right : passage.left) + kThrough;
+    const bool goalInMouth = now.place[i] >= 0 &&
+                             away(goalOf(state.groups[now.group[i]], now.place[i])) <= end;
+    if (behind && (goalInMouth || away(now.position[i]) > end)) {
+        chosen.way = -1;
+        return;
+    }
+    const std::uint32_t since = behind ? std::min(now.walk[i].movedAt, now.walk[i].campedAt)
+                                       : now.walk[i].movedAt;
+    const double still = (state.stepCount - since) * state.parameters.stepTime;
+    if (still * passage.speed > kPatience) chosen = {-1, kGaveUp};
+}
+
 void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
     const Characters& now = state.characters;
     reach_.resize(now.size());
     forChunks(&pool, now.size(), kChunk, [&](std::size_t i) {
-        ChosenWay& chosen = state.characters.chosen[i];
-        if (chosen.way < 0) return;
-        const Walk walk = fields_.walk(passageOf(chosen.way), now.position[i]);
-        const bool behind = walk.side == sideBehind(chosen.way);
+        const std::int32_t way = now.chosen[i].way;
+        if (way < 0) return;
+        const Walk walk = fields_.walk(passageOf(way), now.position[i]);
         reach_[i] = static_cast<float>(walk.cost);
-        const Passage& passage = state.passages[passageOf(chosen.way)];
-        // Far from the gap, it has come through another one.
-        const double beyond = distance(closestOnSegment(passage.a, passage.b, now.position[i]),
-                                       now.position[i]);
-        const double depth = fromLeft(chosen.way) ? passage.right : passage.left;
-        const double still = (state.stepCount - now.walk[i].movedAt) * state.parameters.stepTime;
-        // Who gets nowhere, be it in the mouth behind the gap, tries without a passage until the next command.
-        if (behind && beyond > depth + kThrough)
-            chosen.way = -1;
-        else if (still * passage.speed > kPatience)
-            chosen = {-1, kGaveUp};
+        dropIfPassed(state, i, walk.side == sideBehind(way));
     });
 }
 
-// Drops the ways of those who are beyond and have to go through no passage; true where anybody is left with
-// one. Whose place is on its own side
-// for now keeps its way: when places are exchanged it may need it again.
+// Drops the ways of those who see their goals, or are beyond and have to go through no passage; true where
+// anybody is left with one. Whose place is on its own side for now keeps its way: when places are exchanged it
+// may need it again.
 bool WayStage::keepCrossers(WorldState& state) {
     std::vector<ChosenWay>& chosen = state.characters.chosen;
     marked_.assign(chosen.size(), 0);
     for (const std::int32_t i : crossers_.characters()) marked_[i] = 1;
+    for (const std::int32_t i : crossers_.inSight()) chosen[i].way = -1;
     bool anyWay = false;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Vec2 at = state.characters.position[i];

@@ -41,6 +41,7 @@ private:
     void look(WorldState& state);
     bool survey(WorldState& state);
     void decide(WorldState& state, ThreadPool& pool);
+    static void dropIfPassed(WorldState& state, std::size_t character, bool behind);
     void dropPassed(WorldState& state, ThreadPool& pool);
     void choose(WorldState& state);
     bool keepCrossers(WorldState& state);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/infinite_cost.h"
+#include "geometry/polygon.h"
 #include "passages/way_number.h"
 #include "world/ways/goals.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr std::size_t kMaxChoices = 6;  // Passages among which is chosen at a time.
 constexpr double kPast = 0.75;  // A detour of this share of the walk between two passages leads past one.
+constexpr double kRoundabout = 2.0;  // Ways through passages this many times as long as the straight one...
+constexpr double kLeastRound = 2.0;   // ... and this much longer are none [m].
 constexpr double kBeforeMouth = 0.4;  // Where people wait for a passage [m].
 
 /// Where people on its left or right side wait for a passage.
@@ -32,26 +35,40 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
     const Vec2 to = fields.inRoom(goalOf(group, place));
     const double speed = metresPerSecond(state.parameters);
     const std::size_t all = state.passages.size();
-    bool any = false;
+    double least = kInfiniteCost;
     for (std::size_t p = 0; p < all; ++p) {
         const Walk here = fields.walk(p, from), there = fields.walk(p, to);
         const bool candidate = onOppositeSides(here, there);
-        any = any || candidate;
+        if (candidate) least = std::min(least, here.cost + there.cost);
         arrival_.push_back(candidate ? here.cost / speed : kInfiniteCost);
         onward_.push_back(candidate ? there.cost / speed : kInfiniteCost);
         side_.push_back(static_cast<std::int8_t>(here.side));
     }
-    if (any) {
+    const bool seen = least < kInfiniteCost && seesGoal(state, fields, character, to, least);
+    if (least < kInfiniteCost && !seen) {
         characters_.push_back(character);
         pool_.push_back(pool);
         return;
     }
+    if (seen) inSight_.push_back(character);
     for (auto* table : {&arrival_, &onward_}) table->resize(table->size() - all);
     side_.resize(side_.size() - all);
 }
 
+bool Crossers::seesGoal(const WorldState& state, const WayFields& fields, std::int32_t character, Vec2 goal,
+                        double byPassage) const {
+    const Vec2 from = state.characters.position[character];
+    const StaticGround& ground = fields.ground();
+    if (byPassage < kRoundabout * ground.lineCost(from, goal) + kLeastRound) return false;
+    const bool through = std::any_of(state.passages.begin(), state.passages.end(), [&](const Passage& p) {
+        return segmentsCross(from, goal, p.a, p.b);
+    });
+    return !through && ground.collisionFree(from, goal);
+}
+
 void Crossers::gather(const WorldState& state, const WayFields& fields) {
     characters_.clear();
+    inSight_.clear();
     pool_.clear();
     arrival_.clear();
     onward_.clear();
