@@ -192,3 +192,21 @@ TEST_CASE("of two who bar each other abreast the one with the longer way steps b
         CHECK((velocity[1].x < 0.0) == (stood > 3.0f));
     }
 }
+
+TEST_CASE("of two who bar each other in file the one ahead steps back, too, where the other one cannot") {
+    const Environment environment = ground(1.0);
+    Characters c;
+    add(c, {0.25, 0}, {1, 0});
+    add(c, {-0.25, 0}, {1, 0});
+    c.cost = {3.0, 4.0};
+    const std::vector<Vec2> places{{3, 0}, {4, 0}}, still(2), facing(2, Vec2{1, 0});
+    for (const float stood : {3.5f, 7.5f, 8.5f, 11.5f, 12.5f, 17.0f}) {
+        const std::vector<PlaceWait> waits(2, PlaceWait{{}, stood});
+        std::vector<Vec2> velocity(2), heading(2);
+        Steering steering;
+        steering.run({}, c, {places, still, facing, waits}, environment, kStep, velocity, heading);
+        const bool ahead = stood > 8.0f && stood < 12.0f;
+        CHECK((velocity[0].x < 0.0) == ahead);
+        CHECK((velocity[1].x < 0.0) == !ahead);
+    }
+}
