@@ -119,10 +119,12 @@ int runOrders(const OrdersDef& def) {
         return 1;
     }
     std::printf(
-        "%d characters in %d groups, %d obstacles: step p50 %.2f, p95 %.2f, first %.1f, worst %.1f ms (step "
+        "%d characters in %d groups, %d obstacles, %d gaps: step p50 %.2f, p95 %.2f, first %.1f, worst %.1f "
+        "ms (step "
         "%d: %s); longest wait %.2f s; hash %016llx\n",
-        def.count, def.groups, def.obstacles, row->p50, row->p95, row->first, row->worst, row->worstStep,
-        row->worstStages.c_str(), row->longestWait, static_cast<unsigned long long>(row->hash));
+        def.count, def.groups, def.obstacles, def.gaps, row->p50, row->p95, row->first, row->worst,
+        row->worstStep, row->worstStages.c_str(), row->longestWait,
+        static_cast<unsigned long long>(row->hash));
     return 0;
 }
 

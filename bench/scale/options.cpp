@@ -51,10 +51,12 @@ void describeGround(CLI::App& ground, Options& o) {
 }
 
 void describeOrders(CLI::App& orders, OrdersDef& def) {
-    orders.add_option("--groups", def.groups, "Groups (2)")->check(CLI::Range(2, 1000));
+    orders.add_option("--groups", def.groups, "Groups (2)")->check(CLI::Range(1, 1000));
     orders.add_option("--n", def.count, "Characters of all groups (1500)")->check(CLI::Range(8, 100000));
     orders.add_option("--obstacles", def.obstacles, "Discs of 0.5 m strewn over the square (0)")
         ->check(CLI::Range(0, 100000));
+    orders.add_option("--gaps", def.gaps, "Gaps in a wall through which all walk (0: no wall)")
+        ->check(CLI::Range(0, 100));
     orders.add_option("--runs", def.runs, "Equal runs; a step's time is its least over them (5)")
         ->check(CLI::Range(1, 50));
     orders.add_option("--seconds", def.seconds, "World time of a run [s] (10)")

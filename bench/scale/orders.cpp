@@ -20,32 +20,80 @@ constexpr double kWalk = 20.0;        // From the middle of the crossing to the 
 constexpr double kOrderPeriod = 0.5;  // Between two poses [s].
 constexpr double kStanding = 0.05;    // A slower character stands [m/s].
 constexpr double kNear = 0.5;         // From its place [m].
+constexpr double kWall = 1.0;         // Thickness of a wall with gaps [m].
+constexpr double kWallSpacing = 0.8;  // Of formations before and behind it [m].
+constexpr double kWallWalk = 8.0;     // From the wall to the first rows [m].
+constexpr double kWallRoom = 5.0;     // Round formations beside it [m].
+constexpr double kGapShare = 0.2;     // Of the front of a formation: all gaps together.
+
+double spacingOf(const OrdersDef& def) {
+    return def.gaps > 0 ? kWallSpacing : kSpacing;
+}
 
 // Side of the square formation of one group.
 double sideOf(const OrdersDef& def) {
-    return kSpacing * std::ceil(std::sqrt(static_cast<double>(def.count) / def.groups));
+    return spacingOf(def) * std::ceil(std::sqrt(static_cast<double>(def.count) / def.groups));
+}
+
+// Through a wall all walk east.
+bool walksEast(const OrdersDef& def, std::int32_t group) {
+    return def.gaps > 0 || group % 2 == 0;
 }
 
 // Centre of a group, from the middle of the row of groups that walk its way.
 double offsetOf(const OrdersDef& def, std::int32_t group) {
-    const std::int32_t row = (def.groups + 1 - group % 2) / 2;
-    return (group / 2 - 0.5 * (row - 1)) * (sideOf(def) + kBetween);
+    const std::int32_t row = def.gaps > 0 ? def.groups : (def.groups + 1 - group % 2) / 2;
+    const std::int32_t number = def.gaps > 0 ? group : group / 2;
+    return (number - 0.5 * (row - 1)) * (sideOf(def) + kBetween);
 }
 
 // From the middle to where groups start and go.
 double awayOf(const OrdersDef& def) {
-    return 0.5 * (def.groups / 2) * (sideOf(def) + kBetween) + kWalk;
+    if (def.gaps > 0) return 0.5 * sideOf(def) + kWallWalk;
+    return 0.5 * std::max(1, def.groups / 2) * (sideOf(def) + kBetween) + kWalk;
+}
+
+// Half of the width and height of the world. Passages are looked for on small ground only.
+Vec2 halfBox(const OrdersDef& def) {
+    if (def.gaps > 0)
+        return {awayOf(def) + 0.5 * sideOf(def) + kWallRoom,
+                offsetOf(def, def.groups - 1) + 0.5 * sideOf(def) + kWallRoom};
+    const double edge = awayOf(def) + sideOf(def);
+    return {edge, edge};
+}
+
+ObstacleDef wallPart(double from, double to) {
+    ObstacleDef part;
+    const double x = 0.5 * kWall;
+    part.polygon = {{-x, from}, {x, from}, {x, to}, {-x, to}};
+    return part;
+}
+
+// A wall across the way with gaps along the front of a formation, every second one three times as wide as the
+// others.
+void addWall(const OrdersDef& def, std::vector<ObstacleDef>& obstacles) {
+    const double edge = halfBox(def).y, front = 2.0 * (edge - kWallRoom);
+    double from = -edge;
+    for (std::int32_t k = 0; k < def.gaps; ++k) {
+        const double middle = front * ((k + 0.5) / def.gaps - 0.5);
+        const double half = 0.25 * kGapShare * front / def.gaps * (k % 2 == 0 ? 1.0 : 3.0);
+        obstacles.push_back(wallPart(from, middle - half));
+        from = middle + half;
+    }
+    if (def.gaps > 0) obstacles.push_back(wallPart(from, edge));
 }
 
 WorldDef worldOf(const OrdersDef& def) {
     WorldDef world;
     const double away = awayOf(def);
-    const double edge = away + sideOf(def);
-    world.box = {{-edge, -edge}, {edge, edge}};
+    const Vec2 half = halfBox(def);
+    world.box = {-half, half};
+    addWall(def, world.obstacles);
     Random random(def.seed);
     for (std::int32_t k = 0; k < def.obstacles; ++k) {
         ObstacleDef disc;
-        disc.centre = {random.uniform(-edge, edge), random.uniform(-edge, edge)};
+        disc.centre.x = random.uniform(-half.x, half.x);
+        disc.centre.y = random.uniform(-half.y, half.y);
         disc.radius = 0.5;
         world.obstacles.push_back(disc);
     }
@@ -54,9 +102,9 @@ WorldDef worldOf(const OrdersDef& def) {
         group.name = "Group " + std::to_string(k);
         group.count = def.count / def.groups;
         group.formation.kind = FormationKind::Square;
-        group.formation.spacing = kSpacing;
+        group.formation.spacing = spacingOf(def);
         const double offset = offsetOf(def, k);
-        group.position = k % 2 == 0 ? Vec2{-away, offset} : Vec2{offset, -away};
+        group.position = walksEast(def, k) ? Vec2{-away, offset} : Vec2{offset, -away};
         world.groups.push_back(group);
     }
     return world;
@@ -71,13 +119,15 @@ public:
     Status before(World& world) {
         for (std::int32_t k = 1; k < def_.groups && world.stepCount() == 0; ++k) {
             const double offset = offsetOf(def_, k);
-            const Vec2 goal = k % 2 == 0 ? Vec2{away_, offset} : Vec2{offset, away_};
+            const Vec2 goal = walksEast(def_, k) ? Vec2{away_, offset} : Vec2{offset, away_};
             if (Status status = order(world, k, goal, 0.0); !status.ok()) return status;
         }
         const auto period = static_cast<std::uint32_t>(kOrderPeriod / world.parameters().stepTime + 0.5);
         if (world.stepCount() % period != 0) return {};
         const std::uint32_t n = world.stepCount() / period;
-        return order(world, 0, {away_, offsetOf(def_, 0) + (n % 2 == 0 ? 4.0 : -4.0)}, 0.1 * (n % 7));
+        const double aside = n % 2 == 0 ? 1.0 : -1.0;
+        if (def_.gaps > 0) return order(world, 0, {away_, offsetOf(def_, 0) + 2.0 * aside}, 0.0);
+        return order(world, 0, {away_, offsetOf(def_, 0) + 4.0 * aside}, 0.1 * (n % 7));
     }
 
 private:

@@ -10,9 +10,10 @@ namespace muster::scale {
 
 /// How the orders are measured.
 struct OrdersDef {
-    std::int32_t groups = 2;     ///< Every second one walks east, the others north; 2 to 1,000.
+    std::int32_t groups = 2;     ///< Every second one walks east, the others north; 1 to 1,000.
     std::int32_t count = 1500;   ///< Characters of all groups together, 8 to 100,000.
     std::int32_t obstacles = 0;  ///< Discs of 0.5 m strewn over the square, 0 or more.
+    std::int32_t gaps = 0;       ///< In a wall through which all walk east, 0 for no wall; up to 100.
     std::int32_t runs = 5;       ///< Equal runs; the time of a step is its least over them, 1 to 50.
     double seconds = 10.0;       ///< World time of a run [s], up to 120.
     std::uint64_t seed = 1;      ///< Of the obstacles.
