@@ -5,7 +5,6 @@
 #include <cstring>
 #include <functional>
 
-#include "base/bilinear.h"
 #include "base/infinite_cost.h"
 #include "geometry/polygon.h"
 
@@ -77,15 +76,14 @@ double upwind(const AxisValue& x, const AxisValue& y) {
 
 }  // namespace
 
-bool WalkField::isCutOff(Vec2 p) const {
-    const std::int32_t cell = grid_.index(grid_.nearestCell(p));
+bool WalkField::isCutOff(std::int32_t cell) const {
     return open_[cell] != 0 && !(cost_[cell] < kUnreachableCost);
 }
 
 std::int32_t WalkField::reachedCell(Vec2 p) const {
     const Cell centre = grid_.nearestCell(p);
     // Reached cells near by serve for a cell in a wall, not for one behind a closed passage.
-    if (isCutOff(p)) return -1;
+    if (isCutOff(grid_.index(centre))) return -1;
     for (std::int32_t ring = 0; ring <= kReachedRing; ++ring) {
         std::int32_t best = -1;
         double least = kInfiniteCost;
@@ -103,11 +101,11 @@ std::int32_t WalkField::reachedCell(Vec2 p) const {
     return -1;
 }
 
-Walk WalkField::at(Vec2 p) const {
-    const BilinearStencil stencil = bilinearStencil(grid_, p);
+Walk WalkField::atSpot(const WalkSpot& spot) const {
+    const auto& [p, stencil, nearestCell] = spot;
     double sum = 0.0, weight = 0.0, heaviest = 0.0;
     Walk walk{kInfiniteCost, 0};
-    if (isCutOff(p)) return walk;
+    if (isCutOff(nearestCell)) return walk;
     for (int k = 0; k < 4; ++k) {
         const float cost = cost_[stencil.cell[k]];
         if (!(cost < kUnreachableCost) || !(stencil.weight[k] > 0.0)) continue;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bilinear.h"
 #include "cost/unit_cost.h"
 #include "passages/passage.h"
 
@@ -17,18 +18,29 @@ struct Walk {
         side = 0;  ///< 1 where it ends on the left side of the passage, -1 on the right, 0 for neither.
 };
 
+/// A point, located among the cells: the same for all fields on one ground.
+struct WalkSpot {
+    Vec2 point;
+    BilinearStencil stencil;
+    std::int32_t nearest = 0;  ///< Cell.
+};
+
 /// The cost of the cheapest walk from every cell to a passage that nobody goes through, from whichever side.
 class WalkField {
 public:
-    /// The walk from `p`. Near the passage the side is exact.
-    Walk at(Vec2 p) const;
+    /// Locates a point.
+    WalkSpot spot(Vec2 p) const { return {p, bilinearStencil(grid_, p), grid_.index(grid_.nearestCell(p))}; }
+    /// The walk from a spot on the same ground. Near the passage the side is exact.
+    Walk atSpot(const WalkSpot& spot) const;
+    /// The same for a point.
+    Walk at(Vec2 p) const { return atSpot(spot(p)); }
     /// The first cells, at most so many, of the cheapest walk from `p` to the source, as points [m]; empty
     /// where there is none.
     void trace(Vec2 p, std::size_t most, std::vector<Vec2>& path) const;
 
 private:
     friend class WalkSolver;
-    bool isCutOff(Vec2 p) const;
+    bool isCutOff(std::int32_t cell) const;
     std::int32_t reachedCell(Vec2 p) const;
     std::int32_t nextCell(std::int32_t cell) const;
 

@@ -16,69 +16,9 @@ constexpr double kNearer = 0.1;
 constexpr std::int32_t kMostBatches = 500;  // A large crowd is moved by at least this part at a time.
 constexpr double kWorthTurning = 0.5;       // Of all changes of those who have one [s]...
 constexpr double kWorthShare = 0.05;        // ... and as a share of the time that is left.
+constexpr double kRounding = 1e-9;          // Of sums of detours, at most [s].
 
 }  // namespace
-
-void WayChoice::sortAll() {
-    byArrival_.resize(passages_);
-    byOnward_.resize(passages_);
-    byDetour_.resize(passages_ * passages_);
-    byGoalDetour_.resize(passages_ * passages_);
-    byNearGoal_.resize(passages_ * passages_);
-    for (std::vector<std::int32_t>& order : byNearGoal_) order.clear();
-    const auto sortBy = [&](std::vector<std::int32_t>& order, const auto& key) {
-        keys_.clear();
-        for (std::int32_t i = 0; std::cmp_less(i, people_); ++i)
-            if (const double k = key(i); k < kInfiniteCost) keys_.push_back({k, i});
-        std::sort(keys_.begin(), keys_.end());
-        order.clear();
-        for (const auto& [k, i] : keys_) order.push_back(i);
-    };
-    // The same for the negative keys of the last order.
-    const auto sortBack = [&](std::vector<std::int32_t>& order) {
-        order.clear();
-        for (std::size_t end = keys_.size(); end > 0;) {
-            std::size_t first = end - 1;
-            while (first > 0 && keys_[first - 1].first == keys_[end - 1].first) --first;
-            for (std::size_t k = first; k < end; ++k) order.push_back(keys_[k].second);
-            end = first;
-        }
-    };
-    for (std::size_t p = 0; p < passages_; ++p) {
-        sortBy(byArrival_[p], [&](std::int32_t i) { return cost(input_.arrival, i, p); });
-        sortBy(byOnward_[p], [&](std::int32_t i) {
-            const double onward = cost(input_.onward, i, p);
-            return onward < kInfiniteCost ? -onward : kInfiniteCost;
-        });
-        for (std::size_t q = p + 1; q < passages_; ++q) {
-            const auto detour = [&](std::span<const double> table, std::int32_t i) {
-                const double from = cost(table, i, p), to = cost(table, i, q);
-                return from < kInfiniteCost && to < kInfiniteCost ? to - from : kInfiniteCost;
-            };
-            sortBy(byDetour_[p * passages_ + q], [&](std::int32_t i) { return detour(input_.arrival, i); });
-            sortBack(byDetour_[q * passages_ + p]);
-            sortBy(byGoalDetour_[p * passages_ + q],
-                   [&](std::int32_t i) { return detour(input_.onward, i); });
-            sortBack(byGoalDetour_[q * passages_ + p]);
-        }
-    }
-}
-
-// Goals by detour, near ones first among equals. Few pairs of passages are asked for, so each is sorted when
-// it is.
-const std::vector<std::int32_t>& WayChoice::nearGoals(std::int32_t from, std::int32_t to) {
-    std::vector<std::int32_t>& order = byNearGoal_[from * passages_ + to];
-    if (!order.empty()) return order;
-    keys_.clear();
-    for (std::int32_t i = 0; std::cmp_less(i, people_); ++i) {
-        const double before = cost(input_.onward, i, from), behind = cost(input_.onward, i, to);
-        if (before < kInfiniteCost && behind < kInfiniteCost)
-            keys_.push_back({behind - (1.0 - kNearer) * before, i});
-    }
-    std::sort(keys_.begin(), keys_.end());
-    for (const auto& [key, i] : keys_) order.push_back(i);
-    return order;
-}
 
 // Whoever has no passage, or one that is not open any more, takes the shortest way.
 void WayChoice::begin(std::span<const std::int32_t> way) {
@@ -93,81 +33,127 @@ void WayChoice::begin(std::span<const std::int32_t> way) {
             if (total(p) < total(way_[i])) way_[i] = static_cast<std::int32_t>(p);
     }
     goalWay_ = way_;
-    exchangeAll(byGoalDetour_, goalWay_, {});
-    for (std::size_t p = 0; p < passages_; ++p) last_[p] = lastBy(static_cast<std::int32_t>(p), nullptr);
+    exchangeAll(input_.onward, goalWay_, {});
+    fillLines();
 }
 
 // Exchanges the passages of two of one pool for as long as that shortens both walks together; `free` may be
-// empty for all.
-void WayChoice::exchangeAll(const std::vector<std::vector<std::int32_t>>& byDetour,
-                            std::vector<std::int32_t>& way, std::span<const std::uint8_t> free) {
-    const bool goals = &byDetour == &byGoalDetour_;
-    const std::span<const double> table = goals ? input_.onward : input_.arrival;
-    const auto next = [&](const std::vector<std::int32_t>& order, std::size_t& at, std::int32_t from,
-                          std::int32_t pool) {
-        while (at < order.size() && (way[order[at]] != from || input_.pool[order[at]] != pool ||
-                                     (!free.empty() && free[order[at]] == 0)))
-            ++at;
-        return at < order.size() ? order[at] : -1;
-    };
+// empty for all. True where any were exchanged.
+bool WayChoice::exchangeAll(std::span<const double> table, std::vector<std::int32_t>& way,
+                            std::span<const std::uint8_t> free) {
+    bool changed = false;
     for (int round = 0; round < kExchangeRounds; ++round) {
         bool any = false;
         for (std::int32_t p = 0; std::cmp_less(p, passages_); ++p)
             for (std::int32_t q = p + 1; std::cmp_less(q, passages_); ++q)
-                for (std::int32_t pool = 0; std::cmp_less(pool, cursor_.size()); ++pool) {
-                    std::size_t there = 0, back = 0;
-                    for (;;) {
-                        const std::int32_t i = next(byDetour[p * passages_ + q], there, p, pool);
-                        const std::int32_t j = next(byDetour[q * passages_ + p], back, q, pool);
-                        if (i < 0 || j < 0) break;
-                        const double change = cost(table, i, q) - cost(table, i, p) + cost(table, j, p) -
-                                              cost(table, j, q);
-                        if (!(change < -kLeastGain)) break;
-                        std::swap(way[i], way[j]);
-                        any = true;
-                    }
-                }
-        if (!any) return;
+                any = exchange(table, way, free, p, q) || any;
+        if (!any) break;
+        changed = true;
     }
+    return changed;
 }
 
-// Serves in the order of arrival; who is served first gets the farthest of the goals.
-double WayChoice::lastBy(std::int32_t passage, double* slot) {
-    const double service = 1.0 / input_.capacity[passage];
-    const std::vector<std::int32_t>& goals = byOnward_[passage];
-    std::fill(cursor_.begin(), cursor_.end(), 0);
-    double free = 0.0, last = 0.0;
-    for (const std::int32_t i : byArrival_[passage]) {
-        if (way_[i] != passage) continue;
-        const double served = std::max(cost(input_.arrival, i, passage), free);
-        free = served + service;
-        if (slot != nullptr) slot[i] = served;
-        std::size_t& at = cursor_[input_.pool[i]];
-        while (at < goals.size() &&
-               (goalWay_[goals[at]] != passage || input_.pool[goals[at]] != input_.pool[i]))
-            ++at;
-        if (at < goals.size()) last = std::max(last, served + cost(input_.onward, goals[at++], passage));
+// The same for two passages.
+bool WayChoice::exchange(std::span<const double> table, std::vector<std::int32_t>& way,
+                         std::span<const std::uint8_t> free, std::int32_t p, std::int32_t q) {
+    there_.clear();
+    back_.clear();
+    for (std::int32_t i = 0; std::cmp_less(i, people_); ++i) {
+        if ((way[i] != p && way[i] != q) || (!free.empty() && free[i] == 0)) continue;
+        const double byP = cost(table, i, p), byQ = cost(table, i, q);
+        if (!(byP < kInfiniteCost) || !(byQ < kInfiniteCost)) continue;
+        if (way[i] == p)
+            there_.push_back({byQ - byP, i});
+        else
+            back_.push_back({byP - byQ, i});
     }
-    return last;
+    if (!keepWorthwhile()) return false;
+    sort_.sort(there_);
+    sort_.sort(back_);
+    bool any = false;
+    for (std::int32_t pool = 0; std::cmp_less(pool, pools_); ++pool)
+        for (std::size_t there = 0, back = 0;; ++there, ++back) {
+            const std::int32_t i = nextOf(there_, there, pool), j = nextOf(back_, back, pool);
+            if (i < 0 || j < 0) break;
+            const double change = cost(table, i, q) - cost(table, i, p) + cost(table, j, p) -
+                                  cost(table, j, q);
+            if (!(change < -kLeastGain)) break;
+            std::swap(way[i], way[j]);
+            any = true;
+        }
+    return any;
+}
+
+// Of those who may be exchanged, drops those who cannot gain by it. True where some are left on both sides.
+bool WayChoice::keepWorthwhile() {
+    leastThere_.assign(pools_, kInfiniteCost);
+    leastBack_.assign(pools_, kInfiniteCost);
+    for (const SortKey& k : there_)
+        leastThere_[input_.pool[k.who]] = std::min(leastThere_[input_.pool[k.who]], k.key);
+    for (const SortKey& k : back_)
+        leastBack_[input_.pool[k.who]] = std::min(leastBack_[input_.pool[k.who]], k.key);
+    const auto drop = [&](std::vector<SortKey>& keys, const std::vector<double>& other) {
+        std::erase_if(keys, [&](const SortKey& k) {
+            return !(k.key + other[input_.pool[k.who]] < kRounding - kLeastGain);
+        });
+    };
+    drop(there_, leastBack_);
+    drop(back_, leastThere_);
+    return !there_.empty() && !back_.empty();
+}
+
+std::int32_t WayChoice::nextOf(const std::vector<SortKey>& order, std::size_t& at, std::int32_t pool) const {
+    while (at < order.size() && input_.pool[order[at].who] != pool) ++at;
+    return at < order.size() ? order[at].who : -1;
+}
+
+// Those who may leave a passage for another one, the least detour first; some may have left already.
+const std::vector<SortKey>& WayChoice::leavers(std::int32_t from, std::int32_t to) {
+    Order& order = leavers_[from * passages_ + to];
+    if (order.known) return order.keys;
+    order.keys.clear();
+    for (const Turn& turn : lines_[from].queue) {
+        const double there = cost(input_.arrival, turn.who, to);
+        if (free_[turn.who] != 0 && there < kInfiniteCost)
+            order.keys.push_back({there - turn.time, turn.who});
+    }
+    sort_.sort(order.keys);
+    order.known = true;
+    return order.keys;
+}
+
+// The same for goals, near ones first where the detour is equal.
+const std::vector<SortKey>& WayChoice::goalLeavers(std::int32_t from, std::int32_t to) {
+    Order& order = goalLeavers_[from * passages_ + to];
+    if (order.known) return order.keys;
+    order.keys.clear();
+    for (const Turn& turn : lines_[from].goals) {
+        const double behind = cost(input_.onward, turn.who, to);
+        if (behind < kInfiniteCost) order.keys.push_back({behind - (1.0 - kNearer) * turn.time, turn.who});
+    }
+    sort_.sort(order.keys);
+    order.known = true;
+    return order.keys;
 }
 
 bool WayChoice::move(std::int32_t from, std::int32_t to, std::int32_t batch) {
     movedPeople_.clear();
     movedGoals_.clear();
-    std::fill(wanted_.begin(), wanted_.end(), 0);
-    for (const std::int32_t i : byDetour_[from * passages_ + to]) {
+    wanted_.assign(pools_, 0);
+    for (const SortKey& k : leavers(from, to)) {
         if (std::ssize(movedPeople_) >= batch) break;
-        if (way_[i] != from || free_[i] == 0) continue;
-        movedPeople_.push_back(i);
-        ++wanted_[input_.pool[i]];
+        if (way_[k.who] != from) continue;
+        movedPeople_.push_back(k.who);
+        ++wanted_[input_.pool[k.who]];
     }
-    for (const std::int32_t g : nearGoals(from, to)) {
+    if (movedPeople_.empty()) return false;
+    for (const SortKey& k : goalLeavers(from, to)) {
         if (movedGoals_.size() >= movedPeople_.size()) break;
-        if (goalWay_[g] != from || wanted_[input_.pool[g]] == 0) continue;
-        movedGoals_.push_back(g);
-        --wanted_[input_.pool[g]];
+        if (goalWay_[k.who] != from || wanted_[input_.pool[k.who]] == 0) continue;
+        movedGoals_.push_back(k.who);
+        --wanted_[input_.pool[k.who]];
     }
-    if (movedPeople_.empty() || movedGoals_.size() < movedPeople_.size()) return false;
+    if (movedGoals_.size() < movedPeople_.size()) return false;
     for (const std::int32_t i : movedPeople_) way_[i] = to;
     for (const std::int32_t g : movedGoals_) goalWay_[g] = to;
     return true;
@@ -183,8 +169,13 @@ bool WayChoice::improveFrom(std::int32_t from, std::int32_t batch) {
     std::int32_t best = -1;
     double least = last_[from] - kLeastGain;
     for (std::int32_t to = 0; std::cmp_less(to, passages_); ++to) {
-        if (to == from || !move(from, to, batch)) continue;
-        const double later = std::max(lastBy(from, nullptr), lastBy(to, nullptr));
+        // More people make no line shorter.
+        if (to == from || last_[to] >= least || !move(from, to, batch)) continue;
+        double later = lastWithout(from, least);
+        if (later < least) {
+            fillMoved(to);
+            later = std::max(later, lastWithMoved(to, least));
+        }
         if (later < least) {
             least = later;
             best = to;
@@ -193,28 +184,26 @@ bool WayChoice::improveFrom(std::int32_t from, std::int32_t batch) {
     }
     if (best < 0) return false;
     move(from, best, batch);
-    last_[from] = lastBy(from, nullptr);
-    last_[best] = lastBy(best, nullptr);
+    keepMove(from, best);
     return true;
 }
 
 // The passage where the last arrives latest gives characters away, in ever smaller numbers; when it cannot
 // gain any more, the next one does.
 double WayChoice::improve() {
-    exchangeAll(byDetour_, way_, free_);
-    for (std::size_t p = 0; p < passages_; ++p) last_[p] = lastBy(static_cast<std::int32_t>(p), nullptr);
-    std::vector<std::uint8_t>& settled = settled_;
-    settled.assign(passages_, 0);
+    if (exchangeAll(input_.arrival, way_, free_)) fillLines();
+    for (Order& order : leavers_) order.known = false;
+    settled_.assign(passages_, 0);
     for (;;) {
         std::int32_t worst = -1;
         for (std::int32_t p = 0; std::cmp_less(p, passages_); ++p)
-            if (settled[p] == 0 && (worst < 0 || last_[p] > last_[worst])) worst = p;
+            if (settled_[p] == 0 && (worst < 0 || last_[p] > last_[worst])) worst = p;
         if (worst < 0) break;
         const auto there = static_cast<std::int32_t>(std::count(way_.begin(), way_.end(), worst));
         const std::int32_t least = 1 + static_cast<std::int32_t>(people_) / kMostBatches;
         std::int32_t batch = std::max(1, there / 4);
         while (batch >= least && !improveFrom(worst, batch)) batch /= 2;
-        if (batch < least) settled[worst] = 1;
+        if (batch < least) settled_[worst] = 1;
     }
     return *std::max_element(last_.begin(), last_.end());
 }
@@ -225,10 +214,9 @@ void WayChoice::read(const WayChoiceInput& input) {
     people_ = input.pool.size();
     if (people_ == 0 || passages_ == 0) return;
     last_.assign(passages_, 0.0);
-    const std::size_t pools = 1 + *std::max_element(input.pool.begin(), input.pool.end());
-    cursor_.assign(pools, 0);
-    wanted_.assign(pools, 0);
-    sortAll();
+    pools_ = 1 + static_cast<std::size_t>(*std::max_element(input.pool.begin(), input.pool.end()));
+    leavers_.resize(std::max(leavers_.size(), passages_ * passages_));
+    goalLeavers_.resize(leavers_.size());
 }
 
 double WayChoice::longestWait() {
@@ -236,11 +224,26 @@ double WayChoice::longestWait() {
     none_.assign(people_, -1);
     begin(none_);
     slots_.assign(people_, 0.0);
-    for (std::size_t p = 0; p < passages_; ++p) lastBy(static_cast<std::int32_t>(p), slots_.data());
+    readSlots(slots_);
     double longest = 0.0;
     for (std::size_t i = 0; i < people_; ++i)
         longest = std::max(longest, slots_[i] - cost(input_.arrival, static_cast<std::int32_t>(i), way_[i]));
     return longest;
+}
+
+void WayChoice::readSlots(std::span<double> slot) {
+    for (std::int32_t p = 0; std::cmp_less(p, passages_); ++p) lastOf(p, slot.data());
+}
+
+// Frees those of the movable who have a passage. True where there are any.
+bool WayChoice::freeOthers(std::span<const std::int32_t> way) {
+    bool any = false;
+    for (std::size_t i = 0; i < people_; ++i) {
+        if (free_[i] != 0) continue;
+        free_[i] = way_[i] != way[i] || input_.movable[i] != 0 ? 1 : 0;
+        any = any || free_[i] != 0;
+    }
+    return any;
 }
 
 double WayChoice::choose(std::span<std::int32_t> way, std::span<double> slot) {
@@ -252,15 +255,17 @@ double WayChoice::choose(std::span<std::int32_t> way, std::span<double> slot) {
     double last = improve();
     before_ = way_;
     beforeGoals_ = goalWay_;
-    for (std::size_t i = 0; i < people_; ++i) free_[i] = way_[i] != way[i] || input_.movable[i] != 0 ? 1 : 0;
-    const double turned = improve();
-    if (turned < last - std::max(kWorthTurning, kWorthShare * last)) {
-        last = turned;
-    } else {
-        way_ = before_;
-        goalWay_ = beforeGoals_;
+    if (freeOthers(way)) {
+        const double turned = improve();
+        if (turned < last - std::max(kWorthTurning, kWorthShare * last)) {
+            last = turned;
+        } else {
+            way_ = before_;
+            goalWay_ = beforeGoals_;
+            fillLines();
+        }
     }
-    for (std::size_t p = 0; p < passages_; ++p) lastBy(static_cast<std::int32_t>(p), slot.data());
+    readSlots(slot);
     std::copy(way_.begin(), way_.end(), way.begin());
     return last;
 }

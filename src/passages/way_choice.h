@@ -4,8 +4,9 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
+
+#include "passages/key_sort.h"
 
 namespace muster {
 
@@ -38,16 +39,72 @@ public:
     double choose(std::span<std::int32_t> way, std::span<double> slot);
 
 private:
-    void sortAll();
+    // One who goes through a passage and when it is there, or a goal and the walk to it.
+    struct Turn {
+        double time = 0.0;  // [s]
+        std::int32_t who = 0;
+        std::int32_t pool = 0;
+    };
+    static bool isSooner(const Turn& x, const Turn& y) {
+        return x.time < y.time || (x.time == y.time && x.who < y.who);
+    }
+    // Those who go through one passage.
+    struct Line {
+        std::vector<Turn> queue;            // By arrival.
+        std::vector<Turn> goals;            // By pool, the farthest first.
+        std::vector<std::int32_t> poolEnd;  // Per pool: behind its last goal.
+    };
+    // Serves one after another.
+    struct Service {
+        double each;        // [s]
+        double limit;       // [s]
+        double free = 0.0;  // When the next one can be served [s].
+        double last = 0.0;  // When the last one is in place [s].
+
+        double serve(double arrival) {
+            const double served = std::max(arrival, free);
+            free = served + each;
+            return served;
+        }
+        bool isTooLate(double inPlace) {
+            last = std::max(last, inPlace);
+            return last >= limit;
+        }
+    };
+    // Sorted when they are asked for, of a passage and another one.
+    struct Order {
+        std::vector<SortKey> keys;
+        bool known = false;
+    };
+
     void begin(std::span<const std::int32_t> way);
     double improve();
     bool improveFrom(std::int32_t from, std::int32_t batch);
-    const std::vector<std::int32_t>& nearGoals(std::int32_t from, std::int32_t to);
+    const std::vector<SortKey>& leavers(std::int32_t from, std::int32_t to);
+    const std::vector<SortKey>& goalLeavers(std::int32_t from, std::int32_t to);
     bool move(std::int32_t from, std::int32_t to, std::int32_t batch);
     void takeBack(std::int32_t from);
-    void exchangeAll(const std::vector<std::vector<std::int32_t>>& byDetour, std::vector<std::int32_t>& way,
+    void fillMoved(std::int32_t to);
+    void keepMove(std::int32_t from, std::int32_t to);
+    bool freeOthers(std::span<const std::int32_t> way);
+    void readSlots(std::span<double> slot);
+    bool exchangeAll(std::span<const double> table, std::vector<std::int32_t>& way,
                      std::span<const std::uint8_t> free);
-    double lastBy(std::int32_t passage, double* slot);
+    bool exchange(std::span<const double> table, std::vector<std::int32_t>& way,
+                  std::span<const std::uint8_t> free, std::int32_t p, std::int32_t q);
+    bool keepWorthwhile();
+    std::int32_t nextOf(const std::vector<SortKey>& order, std::size_t& at, std::int32_t pool) const;
+
+    void fillLines();
+    void fill(Line& line, std::vector<SortKey>& people, std::vector<SortKey>& goals);
+    void dropLeft(const Line& line, std::int32_t passage, Line& out) const;
+    static void merge(const Line& one, const Line& other, Line& out);
+    Service beginService(std::int32_t passage, double limit) const {
+        return {1.0 / input_.capacity[passage], limit};
+    }
+    double lastOf(std::int32_t passage, double* slot);
+    double lastWithout(std::int32_t passage, double limit);
+    double lastWithMoved(std::int32_t passage, double limit);
     double cost(std::span<const double> table, std::int32_t i, std::int32_t p) const {
         return table[static_cast<std::size_t>(i) * passages_ + p];
     }
@@ -55,22 +112,24 @@ private:
     WayChoiceInput input_;
     std::size_t passages_ = 0;
     std::size_t people_ = 0;
+    std::size_t pools_ = 0;
     std::vector<std::int32_t> way_;      // Of each character.
     std::vector<std::int32_t> none_;     // For each character, no passage.
     std::vector<std::int32_t> goalWay_;  // Of each character's goal.
     std::vector<std::uint8_t> free_;
-    std::vector<double> last_;                             // Per passage [s].
-    std::vector<std::vector<std::int32_t>> byArrival_;     // Per passage.
-    std::vector<std::vector<std::int32_t>> byOnward_;      // Per passage, the farthest goal first.
-    std::vector<std::vector<std::int32_t>> byDetour_;      // Per two passages, the least first.
-    std::vector<std::vector<std::int32_t>> byGoalDetour_;  // The same for goals.
-    std::vector<std::vector<std::int32_t>> byNearGoal_;    // The same, near goals first where equal.
+    std::vector<double> last_;  // Per passage [s].
+    std::vector<Line> lines_;   // Per passage.
+    Line moved_, other_;
+    std::vector<Order> leavers_, goalLeavers_;  // Per two passages.
     std::vector<std::int32_t> movedPeople_, movedGoals_, wanted_;
-    std::vector<std::size_t> cursor_;  // Per pool.
+    std::vector<std::int32_t> cursor_, movedCursor_;  // Per pool.
     std::vector<std::int32_t> before_, beforeGoals_;
-    std::vector<std::uint8_t> settled_;  // Per passage.
-    std::vector<std::pair<double, std::int32_t>> keys_;
+    std::vector<std::uint8_t> settled_;                  // Per passage.
+    std::vector<SortKey> there_, back_;                  // Those who may be exchanged.
+    std::vector<double> leastThere_, leastBack_;         // Per pool.
+    std::vector<std::vector<SortKey>> keys_, goalKeys_;  // Per passage.
     std::vector<double> slots_;
+    KeySort sort_;
 };
 
 }  // namespace muster

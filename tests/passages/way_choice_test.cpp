@@ -1,6 +1,8 @@
 // Who goes through which passage, against all possible choices and against hand-made cases.
 #include <doctest.h>
 
+#include <algorithm>
+
 #include "base/random.h"
 #include "passages/way_choice.h"
 
@@ -187,4 +189,33 @@ TEST_CASE("pools share a passage but not their goals") {
     const double last = chosen(c.input(), way, slot);
     CHECK(last == doctest::Approx(1.0 + 9.0 + 1.0).epsilon(0.1));
     for (int i = 0; i < 20; ++i) CHECK(way[i] == i % 2);
+}
+
+TEST_CASE(
+    "with several pools: when each is let through, and the last arrival, are those of the passages told") {
+    Random random(23);
+    for (int k = 0; k < 20; ++k) {
+        Case c = randomCase(random, 300, 4);
+        for (std::size_t i = 0; i < c.people(); ++i) c.pool[i] = static_cast<std::int32_t>(i % 3);
+        std::vector<std::int32_t> way(c.people(), -1);
+        std::vector<double> slot(c.people());
+        const double last = chosen(c.input(), way, slot);
+        for (std::size_t p = 0; p < 4; ++p) {
+            // Served one after another, in the order of arrival.
+            std::vector<std::pair<double, double>> served;
+            for (std::size_t i = 0; i < c.people(); ++i)
+                if (way[i] == static_cast<int>(p)) served.push_back({c.arrival[i * 4 + p], slot[i]});
+            std::sort(served.begin(), served.end());
+            double free = 0.0;
+            for (const auto& [arrival, at] : served) {
+                CHECK(at == doctest::Approx(std::max(arrival, free)));
+                free = at + 1.0 / c.capacity[p];
+                CHECK(at < last);
+            }
+        }
+        // Half of what all passages let through in this time is used.
+        double capacity = 0.0;
+        for (const double rate : c.capacity) capacity += rate;
+        CHECK(last < 2.0 * (300.0 / capacity + 12.0));
+    }
 }

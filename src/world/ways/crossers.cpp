@@ -31,8 +31,8 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
     const ChosenWay& chosen = state.characters.chosen[character];
     if (place < 0 || chosen.turns >= kGaveUp) return;
     if (fields.isInside(chosen.way, state.characters.position[character])) return;
-    const Vec2 from = fields.inRoom(state.characters.position[character]);
-    const Vec2 to = fields.inRoom(goalOf(group, place));
+    const WalkSpot from = fields.spot(fields.inRoom(state.characters.position[character]));
+    const WalkSpot to = fields.spot(fields.inRoom(goalOf(group, place)));
     const double speed = metresPerSecond(state.parameters);
     const std::size_t all = state.passages.size();
     double least = kInfiniteCost;
