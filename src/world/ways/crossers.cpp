@@ -44,7 +44,7 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
         onward_.push_back(candidate ? there.cost / speed : kInfiniteCost);
         side_.push_back(static_cast<std::int8_t>(here.side));
     }
-    const bool seen = least < kInfiniteCost && seesGoal(state, fields, character, to, least);
+    const bool seen = least < kInfiniteCost && seesGoal(state, fields, character, to.point, least);
     if (least < kInfiniteCost && !seen) {
         characters_.push_back(character);
         pool_.push_back(pool);
