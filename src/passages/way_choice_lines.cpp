@@ -7,7 +7,7 @@
 
 namespace muster {
 
-// Makes the lines of all passages anew.
+// Makes the lines of all passages again.
 void WayChoice::fillLines() {
     lines_.resize(std::max(lines_.size(), passages_));
     keys_.resize(std::max(keys_.size(), passages_));

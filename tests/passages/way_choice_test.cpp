@@ -213,7 +213,7 @@ TEST_CASE(
                 CHECK(at < last);
             }
         }
-        // Half of what all passages let through in this time is used.
+        // At least half of the flow of all passages is used.
         double capacity = 0.0;
         for (const double rate : c.capacity) capacity += rate;
         CHECK(last < 2.0 * (300.0 / capacity + 12.0));

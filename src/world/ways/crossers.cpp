@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxChoices = 6;  // Passages among which is chosen at a time.
 constexpr double kPast = 0.75;  // A detour of this share of the walk between two passages leads past one.
-constexpr double kRoundabout = 2.0;  // Ways through passages this many times as long as the straight one...
+constexpr double kRoundabout = 2.0;   // Ways through passages this many times as long as the straight one...
 constexpr double kLeastRound = 2.0;   // ... and this much longer are none [m].
 constexpr double kBeforeMouth = 0.4;  // Where people wait for a passage [m].
 
@@ -60,9 +60,8 @@ bool Crossers::seesGoal(const WorldState& state, const WayFields& fields, std::i
     const Vec2 from = state.characters.position[character];
     const StaticGround& ground = fields.ground();
     if (byPassage < kRoundabout * ground.lineCost(from, goal) + kLeastRound) return false;
-    const bool through = std::any_of(state.passages.begin(), state.passages.end(), [&](const Passage& p) {
-        return segmentsCross(from, goal, p.a, p.b);
-    });
+    const bool through = std::any_of(state.passages.begin(), state.passages.end(),
+                                     [&](const Passage& p) { return segmentsCross(from, goal, p.a, p.b); });
     return !through && ground.collisionFree(from, goal);
 }
 

@@ -29,7 +29,9 @@ public:
     /// Locates a point for walks to all passages, of which there must be some.
     WalkSpot spot(Vec2 p) const { return present_.fields.front().spot(p); }
     /// The walk from a spot to a passage.
-    Walk walk(std::size_t passage, const WalkSpot& spot) const { return present_.fields[passage].atSpot(spot); }
+    Walk walk(std::size_t passage, const WalkSpot& spot) const {
+        return present_.fields[passage].atSpot(spot);
+    }
     /// The walk from `p` to a passage.
     Walk walk(std::size_t passage, Vec2 p) const { return present_.fields[passage].at(p); }
     /// The first cells, at most so many, of the walk from `p` to a passage, as points [m].
