@@ -48,10 +48,11 @@ public:
     };
     /// Reads a square of cells of the grid.
     Square square(Cell low, Cell high) const {
-        const Value* tile = tileOf(low);
-        if (low.x >> kShift == high.x >> kShift && low.y >> kShift == high.y >> kShift)
-            return {{tile[within(low)], tile[within({high.x, low.y})], tile[within({low.x, high.y})],
-                     tile[within(high)]}};
+        if (((low.x ^ high.x) | (low.y ^ high.y)) >> kShift == 0) {
+            const Value* first = tileOf(low) + within(low);
+            const std::int32_t right = high.x - low.x, up = (high.y - low.y) << kShift;
+            return {{first[0], first[right], first[up], first[up + right]}};
+        }
         return {{(*this)[low], (*this)[{high.x, low.y}], (*this)[{low.x, high.y}], (*this)[high]}};
     }
     /// Number of tiles in memory, that of zeros included.

@@ -12,6 +12,8 @@ namespace {
 // Relative precision of the time at which the discomfort of a moving obstacle peaks.
 constexpr double kPeakPrecision = 0.02;
 
+constexpr std::int64_t kMostWindow = 1 << 14;  // Cells that are copied for reading in each step.
+
 bool isZero(const CellCost& c) {
     return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f;
 }
@@ -23,6 +25,7 @@ void DynamicCost::clear() {
     crowdCells_.clear();
     movingCost_.clear();
     movingCells_.clear();
+    negative_ = false;
     evaluated_.clear();
     nearCrowd_.clear();
     patchCells_.clear();
@@ -46,6 +49,7 @@ void DynamicCost::reset(const Grid& ground, const Grid& density) {
         movingLocator_ = BilinearLocator(movingGrid_);
         movingCost_.reset(movingGrid_);
         patchCells_.reset(movingGrid_);
+        window_.reserve(kMostWindow);
     }
     clear();
     if (!(ground == ground_)) {
@@ -164,7 +168,26 @@ void DynamicCost::setMovingCost(Cell cell, float value) {
     if (value == 0.0f) return;
     float& cost = movingCost_.touch(cell);
     if (cost == 0.0f) movingCells_.push_back(cell);
+    negative_ = negative_ || value < 0.0f;
     cost = std::min(value, kBlocked);
+}
+
+void DynamicCost::copyToWindow() {
+    CellRect& rect = windowCells_;
+    rect = {{movingGrid_.width, movingGrid_.height}, {-1, -1}};
+    for (const Cell cell : movingCells_) {
+        rect.low = {std::min(rect.low.x, cell.x - 1), std::min(rect.low.y, cell.y - 1)};
+        rect.high = {std::max(rect.high.x, cell.x + 1), std::max(rect.high.y, cell.y + 1)};
+    }
+    windowWidth_ = rect.high.x - rect.low.x + 1;
+    const auto count = static_cast<std::int64_t>(windowWidth_) * (rect.high.y - rect.low.y + 1);
+    if (movingCells_.empty() || count > kMostWindow) {
+        rect = {{0, 0}, {-1, -1}};
+        return;
+    }
+    window_.assign(count, 0.0f);
+    for (const Cell cell : movingCells_)
+        window_[(cell.y - rect.low.y) * windowWidth_ + cell.x - rect.low.x] = movingCost_[cell];
 }
 
 void DynamicCost::updateBounds() {
@@ -179,6 +202,7 @@ void DynamicCost::updateBounds() {
     nearCrowdSums_.build(grid_, nearCrowd_);
     movingBounds_ = {};
     for (const Cell cell : movingCells_) movingBounds_.extend(movingGrid_.centre(cell), kMovingCell);
+    copyToWindow();
     blockedBounds_ = {};
     for (const Cell cell : blockedCells_) {
         movingBounds_.extend(ground_.centre(cell), ground_.cell);

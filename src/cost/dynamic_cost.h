@@ -39,7 +39,16 @@ public:
         return costAlong(ground, a, b, distance(a, b));
     }
     /// The same where the length of the line [m] is known.
-    double costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const;
+    double costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const {
+        return costAndCentroid(ground, a, b, length).cost;
+    }
+    /// A cost along a line, and where on the line things move.
+    struct LineCost {
+        double cost;      ///< As by costAlong() [m].
+        double centroid;  ///< As by movingCostCentroid().
+    };
+    /// Both at once.
+    LineCost costAndCentroid(const StaticGround& ground, Vec2 a, Vec2 b, double length) const;
     /// Centroid of the moving cost along the line from `a` to `b` of this length [m], as a fraction of the
     /// line; negative where there is none.
     double movingCostCentroid(Vec2 a, Vec2 b, double length) const;
@@ -49,6 +58,8 @@ public:
     bool hasMovingCost(Vec2 p) const { return movingCostAt(p) != 0.0; }
     /// The cells of the crowd cost, which are those of the density.
     const Grid& grid() const { return grid_; }
+    /// True where the moving cost is negative somewhere: a moving patch is faster than the ground beneath.
+    bool hasNegativeCost() const { return negative_; }
     /// True where the cost is zero everywhere.
     bool empty() const { return crowdCells_.empty() && movingCells_.empty() && blockedCells_.empty(); }
 
@@ -59,6 +70,7 @@ public:
 private:
     /// The two sides of a cell that a direction leads through.
     struct Direction;
+    struct Centroid;
     /// A box round points; empty at first.
     struct Bounds {
         Vec2 min{1e300, 1e300};
@@ -87,11 +99,16 @@ private:
     void addMovingObstacles(const Environment& environment, double radius);
     void setMovingCost(Cell cell, float value);
     void updateBounds();
+    void copyToWindow();
     bool crowdMeets(Vec2 a, Vec2 b) const;
     bool movingCostMeets(Vec2 a, Vec2 b) const {
         return !(movingCells_.empty() && blockedCells_.empty()) && movingBounds_.meets(a, b);
     }
+    bool isBlocked(Vec2 p) const;
     double interpolateMovingCost(Vec2 p) const;
+    double readSparse(const BilinearPoint& at) const;
+    double sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;
+    double sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double crowdCost(Vec2 p, const Direction& direction) const;
     double crowdCostOnGround(Vec2 p, const Direction& direction, float unitCost) const;
     // The relative speed at which a metre has this relative cost: the inverse of C(f) = alpha + beta / f.
@@ -116,6 +133,11 @@ private:
     SparseRaster<float> movingCost_;
     std::vector<Cell> movingCells_;          // Cells whose moving cost is not zero.
     SparseRaster<std::uint8_t> patchCells_;  // 1 for cells under moving patches that are done.
+    bool negative_ = false;                  // Some moving cost is negative.
+    // The same costs row by row in a box round movingCells_, where that is not too large: faster to read.
+    CellRect windowCells_{{0, 0}, {-1, -1}};
+    std::int32_t windowWidth_ = 0;
+    std::vector<float> window_;
     Bounds movingBounds_;                    // Round movingCells_ and blocked_.
     Grid ground_;
     SparseRaster<std::uint8_t>

@@ -93,9 +93,25 @@ inline double DynamicCost::crowdCostOnGround(Vec2 p, const Direction& direction,
     return direction.relativeCost(read(direction.sideX), read(direction.sideY));
 }
 
+inline bool DynamicCost::isBlocked(Vec2 p) const {
+    return blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0;
+}
+
 double DynamicCost::interpolateMovingCost(Vec2 p) const {
-    if (blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0) return kBlocked;
+    if (isBlocked(p)) return kBlocked;
     const BilinearPoint at = movingLocator_.point(p);
+    const Cell low = windowCells_.low;
+    if (at.low.x >= low.x && at.low.y >= low.y && at.low.x < windowCells_.high.x &&
+        at.low.y < windowCells_.high.y) {
+        const float* below = window_.data() + (at.low.y - low.y) * windowWidth_ + (at.low.x - low.x);
+        const float* above = below + windowWidth_;
+        return static_cast<double>(interpolateBilinear(below[0], below[1], above[0], above[1],
+                                                       static_cast<float>(at.fx), static_cast<float>(at.fy)));
+    }
+    return readSparse(at);
+}
+
+double DynamicCost::readSparse(const BilinearPoint& at) const {
     const Cell high{at.low.x + (movingLocator_.right() > 0 ? 1 : 0),
                     at.low.y + (movingLocator_.up() > 0 ? 1 : 0)};
     const auto [value] = movingCost_.square(at.low, high);
@@ -112,7 +128,29 @@ bool DynamicCost::crowdMeets(Vec2 a, Vec2 b) const {
         {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x) + 1, std::max(p.y, q.y) + 1}});
 }
 
-double DynamicCost::relativeAlong(Vec2 a, Vec2 b, double length) const {
+/// The centroid of what is positive of the moving cost along a line.
+struct DynamicCost::Centroid {
+    double sum = 0.0;
+    double moment = 0.0;
+    std::int32_t samples = 0;
+
+    // Takes a sample, and returns it.
+    double add(double cost, double fraction) {
+        const double here = std::max(0.0, cost);
+        sum += here;
+        moment += here * fraction;
+        ++samples;
+        return cost;
+    }
+    double fraction() const {
+        if (!(sum > 0.0)) return -1.0;
+        const double mean = sum * (1.0 / samples);
+        return moment / (mean * samples);
+    }
+};
+
+// Crowd and moving cost with spacings of their own.
+inline double DynamicCost::sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const {
     const bool crowd = crowdMeets(a, b);
     const bool moving = movingCostMeets(a, b);
     if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
@@ -124,35 +162,45 @@ double DynamicCost::relativeAlong(Vec2 a, Vec2 b, double length) const {
     }
     if (moving)
         mean += meanAlong(a, b, samplesAlong(length, kMovingStep),
-                          [&](Vec2 p, double) { return movingCostAt(p); });
+                          [&](Vec2 p, double fraction) { return centroid.add(movingCostAt(p), fraction); });
     return mean * length;
 }
 
-double DynamicCost::costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const {
-    if (ground.uniform()) return ground.unitCost(a) * relativeAlong(a, b, length);
+double DynamicCost::relativeAlong(Vec2 a, Vec2 b, double length) const {
+    Centroid centroid;
+    return sumAlong(a, b, length, centroid);
+}
+
+// Over ground of several unit costs.
+double DynamicCost::sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, double length,
+                                Centroid& centroid) const {
     const bool crowd = crowdMeets(a, b);
     const bool moving = movingCostMeets(a, b);
     if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
     const Direction direction((b - a) / length);
     const std::int32_t samples = samplesAlong(length, moving ? kMovingStep : grid_.cell);
-    const double mean = meanAlong(a, b, samples, [&](Vec2 p, double) {
+    const double mean = meanAlong(a, b, samples, [&](Vec2 p, double fraction) {
         const float unitCost = ground.unitCost(p);
-        return unitCost *
-               ((crowd ? crowdCostOnGround(p, direction, unitCost) : 0.0) + (moving ? movingCostAt(p) : 0.0));
+        return unitCost * ((crowd ? crowdCostOnGround(p, direction, unitCost) : 0.0) +
+                           (moving ? centroid.add(movingCostAt(p), fraction) : 0.0));
     });
     return mean * length;
 }
 
+DynamicCost::LineCost DynamicCost::costAndCentroid(const StaticGround& ground, Vec2 a, Vec2 b,
+                                                   double length) const {
+    Centroid centroid;
+    const double cost = ground.uniform() ? ground.unitCost(a) * sumAlong(a, b, length, centroid)
+                                         : sumOnGround(ground, a, b, length, centroid);
+    return {cost, centroid.fraction()};
+}
+
 double DynamicCost::movingCostCentroid(Vec2 a, Vec2 b, double length) const {
     if (!movingCostMeets(a, b)) return -1.0;
-    double moment = 0.0;
-    const std::int32_t samples = samplesAlong(length, kMovingStep);
-    const double mean = meanAlong(a, b, samples, [&](Vec2 p, double fraction) {
-        const double here = std::max(0.0, movingCostAt(p));
-        moment += here * fraction;
-        return here;
-    });
-    return mean > 0.0 ? moment / (mean * samples) : -1.0;
+    Centroid centroid;
+    meanAlong(a, b, samplesAlong(length, kMovingStep),
+              [&](Vec2 p, double fraction) { return centroid.add(movingCostAt(p), fraction); });
+    return centroid.fraction();
 }
 
 }  // namespace muster

@@ -41,20 +41,22 @@ Detour bestDetour(const DynamicCost& dynamicCost, Vec2 a, Vec2 b, double line, d
 
 double dynamicCostBetween(const StaticGround& ground, const DynamicCost& dynamicCost, Vec2 a, Vec2 b,
                           double line) {
-    const double cost = dynamicCost.costAlong(ground, a, b, line);
+    const auto [cost, fraction] = dynamicCost.costAndCentroid(ground, a, b, line);
     if (!(cost > 0.0)) return cost;
     const double unitCost = ground.unitCost(a);
     const double straight = cost / unitCost;
     if (straight < kDetourThreshold) return cost;
-    const double fraction = dynamicCost.movingCostCentroid(a, b, line);
     if (fraction < 0.0) return cost;
     const Vec2 middle = lerp(a, b, fraction);
     const double worst = dynamicCost.movingCostAt(middle);
     if (!(worst > 0.0)) return cost;
     const auto [vertex, extra] = bestDetour(dynamicCost, a, b, line, fraction, middle, straight, worst);
-    if (vertex == middle || !ground.lineOfSight(a, vertex) || !ground.lineOfSight(vertex, b)) return cost;
-    return std::min(cost, unitCost * (extra + dynamicCost.relativeAlong(a, vertex) +
-                                      dynamicCost.relativeAlong(vertex, b)));
+    if (vertex == middle || !ground.lineOfSight(a, vertex)) return cost;
+    const double toVertex = extra + dynamicCost.relativeAlong(a, vertex);
+    // Mostly the first part alone decides.
+    if (unitCost * toVertex >= cost && !dynamicCost.hasNegativeCost()) return cost;
+    if (!ground.lineOfSight(vertex, b)) return cost;
+    return std::min(cost, unitCost * (toVertex + dynamicCost.relativeAlong(vertex, b)));
 }
 
 }  // namespace muster

@@ -21,6 +21,7 @@ constexpr double kTargetReached = 0.6;      // [m]
 constexpr double kLookAhead = 2.0;          // Length over which headings in a dense crowd are compared [m].
 constexpr double kDenseCrowd = 0.05;  // Relative dynamic cost ahead from which other headings are tried.
 constexpr double kMinGain = 0.02;     // Another heading must save more than this [m of open ground].
+constexpr double kBoundSlack = 1.0 - 1e-5;  // Costs are rounded.
 // Other headings in a dense crowd: 25, 50 and 75 degrees to either side.
 constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944},
                                   {0.64278760968653933, 0.76604444311897804},
@@ -155,18 +156,23 @@ Vec2 Geodesics::Impl::avoidDenseCrowd(Vec2 from, std::int32_t place, const Guida
     const Vec2 direction = guidance.direction;
     if (dynamicCost->empty() || direction == Vec2{} || guidance.cost < 2.0 * kLookAhead) return direction;
     const double unitCost = ground->unitCost(from);
-    const auto costBy = [&](Vec2 heading) {
+    // Infinite where it cannot be less than `most`.
+    const auto costBy = [&](Vec2 heading, double most) {
         const Vec2 next = from + heading * kLookAhead;
-        if (!ground->lineOfSight(from, next)) return kInfiniteCost;
-        return unitCost * (kLookAhead + dynamicCost->relativeAlong(from, next)) + cost(next, place);
+        const double onward = dynamicCost->hasNegativeCost()
+                                  ? -kInfiniteCost
+                                  : kBoundSlack * ground->lowestUnitCost() * distance(next, places[place]);
+        if (unitCost * kLookAhead + onward >= most || !ground->lineOfSight(from, next)) return kInfiniteCost;
+        const double first = unitCost * (kLookAhead + dynamicCost->relativeAlong(from, next));
+        return first + onward >= most ? kInfiniteCost : first + cost(next, place);
     };
     if (dynamicCost->relativeAlong(from, from + direction * kLookAhead) < kDenseCrowd * kLookAhead)
         return direction;
     Vec2 best = direction;
-    double least = costBy(best) - kMinGain;
+    double least = costBy(best, kInfiniteCost) - kMinGain;
     for (const Rotation& turn : kHeadings)
         for (const Vec2 heading : {turn.apply(direction), turn.applyInverse(direction)}) {
-            const double cost = costBy(heading);
+            const double cost = costBy(heading, least);
             if (!(cost < least)) continue;
             least = cost;
             best = heading;

@@ -20,6 +20,8 @@ constexpr double kReplanDistance = 1.0;
 constexpr std::size_t kReservedCorners = 64;  // For which a new path has memory.
 constexpr std::size_t kReservedPaths = 512;   // For which there is memory at first.
 constexpr double kGoalInSight = 20.0;  // On a long route the goal is looked for from this distance on [m].
+// Who is barred on its path by something that moves asks again in one step of so many.
+constexpr std::uint32_t kBarredTurns = 8;
 constexpr double kReplanShare = 0.25;  // and than this share of the straight distance to it.
 // Of the line to a goal so many metres are tested in each step, the rest when the place has come so far.
 constexpr double kNearSight = 4.0;
@@ -189,7 +191,15 @@ private:
         detour.path.erase(detour.path.begin(), detour.path.begin() + static_cast<std::ptrdiff_t>(passed));
         // An unreachable goal makes the place need a path until one has been searched.
         if (detour.path.empty()) detour.goal = position + Vec2{1e9, 0.0};
-        return blocked || detour.path.empty() ? PathNeed::Search : PathNeed::KeepDetour;
+        return (blocked && hasTurn(detour.place)) || detour.path.empty() ? PathNeed::Search
+                                                                         : PathNeed::KeepDetour;
+    }
+
+    // The round robin of searches goes on by one place in each step.
+    bool hasTurn(std::int32_t place) const {
+        const auto n = static_cast<std::uint32_t>(tracker_.position_.size());
+        return (tracker_.nextPathSearch_ + static_cast<std::uint32_t>(place)) % std::min(kBarredTurns, n) ==
+               0;
     }
 
     // Paths lead from cell to cell, and between two free cells an obstacle may protrude by a few centimetres.

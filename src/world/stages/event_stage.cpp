@@ -65,6 +65,7 @@ void measureLag(WorldState& state) {
 
 void watchWalks(WorldState& state) {
     Characters& c = state.characters;
+    const std::uint32_t stayed = stepsIn(state, kStayedFor);
     for (std::size_t i = 0; i < c.size(); ++i) {
         WalkProgress& walk = c.walk[i];
         if (distance(c.position[i], walk.anchor) >= kStuckMove) {
@@ -72,7 +73,7 @@ void watchWalks(WorldState& state) {
             walk.movedAt = state.stepCount;
             walk.stuckRaised = false;
         }
-        const bool stays = walk.within && state.stepCount - walk.since >= stepsIn(state, kStayedFor);
+        const bool stays = walk.within && state.stepCount - walk.since >= stayed;
         if (stays || distance(c.position[i], walk.camp) >= kCampReach) {
             walk.camp = c.position[i];
             walk.campedAt = state.stepCount;
