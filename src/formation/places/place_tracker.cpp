@@ -26,6 +26,10 @@ constexpr double kReplanShare = 0.25;  // and than this share of the straight di
 // Of the line to a goal so many metres are tested in each step, the rest when the place has come so far.
 constexpr double kNearSight = 4.0;
 constexpr double kSightPeriod = 0.25;
+constexpr std::int32_t kMostOrdered = 200000;  // Cells over which places that jumped are put in order.
+constexpr std::size_t kRow = 24;               // Ranks in which places may cross each other,
+constexpr int kRowPasses = 4;                  // and how often these are looked through.
+constexpr double kStill = 5e-5;                // A target that moves less rests [m].
 
 }  // namespace
 
@@ -54,6 +58,11 @@ void PlaceTracker::readTargets(std::span<const Vec2> targets, const Environment&
     wanted_.assign(targets.begin(), targets.end());
     for (Vec2& p : wanted_)
         if (!isFinite(p)) p = (box.min + box.max) / 2.0;
+    // The environment may keep pushing the mesh to and fro a little.
+    const std::size_t known = std::min(wanted_.size(), targets_.target.size());
+    for (std::size_t k = 0; k < known; ++k)
+        if (targets_.reachable[k] != targets_.target[k] && distance(wanted_[k], targets_.target[k]) < kStill)
+            wanted_[k] = targets_.target[k];
 }
 
 // Targets on ground that is cut off move to the nearest ground of the region all alike, as far as the
@@ -87,6 +96,45 @@ void PlaceTracker::separateAll(const PlaceDef& def, const RouteGraph& routes, st
     targets_.reachable = wanted_;
     separateTargets(FreeSpace(def, routes, region, nearest_), 2.0 * def.radius, targets_.reachable,
                     targets_.fit, separationMemory_);
+}
+
+// After targets have jumped: the points of those in walls are any free ones, and are given out in the order in
+// which the last ones were, so that places do not pass each other on their way.
+void PlaceTracker::keepOrder(const FreeSpace& space) {
+    displaced_.clear();
+    points_.clear();
+    const std::size_t n = std::min(before_.size(), targets_.reachable.size());
+    for (std::size_t k = 0; k < n; ++k)
+        if (targets_.fit[k] != 0 && !space.contains(wanted_[k])) {
+            displaced_.push_back(static_cast<std::int32_t>(k));
+            points_.push_back(targets_.reachable[k]);
+        }
+    if (displaced_.size() < 2) return;
+    const auto count = static_cast<std::int32_t>(displaced_.size());
+    order_.begin(space.routes(), space.region(), 1.0);
+    for (std::int32_t k = 0; k < count; ++k) {
+        order_.add(k, before_[displaced_[k]]);
+        order_.add(count + k, points_[k]);
+    }
+    if (!order_.order(kMostOrdered, inOrder_)) return;
+    const auto isPlace = [&](std::int32_t k) { return k < count; };
+    std::stable_partition(inOrder_.begin(), inOrder_.end(), isPlace);
+    keepRows(std::span(inOrder_).first(count), std::span(inOrder_).last(count), count);
+    for (std::int32_t k = 0; k < count; ++k)
+        targets_.reachable[displaced_[inOrder_[k]]] = points_[inOrder_[count + k] - count];
+}
+
+// The order along the ground says little of that across it: points of near ranks are exchanged where places
+// would cross.
+void PlaceTracker::keepRows(std::span<const std::int32_t> places, std::span<std::int32_t> points,
+                            std::int32_t first) const {
+    for (int pass = 0; pass < kRowPasses; ++pass)
+        for (std::size_t a = 0; a < places.size(); ++a)
+            for (std::size_t b = a + 1; b < std::min(places.size(), a + kRow); ++b) {
+                const Vec2 before = before_[displaced_[places[b]]] - before_[displaced_[places[a]]];
+                const Vec2 after = points_[points[b] - first] - points_[points[a] - first];
+                if (dot(before, after) < 0.0) std::swap(points[a], points[b]);
+            }
 }
 
 // Moves single places. They do not interact with each other, only with the ground.
@@ -353,7 +401,11 @@ void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, R
     bringWithinReach(space);
     TargetUpdate update(space, 2.0 * def.radius, kAttractionSpeed * def.maxSpeed * dt, targets_,
                         updateMemory_);
-    if (!update.run(wanted_, pool)) separateAll(def, routes, region);
+    before_ = targets_.reachable;
+    if (!update.run(wanted_, pool)) {
+        separateAll(def, routes, region);
+        keepOrder(space);
+    }
     const std::vector<Vec2>& reachable = targets_.reachable;
     const std::size_t n = reachable.size();
     const std::size_t old = std::min({position_.size(), velocity_.size(), n});

@@ -71,6 +71,9 @@ private:
     void readTargets(std::span<const Vec2> targets, const Environment& environment);
     void bringWithinReach(const FreeSpace& space);
     void separateAll(const PlaceDef& def, const RouteGraph& routes, std::int32_t region);
+    void keepOrder(const FreeSpace& space);
+    void keepRows(std::span<const std::int32_t> places, std::span<std::int32_t> points,
+                  std::int32_t first) const;
     void moveAll(Mover& mover, ThreadPool* pool);
     void searchPaths(RouteGraph& routes);
     void reserve(const Environment& environment);
@@ -103,6 +106,10 @@ private:
     SeparationMemory separationMemory_;
     std::vector<std::vector<Vec2>> sparePaths_;  // Memory of paths that ended.
     NearestReachable nearest_;
+    std::vector<Vec2> before_;  // Reachable targets of the last step [m].
+    SiteFlood order_;
+    std::vector<std::int32_t> displaced_, inOrder_;  // Places whose targets lie in walls.
+    std::vector<Vec2> points_;                       // Their reachable targets [m].
     RouteSearch search_;
     std::vector<Vec2> samples_;  // Of a path [m].
 };

@@ -1,6 +1,7 @@
 #include "formation/places/site_flood.h"
 
 #include <cmath>
+#include <utility>
 
 namespace muster {
 namespace {
@@ -24,6 +25,43 @@ void SiteFlood::begin(const RouteGraph& routes, std::int32_t region, double spac
 
 void SiteFlood::add(std::int32_t place, Vec2 p) {
     seekers_.push_back({grid_.index(grid_.nearestCell(p)), place});
+}
+
+void SiteFlood::sortSeekers() {
+    first_ = seekers_;
+    std::sort(seekers_.begin(), seekers_.end());
+    met_.assign(seekers_.size(), 0);
+}
+
+bool SiteFlood::order(std::int32_t most, std::vector<std::int32_t>& places) {
+    sortSeekers();
+    places.clear();
+    if (seekers_.empty() || !meetAll(first_.front().cell, most)) return seekers_.empty();
+    const std::int32_t end = last_;
+    met_.assign(seekers_.size(), 0);
+    if (!meetAll(end, most)) return false;
+    places = waiting_;
+    return true;
+}
+
+// Floods until all places are met, over at most so many cells.
+bool SiteFlood::meetAll(std::int32_t start, std::int32_t most) {
+    forgetVisits();
+    waiting_.clear();
+    visit(start);
+    for (std::size_t head = 0; head < queue_.size() && std::cmp_less(head, most); ++head) {
+        last_ = queue_[head];
+        meet(last_);
+        // Who stands at a wall may do so in a cell whose centre is blocked.
+        const Cell c = grid_.at(last_);
+        for (const Cell step : kOffsets) {
+            const Cell n{c.x + step.x, c.y + step.y};
+            if (grid_.contains(n) && !inRegion(n)) meet(grid_.index(n));
+        }
+        if (waiting_.size() == seekers_.size()) return true;
+        visitNeighbours(last_);
+    }
+    return false;
 }
 
 bool SiteFlood::inRegion(Cell c) const {

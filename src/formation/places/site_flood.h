@@ -28,15 +28,10 @@ public:
     template <class Accept>
     bool run(std::int32_t most, const Accept& accept) {
         bool served = true;
-        first_ = seekers_;
-        const auto byCell = [](const Seeker& a, const Seeker& b) {
-            return a.cell != b.cell ? a.cell < b.cell : a.place < b.place;
-        };
-        std::sort(seekers_.begin(), seekers_.end(), byCell);
-        met_.assign(seekers_.size(), 0);
+        sortSeekers();
         for (const Seeker& seeker : first_) {
             if (most == 0) break;
-            const auto at = std::lower_bound(seekers_.begin(), seekers_.end(), seeker, byCell);
+            const auto at = std::lower_bound(seekers_.begin(), seekers_.end(), seeker);
             if (met_[at - seekers_.begin()] != 0) continue;
             --most;
             served = flood(seeker.cell, accept) && served;
@@ -44,10 +39,19 @@ public:
         return served;
     }
 
+    /// Lists the places that were added in the order in which the ground joins them, from one end of what they
+    /// cover to the other: that of a flood from the last one that a first flood comes to. False where these
+    /// would cover more than `most` cells, or do not come to all.
+    bool order(std::int32_t most, std::vector<std::int32_t>& places);
+
 private:
     struct Seeker {
         std::int32_t cell;  // Where its flood would begin.
         std::int32_t place;
+
+        bool operator<(const Seeker& other) const {
+            return cell != other.cell ? cell < other.cell : place < other.place;
+        }
     };
 
     template <class Accept>
@@ -67,6 +71,8 @@ private:
         }
         return false;
     }
+    void sortSeekers();
+    bool meetAll(std::int32_t start, std::int32_t most);
     void meet(std::int32_t cell);
     void listSites(std::int32_t cell);
     void visit(std::int32_t cell);
@@ -82,6 +88,7 @@ private:
     std::vector<std::uint8_t> met_;        // Of seekers_.
     std::vector<std::int32_t> waiting_;    // Places that the flood has met.
     std::vector<std::int32_t> queue_;      // Cells, in the order of the flood.
+    std::int32_t last_ = 0;                // The last cell that meetAll() looked at.
     std::vector<Vec2> sites_;              // Of a cell [m].
     // Visited cells: a bit each, in the tiles that the flood has come to.
     std::vector<std::int32_t> rowsOfTile_;  // Index of a tile's first row; -1 for none.

@@ -1,6 +1,7 @@
 #include "formation/places/target_separation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "base/maths.h"
@@ -131,21 +132,34 @@ private:
     SeparationMemory& memory_;
 };
 
-}  // namespace
-
-void separateTargets(const FreeSpace& space, double separation, std::vector<Vec2>& targets,
-                     std::vector<std::uint8_t>& fit, SeparationMemory& memory) {
+// False where some found no point.
+bool separate(const FreeSpace& space, double separation, std::vector<Vec2>& targets,
+              std::vector<std::uint8_t>& fit, SeparationMemory& memory) {
     fit.assign(targets.size(), 1);
     for (Vec2& target : targets) target = space.nearest(target);
     memory.moved.assign(targets.size(), 1);
     memory.neighbours.clear();
     for (int iteration = 0; iteration < kIterations; ++iteration) {
-        if (!pushApart(targets, separation, memory)) return;
+        if (!pushApart(targets, separation, memory)) return true;
         for (std::size_t k = 0; k < targets.size(); ++k)
             if (memory.moved[k] != 0) targets[k] = space.nearest(targets[k]);
     }
     markConflicts(targets, separation, memory, fit);
     Relocation(space, separation, targets, fit, memory).run();
+    return std::find(fit.begin(), fit.end(), std::uint8_t{0}) == fit.end();
+}
+
+}  // namespace
+
+void separateTargets(const FreeSpace& space, double separation, std::vector<Vec2>& targets,
+                     std::vector<std::uint8_t>& fit, SeparationMemory& memory) {
+    const auto inWall = std::count_if(targets.begin(), targets.end(),
+                                      [&](Vec2 target) { return !space.contains(target); });
+    memory.asked = targets;
+    if (2 * inWall > std::ssize(targets) && separate(space, kLooseSpacing * separation, targets, fit, memory))
+        return;
+    targets = memory.asked;
+    separate(space, separation, targets, fit, memory);
 }
 
 }  // namespace muster

@@ -11,6 +11,7 @@ namespace {
 
 // Most that a reachable target moves in a step, as a share of the separation.
 constexpr double kMaxStep = 0.3;
+constexpr double kStray = 3.0;  // Times as far from its target as others are, a place in a wall leaps to it.
 constexpr std::size_t kPlacesPerTask = 256;
 // If more than one in this many targets jump, all are separated again.
 constexpr std::size_t kDiscontinuousShare = 8;
@@ -60,6 +61,7 @@ bool TargetUpdate::restingHold() {
 // What a target that rests proposes does not change while nothing does.
 void TargetUpdate::proposeOrRecall(std::int32_t k, Vec2 target, bool recalls) {
     RestingProposals::Proposal& last = m_.resting.proposals[k];
+    m_.inWall[k] = s_.reachable[k] != s_.target[k] && !space_.contains(target) ? 1 : 0;
     const bool rests = recalls && s_.fit[k] != 0 && s_.target[k] == target;
     if (rests && last.known && last.reachable == s_.reachable[k] && last.target == target) {
         m_.advected[k] = last.advected;
@@ -73,6 +75,29 @@ void TargetUpdate::proposeOrRecall(std::int32_t k, Vec2 target, bool recalls) {
     last.known = rests && m_.level[k] != Fixed;
     if (last.known)
         last = {s_.reachable[k], target, m_.advected[k], m_.next[k], m_.level[k], m_.exact[k], true};
+}
+
+bool TargetUpdate::mostAreInWalls() const {
+    return 2 * std::count(m_.inWall.begin(), m_.inWall.end(), std::uint8_t{1}) > std::ssize(m_.inWall);
+}
+
+// Of those that are listed.
+bool TargetUpdate::nobodyIsNear(double distance) const {
+    const double least = distance * kSeparationTolerance;
+    const auto isNear = [&](NeighbourPair pair) {
+        return lengthSquared(s_.reachable[pair.low] - s_.reachable[pair.high]) < least * least &&
+               s_.fit[pair.low] != 0 && s_.fit[pair.high] != 0;
+    };
+    const auto pairs = m_.neighbours.pairs();
+    return std::none_of(pairs.begin(), pairs.end(), isNear);
+}
+
+// Once all are loose they stay so; a flood that finds no room ends that.
+void TargetUpdate::listNeighbours() {
+    const double loose = kLooseSpacing * separation_;
+    const bool wide = mostAreInWalls();
+    m_.neighbours.updateRows(s_.reachable, m_.next, s_.fit, wide ? loose : separation_, kTargetSkin);
+    if (wide && nobodyIsNear(loose)) separation_ = loose;
 }
 
 void TargetUpdate::propose(std::int32_t k, Vec2 target) {
@@ -174,6 +199,8 @@ bool TargetUpdate::relocate(std::int32_t k, Vec2 target, std::int32_t& budget) {
     // Near its target a place gives up its point only for the target itself.
     if (s_.fit[k] != 0 && distance(s_.reachable[k], target) <= kLeastGain * separation_)
         return tryPoint(k, target);
+    // In walls one point is as good as another, unless the others are far ahead.
+    if (s_.fit[k] != 0 && m_.inWall[k] != 0 && distance(s_.reachable[k], target) <= stray_) return false;
     const Vec2 best = space_.nearest(target);
     if (s_.fit[k] != 0)
         gain = distance(s_.reachable[k], target) - distance(best, target) - kLeastGain * separation_;
@@ -183,13 +210,26 @@ bool TargetUpdate::relocate(std::int32_t k, Vec2 target, std::int32_t& budget) {
     return false;
 }
 
+// How far from its target a place must be to leave a wall for a point nearer to it.
+double TargetUpdate::strayDistance(std::span<const Vec2> targets) const {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const std::int32_t k : m_.searching) {
+        if (s_.fit[k] == 0) continue;
+        sum += distance(s_.reachable[k], targets[k]);
+        ++count;
+    }
+    return count > 0 ? kStray * sum / static_cast<double>(count) : 0.0;
+}
+
 // First places without a point, then those that may find a better one.
-void TargetUpdate::relocateRoundRobin(std::span<const Vec2> targets) {
+void TargetUpdate::relocateRoundRobin(std::span<const Vec2> targets, double tight) {
     m_.relocated.clear();
     const std::size_t n = targets.size();
     std::int32_t budget = kBaseBudget + static_cast<std::int32_t>(n / kPlacesPerPoint);
     if (s_.quiet > n) budget /= kQuietShare;
     listSearching(targets, static_cast<std::int32_t>(s_.nextSearch % n));
+    stray_ = strayDistance(targets);
     for (const bool fit : {false, true}) {
         const std::int32_t reserved = fit ? 0 : budget / kReservedShare;
         for (std::size_t at = 0; at < m_.searching.size() && budget > reserved; ++at) {
@@ -200,11 +240,13 @@ void TargetUpdate::relocateRoundRobin(std::span<const Vec2> targets) {
         }
     }
     if (s_.pause > 0) --s_.pause;
-    if (s_.pause == 0) flood();
+    if (s_.pause > 0) return;
+    if (separation_ > tight && !flood()) separation_ = tight;
+    if (separation_ <= tight && !flood()) s_.pause = kFloodPause;
 }
 
-// For places without a point, all that one flood meets.
-void TargetUpdate::flood() {
+// For places without a point, all that one flood meets. False where there is no room.
+bool TargetUpdate::flood() {
     bool any = false;
     for (const std::int32_t k : m_.searching) {
         if (s_.fit[k] != 0) continue;
@@ -212,10 +254,10 @@ void TargetUpdate::flood() {
         any = true;
         m_.flood.add(k, s_.reachable[k]);
     }
-    if (!any) return;
+    if (!any) return true;
     const bool served = m_.flood.run(1, [&](std::int32_t k, Vec2 p) { return tryPoint(k, p); });
     s_.quiet = 0;
-    if (!served) s_.pause = kFloodPause;
+    return served;
 }
 
 // Places that are not on their targets, from `first` on and round.
@@ -233,7 +275,7 @@ bool TargetUpdate::run(std::span<const Vec2> targets, ThreadPool* pool) {
     const std::size_t n = targets.size();
     if (n == 0 || s_.reachable.size() != n || s_.target.size() != n || s_.fit.size() != n) return false;
     for (auto* points : {&m_.next, &m_.advected}) points->resize(n);
-    for (auto* marks : {&m_.level, &m_.exact, &m_.yielding}) marks->resize(n);
+    for (auto* marks : {&m_.level, &m_.exact, &m_.inWall, &m_.yielding}) marks->resize(n);
     for (auto* list : {&m_.yields, &m_.lowered, &m_.searching, &m_.relocated}) list->reserve(n);
     const bool recalls = restingHold();
     forChunks(pool, n, kPlacesPerTask,
@@ -246,12 +288,13 @@ bool TargetUpdate::run(std::span<const Vec2> targets, ThreadPool* pool) {
         m_.level[k] = Fixed;
         s_.fit[k] = 0;
     }
-    m_.neighbours.updateRows(s_.reachable, m_.next, s_.fit, separation_, kTargetSkin);
+    const double tight = separation_;
+    listNeighbours();
     resolveConflicts();
     if (s_.reachable != m_.next) s_.quiet = 0;
     s_.reachable.swap(m_.next);
     s_.target.assign(targets.begin(), targets.end());
-    relocateRoundRobin(targets);
+    relocateRoundRobin(targets, tight);
     return true;
 }
 

@@ -45,6 +45,7 @@ struct TargetUpdateMemory {
     std::vector<Vec2> next;               ///< Where each moves by its level [m].
     std::vector<std::uint8_t> level;      ///< How each moves.
     std::vector<std::uint8_t> exact;      ///< 1 for those that are on their targets.
+    std::vector<std::uint8_t> inWall;     ///< 1 for those that are not, because these are not free.
     std::vector<std::uint8_t> yielding;   ///< 1 for those listed in `yields`.
     std::vector<std::int32_t> yields;     ///< Those whose level is lowered next.
     std::vector<std::int32_t> lowered;    ///< Those whose level was lowered last.
@@ -56,7 +57,8 @@ struct TargetUpdateMemory {
 
 /// One step of reachable targets. A reachable target that lies on its target moves with it. Others are
 /// advected by the displacement of their targets and attracted by them. Where two come too close, one gives
-/// up attraction first, then advection; where all keep their points nobody is too close. Those without a
+/// up attraction first, then advection; where all keep their points nobody is too close. Where most targets lie
+/// in walls, and nobody is nearer yet, they stay kLooseSpacing separations apart. Those without a
 /// point, or not on their targets, search for a better one, round robin and within a budget. A flood over the
 /// region serves those without one that find none near by.
 class TargetUpdate {
@@ -75,24 +77,29 @@ private:
     enum Level : std::uint8_t { Fixed, Advected, Attracted, Discontinuous };
 
     double maxStep() const;
+    bool mostAreInWalls() const;
+    bool nobodyIsNear(double distance) const;
     bool restingHold();
     void proposeOrRecall(std::int32_t place, Vec2 target, bool recalls);
     void propose(std::int32_t place, Vec2 target);
     void proposeAttracted(std::int32_t place, Vec2 target, Vec2 advected, bool free);
     bool correct(Vec2& point, Vec2 from) const;
     void resolveConflicts();
+    void listNeighbours();
     bool inConflict(std::int32_t a, std::int32_t b) const;
     void chooseYielding(std::int32_t a, std::int32_t b);
     void lowerLevel(std::int32_t place);
-    void relocateRoundRobin(std::span<const Vec2> targets);
+    void relocateRoundRobin(std::span<const Vec2> targets, double tight);
+    double strayDistance(std::span<const Vec2> targets) const;
     void listSearching(std::span<const Vec2> targets, std::int32_t first);
-    void flood();
+    bool flood();
     bool relocate(std::int32_t place, Vec2 target, std::int32_t& budget);
     bool tryPoint(std::int32_t place, Vec2 point);
 
     const FreeSpace& space_;
     double separation_;
     double attraction_;
+    double stray_ = 0.0;  // Distance from its target beyond which a place in a wall leaps [m].
     ReachableTargets& s_;
     TargetUpdateMemory& m_;
 };
