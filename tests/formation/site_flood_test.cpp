@@ -93,3 +93,65 @@ TEST_CASE("a formation in rock gets as many places as its corridor has room for,
     CHECK(std::count(places.fit().begin(), places.fit().end(), 1) == 144);
     CHECK(leastDistance(places.reachableTargets()) >= 0.5 * (1.0 - 1e-9));
 }
+
+TEST_CASE("the order of a flood runs along the ground from one end to the other") {
+    const Environment environment = corridor(1.5);
+    RouteGraph routes;
+    routes.update(environment, 0.25);
+    SiteFlood flood;
+    flood.begin(routes, routes.region({0, 0}), 1.0);
+    std::vector<double> x;
+    for (std::int32_t k = 0; k < 40; ++k) {
+        x.push_back(k * 17 % 40 - 19.5);
+        flood.add(k, {x.back(), k % 2 == 0 ? 0.49 : -0.49});
+    }
+    std::vector<std::int32_t> order;
+    REQUIRE(flood.order(100000, order));
+    REQUIRE(order.size() == 40);
+    const double sign = x[order[0]] < 0.0 ? 1.0 : -1.0;
+    for (std::size_t k = 1; k < order.size(); ++k) CHECK(sign * (x[order[k]] - x[order[k - 1]]) > 0.0);
+    CHECK_FALSE(flood.order(50, order));
+}
+
+TEST_CASE("places in walls leave room to pass, unless the region is too full for that") {
+    const Environment environment = corridor(3.0);
+    RouteGraph routes;
+    routes.update(environment, 0.25);
+    const PlaceDef def;
+    // Of 60 m by 2.5 m the first takes about half at 0.75 m, the second more than all.
+    for (const std::int32_t count : {160, 500}) {
+        CAPTURE(count);
+        std::vector<Vec2> targets;
+        for (std::int32_t k = 0; k < count; ++k) targets.push_back({k % 12 - 5.5, k / 12 - count / 24.0});
+        PlaceTracker places;
+        places.reset(def, targets, routes, routes.region({0, 0}));
+        CHECK(std::count(places.fit().begin(), places.fit().end(), 1) == count);
+        CHECK(leastDistance(places.reachableTargets()) >= (count == 160 ? 0.75 : 0.5) * (1.0 - 1e-9));
+    }
+}
+
+TEST_CASE("led on along a corridor, places in walls keep their order and go hardly farther than they must") {
+    const Environment environment = corridor(3.0);
+    RouteGraph routes;
+    routes.update(environment, 0.25);
+    const PlaceDef def;
+    std::vector<Vec2> targets;
+    for (std::int32_t k = 0; k < 160; ++k) targets.push_back({k % 12 - 14.5, k / 12 - 6.5});
+    PlaceTracker places;
+    places.reset(def, targets, routes, routes.region({0, 0}));
+    std::vector<Vec2> before = places.reachableTargets();
+    for (Vec2& p : targets) p.x += 8.0;
+    places.advance(def, targets, routes, routes.region({0, 0}), 1.0 / 60.0);
+    std::vector<Vec2> after = places.reachableTargets();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < before.size(); ++k) sum += distance(before[k], after[k]);
+    // Along a line nothing is shorter than to keep the order.
+    const auto alongX = [](Vec2 a, Vec2 b) { return a.x < b.x; };
+    std::sort(before.begin(), before.end(), alongX);
+    std::sort(after.begin(), after.end(), alongX);
+    double least = 0.0;
+    for (std::size_t k = 0; k < before.size(); ++k) least += std::fabs(after[k].x - before[k].x);
+    CHECK(sum >= least);
+    CHECK(sum < 1.25 * least);
+    MESSAGE("way of all points " << sum << " m, least " << least << " m");
+}
