@@ -88,7 +88,7 @@ Status check(const Options& o) {
     const auto among = [](const char* what, const std::vector<std::string>& found,
                           const std::vector<std::string>& known) {
         std::string all;
-        for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+        for (const std::string& name : known) all.append(all.empty() ? "" : ", ").append(name);
         for (const std::string& name : found)
             if (std::find(known.begin(), known.end(), name) == known.end())
                 return invalidArgument("found " + std::string(what) + " '" + name + "', expected one of " +

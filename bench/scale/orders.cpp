@@ -122,7 +122,8 @@ public:
             const Vec2 goal = walksEast(def_, k) ? Vec2{away_, offset} : Vec2{offset, away_};
             if (Status status = order(world, k, goal, 0.0); !status.ok()) return status;
         }
-        const auto period = static_cast<std::uint32_t>(kOrderPeriod / world.parameters().stepTime + 0.5);
+        const auto period = static_cast<std::uint32_t>(
+            std::lround(kOrderPeriod / world.parameters().stepTime));
         if (world.stepCount() % period != 0) return {};
         const std::uint32_t n = world.stepCount() / period;
         const double aside = n % 2 == 0 ? 1.0 : -1.0;

@@ -138,7 +138,7 @@ private:
     CellRect windowCells_{{0, 0}, {-1, -1}};
     std::int32_t windowWidth_ = 0;
     std::vector<float> window_;
-    Bounds movingBounds_;                    // Round movingCells_ and blocked_.
+    Bounds movingBounds_;  // Round movingCells_ and blocked_.
     Grid ground_;
     SparseRaster<std::uint8_t>
         blocked_;                     // 1 for ground cells where a character would overlap a moving obstacle.

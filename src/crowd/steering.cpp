@@ -60,8 +60,8 @@ bool bothStand(const Characters& now, std::span<const PlaceWait> waits, std::int
            !queues(b);
 }
 
-// Of two who both stand, the other one steps back every few seconds: the first may have a wall behind it. Side
-// by side they take turns, else the one ahead has the third of four.
+// Of two who both stand, the other one steps back every few seconds: the first may have a wall behind it.
+// Side by side they take turns, else the one ahead has the third of four.
 bool takesTurn(const Characters& now, std::span<const PlaceWait> waits, std::int32_t a, std::int32_t b) {
     const auto turn = static_cast<std::int32_t>(std::min(waits[a].stood, waits[b].stood) / kStepBack);
     return lead(now, a, b) == 0.0 ? turn % 2 == 1 : turn % 4 == 2;

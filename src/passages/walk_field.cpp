@@ -113,7 +113,7 @@ Walk WalkField::atSpot(const WalkSpot& spot) const {
         weight += stencil.weight[k];
         if (stencil.weight[k] <= heaviest) continue;
         heaviest = stencil.weight[k];
-        walk.side = side_[stencil.cell[k]];
+        walk.side = static_cast<std::int32_t>(side_[stencil.cell[k]]);
     }
     if (weight > 0.0) {
         walk.cost = sum / weight;

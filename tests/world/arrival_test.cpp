@@ -55,7 +55,8 @@ TEST_CASE("everybody arrives among sparse obstacles") {
 }
 
 TEST_CASE("everybody arrives among dense obstacles") {
-    playAll(SceneFamily::Dense, "dense", {1, 2, 20, 78, 154, 182, 188, 198, 242, 412, 495, 572, 576, 621, 789});
+    playAll(SceneFamily::Dense, "dense",
+            {1, 2, 20, 78, 154, 182, 188, 198, 242, 412, 495, 572, 576, 621, 789});
 }
 
 TEST_CASE("everybody arrives where two groups cross") {

@@ -27,8 +27,8 @@ constexpr double kReplanShare = 0.25;  // and than this share of the straight di
 constexpr double kNearSight = 4.0;
 constexpr double kSightPeriod = 0.25;
 constexpr std::int32_t kMostOrdered = 200000;  // Cells over which places that jumped are put in order.
-constexpr std::size_t kRow = 24;               // Ranks in which places may cross each other,
-constexpr int kRowPasses = 4;                  // and how often these are looked through.
+constexpr std::size_t kRanks = 24;             // Ranks in which places may cross each other,
+constexpr int kRankPasses = 4;                 // and how often these are looked through.
 constexpr double kStill = 5e-5;                // A target that moves less rests [m].
 
 }  // namespace
@@ -98,8 +98,8 @@ void PlaceTracker::separateAll(const PlaceDef& def, const RouteGraph& routes, st
                     targets_.fit, separationMemory_);
 }
 
-// After targets have jumped: the points of those in walls are any free ones, and are given out in the order in
-// which the last ones were, so that places do not pass each other on their way.
+// After targets have jumped: the points of those in walls are any free ones, and are given out in the order
+// in which the last ones were, so that places do not pass each other on their way.
 void PlaceTracker::keepOrder(const FreeSpace& space) {
     displaced_.clear();
     points_.clear();
@@ -128,9 +128,9 @@ void PlaceTracker::keepOrder(const FreeSpace& space) {
 // would cross.
 void PlaceTracker::keepRows(std::span<const std::int32_t> places, std::span<std::int32_t> points,
                             std::int32_t first) const {
-    for (int pass = 0; pass < kRowPasses; ++pass)
+    for (int pass = 0; pass < kRankPasses; ++pass)
         for (std::size_t a = 0; a < places.size(); ++a)
-            for (std::size_t b = a + 1; b < std::min(places.size(), a + kRow); ++b) {
+            for (std::size_t b = a + 1; b < std::min(places.size(), a + kRanks); ++b) {
                 const Vec2 before = before_[displaced_[places[b]]] - before_[displaced_[places[a]]];
                 const Vec2 after = points_[points[b] - first] - points_[points[a] - first];
                 if (dot(before, after) < 0.0) std::swap(points[a], points[b]);

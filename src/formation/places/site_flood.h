@@ -39,9 +39,9 @@ public:
         return served;
     }
 
-    /// Lists the places that were added in the order in which the ground joins them, from one end of what they
-    /// cover to the other: that of a flood from the last one that a first flood comes to. False where these
-    /// would cover more than `most` cells, or do not come to all.
+    /// Lists the places that were added in the order in which the ground joins them, from one end of what
+    /// they cover to the other: that of a flood from the last one that a first flood comes to. False where
+    /// these would cover more than `most` cells, or do not come to all.
     bool order(std::int32_t most, std::vector<std::int32_t>& places);
 
 private:

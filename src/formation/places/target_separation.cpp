@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kIterations = 8;       // Of pushing targets apart.
 constexpr double kOvershoot = 1.02;  // Pairs are pushed this much too far, so that few iterations suffice.
-constexpr std::ptrdiff_t kCrowd = 200;  // So many in walls need room to pass; fewer find their places without.
+constexpr std::ptrdiff_t
+    kCrowd = 200;  // So many in walls need room to pass; fewer find their places without.
 constexpr std::int32_t kSearchBudget = 10000;  // Points examined on rings for all relocated targets together.
 
 // One Jacobi iteration: pushes targets closer than `separation` apart, each by half of what is missing.
@@ -157,7 +158,8 @@ void separateTargets(const FreeSpace& space, double separation, std::vector<Vec2
     const auto inWall = std::count_if(targets.begin(), targets.end(),
                                       [&](Vec2 target) { return !space.contains(target); });
     memory.asked = targets;
-    if (2 * inWall > std::ssize(targets) && inWall > kCrowd && separate(space, kLooseSpacing * separation, targets, fit, memory))
+    if (2 * inWall > std::ssize(targets) && inWall > kCrowd &&
+        separate(space, kLooseSpacing * separation, targets, fit, memory))
         return;
     targets = memory.asked;
     separate(space, separation, targets, fit, memory);

@@ -17,8 +17,8 @@ inline constexpr double kTargetSkin = 0.8;
 inline constexpr double kSeparationTolerance = 1.0 - 1e-9;
 /// Of points that a flood finds, in separations.
 inline constexpr double kSiteSpacing = 1.01;
-/// Where more than half of the targets lie in walls they are so much farther apart, in separations: places that
-/// touch each other leave nobody room to pass.
+/// Where more than half of the targets lie in walls they are so much farther apart, in separations: places
+/// that touch each other leave nobody room to pass.
 inline constexpr double kLooseSpacing = 1.5;
 
 /// Working memory of separateTargets().
@@ -40,7 +40,8 @@ struct SeparationMemory {
 /// relocated
 ///    to free points near by, or where there is none to the next ones that a flood over the region finds.
 /// Where more than half of the targets are not free, and there is room, all this is done with kLooseSpacing
-/// separations. `fit` is set to 1 for targets that have such a point, and to 0 for the others: the region is full.
+/// separations. `fit` is set to 1 for targets that have such a point, and to 0 for the others: the region is
+/// full.
 void separateTargets(const FreeSpace& space, double separation, std::vector<Vec2>& targets,
                      std::vector<std::uint8_t>& fit, SeparationMemory& memory);
 

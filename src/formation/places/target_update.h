@@ -57,10 +57,10 @@ struct TargetUpdateMemory {
 
 /// One step of reachable targets. A reachable target that lies on its target moves with it. Others are
 /// advected by the displacement of their targets and attracted by them. Where two come too close, one gives
-/// up attraction first, then advection; where all keep their points nobody is too close. Where most targets lie
-/// in walls, and nobody is nearer yet, they stay kLooseSpacing separations apart. Those without a
-/// point, or not on their targets, search for a better one, round robin and within a budget. A flood over the
-/// region serves those without one that find none near by.
+/// up attraction first, then advection; where all keep their points nobody is too close. Where most targets
+/// lie in walls, and nobody is nearer yet, they stay kLooseSpacing separations apart. Those without a point,
+/// or not on their targets, search for a better one, round robin and within a budget. A flood over the region
+/// serves those without one that find none near by.
 class TargetUpdate {
 public:
     /// Reachable targets stay `separation` [m] apart; attraction moves them by up to `attraction` [m] per

@@ -108,8 +108,8 @@ bool WayStage::survey(WorldState& state) {
     return true;
 }
 
-// Who has gone through is free again, be it because its goal lies in the mouth behind the gap. Who gets nowhere
-// tries without a passage until the next command; in the mouth nobody walks to and fro either.
+// Who has gone through is free again, be it because its goal lies in the mouth behind the gap. Who gets
+// nowhere tries without a passage until the next command; in the mouth nobody walks to and fro either.
 void WayStage::dropIfPassed(WorldState& state, std::size_t i, bool behind) {
     const Characters& now = state.characters;
     ChosenWay& chosen = state.characters.chosen[i];
@@ -142,8 +142,8 @@ void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
 }
 
 // Drops the ways of those who see their goals, or are beyond and have to go through no passage; true where
-// anybody is left with one. Whose place is on its own side for now keeps its way: when places are exchanged it
-// may need it again.
+// anybody is left with one. Whose place is on its own side for now keeps its way: when places are exchanged
+// it may need it again.
 bool WayStage::keepCrossers(WorldState& state) {
     std::vector<ChosenWay>& chosen = state.characters.chosen;
     marked_.assign(chosen.size(), 0);
