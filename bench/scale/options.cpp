@@ -91,8 +91,12 @@ Status check(const Options& o) {
         for (const std::string& name : known) all.append(all.empty() ? "" : ", ").append(name);
         for (const std::string& name : found)
             if (std::find(known.begin(), known.end(), name) == known.end())
-                return invalidArgument("found " + std::string(what) + " '" + name + "', expected one of " +
-                                       all);
+                return invalidArgument(std::string("found ")
+                                           .append(what)
+                                           .append(" '")
+                                           .append(name)
+                                           .append("', expected one of ")
+                                           .append(all));
         return Status();
     };
     if (Status status = among("scene", o.scenes, sceneNames()); !status.ok()) return status;

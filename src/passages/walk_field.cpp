@@ -113,7 +113,8 @@ Walk WalkField::atSpot(const WalkSpot& spot) const {
         weight += stencil.weight[k];
         if (stencil.weight[k] <= heaviest) continue;
         heaviest = stencil.weight[k];
-        walk.side = static_cast<std::int32_t>(side_[stencil.cell[k]]);
+        const std::int8_t side = side_[stencil.cell[k]];
+        walk.side = (side > 0 ? 1 : 0) - (side < 0 ? 1 : 0);
     }
     if (weight > 0.0) {
         walk.cost = sum / weight;
