@@ -82,24 +82,8 @@ void GiveWay::follow(const Lane& lane, double along, double across, Vec2& prefer
     if (closing > most) preferred -= lane.along * (closing - most);
 }
 
-// Beside the lane: enters only if there is time to cross. The way round the front of an obstacle is short at
-// every moment and never ends, so who has to wait walks along with it only as far as its goal lies.
-void GiveWay::waitBeside(const Lane& lane, Vec2 position, Vec2 goal, double topSpeed, double gap,
-                         double timeLeft, Vec2& preferred) {
-    const bool onLeft = dot(position - lane.centre, lane.across) >= lane.left;
-    const Vec2 inward = onLeft ? -lane.across : lane.across;
-    const double entering = dot(preferred, inward);
-    if (entering > 0.0 && (gap + lane.left - lane.right) / entering + kCrossing < timeLeft) return;
-    if (entering * kWayStopping > gap) preferred -= inward * (entering - gap / kWayStopping);
-    const bool goalBeyond = dot(goal - position, inward) > gap;
-    if (!goalBeyond || gap > kWayStopping * topSpeed) return;
-    const double most = std::max(0.0, dot(goal - position, lane.along)) / kWayStopping;
-    const double with = dot(preferred, lane.along);
-    if (with > most) preferred -= lane.along * (with - most);
-}
-
-void GiveWay::giveWay(const Lane& lane, const Environment& environment, Vec2 position, Vec2 goal,
-                      double topSpeed, double radius, std::size_t character, Vec2& preferred) {
+void GiveWay::giveWay(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
+                      double radius, std::size_t character, Vec2& preferred) {
     const double along = dot(position - lane.centre, lane.along);
     const double timeLeft = std::max(0.0, along - lane.front - radius) / lane.speed;
     const double across = dot(position - lane.centre, lane.across);
@@ -107,8 +91,13 @@ void GiveWay::giveWay(const Lane& lane, const Environment& environment, Vec2 pos
     if (timeLeft > kHorizon) return;
     if (across > lane.right && across < lane.left)
         return leave(lane, environment, position, topSpeed, radius, character, timeLeft, preferred);
+    // Beside the lane: enters only if there is time to cross.
     const double gap = across >= lane.left ? across - lane.left : lane.right - across;
-    waitBeside(lane, position, goal, topSpeed, gap, timeLeft, preferred);
+    const Vec2 inward = across >= lane.left ? -lane.across : lane.across;
+    const double entering = dot(preferred, inward);
+    if (entering * kWayStopping <= gap) return;
+    if ((gap + lane.left - lane.right) / entering + kCrossing < timeLeft) return;
+    preferred -= inward * (entering - gap / kWayStopping);
 }
 
 // Who is touched by somebody leaving goes the same way, and so on.
@@ -136,7 +125,7 @@ void GiveWay::passOn(const Parameters::Character& def, const Characters& now,
 
 void GiveWay::run(const Parameters::Character& def, const Characters& now, const Environment& environment,
                   const NeighbourList& neighbours, std::span<const double> topSpeed,
-                  std::span<const Vec2> goals, std::span<Vec2> preferred) {
+                  std::span<Vec2> preferred) {
     lanes_.clear();
     for (const ObstaclePiece& piece : environment.pieces())
         if (piece.moving && lengthSquared(piece.velocity) > kSlowest * kSlowest)
@@ -146,7 +135,7 @@ void GiveWay::run(const Parameters::Character& def, const Characters& now, const
     bool any = gates_.run(def, now, environment, leaving_, preferred);
     for (std::size_t i = 0; i < now.size(); ++i) {
         for (const Lane& lane : lanes_)
-            giveWay(lane, environment, now.position[i], goals[i], topSpeed[i], def.radius, i, preferred[i]);
+            giveWay(lane, environment, now.position[i], topSpeed[i], def.radius, i, preferred[i]);
         any = any || !(leaving_[i] == Vec2{});
     }
     if (!any) return;

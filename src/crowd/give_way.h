@@ -15,15 +15,14 @@ struct Characters;
 
 /// Changes preferred velocities before moving obstacles. The ground that a piece of an obstacle sweeps is
 /// taken as a lane along its velocity. Who stands in it leaves it by the side that is quicker to reach, in
-/// time; who is beside it enters only if there is time to cross, and else waits where its goal is level with
-/// it instead of walking along with the obstacle. Those whom somebody leaving touches make room.
+/// time; who is beside it enters only if there is time to cross. Those whom somebody leaving touches make
+/// room.
 class GiveWay {
 public:
     /// Overwrites `preferred` velocities [m/s] of those who give way. `topSpeed` is that of each character
-    /// [m/s], `goals` are where they want to be in the end; `neighbours` lists all who nearly touch.
+    /// [m/s]; `neighbours` lists all who nearly touch.
     void run(const Parameters::Character& def, const Characters& now, const Environment& environment,
-             const NeighbourList& neighbours, std::span<const double> topSpeed, std::span<const Vec2> goals,
-             std::span<Vec2> preferred);
+             const NeighbourList& neighbours, std::span<const double> topSpeed, std::span<Vec2> preferred);
 
 private:
     // The ground ahead of one piece, in axes along and across its velocity.
@@ -35,10 +34,8 @@ private:
     };
 
     static Lane laneOf(const ObstaclePiece& piece, double radius);
-    void giveWay(const Lane& lane, const Environment& environment, Vec2 position, Vec2 goal, double topSpeed,
+    void giveWay(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
                  double radius, std::size_t character, Vec2& preferred);
-    static void waitBeside(const Lane& lane, Vec2 position, Vec2 goal, double topSpeed, double gap,
-                           double timeLeft, Vec2& preferred);
     static void follow(const Lane& lane, double along, double across, Vec2& preferred);
     void leave(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
                double radius, std::size_t character, double timeLeft, Vec2 preferred);

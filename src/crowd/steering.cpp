@@ -162,7 +162,7 @@ void Steering::run(const Parameters::Character& def, const Characters& now, cons
     neighbours_.build(now.position, 2.0 * def.radius + std::max(def.separationReach, kTouchGap));
     addSeparationSteering(def, now);
     yieldToBlocked(def, now, input.waits);
-    giveWay_.run(def, now, environment, neighbours_, topSpeed_, input.place, preferred_);
+    giveWay_.run(def, now, environment, neighbours_, topSpeed_, preferred_);
     const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt,
                             std::min(1.0, kHeadingRate * dt)};
     forChunks(pool, count, kSteeredPerTask, [&, bounds](std::size_t i) {
