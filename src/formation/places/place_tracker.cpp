@@ -109,7 +109,7 @@ void PlaceTracker::keepOrder(const FreeSpace& space) {
             displaced_.push_back(static_cast<std::int32_t>(k));
             points_.push_back(targets_.reachable[k]);
         }
-    if (displaced_.size() < 2) return;
+    if (2 * displaced_.size() <= n) return;  // Single obstacles scatter nobody far.
     const auto count = static_cast<std::int32_t>(displaced_.size());
     order_.begin(space.routes(), space.region(), 1.0);
     for (std::int32_t k = 0; k < count; ++k) {
