@@ -9,6 +9,8 @@
 
 #include "muster/control.h"
 #include "muster/id.h"
+#include "muster/order_commands.h"
+#include "muster/unit_commands.h"
 #include "muster/world_def.h"
 
 namespace muster {
@@ -239,7 +241,9 @@ struct SetParameter {
 using CommandBody = std::variant<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl,
                                  RemoveControl, ReleaseClient, SetFormation, SetCount, SetPose, AddGroup,
                                  RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch,
-                                 ChangePatch, RemovePatch, SetParameter>;
+                                 ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct,
+                                 AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup,
+                                 MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion>;
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).
 struct Command {

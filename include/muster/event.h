@@ -7,8 +7,8 @@
 
 namespace muster {
 
-/// Kinds of events. Those from Arrived on tell how orders get on; each comes once per order and version of
-/// the ground. An order is a pose, a formation, a count or a drawn way; the ground changes with every command
+/// Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to Partial
+/// comes once per order and version of the ground. An order is a pose, a formation, a count or a drawn way; the ground changes with every command
 /// that changes obstacles or patches.
 enum class EventKind : std::uint8_t {
     EnterPatch,       ///< `value` is the id of the patch.
@@ -31,6 +31,16 @@ enum class EventKind : std::uint8_t {
     Free,     ///< All of a group have their way again; `value` is how many had none.
     NoPath,   ///< No place of the group's order can be reached; `value` is their number.
     Partial,  ///< `value` places of the group's order cannot be reached; the others can.
+    OrderGiven,    ///< A group was given the order of id `value`.
+    OrderBegun,    ///< It begins the order of id `value`.
+    OrderDone,     ///< It has carried out the order of id `value`.
+    OrderSkipped,  ///< It passes over the order of id `value`, whose target cannot be reached.
+    Passed,        ///< A group has passed the checkpoint of index `value`.
+    GroupAdded,    ///< A group is new; `value` is the id of the group that it was split off, 0 for none.
+    GroupRemoved,  ///< A group has ended; `value` is the id of the group that it was merged into, 0 for none.
+    Joined,        ///< A character is new; `value` is the id of its group.
+    Left,          ///< A character has left the world; `value` is the id of its group.
+    Transferred,   ///< A character has changed groups; `value` is the id of its new group.
     Count
 };
 /// The name of a kind: "enterPatch", "arrived"...

@@ -36,11 +36,14 @@ struct FormationDef {
     double opening = 1.2;      ///< Full angle of Pacman's mouth or of the crescent's gap [rad] in (0, 6].
     PolygonWithHoles outline;  ///< For Outline: the shape, in any size [m].
     std::vector<Vec2> points;  ///< For Points: the places in this order [m]; at least as many as characters.
+    /// For Square: how many stand abreast, 0 to 200,000; 0 for about as many as there are ranks.
+    std::int32_t files = 0;
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind, spacing, opening, outline, points);
+        archive.since(2, files);
     }
 };
 

@@ -9,8 +9,10 @@
 #include "muster/formation.h"
 #include "muster/map_import.h"
 #include "muster/obstacle.h"
+#include "muster/order.h"
 #include "muster/parameters.h"
 #include "muster/patch.h"
+#include "muster/unit.h"
 
 namespace muster {
 
@@ -24,26 +26,42 @@ struct GroupDef {
     double angle = 0.0;        ///< Heading, counter-clockwise from +x [rad].
     std::vector<Vec2> starts;  ///< Initial positions of characters [m]; empty to start on their places.
     double jitter = 0.0;       ///< Largest random displacement of initial positions [m], 0 or more.
+    std::vector<Body> bodies;     ///< One for all, or one for each character; empty for the parameters'.
+    std::vector<RoleDef> roles;   ///< Which class stands where; empty for none.
+    std::vector<double> demands;  ///< Units of supply that each place demands; empty for 1 each.
+    Conduct conduct;              ///< How it behaves.
+    std::vector<Order> orders;    ///< What it is to do at first, one after the other.
+    bool patrols = false;         ///< True: orders that are done come last again.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, count, formation, position, angle, starts, jitter);
+        archive.since(2, bodies, roles, demands, conduct, orders, patrols);
     }
 };
 
-/// A disc that changes the formation of a group whose mesh centre enters it (SPEC M7).
+/// What passes a checkpoint.
+enum class CheckpointTrigger : std::uint8_t {
+    Crowd,  ///< A share of the group's characters has been in it.
+    Mesh,   ///< The centre of the group's mesh is in it.
+};
+
+/// A disc that changes the formation of a group which passes it (SPEC M7).
 struct FormationCheckpointDef {
     Vec2 position;            ///< Centre [m].
     double radius = 2.0;      ///< Radius [m], above 0.
     FormationDef formation;   ///< New formation of the group.
     std::int32_t group = -1;  ///< Index of the group that it applies to; -1 for all groups.
     bool once = true;         ///< True: it applies once per group. False: whenever a group enters.
+    CheckpointTrigger trigger = CheckpointTrigger::Crowd;  ///< What passes it.
+    double share = 0.5;                                    ///< For Crowd: share of the group, (0, 1].
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
         archive(position, radius, formation, group, once);
+        archive.since(2, trigger, share);
     }
 };
 

@@ -25,6 +25,9 @@ namespace muster {
 template <class T>
 concept ArchiveScalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
+/// Version of the commands and definitions that takes hold. Fields that came later are archived by since().
+inline constexpr std::uint32_t kArchiveVersion = 2;
+
 /// Appends values to a byte vector.
 class Writer {
 public:
@@ -33,6 +36,11 @@ public:
     /// Writes each value in turn.
     template <class... T>
     void operator()(T&... values) {
+        (write(values), ...);
+    }
+    /// Writes values that the format has since a version.
+    template <class... T>
+    void since(std::uint32_t /*version*/, T&... values) {
         (write(values), ...);
     }
     /// The bytes so far.
@@ -63,13 +71,19 @@ class Reader {
 public:
     static constexpr bool kReading = true;  ///< Types may branch on this.
 
-    /// Reads `bytes`, which must outlive it.
-    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+    /// Reads `bytes`, which must outlive it and are of the given version of the format.
+    explicit Reader(std::span<const std::uint8_t> bytes, std::uint32_t version = kArchiveVersion)
+        : bytes_(bytes), version_(version) {}
 
     /// Reads each value in turn.
     template <class... T>
     void operator()(T&... values) {
         (read(values), ...);
+    }
+    /// Reads values that the format has since a version; leaves them as they are where the bytes are older.
+    template <class... T>
+    void since(std::uint32_t version, T&... values) {
+        if (version_ >= version) (read(values), ...);
     }
     /// False after any error.
     bool ok() const { return ok_; }
@@ -99,6 +113,7 @@ private:
     }
 
     std::span<const std::uint8_t> bytes_;
+    std::uint32_t version_;
     std::size_t position_ = 0;
     bool ok_ = true;
 };
@@ -111,6 +126,11 @@ public:
     /// Adds each value in turn.
     template <class... T>
     void operator()(T&... values) {
+        (add(values), ...);
+    }
+    /// Adds values that the format has since a version.
+    template <class... T>
+    void since(std::uint32_t /*version*/, T&... values) {
         (add(values), ...);
     }
     /// The hash so far.

@@ -54,9 +54,11 @@ void appendNotices(const World& world, std::vector<EventNotice>& notices) {
     std::vector<std::uint32_t> stuck(world.groupCount(), 0);
     std::vector<Vec2> where(world.groupCount());
     const auto say = [&](EventKind kind, const GroupView& group, std::uint32_t number, Vec2 position) {
+        const std::string what = sentence(kind, group, number);
+        if (what.empty()) return;
         const auto level = isGood(kind) ? protocol::NoticeLevel::Info : protocol::NoticeLevel::Warning;
         notices.push_back(
-            {level, eventKindName(kind), nameOf(group) + ": " + sentence(kind, group, number), position});
+            {level, eventKindName(kind), nameOf(group) + ": " + what, position});
     };
     for (const Event& event : world.events()) {
         if (!isOrderEvent(event.kind)) continue;

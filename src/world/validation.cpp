@@ -5,36 +5,12 @@
 #include "geometry/polygon.h"
 #include "muster/parameter_table.h"
 #include "world/number_text.h"
+#include "world/validation_parts.h"
 
 namespace muster {
 namespace {
 
 constexpr double kMostCells = 16e6;  // Of a grid.
-
-/// Fails unless `low` <= value <= `high`.
-Status inRange(const char* what, double value, double low, double high) {
-    if (value >= low && value <= high) return {};
-    return invalidArgument(std::string(what) + " is " + numberText(value) + ", expected a number in [" +
-                           numberText(low) + ", " + numberText(high) + "]");
-}
-
-Status isPlace(const char* what, Vec2 p) {
-    if (std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate) return {};
-    return invalidArgument(std::string(what) + " (" + numberText(p.x) + ", " + numberText(p.y) +
-                           ") is not finite or farther than 1e6 m from the origin");
-}
-
-Status arePlaces(const char* what, std::span<const Vec2> points) {
-    if (points.size() > static_cast<std::size_t>(kMaxCharacters)) {
-        return {StatusCode::LimitExceeded, std::string(what) + " has " + std::to_string(points.size()) +
-                                               " points, at most " + std::to_string(kMaxCharacters) +
-                                               " are allowed"};
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (Status s = isPlace(what, points[i]); !s.ok()) return s.within("point " + std::to_string(i));
-    }
-    return {};
-}
 
 Status isShape(const char* what, std::span<const Vec2> corners) {
     if (corners.size() > kMaxCorners) {
@@ -51,27 +27,6 @@ Status isText(const char* what, const std::string& value) {
     if (value.size() <= kMaxText) return {};
     return {StatusCode::LimitExceeded, std::string(what) + " has " + std::to_string(value.size()) +
                                            " bytes, at most " + std::to_string(kMaxText) + " are allowed"};
-}
-
-Status isPath(const TimedPath& path) {
-    if (path.waypoints.size() > kMaxCorners)
-        return {StatusCode::LimitExceeded, "path has too many waypoints"};
-    for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
-        const Waypoint& w = path.waypoints[i];
-        const std::string where = "waypoint " + std::to_string(i);
-        if (Status s = isPlace("position", w.position); !s.ok()) return s.within(where);
-        if (Status s = inRange("time", w.time, 0.0, 1e9); !s.ok()) return s.within(where);
-        if (Status s = inRange("angle", w.angle, -1e6, 1e6); !s.ok()) return s.within(where);
-    }
-    return path.validate();
-}
-
-/// The first failure of several checks.
-Status first(std::initializer_list<Status> checks) {
-    for (const Status& s : checks) {
-        if (!s.ok()) return s;
-    }
-    return {};
 }
 
 Status validateGround(const WorldDef& def) {
@@ -161,6 +116,10 @@ Status validateParameters(const Parameters& parameters, const Box& box) {
 Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t groups) {
     return first({isPlace("position", checkpoint.position), inRange("radius", checkpoint.radius, 0.01, 1e4),
                   inRange("group", checkpoint.group, -1, static_cast<double>(groups) - 1),
+                  checkpoint.trigger <= CheckpointTrigger::Mesh
+                      ? Status()
+                      : invalidArgument("trigger is not known"),
+                  inRange("share", checkpoint.share, 1e-6, 1.0),
                   validateFormation(checkpoint.formation)});
 }
 
@@ -188,6 +147,7 @@ Status validateTotal(std::int64_t characters, const Parameters& parameters) {
 Status validateFormation(const FormationDef& formation) {
     if (formation.kind > FormationKind::Points) return invalidArgument("formation kind is not known");
     if (Status s = first({inRange("spacing", formation.spacing, 0.05, 100.0),
+                          inRange("files", formation.files, 0, kMaxCharacters),
                           inRange("opening", formation.opening, 0.01, 6.0),
                           arePlaces("points", formation.points)});
         !s.ok()) {
@@ -251,6 +211,13 @@ Status validateGroup(const GroupDef& group) {
         formation.points.size() < static_cast<std::size_t>(group.count)) {
         return invalidArgument("formation has " + std::to_string(formation.points.size()) + " points for " +
                                std::to_string(group.count) + " characters");
+    }
+    if (Status s = first({validateBodies(group.bodies, static_cast<std::size_t>(group.count), true),
+                          validateRoles(group.roles), validateDemands(group.demands),
+                          validateConduct(group.conduct),
+                          each("orders", group.orders, kMaxOrders, validateOrder)});
+        !s.ok()) {
+        return s;
     }
     return validateFormation(formation);
 }

@@ -9,6 +9,7 @@ inline constexpr std::int32_t kMaxCharacters = 200000;  ///< Of a world.
 /// Of a world with exact plans: they keep a cost for every pair.
 inline constexpr std::int32_t kMaxExact = 5000;
 inline constexpr std::size_t kMaxGroups = 200;     ///< Of a world: their indices travel as bytes.
+inline constexpr std::size_t kMaxOrders = 1000;    ///< In the queue of one group.
 inline constexpr std::size_t kMaxCorners = 10000;  ///< Of one polygon, and waypoints of one path.
 inline constexpr std::size_t
     kMaxObstacles = 20000;                     ///< Of a scenario; also the limit for patches and for items.
@@ -33,6 +34,17 @@ Status validateClip(const ClipFacts& clip);
 Status validateTotal(std::int64_t characters, const Parameters& parameters);
 /// InvalidArgument where the count, pose, starts or formation is bad.
 Status validateGroup(const GroupDef& group);
+/// InvalidArgument where a number of an order is out of its range.
+Status validateOrder(const Order& order);
+/// InvalidArgument where a number of a conduct is out of its range.
+Status validateConduct(const Conduct& conduct);
+/// InvalidArgument where a body is bad, or there is neither one for each of `count` nor one for all (nor, where
+/// `optional`, none).
+Status validateBodies(const std::vector<Body>& bodies, std::size_t count, bool optional);
+/// InvalidArgument where a role is bad.
+Status validateRoles(const std::vector<RoleDef>& roles);
+/// InvalidArgument where a demand is out of its range.
+Status validateDemands(const std::vector<double>& demands);
 /// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").
 Status validateWorld(const WorldDef& def);
 

@@ -37,7 +37,7 @@ enum class Channel : std::size_t {
 inline constexpr std::size_t kArmChannels = 5;
 
 /// A value for each channel.
-struct Body {
+struct ChannelValues {
     std::array<double, static_cast<std::size_t>(Channel::Count)> values{};
 
     double& operator[](Channel channel) { return values[static_cast<std::size_t>(channel)]; }
@@ -52,8 +52,8 @@ struct Body {
 };
 
 /// Linear interpolation from `a` (`t` = 0) to `b` (`t` = 1).
-inline Body blend(const Body& a, const Body& b, double t) {
-    Body out;
+inline ChannelValues blend(const ChannelValues& a, const ChannelValues& b, double t) {
+    ChannelValues out;
     for (std::size_t i = 0; i < out.values.size(); ++i)
         out.values[i] = a.values[i] + (b.values[i] - a.values[i]) * t;
     return out;

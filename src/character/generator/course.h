@@ -22,7 +22,7 @@ Vec3 fromGround(const Placement& place, Vec3 point);
 /// Travel and body as functions of time [s].
 struct Course {
     std::function<Placement(double)> travel;
-    std::function<Body(double)> body;  ///< Body in the travelling frame.
+    std::function<ChannelValues(double)> body;  ///< ChannelValues in the travelling frame.
 };
 
 /// A straight path along x, given as distance [m] by time.

@@ -32,8 +32,8 @@ Stroke crawlStroke(double phase) {
     return {along.at(since), hump(0.0, length, since)};
 }
 
-Body crawlBody(double phase) {
-    Body body;
+ChannelValues crawlBody(double phase) {
+    ChannelValues body;
     body[Channel::HipsX] = -0.26;
     body[Channel::HipsY] = 0.022 * cycleWave(phase - 0.3);
     body[Channel::PelvisPitch] = degrees(86);
@@ -54,7 +54,7 @@ Body crawlBody(double phase) {
 }
 
 /// Sets height and roll of the pelvis so that both knees reach their targets.
-void rest(Body& body, const Vec3 knees[2]) {
+void rest(ChannelValues& body, const Vec3 knees[2]) {
     body[Channel::HipsZ] = 0.45;
     for (int round = 0; round < 12; ++round) {
         double lift[2];
@@ -69,7 +69,7 @@ void rest(Body& body, const Vec3 knees[2]) {
 }
 
 /// A kneeling leg: the knee points to `target`, the shin lies backwards and is raised by `rise` [rad].
-Leg kneelingLeg(const Body& body, std::size_t side, Vec3 target, double rise) {
+Leg kneelingLeg(const ChannelValues& body, std::size_t side, Vec3 target, double rise) {
     const Vec3 hip = hipJoint(body, side), thigh = normalized(target - hip) * static_cast<float>(kThigh);
     const Vec3 knee = hip + thigh;
     const double turn = side == 0 ? 0.06 : -0.06;

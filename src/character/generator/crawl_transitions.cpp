@@ -31,7 +31,7 @@ Course courseOf(const GaitTrack& jog, const CrawlTrack& crawl) {
     Course course;
     course.travel = straight(changingSpeed(jog.gait().speed, CrawlTrack::kSpeed, 0.0, kLow));
     course.body = [=](double time) {
-        Body body = blend(jog.body(time), crawl.figure(time).body, rise(0.0, kLow, time));
+        ChannelValues body = blend(jog.body(time), crawl.figure(time).body, rise(0.0, kLow, time));
         body[Channel::HeadPitch] -= degrees(10) * hump(0.1, 0.8, time);
         return body;
     };
@@ -118,7 +118,7 @@ Course courseOf(const GaitTrack& jog, const CrawlTrack& crawl) {
     Course course;
     course.travel = straight(changingSpeed(CrawlTrack::kSpeed, jog.gait().speed, 0.25, kCrawlEnd));
     course.body = [=](double time) {
-        Body body = blend(crawl.figure(time).body, jog.body(time), rise(kUp - 0.02, kCrawlEnd, time));
+        ChannelValues body = blend(crawl.figure(time).body, jog.body(time), rise(kUp - 0.02, kCrawlEnd, time));
         body[Channel::ChestPitch] += degrees(6) * hump(kUp, kCrawlEnd, time);
         return body;
     };

@@ -63,7 +63,7 @@ struct Frames {
     }
 };
 
-void putTrunk(const Body& body, Frames& frames) {
+void putTrunk(const ChannelValues& body, Frames& frames) {
     const Quat pelvis = turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll],
                                body[Channel::PelvisYaw]);
     const Quat chest = turned(body[Channel::ChestPitch], body[Channel::ChestRoll], body[Channel::ChestYaw]);
@@ -90,7 +90,7 @@ void putLeg(const Leg& leg, std::size_t side, Frames& frames) {
 }
 
 /// Rotation of the left upper arm relative to the chest.
-Quat armTurn(const Body& body, std::size_t side) {
+Quat armTurn(const ChannelValues& body, std::size_t side) {
     return turned(-body.arm(side, Channel::LeftArmForward), 0.0, 0.0) *
            turned(0.0, body.arm(side, Channel::LeftArmOut), 0.0) * turned(0.0, -0.5 * kPi, -0.0) *
            axisAngle({0.0f, 1.0f, 0.0f}, body.arm(side, Channel::LeftArmTurn));
@@ -117,7 +117,7 @@ struct ArmTurns {
 };
 
 /// The arm given by the body's channels.
-ArmTurns freeArm(const Body& body, std::size_t side) {
+ArmTurns freeArm(const ChannelValues& body, std::size_t side) {
     return {armTurn(body, side), turned(0.0, 0.0, -body.arm(side, Channel::LeftElbow)),
             turned(0.0, -body.arm(side, Channel::LeftWrist), 0.0)};
 }
@@ -136,7 +136,7 @@ ArmTurns reachingArm(const Reach& reach, std::size_t side, Quat chest, Vec3 shou
 }
 
 /// Computes the arm as a left one; the chest and the results are mirrored for the right arm.
-void putArm(const Body& body, const Reach& reach, std::size_t side, Frames& frames) {
+void putArm(const ChannelValues& body, const Reach& reach, std::size_t side, Frames& frames) {
     using enum JointRole;
     const std::size_t collar = at(LeftShoulder, side, RightShoulder), upper = at(LeftArm, side, RightArm);
     const std::size_t fore = at(LeftForeArm, side, RightForeArm), hand = at(LeftHand, side, RightHand);
@@ -195,7 +195,7 @@ Figure blend(const Figure& a, const Figure& b, double t) {
     return out;
 }
 
-Vec3 hipJoint(const Body& body, std::size_t side) {
+Vec3 hipJoint(const ChannelValues& body, std::size_t side) {
     const Quat pelvis = turned(body[Channel::PelvisPitch], body[Channel::PelvisRoll],
                                body[Channel::PelvisYaw]);
     const Vec3 hips{static_cast<float>(body[Channel::HipsX]), static_cast<float>(body[Channel::HipsY]),

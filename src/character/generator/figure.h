@@ -38,7 +38,7 @@ struct Reach {
 
 /// All inputs of a pose, in one frame: the travelling frame or the ground frame.
 struct Figure {
-    Body body;                   ///< Trunk, head and free arms.
+    ChannelValues body;                   ///< Trunk, head and free arms.
     std::array<Leg, 2> legs;     ///< Left, right.
     std::array<Reach, 2> reach;  ///< Left, right.
 };
@@ -49,7 +49,7 @@ Quat flatHand(std::size_t side, double yaw, double tilt = 0.0);
 /// Interpolation from `a` (`t` = 0) to `b` (`t` = 1).
 Figure blend(const Figure& a, const Figure& b, double t);
 /// Position of the hip joint of that side [m].
-Vec3 hipJoint(const Body& body, std::size_t side);
+Vec3 hipJoint(const ChannelValues& body, std::size_t side);
 /// The pose of a figure given in the travelling frame.
 BodyPose poseOf(const Figure& figure);
 

@@ -28,7 +28,7 @@ double GaitTrack::height(double phase) const {
                    since);
 }
 
-void GaitTrack::addTrunk(double phase, Body& body) const {
+void GaitTrack::addTrunk(double phase, ChannelValues& body) const {
     const double middle = 0.5 * gait_.contact;
     body[Channel::HipsX] = gait_.forward - gait_.surge * cycleWave(2.0 * (phase - middle) - 0.25);
     body[Channel::HipsY] = gait_.sway * cycleWave(phase - middle);
@@ -43,7 +43,7 @@ void GaitTrack::addTrunk(double phase, Body& body) const {
     body[Channel::HeadYaw] = 0.15 * body[Channel::ChestYaw];
 }
 
-void GaitTrack::addArms(double phase, Body& body) const {
+void GaitTrack::addArms(double phase, ChannelValues& body) const {
     for (std::size_t side = 0; side < 2; ++side) {
         // Each arm swings in phase with the opposite leg.
         const double half = side == 0 ? 0.0 : 0.5;
@@ -57,7 +57,7 @@ void GaitTrack::addArms(double phase, Body& body) const {
     }
 }
 
-void GaitTrack::addBend(Body& body) const {
+void GaitTrack::addBend(ChannelValues& body) const {
     const double bank = 0.8 * arcTangent2(gait_.speed * gait_.speed * gait_.bend, kGravity);
     body[Channel::HipsY] += 0.6 * gait_.height * sine(bank);
     body[Channel::HipsZ] -= 0.5 * gait_.height * sine(bank) * sine(bank) + 0.08 * std::fabs(bank);
@@ -68,9 +68,9 @@ void GaitTrack::addBend(Body& body) const {
     body[Channel::HeadYaw] += bank;
 }
 
-Body GaitTrack::body(double time) const {
+ChannelValues GaitTrack::body(double time) const {
     const double phase = (time - start_) / gait_.cycle;
-    Body body;
+    ChannelValues body;
     addTrunk(phase, body);
     addArms(phase, body);
     if (gait_.bend != 0.0) addBend(body);

@@ -69,7 +69,7 @@ public:
     /// The travelling frame at a time; it is at the origin of the ground at `start`.
     Placement travel(double time) const;
     /// Trunk, head and arms at a time.
-    Body body(double time) const;
+    ChannelValues body(double time) const;
     /// Travel and body as functions.
     Course course() const;
     /// The steps of one foot that begin in the cycles `first` to `last`.
@@ -82,9 +82,9 @@ public:
     LegTrack leg(std::size_t side) const;
 
 private:
-    void addTrunk(double phase, Body& body) const;
-    void addArms(double phase, Body& body) const;
-    void addBend(Body& body) const;
+    void addTrunk(double phase, ChannelValues& body) const;
+    void addArms(double phase, ChannelValues& body) const;
+    void addBend(ChannelValues& body) const;
     double height(double phase) const;
 
     Gait gait_;

@@ -14,11 +14,11 @@ double idleWave(double cycles, double late) {
 
 }  // namespace
 
-Body idleBody(double time, double start) {
+ChannelValues idleBody(double time, double start) {
     const double phase = (time - start) / kIdleCycle;
     const double breath = idleWave(phase, 0.3), shift = idleWave(phase, 0.0),
                  drift = idleWave(2.0 * phase, 0.15);
-    Body body;
+    ChannelValues body;
     body[Channel::HipsX] = 0.004 * drift;
     body[Channel::HipsY] = 0.022 * shift;
     body[Channel::HipsZ] = 0.945 - 0.002 * shift * shift;

@@ -9,7 +9,7 @@ namespace muster::generator {
 inline constexpr double kIdleCycle = 4.0;  ///< [s]
 
 /// Trunk, head and arms of a body that stands, breathes and shifts its weight; phase 0 at time `start`.
-Body idleBody(double time, double start = 0.0);
+ChannelValues idleBody(double time, double start = 0.0);
 /// The step of a foot that stands for all time, with the character at `place`.
 Step idleStep(std::size_t side, const Placement& place);
 /// The clip "idle".

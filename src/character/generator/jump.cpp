@@ -56,7 +56,7 @@ private:
     State spring_[2], absorb_[2];
 };
 
-Body heldInJump(const JumpShape& shape, Body body, double time) {
+ChannelValues heldInJump(const JumpShape& shape, ChannelValues body, double time) {
     const double air = hump(shape.off - 0.14, shape.land + 0.14, time),
                  crouch = hump(shape.land - 0.05, kJumpEnd, time);
     const double spring = hump(std::max(0.0, shape.plant - 0.05), shape.off + 0.05, time);
@@ -87,7 +87,7 @@ Transition jumpOf(const JumpShape& shape) {
     });
     const Arc arc(shape, before, after);
     transition.course.body = [=](double time) {
-        Body body = blend(before.body(time), after.body(time), rise(shape.off - 0.05, shape.land, time));
+        ChannelValues body = blend(before.body(time), after.body(time), rise(shape.off - 0.05, shape.land, time));
         if (time > 0.0 && time < kJumpEnd) body[Channel::HipsZ] = arc.at(time);
         return time > 0.0 && time < kJumpEnd ? heldInJump(shape, body, time) : body;
     };

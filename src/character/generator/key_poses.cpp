@@ -110,8 +110,8 @@ BodyKeys::BodyKeys(const std::vector<ChannelKeys>& channels) {
         lines_.push_back({line.channel, Curve::eased(line.keys), isPlace(line.channel) ? 1.0 : degrees(1.0)});
 }
 
-Body BodyKeys::at(double time, const Body& base) const {
-    Body body = base;
+ChannelValues BodyKeys::at(double time, const ChannelValues& base) const {
+    ChannelValues body = base;
     for (const Line& line : lines_) body[line.channel] = line.scale * line.curve.at(time);
     return body;
 }

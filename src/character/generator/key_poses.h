@@ -70,7 +70,7 @@ struct ChannelKeys {
 class BodyKeys {
 public:
     explicit BodyKeys(const std::vector<ChannelKeys>& channels);
-    Body at(double time, const Body& base) const;
+    ChannelValues at(double time, const ChannelValues& base) const;
 
 private:
     struct Line {

@@ -40,8 +40,8 @@ double recovery(double phase) {
     return hump(0.58, 1.02, phase) + hump(0.58, 1.02, phase + 1.0);
 }
 
-Body swimBody(double phase) {
-    Body body;
+ChannelValues swimBody(double phase) {
+    ChannelValues body;
     // The body rolls towards the arm that reaches forward. The head rotates with it to breathe on the right.
     const double roll = cycleWave(phase - 0.14), breath = recovery(phase + 0.5);
     body[Channel::HipsX] = -0.18;
@@ -59,7 +59,7 @@ Body swimBody(double phase) {
     return body;
 }
 
-Leg kickingLeg(const Body& body, std::size_t side, double phase) {
+Leg kickingLeg(const ChannelValues& body, std::size_t side, double phase) {
     const double beat = 3.0 * phase + (side == 0 ? 0.0 : 0.5);
     const double thigh = degrees(8) + degrees(9) * cycleWave(beat),
                  knee = degrees(15) - degrees(11) * cycleWave(beat - 0.18);

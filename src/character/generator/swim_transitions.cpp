@@ -20,7 +20,7 @@ Figure swimming(double time) {
 }
 
 /// Stretches both arms forwards, straight and close together, for the dive.
-void stretchArms(Body& body, double share) {
+void stretchArms(ChannelValues& body, double share) {
     for (std::size_t side = 0; side < 2; ++side) {
         const auto towards = [&](Channel channel, double angle) {
             double& value = body.arm(side, channel);
@@ -45,7 +45,7 @@ Course courseOf(const GaitTrack& jog) {
     Course course;
     course.travel = straight(changingSpeed(jog.gait().speed, kSwimSpeed, kOff, kSwimEnd));
     course.body = [=](double time) {
-        Body body = blend(jog.body(time), swimming(time).body, rise(0.06, 0.62, time));
+        ChannelValues body = blend(jog.body(time), swimming(time).body, rise(0.06, 0.62, time));
         const double dive = hump(0.3, kSwimEnd, time);
         body[Channel::HipsZ] = height.at(time);
         body[Channel::PelvisPitch] += degrees(10) * dive;
@@ -103,9 +103,9 @@ Figure swimming(double time) {
 }
 
 /// Keys of the body that rises out of the water, from swimming to jogging.
-BodyKeys riseOf(const Body& wet, const Body& dry) {
+BodyKeys riseOf(const ChannelValues& wet, const ChannelValues& dry) {
     using enum Channel;
-    const auto angle = [](const Body& body, Channel channel) { return body[channel] / degrees(1.0); };
+    const auto angle = [](const ChannelValues& body, Channel channel) { return body[channel] / degrees(1.0); };
     return BodyKeys({
         {HipsZ,
          {{0.0, wet[HipsZ]},

@@ -48,7 +48,7 @@ Transition startOf(const char* name, const Gait& gait, int frames, double landin
     transition.frames = frames;
     transition.course.travel = straight(changingSpeed(0.0, gait.speed, 0.08, fullSpeed));
     transition.course.body = [=](double time) {
-        Body body = blend(idleBody(time), track.body(time), rise(0.05, landing + 0.25, time));
+        ChannelValues body = blend(idleBody(time), track.body(time), rise(0.05, landing + 0.25, time));
         const double lean = hump(0.0, fullSpeed, time) * gait.speed;
         body[Channel::ChestPitch] += degrees(4) * lean;
         body[Channel::PelvisPitch] += degrees(2) * lean;
@@ -77,7 +77,7 @@ Transition stopOf(const char* name, const Gait& gait, int frames, double leave, 
     transition.course.travel = straight(changingSpeed(gait.speed, 0.0, 0.0, still));
     const double end = frames / kFrameRate;
     transition.course.body = [=](double time) {
-        Body body = blend(track.body(time), idleBody(time, end), rise(0.1, 0.85 * end, time));
+        ChannelValues body = blend(track.body(time), idleBody(time, end), rise(0.1, 0.85 * end, time));
         const double brake = hump(0.0, still, time) * gait.speed;
         body[Channel::ChestPitch] -= degrees(3) * brake;
         body[Channel::PelvisPitch] -= degrees(2) * brake;
@@ -107,7 +107,7 @@ Transition turnOf(const char* name, double sign) {
         return Placement{0.0, 0.0, 0.5 * kPi * sign * rise(0.05, 0.95, time)};
     };
     transition.course.body = [sign](double time) {
-        Body body = blend(idleBody(time), idleBody(time, kEnd), rise(0.0, kEnd, time));
+        ChannelValues body = blend(idleBody(time), idleBody(time, kEnd), rise(0.0, kEnd, time));
         const double ahead = sign * hump(0.0, 0.75, time);
         body[Channel::HeadYaw] += degrees(24) * ahead;
         body[Channel::ChestYaw] += degrees(12) * ahead;

@@ -88,7 +88,7 @@ float kneeDepth(const BodyPose& pose) {
 /// Solves one step of one body.
 class BodyStep {
 public:
-    BodyStep(const ClipTable& table, const Mover& mover, float dt, Body& body)
+    BodyStep(const ClipTable& table, const Mover& mover, float dt, PosedBody& body)
         : table_(table), entry_(table[mover.clip]), mover_(mover), dt_(dt), body_(body), axes_(mover) {}
 
     void play(float decay) {
@@ -207,13 +207,13 @@ private:
     const ClipEntry& entry_;
     const Mover& mover_;
     float dt_;
-    Body& body_;
+    PosedBody& body_;
     BodyAxes axes_;
 };
 
 }  // namespace
 
-void solveBody(const ClipTable& table, const Mover& mover, float dt, float decay, Body& body) {
+void solveBody(const ClipTable& table, const Mover& mover, float dt, float decay, PosedBody& body) {
     if (body.fresh) {
         body.limbs = {};
         body.drop = 0.0f;

@@ -28,7 +28,7 @@ struct LimbLock {
 };
 
 /// State of a body from step to step.
-struct Body {
+struct PosedBody {
     std::uint32_t id = 0;                            ///< Of the character.
     bool fresh = true;                               ///< True before its first step.
     BodyPose pose;                                   ///< Pose shown.
@@ -42,6 +42,6 @@ struct Body {
 };
 
 /// Computes `body.pose` for this step. `decay` = exp(-kInertialisationRate dt).
-void solveBody(const ClipTable& table, const Mover& mover, float dt, float decay, Body& body);
+void solveBody(const ClipTable& table, const Mover& mover, float dt, float decay, PosedBody& body);
 
 }  // namespace muster

@@ -30,8 +30,8 @@ struct CrowdMotion::Impl {
     bool named = false;                  ///< True after setNear().
     std::vector<std::uint32_t> near;     ///< Indices, ascending.
     std::vector<std::uint32_t> nearIds;  ///< Their ids.
-    std::vector<Body> bodies;            ///< One per entry of `near`.
-    std::vector<Body> spare;
+    std::vector<PosedBody> bodies;            ///< One per entry of `near`.
+    std::vector<PosedBody> spare;
     std::vector<PlacesView> places;  ///< By group.
 };
 
@@ -78,7 +78,7 @@ void CrowdMotion::Impl::standStill(const Characters& characters) {
         states[i].yaw = static_cast<float>(arcTangent2(heading.y, heading.x));
         states[i].size = characterSize(characters.id[i]);
     }
-    for (Body& body : bodies) body.pose = restPose();
+    for (PosedBody& body : bodies) body.pose = restPose();
 }
 
 CrowdMotion::CrowdMotion(const ClipLibrary& library, const CrowdMotionDef& def)

@@ -40,7 +40,7 @@ struct JointTarget {
 /// The update of one limb in one step.
 class LimbStep {
 public:
-    LimbStep(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t number, Body& body)
+    LimbStep(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t number, PosedBody& body)
         : table_(table),
           mover_(mover),
           axes_(axes),
@@ -193,7 +193,7 @@ Vec3 BodyAxes::toBody(Vec2 point, float height) const {
 }
 
 LimbTarget lockLimb(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t limb,
-                    const LimbTarget& free, float dt, Body& body) {
+                    const LimbTarget& free, float dt, PosedBody& body) {
     return LimbStep(table, mover, axes, limb, body).run(free, dt);
 }
 

@@ -35,6 +35,6 @@ struct LimbTarget {
 /// clip alone. A limb is locked at its position when its contact begins. It is released when the contact ends
 /// or the body has moved too far; then the remaining offset fades.
 LimbTarget lockLimb(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t limb,
-                    const LimbTarget& free, float dt, Body& body);
+                    const LimbTarget& free, float dt, PosedBody& body);
 
 }  // namespace muster

@@ -18,7 +18,9 @@ constexpr NumberRange kNumber{0.0, 4294967295.0};
 constexpr const char* kKinds[] = {
     "down",           "move",           "up",    "cancel",      "control",     "pin",         "remove",
     "release",        "formation",      "count", "pose",        "group",       "removeGroup", "obstacle",
-    "changeObstacle", "removeObstacle", "patch", "changePatch", "removePatch", "parameter"};
+    "changeObstacle", "removeObstacle", "patch", "changePatch", "removePatch", "parameter",
+    "order", "queue", "conduct", "join", "leave", "transfer", "split", "merge", "bodies", "roles", "demands",
+    "driver", "motion"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandBody>);
 
 /// An event of the file: a command with its time.
@@ -129,6 +131,8 @@ struct BodyFields {
         v.text("name", c.name, "Parameter.", Need::Required);
         v.number("value", c.value, {-1e9, 1e9}, "Its new value.", Need::Required);
     }
+    template <class Other>
+    void operator()(Other&) {}
     void obstacle(ObstacleDef& def) {
         v.object(
             "definition", "", [&](auto& inner) { describeObstacle(inner, def); }, Need::Required);

@@ -28,9 +28,11 @@ public:
             return Status(StatusCode::ParseError,
                           source_ + ": found no take, expected one to begin with MUSTAKE");
         }
-        if (const std::uint32_t version = wordAt(bytes_, 8); version != kTakeVersion) {
+        version_ = wordAt(bytes_, 8);
+        if (version_ < kOldestTakeVersion || version_ > kTakeVersion) {
             return Status(StatusCode::Unsupported, source_ + ": found a take of version " +
-                                                       std::to_string(version) + ", expected version " +
+                                                       std::to_string(version_) + ", expected version " +
+                                                       std::to_string(kOldestTakeVersion) + " to " +
                                                        std::to_string(kTakeVersion));
         }
         offset_ = kTakeHeaderBytes;
@@ -104,7 +106,7 @@ private:
     }
 
     Status command(std::span<const std::uint8_t> payload) {
-        Reader reader(payload);
+        Reader reader(payload, version_);
         auto command = decodeCommand(reader);
         if (!command.ok()) return corrupt(command.status().message());
         if (reader.remaining() > 0) return corrupt("found bytes too many");
@@ -140,6 +142,7 @@ private:
     std::string source_;
     Take take_;
     std::size_t offset_ = 0;
+    std::uint32_t version_ = 0;
     bool haveScenario_ = false;
 };
 

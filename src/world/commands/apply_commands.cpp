@@ -6,6 +6,10 @@
 
 #include "base/maths.h"
 #include "muster/parameter_table.h"
+#include "world/commands/body_commands.h"
+#include "world/commands/order_commands.h"
+#include "world/commands/role_commands.h"
+#include "world/commands/unit_commands.h"
 #include "world/state/group_edits.h"
 #include "world/state/layer_defs.h"
 #include "world/validation.h"
@@ -24,8 +28,8 @@ Status refused(bool accepted, const std::string& why) {
 /// Applies the body of one command to a world.
 class Apply {
 public:
-    Apply(WorldState& state, ThreadPool& pool, const Command& command)
-        : state_(state), pool_(pool), command_(command) {}
+    Apply(WorldState& state, ThreadPool& pool, std::vector<Event>& events, const Command& command)
+        : state_(state), pool_(pool), events_(events), command_(command) {}
 
     Status operator()(const TouchDown& touch) {
         Group* group = touch.group ? state_.findGroup(touch.group) : nearestGroup(touch.position);
@@ -140,8 +144,30 @@ public:
         editableGround().setFieldDefaults(next.field.range, next.field.strength);
         return status;
     }
+    Status operator()(const GiveOrder& give) { return giveOrder(state_, give, events_); }
+    Status operator()(const EditQueue& edit) { return editQueue(state_, edit, events_); }
+    Status operator()(const SetConduct& set) { return setConduct(state_, set); }
+    Status operator()(const AddCharacters& add) { return addCharacters(editableGroups(), add, events_); }
+    Status operator()(const RemoveCharacters& remove) {
+        return removeCharacters(editableGroups(), remove, events_);
+    }
+    Status operator()(const TransferCharacters& transfer) {
+        return transferCharacters(editableGroups(), transfer, events_);
+    }
+    Status operator()(const SplitGroup& split) { return splitGroup(editableGroups(), split, events_); }
+    Status operator()(const MergeGroups& merge) { return mergeGroups(editableGroups(), merge, events_); }
+    Status operator()(const SetBodies& set) { return setBodies(editableGroups(), set); }
+    Status operator()(const SetRoles& set) { return setRoles(editableGroups(), set); }
+    Status operator()(const SetDemands& set) { return setDemands(editableGroups(), set); }
+    Status operator()(const SetDriver& set) { return setDriver(state_, set); }
+    Status operator()(const WriteMotion& write) { return writeMotion(state_, write); }
 
 private:
+    // Background work reads the plans.
+    WorldState& editableGroups() {
+        pool_.wait();
+        return state_;
+    }
     // Background work reads the ground.
     Environment& editableGround() {
         pool_.wait();
@@ -182,6 +208,7 @@ private:
 
     WorldState& state_;
     ThreadPool& pool_;
+    std::vector<Event>& events_;
     const Command& command_;
 };
 
@@ -195,7 +222,7 @@ void applyCommands(WorldState& state, ThreadPool& pool, std::vector<Event>& even
     std::ptrdiff_t done = 0;
     while (done < std::ssize(queue) && queue[done].step <= state.stepCount) {
         const Command& command = queue[done++];
-        const Status status = std::visit(Apply(state, pool, command), command.body);
+        const Status status = std::visit(Apply(state, pool, events, command), command.body);
         if (status.ok())
             state.lastCommandStep = state.stepCount;
         else

@@ -18,7 +18,9 @@ constexpr auto kNames = std::to_array<const char*>(
     {"TouchDown",      "TouchMove",     "TouchUp",       "TouchCancel",  "AddControl",
      "PinControl",     "RemoveControl", "ReleaseClient", "SetFormation", "SetCount",
      "SetPose",        "AddGroup",      "RemoveGroup",   "AddObstacle",  "ChangeObstacle",
-     "RemoveObstacle", "AddPatch",      "ChangePatch",   "RemovePatch",  "SetParameter"});
+     "RemoveObstacle", "AddPatch",      "ChangePatch",   "RemovePatch",  "SetParameter", "GiveOrder", "EditQueue",
+     "SetConduct", "AddCharacters", "RemoveCharacters", "TransferCharacters", "SplitGroup", "MergeGroups",
+     "SetBodies", "SetRoles", "SetDemands", "SetDriver", "WriteMotion"});
 static_assert(kNames.size() == std::variant_size_v<CommandBody>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -91,6 +93,87 @@ struct Validator {
         if (c.name == "time.step") return invalidArgument("time.step cannot change while a world runs");
         Parameters scratch;
         return setParameter(scratch, c.name, c.value);
+    }
+    Status operator()(const GiveOrder& c) const {
+        if (c.mode > QueueMode::Insert) return invalidArgument("queue mode is not known");
+        return validateOrder(c.order);
+    }
+    Status operator()(const EditQueue& c) const {
+        return c.edit <= QueueEdit::Stop ? Status{} : invalidArgument("queue edit is not known");
+    }
+    Status operator()(const SetConduct& c) const { return validateConduct(c.conduct); }
+    Status operator()(const AddCharacters& c) const {
+        if (c.positions.empty()) return invalidArgument("positions are empty, expected at least one");
+        if (Status s = places("positions", c.positions); !s.ok()) return s;
+        return validateBodies(c.bodies, c.positions.size(), true);
+    }
+    Status operator()(const RemoveCharacters& c) const { return ids(c.ids); }
+    Status operator()(const TransferCharacters& c) const { return ids(c.ids); }
+    Status operator()(const SplitGroup& c) const { return validateSplit(c); }
+    Status operator()(const MergeGroups& c) const {
+        if (c.groups.size() < 2 || c.groups.size() > kMaxGroups)
+            return invalidArgument("found " + std::to_string(c.groups.size()) +
+                                   " groups, expected 2 or more");
+        std::vector<GroupId> sorted = c.groups;
+        std::sort(sorted.begin(), sorted.end());
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+            return invalidArgument("a group is named twice");
+        return c.shape <= PartShape::Smaller ? Status{} : invalidArgument("shape of parts is not known");
+    }
+    Status operator()(const SetBodies& c) const {
+        return both(ids(c.ids), validateBodies(c.bodies, c.ids.size(), false));
+    }
+    Status operator()(const SetRoles& c) const { return validateRoles(c.roles); }
+    Status operator()(const SetDemands& c) const { return validateDemands(c.demands); }
+    Status operator()(const SetDriver& c) const {
+        return both(ids(c.ids),
+                    c.driver <= Driver::Outside ? Status{} : invalidArgument("driver is not known"));
+    }
+    Status operator()(const WriteMotion& c) const {
+        if (c.positions.size() != c.ids.size() ||
+            (!c.velocities.empty() && c.velocities.size() != c.ids.size()))
+            return invalidArgument("ids, positions and velocities differ in number");
+        if (Status s = ids(c.ids); !s.ok()) return s;
+        if (Status s = places("velocities", c.velocities); !s.ok()) return s;
+        return places("positions", c.positions);
+    }
+
+private:
+    static Status places(const char* what, const std::vector<Vec2>& points) {
+        if (points.size() > static_cast<std::size_t>(kMaxCharacters))
+            return {StatusCode::LimitExceeded, std::string(what) + " are more than " +
+                                                   std::to_string(kMaxCharacters)};
+        for (const Vec2 p : points)
+            if (Status s = place(p); !s.ok()) return s.within(what);
+        return {};
+    }
+    // Ids of characters, each once.
+    static Status ids(const std::vector<std::uint32_t>& list) {
+        if (list.empty() || list.size() > static_cast<std::size_t>(kMaxCharacters))
+            return invalidArgument("found " + std::to_string(list.size()) + " ids, expected 1 to " +
+                                   std::to_string(kMaxCharacters));
+        std::vector<std::uint32_t> sorted = list;
+        std::sort(sorted.begin(), sorted.end());
+        const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+        if (twice != sorted.end()) return invalidArgument("id " + std::to_string(*twice) + " is named twice");
+        return {};
+    }
+    static Status validateSplit(const SplitGroup& c) {
+        if (c.by > SplitBy::Shares) return invalidArgument("way of splitting is not known");
+        if (c.shape > PartShape::Smaller) return invalidArgument("shape of parts is not known");
+        if (c.by == SplitBy::Ids) return ids(c.ids);
+        if (c.by == SplitBy::Line && (c.points.size() != 2 || c.points[0] == c.points[1]))
+            return invalidArgument("a line needs two different points");
+        if (c.by == SplitBy::Lasso && (c.points.size() < 3 || c.points.size() > kMaxCorners))
+            return invalidArgument("a lasso needs 3 to " + std::to_string(kMaxCorners) + " corners");
+        if (c.by == SplitBy::Shares) {
+            if (c.shares.size() < 2 || c.shares.size() > kMaxGroups)
+                return invalidArgument("found " + std::to_string(c.shares.size()) +
+                                       " shares, expected 2 or more");
+            for (const double share : c.shares)
+                if (!(share > 0.0 && share <= 1e6)) return invalidArgument("a share is not in (0, 1e6]");
+        }
+        return places("points", c.points);
     }
 };
 

@@ -53,9 +53,9 @@ TEST_CASE("places on the way are no contacts") {
 TEST_CASE("channels with keys follow them, others stay") {
     const BodyKeys keys(
         {{Channel::ChestPitch, {{0.0, 10.0}, {1.0, 30.0}}}, {Channel::HipsZ, {{0.0, 0.9}, {1.0, 0.7}}}});
-    Body base;
+    ChannelValues base;
     base[Channel::HeadYaw] = 0.3;
-    const Body end = keys.at(1.0, base);
+    const ChannelValues end = keys.at(1.0, base);
     CHECK(end[Channel::ChestPitch] == doctest::Approx(degrees(30)));
     CHECK(end[Channel::HipsZ] == doctest::Approx(0.7));
     CHECK(end[Channel::HeadYaw] == 0.3);

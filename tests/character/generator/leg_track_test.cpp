@@ -18,7 +18,7 @@ Course evenCourse() {
     Course course;
     course.travel = straight([](double time) { return time; });
     course.body = [](double) {
-        Body body;
+        ChannelValues body;
         body[Channel::HipsZ] = 0.9;
         return body;
     };

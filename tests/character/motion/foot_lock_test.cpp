@@ -20,7 +20,7 @@ struct Walker {
     ClipLibrary library = swingingClips();
     ClipTable table{library};
     Mover mover;
-    Body body;
+    PosedBody body;
 
     explicit Walker(const char* clip) { mover.clip = static_cast<std::uint16_t>(table.find(clip)); }
 

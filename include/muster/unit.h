@@ -1,0 +1,74 @@
+// Units: what single characters are, what they are in their formation, and how groups are divided (SPEC B2, B10,
+// B13, B15).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// The body of a character. A number of 0 stands for the parameter of that name.
+struct Body {
+    double radius = 0.0;          ///< Radius [m], 0 or 0.05 to 1.5.
+    double maxSpeed = 0.0;        ///< Top speed in the open [m/s], 0 or 0.01 to 50.
+    double acceleration = 0.0;    ///< Top acceleration [m/s^2], 0 or 0.01 to 1000.
+    double mass = 1.0;            ///< Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less.
+    double supply = 1.0;          ///< Units that it supplies to places (SPEC A1), above 0 and at most 1000.
+    std::uint8_t unitClass = 0;   ///< Class, for roles; 0 for none.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(radius, maxSpeed, acceleration, mass, supply, unitClass);
+    }
+    friend bool operator==(const Body&, const Body&) = default;
+};
+
+/// Parts of a formation.
+enum class RoleArea : std::uint8_t {
+    Front,       ///< The foremost places.
+    Rear,        ///< The hindmost.
+    Rim,         ///< Those nearest to the outline.
+    Centre,      ///< Those nearest to the middle.
+    LeftFlank,   ///< Those farthest to the left.
+    RightFlank,  ///< Those farthest to the right.
+    Flanks,      ///< Those farthest from the middle line.
+};
+
+/// Characters of a class take their places in a part of the formation: as many as there are such characters. Roles
+/// choose in their order; who is of no role takes what is left. (Ranks by class: several roles in front.)
+struct RoleDef {
+    RoleArea area = RoleArea::Front;  ///< Where.
+    std::uint8_t unitClass = 1;       ///< Who, 1 or more.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(area, unitClass);
+    }
+    friend bool operator==(const RoleDef&, const RoleDef&) = default;
+};
+
+/// Who moves a character.
+enum class Driver : std::uint8_t {
+    Muster,   ///< Steering and contacts.
+    Outside,  ///< Somebody else, by WriteMotion. Others keep clear of it.
+};
+
+/// How a group is divided.
+enum class SplitBy : std::uint8_t {
+    Ids,     ///< Those with the given ids leave.
+    Line,    ///< Those to the left of a line leave, as their places lie.
+    Lasso,   ///< Those whose places lie in a polygon leave.
+    Shares,  ///< Parts of given shares, front to back, or left to right.
+};
+
+/// The formation of parts.
+enum class PartShape : std::uint8_t {
+    AsHeld,   ///< The places that they held.
+    Smaller,  ///< The shape of the whole, for fewer.
+};
+
+}  // namespace muster

@@ -1,0 +1,16 @@
+// What the commands of roles and weights change.
+#pragma once
+
+#include "muster/unit_commands.h"
+#include "world/state/world_state.h"
+
+namespace muster {
+
+// Each fails, changing nothing, with NotFound where there is no such group, else with InvalidArgument.
+
+/// Says which class stands where in a formation.
+Status setRoles(WorldState& state, const SetRoles& command);
+/// Says how many units each place demands.
+Status setDemands(WorldState& state, const SetDemands& command);
+
+}  // namespace muster

@@ -1,0 +1,24 @@
+// Checks of single values, which validations are made of.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+
+#include "muster/obstacle.h"
+#include "muster/status.h"
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// Fails unless `low` <= value <= `high`.
+Status inRange(const char* what, double value, double low, double high);
+/// Fails where a position is not finite or too far away.
+Status isPlace(const char* what, Vec2 p);
+/// Fails where one of the positions is, or there are too many.
+Status arePlaces(const char* what, std::span<const Vec2> points);
+/// Fails where a path is bad.
+Status isPath(const TimedPath& path);
+/// The first failure of several checks.
+Status first(std::initializer_list<Status> checks);
+
+}  // namespace muster
