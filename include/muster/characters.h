@@ -5,6 +5,7 @@
 #include <span>
 
 #include "muster/patch.h"
+#include "muster/unit.h"
 #include "muster/vec2.h"
 
 namespace muster {
@@ -32,14 +33,20 @@ struct CharactersView {
     std::span<const MotionPhase> phase;  ///< Phase of that motion.
     std::span<const double> motionTime;  ///< Time since the phase began [s].
     std::span<const std::uint32_t> patch;  ///< Id of the patch that it is in; 0 for none.
+    std::span<const Body> body;            ///< What it is.
+    std::span<const Driver> driver;        ///< Who moves it.
+    /// Velocity that steering aims at on the ground it is on, before bounds of speed and acceleration, and
+    /// before contacts [m/s]. It is told of those that are moved from outside too.
+    std::span<const Vec2> wantedVelocity;
 
     std::size_t size() const { return id.size(); }  ///< Number of characters.
 };
 
 /// Overlaps of bodies that remain after a step.
 struct ContactReport {
-    std::int32_t overlapPairs = 0;  ///< Pairs that overlap by more than 10 % of the diameter.
-    double worstPenetration = 0.0;  ///< Overlap of the deepest pair, as a share of the diameter.
+    /// Pairs that overlap by more than 10 % of their mean diameter, the sum of their radii.
+    std::int32_t overlapPairs = 0;
+    double worstPenetration = 0.0;  ///< Overlap of the deepest pair, as a share of that.
 };
 
 }  // namespace muster

@@ -125,7 +125,7 @@ struct Parameters {
         std::int32_t iterations = 8;  ///< Iterations of contact resolution per step, 1 to 100.
     };
 
-    double stepTime = 1.0 / 60.0;  ///< Simulated time of one step [s], 1/240 to 1/20; "time.step".
+    double stepTime = 1.0 / 60.0;  ///< Simulated time of one step [s], 1/240 to 1/10; "time.step".
     Input input;                   ///< Touches and drawn trajectories.
     Control control;               ///< Control points.
     Opposing opposing;             ///< Slows the mesh when the crowd falls behind.

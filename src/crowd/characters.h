@@ -7,6 +7,7 @@
 #include "crowd/place_wait.h"
 #include "crowd/walk_progress.h"
 #include "muster/characters.h"
+#include "muster/unit.h"
 
 namespace muster {
 
@@ -45,20 +46,23 @@ struct Characters {
     std::vector<WalkProgress> walk;  ///< How each gets on with its way.
     std::vector<PlaceWait> wait;     ///< What keeps each from its place.
     std::vector<ChosenWay> chosen;   ///< The way to the place, where many go.
+    std::vector<Body> body;          ///< What each is.
+    std::vector<Driver> driver;      ///< Who moves it.
+    std::vector<Vec2> wanted;        ///< Velocity that steering aimed at in the last step [m/s].
 
     /// Number of characters.
     std::size_t size() const { return id.size(); }
     /// The same for reading.
     CharactersView view() const {
-        return {id,        group, position, velocity, heading,    place,
-                direction, cost,  motion,   phase,    motionTime, patch};
+        return {id,   group,  position, velocity,   heading, place, direction, cost,
+                motion, phase, motionTime, patch, body, driver, wanted};
     }
 
     /// Lets an archive read or write all arrays.
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, group, position, velocity, heading, place, direction, cost, motion, phase, motionTime,
-                patch, lastSingle, walk, wait, chosen);
+                patch, lastSingle, walk, wait, chosen, body, driver, wanted);
     }
 };
 

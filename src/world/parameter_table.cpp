@@ -44,7 +44,7 @@ constexpr ParameterInfo field(std::string_view name, std::string_view unit, doub
 }
 
 constexpr auto kTable = std::to_array<ParameterInfo>({
-    {"time.step", "s", 1.0 / 240.0, 1.0 / 20.0, "Simulated time of one step.", &readStep, &writeStep},
+    {"time.step", "s", 1.0 / 240.0, 1.0 / 10.0, "Simulated time of one step.", &readStep, &writeStep},
     field<&P::input, &P::Input::window>("input.window", "s", 0.0, 2.0,
                                         "Touches that begin within it form one control."),
     field<&P::input, &P::Input::reach>("input.reach", "m", 0.0, 100.0,

@@ -57,12 +57,17 @@ Status checkArrays(const Characters& c) {
     for (const std::size_t size :
          {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
           c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(), c.motionTime.size(),
-          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.wait.size(), c.chosen.size()})
+          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.wait.size(), c.chosen.size(), c.body.size(),
+          c.driver.size(), c.wanted.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
         !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||
-        !std::all_of(c.direction.begin(), c.direction.end(), isUnitOrNull))
+        !std::all_of(c.direction.begin(), c.direction.end(), isUnitOrNull) ||
+        !std::all_of(c.wanted.begin(), c.wanted.end(), isVelocity))
         return wrong("a character with a number out of range");
+    if (n > 0 && !validateBodies(c.body, n, false).ok()) return wrong("a body out of range");
+    if (std::any_of(c.driver.begin(), c.driver.end(), [](Driver d) { return d > Driver::Outside; }))
+        return wrong("a character that nobody moves");
     for (std::size_t i = 0; i < n; ++i)
         if (std::isnan(c.cost[i]) || !(c.motionTime[i] >= 0.0 && c.motionTime[i] <= 1e9) ||
             c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) || !isPlace(c.wait[i].anchor) ||

@@ -21,11 +21,19 @@ Pose poseOf(Vec2 position, double angle) {
     return {position, {cosine(angle), sine(angle)}};
 }
 
-void addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position) {
+/// What the next character of a group is, by the group's definition.
+Body bodyOf(const GroupDef& def, std::size_t index) {
+    if (def.bodies.empty()) return {};
+    return def.bodies[std::min(index, def.bodies.size() - 1)];
+}
+
+void addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
+                  const Body& body) {
     Characters& c = state.characters;
+    const double radius = body.radius > 0.0 ? body.radius : state.parameters.character.radius;
     c.id.push_back(state.nextCharacter++);
     c.group.push_back(groupIndex);
-    c.position.push_back(state.environment.projectToFreeSpace(position, state.parameters.character.radius));
+    c.position.push_back(state.environment.projectToFreeSpace(position, radius));
     c.velocity.push_back({});
     c.heading.push_back(group.mesh.pose().rotation.apply({1.0, 0.0}));
     c.place.push_back(-1);
@@ -40,12 +48,15 @@ void addCharacter(WorldState& state, const Group& group, std::uint32_t groupInde
                       state.stepCount});
     c.wait.push_back({});
     c.chosen.push_back({});
+    c.body.push_back(body);
+    c.driver.push_back(Driver::Muster);
+    c.wanted.push_back({});
 }
 
 void removeCharacter(Characters& c, std::ptrdiff_t index) {
     const auto erase = [index](auto&... arrays) { (arrays.erase(arrays.begin() + index), ...); };
     erase(c.id, c.group, c.position, c.velocity, c.heading, c.place, c.direction, c.cost, c.motion, c.phase,
-          c.motionTime, c.patch, c.lastSingle, c.walk, c.wait, c.chosen);
+          c.motionTime, c.patch, c.lastSingle, c.walk, c.wait, c.chosen, c.body, c.driver, c.wanted);
 }
 
 Status checkNewGroup(const WorldState& state, const GroupDef& def) {
@@ -133,7 +144,8 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     group.mesh.placePositions(targets);
     const auto index = static_cast<std::uint32_t>(state.groups.size());
     for (std::int32_t i = 0; i < def.count; ++i)
-        addCharacter(state, group, index, startOf(def, i, targets, state.random));
+        addCharacter(state, group, index, startOf(def, i, targets, state.random),
+                     bodyOf(def, static_cast<std::size_t>(i)));
     state.groups.push_back(std::move(group));
     state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
     state.refreshMembers();
@@ -197,7 +209,7 @@ void setCount(WorldState& state, Group& group, std::int32_t count) {
         const std::int32_t n = k - now;
         const std::int32_t rank = 1 + n / kRank;
         const Vec2 local{-(reach + spacing * rank), spacing * (n % kRank - 4.5)};
-        addCharacter(state, group, index, room.take(pose.apply(local)));
+        addCharacter(state, group, index, room.take(pose.apply(local)), bodyOf(group.def, k));
     }
     for (std::int32_t k = now; k-- > count;) removeCharacter(state.characters, group.members[k]);
     state.refreshMembers();
