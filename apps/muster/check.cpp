@@ -15,6 +15,7 @@ namespace {
 struct CheckOptions {
     std::vector<std::string> files;
     bool schema = false;
+    bool gesturesSchema = false;
     bool json = false;
 };
 
@@ -107,6 +108,10 @@ int check(const CheckOptions& options) {
         std::printf("%s", scenarioSchema().c_str());
         return kExitOk;
     }
+    if (options.gesturesSchema) {
+        std::printf("%s", gesturesSchema().c_str());
+        return kExitOk;
+    }
     if (options.files.empty()) {
         std::fprintf(stderr,
                      "muster: check: found no file, expected one or --schema (see muster check --help)\n");
@@ -138,6 +143,7 @@ void addCheckCommand(CommandLine& line) {
     auto options = std::make_shared<CheckOptions>();
     command.option("FILES", options->files, "Files of any of the three kinds.");
     command.flag("--schema", options->schema, "Prints the JSON Schema of scenario files instead.");
+    command.flag("--gestures-schema", options->gesturesSchema, "Prints that of gesture files instead.");
     command.flag("--json", options->json, "One JSON array on standard output, an object per file.");
     command.footer(
         "Ends with 1 where any file is bad. Warnings (gaps too narrow, starts in obstacles) change nothing.\n"

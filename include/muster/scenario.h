@@ -42,6 +42,12 @@ Result<std::vector<Command>> loadGestures(const std::string& path, double stepTi
 /// The same from text.
 Result<std::vector<Command>> parseGestures(std::string_view text, const std::string& sourceName,
                                            double stepTime);
+/// The same from the text of a single event or of an array of events, as messages carry them: `t` may be left
+/// out and is 0 then. Errors name the event by its index: `NAME: $[1].x: found...`.
+Result<std::vector<Command>> parseCommands(std::string_view text, const std::string& sourceName,
+                                           double stepTime);
+/// The JSON Schema of gesture files, as scenarioSchema() for scenarios.
+std::string gesturesSchema();
 /// The touches that a scenario read from `scenarioPath` carries: its gestures file, which lies in the
 /// scenario's folder or below, for a world of its step time. Empty where it carries none. Fails as
 /// loadGestures does, naming the scenario.

@@ -87,22 +87,23 @@ void FieldReader::text(std::string_view key, std::string& value, const char*, Ne
     value = found->text();
 }
 
-bool FieldReader::readNumber(const Json& value, std::string_view key, const NumberRange& range,
-                             double& number) {
-    if (value.isNumber()) {
-        const double read = value.number();
-        if (read >= range.minimum && read <= range.maximum && (!range.whole || read == std::floor(read))) {
-            number = read;
-            return true;
-        }
-    }
-    fail(key, describeJson(value), expectation(range));
-    return false;
+bool FieldReader::readNumber(const Json& value, const NumberRange& range, double& number) {
+    if (!value.isNumber()) return false;
+    const double read = value.number();
+    if (!(read >= range.minimum && read <= range.maximum)) return false;
+    if (range.whole && read != std::floor(read)) return false;
+    number = read;
+    return true;
+}
+
+void FieldReader::failNumber(std::string_view key, const Json& found, const NumberRange& range) {
+    fail(key, describeJson(found), expectation(range));
 }
 
 void FieldReader::number(std::string_view key, double& value, const NumberRange& range, std::string_view,
                          Need need) {
-    if (const Json* found = find(key, need)) readNumber(*found, key, range, value);
+    const Json* found = find(key, need);
+    if (found != nullptr && !readNumber(*found, range, value)) failNumber(key, *found, range);
 }
 
 void FieldReader::flag(std::string_view key, bool& value, const char*) {
@@ -165,8 +166,10 @@ void FieldReader::nameOrIndex(std::string_view key, std::int32_t& value,
         return;
     }
     const double most = names.empty() ? 999.0 : static_cast<double>(names.size()) - 1.0;
+    const NumberRange range{0.0, most, "1", true};
     double number = 0.0;
-    if (readNumber(*found, key, {0.0, most, "1", true}, number)) value = static_cast<std::int32_t>(number);
+    if (!readNumber(*found, range, number)) return failNumber(key, *found, range);
+    value = static_cast<std::int32_t>(number);
 }
 
 }  // namespace muster

@@ -19,6 +19,15 @@ FieldSchema::FieldSchema(Json& schema) : schema_(&schema) {
     schema["properties"] = Json::object();
 }
 
+Json FieldSchema::itemSchema(const NumberRange& range, bool whole) {
+    if (whole) {
+        return {{"type", "integer"},
+                {"minimum", static_cast<std::int64_t>(range.minimum)},
+                {"maximum", static_cast<std::int64_t>(range.maximum)}};
+    }
+    return {{"type", "number"}, {"minimum", range.minimum}, {"maximum", range.maximum}};
+}
+
 void FieldSchema::set(std::string_view key, Json schema, std::string_view about, Need need) {
     Json entry = {{"description", std::string(about)}};
     for (const auto& [name, value] : schema.members()) entry[name] = value;
@@ -82,6 +91,15 @@ void FieldSchema::nameOrIndex(std::string_view key, std::int32_t, const std::vec
                               const char* about, Need need) {
     Json number = {{"type", "integer"}, {"minimum", 0}, {"maximum", 999}};
     set(key, {{"anyOf", Json::array({Json{{"type", "string"}}, number})}}, about, need);
+}
+
+std::string titledSchema(const char* title, const Json& body) {
+    Json json = {
+        {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+        {"title", title},
+        {"description", "Metres, seconds, radians; x right, y forward. See docs/scenario-format.md."}};
+    for (const auto& [key, value] : body.members()) json[key] = value;
+    return printJson(json);
 }
 
 }  // namespace muster

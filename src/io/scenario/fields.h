@@ -5,8 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/json.h"
@@ -44,6 +46,30 @@ public:
     void optionalNumber(std::string_view key, double& value, const NumberRange& range, const char* about) {
         number(key, value, range, about);
     }
+    /// A number that may be none; it stays as it is where it is left out.
+    void optionalNumber(std::string_view key, std::optional<double>& value, const NumberRange& range,
+                        const char* about, Need need) {
+        double found = 0.0;
+        const bool given = has(key);
+        number(key, found, range, about, need);
+        if (given) value = found;
+    }
+    /// A list of numbers.
+    template <class Number>
+    void numbers(std::string_view key, std::vector<Number>& values, const NumberRange& range,
+                 std::size_t most, const char*, Need need = Need::Optional) {
+        const Json* found = findArray(key, most, need);
+        if (found == nullptr) return;
+        NumberRange bounds = range;
+        bounds.whole = std::is_integral_v<Number>;
+        values.clear();
+        for (std::size_t i = 0; i < found->size(); ++i) {
+            double value = 0.0;
+            if (!readNumber((*found)[i], bounds, value))
+                return failNumber(std::string(key) + "[" + std::to_string(i) + "]", (*found)[i], bounds);
+            values.push_back(static_cast<Number>(value));
+        }
+    }
     template <class Whole>
     void whole(std::string_view key, Whole& value, const NumberRange& range, const char*,
                Need need = Need::Optional) {
@@ -51,7 +77,8 @@ public:
         NumberRange bounds = range;
         bounds.whole = true;
         const Json* found = find(key, need);
-        if (found == nullptr || !readNumber(*found, key, bounds, wide)) return;
+        if (found == nullptr) return;
+        if (!readNumber(*found, bounds, wide)) return failNumber(key, *found, bounds);
         value = found->isWhole() ? found->whole<Whole>() : static_cast<Whole>(wide);
     }
     void flag(std::string_view key, bool& value, const char* about);
@@ -99,6 +126,8 @@ public:
         return true;
     }
 
+    /// True where the object has the key; that does not count as reading it.
+    bool has(std::string_view key) const { return object_->find(key) != nullptr; }
     /// The value of a key, or null; null is a failure where the key is required.
     const Json* find(std::string_view key, Need need = Need::Optional);
     /// The value of a key that must be an array of at most `most` items.
@@ -112,7 +141,8 @@ public:
 
 private:
     std::string pathOf(std::string_view key) const;
-    bool readNumber(const Json& value, std::string_view key, const NumberRange& range, double& number);
+    static bool readNumber(const Json& value, const NumberRange& range, double& number);
+    void failNumber(std::string_view key, const Json& found, const NumberRange& range);
     bool readPoint(const Json& value, const std::string& path, Vec2& point);
     void failAt(const std::string& path, const std::string& found, const std::string& expected);
 
@@ -136,6 +166,15 @@ public:
     void number(std::string_view key, double value, const NumberRange& range, std::string_view about,
                 Need need = Need::Optional);
     void optionalNumber(std::string_view key, double value, const NumberRange& range, const char* about);
+    void optionalNumber(std::string_view key, const std::optional<double>& value, const NumberRange&,
+                        const char*, Need) {
+        if (value) set(key, *value);
+    }
+    template <class Number>
+    void numbers(std::string_view key, const std::vector<Number>& values, const NumberRange&, std::size_t,
+                 const char*, Need need = Need::Optional) {
+        if (!values.empty() || need == Need::Required) set(key, Json::arrayOf(values));
+    }
     template <class Whole>
     void whole(std::string_view key, Whole value, const NumberRange&, const char*, Need = Need::Optional) {
         set(key, value);
@@ -197,6 +236,17 @@ public:
     void number(std::string_view key, double value, const NumberRange& range, std::string_view about,
                 Need need = Need::Optional);
     void optionalNumber(std::string_view key, double value, const NumberRange& range, const char* about);
+    /// A number that may be none.
+    void optionalNumber(std::string_view key, const std::optional<double>&, const NumberRange& range,
+                        const char* about, Need) {
+        optionalNumber(key, 0.0, range, about);
+    }
+    template <class Number>
+    void numbers(std::string_view key, const std::vector<Number>&, const NumberRange& range, std::size_t most,
+                 const char* about, Need need = Need::Optional) {
+        const Json items = itemSchema(range, std::is_integral_v<Number>);
+        set(key, {{"type", "array"}, {"maxItems", most}, {"items", items}}, about, need);
+    }
     template <class Whole>
     void whole(std::string_view key, Whole value, const NumberRange& range, const char* about,
                Need need = Need::Optional) {
@@ -246,7 +296,12 @@ public:
     void set(std::string_view key, Json schema, std::string_view about, Need need);
 
 private:
+    static Json itemSchema(const NumberRange& range, bool whole);
+
     Json* schema_;
 };
+
+/// The text of a whole schema.
+std::string titledSchema(const char* title, const Json& body);
 
 }  // namespace muster

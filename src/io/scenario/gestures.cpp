@@ -7,20 +7,20 @@
 #include <utility>
 
 #include "base/text_file.h"
-#include "io/scenario/describe.h"
+#include "io/scenario/command_fields.h"
 
 namespace muster {
 namespace {
 
 constexpr const char* kGesturesFormat = "muster-gestures";
 constexpr std::size_t kMaxEvents = 1000000;
-constexpr NumberRange kNumber{0.0, 4294967295.0};
+constexpr const char* kOrder = "";  // Orders are called by what they ask for.
 constexpr const char* kKinds[] = {
-    "down",           "move",           "up",    "cancel",      "control",     "pin",         "remove",
-    "release",        "formation",      "count", "pose",        "group",       "removeGroup", "obstacle",
-    "changeObstacle", "removeObstacle", "patch", "changePatch", "removePatch", "parameter",
-    "order", "queue", "conduct", "join", "leave", "transfer", "split", "merge", "bodies", "roles", "demands",
-    "driver", "motion"};
+    "down",           "move",           "up",      "cancel",      "control",     "pin",         "remove",
+    "release",        "formation",      "count",   "pose",        "group",       "removeGroup", "obstacle",
+    "changeObstacle", "removeObstacle", "patch",   "changePatch", "removePatch", "parameter",   kOrder,
+    "queue",          "conduct",        "join",    "leave",       "transfer",    "split",       "merge",
+    "bodies",         "roles",          "demands", "driver",      "motion"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandBody>);
 
 /// An event of the file: a command with its time.
@@ -29,119 +29,11 @@ struct Event {
     Command command;
 };
 
-/// The fields of each kind of command, except t, kind and client.
-template <class Visitor>
-struct BodyFields {
-    Visitor& v;
-    double& time;
-
-    void finger(std::uint32_t& touch) { v.whole("touch", touch, kNumber, "Finger.", Need::Required); }
-    void spot(Vec2& p) {
-        v.number("x", p.x, {-1e6, 1e6, "m"}, "World coordinate.", Need::Required);
-        v.number("y", p.y, {-1e6, 1e6, "m"}, "World coordinate.", Need::Required);
-    }
-    template <class Tag>
-    void id(const char* key, Id<Tag>& value) {
-        v.whole(key, value.value, kNumber, "Id.", Need::Required);
-    }
-    void operator()(TouchDown& c) {
-        finger(c.touch);
-        spot(c.position);
-        if (Visitor::kReading || c.group)
-            v.whole("group", c.group.value, kNumber, "Group; left out: the nearest mesh.");
-        c.time = time;
-    }
-    void operator()(TouchMove& c) {
-        finger(c.touch);
-        spot(c.position);
-        c.time = time;
-    }
-    void operator()(TouchUp& c) {
-        finger(c.touch);
-        c.time = time;
-    }
-    void operator()(TouchCancel& c) { finger(c.touch); }
-    void operator()(AddControl& c) {
-        static const std::vector<std::string> names{"point", "line", "area"};
-        std::string control = names[static_cast<std::size_t>(c.kind)];
-        id("group", c.group);
-        v.choice("control", control, names, "Kind of control.", Need::Required);
-        c.kind = static_cast<ControlKind>(std::find(names.begin(), names.end(), control) - names.begin());
-        std::vector<std::pair<std::uint32_t, Vec2>> points;
-        for (std::size_t i = 0; i < c.positions.size(); ++i)
-            points.emplace_back(c.touches[i], c.positions[i]);
-        v.list(
-            "points", points, 64, "Its fingers.",
-            [](auto& item, std::pair<std::uint32_t, Vec2>& point) {
-                BodyFields<std::remove_reference_t<decltype(item)>> inner{item, point.second.x};
-                inner.finger(point.first);
-                inner.spot(point.second);
-            },
-            Need::Required);
-        c.touches.clear();
-        c.positions.clear();
-        for (const auto& [touch, position] : points) {
-            c.touches.push_back(touch);
-            c.positions.push_back(position);
-        }
-        c.time = time;
-    }
-    void operator()(PinControl& c) {
-        id("group", c.group);
-        id("control", c.control);
-        v.flag("pinned", c.pinned, "False lets it go.");
-    }
-    void operator()(RemoveControl& c) {
-        id("group", c.group);
-        id("control", c.control);
-    }
-    void operator()(ReleaseClient&) {}
-    void operator()(SetFormation& c) {
-        id("group", c.group);
-        v.objectOrKind(
-            "formation", "", [&](auto& inner) { describeFormation(inner, c.formation); }, Need::Required);
-    }
-    void operator()(SetCount& c) {
-        id("group", c.group);
-        v.whole("count", c.count, {1.0, kMaxCharacters}, "Characters.", Need::Required);
-    }
-    void operator()(SetPose& c) {
-        id("group", c.group);
-        spot(c.position);
-        v.number("angle", c.angle, kAngle, "Where it faces.");
-    }
-    void operator()(AddGroup& c) {
-        v.object(
-            "definition", "", [&](auto& inner) { describeGroup(inner, c.group); }, Need::Required);
-    }
-    void operator()(RemoveGroup& c) { id("group", c.group); }
-    void operator()(AddObstacle& c) { obstacle(c.obstacle); }
-    void operator()(ChangeObstacle& c) {
-        id("id", c.id);
-        obstacle(c.obstacle);
-    }
-    void operator()(RemoveObstacle& c) { id("id", c.id); }
-    void operator()(AddPatch& c) { patch(c.patch); }
-    void operator()(ChangePatch& c) {
-        id("id", c.id);
-        patch(c.patch);
-    }
-    void operator()(RemovePatch& c) { id("id", c.id); }
-    void operator()(SetParameter& c) {
-        v.text("name", c.name, "Parameter.", Need::Required);
-        v.number("value", c.value, {-1e9, 1e9}, "Its new value.", Need::Required);
-    }
-    template <class Other>
-    void operator()(Other&) {}
-    void obstacle(ObstacleDef& def) {
-        v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, def); }, Need::Required);
-    }
-    void patch(PatchDef& def) {
-        v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, def, {}); }, Need::Required);
-    }
-};
+/// What files call a command.
+std::string kindOf(const CommandBody& body) {
+    const auto* give = std::get_if<GiveOrder>(&body);
+    return give != nullptr ? kOrderWords[static_cast<std::size_t>(give->order.kind)] : kKinds[body.index()];
+}
 
 /// Makes the variant's alternative of that index.
 template <std::size_t Index = 0>
@@ -159,27 +51,68 @@ std::uint32_t stepAt(double time, double stepTime) {
     return static_cast<std::uint32_t>(std::min(4e9, std::floor(time / stepTime + 1e-9)));
 }
 
+/// Makes the command that a kind stands for. Fingers move, and groups are ordered to.
+void makeBody(FieldReader& v, CommandBody& body, const std::string& kind) {
+    const auto word = std::find(kOrderWords.begin(), kOrderWords.end(), kind);
+    const bool moves = kind == kOrderWords.front();
+    if (moves && !v.has("touch") && !v.has("group"))
+        return v.fail({}, "neither \"touch\" nor \"group\"", "a finger or a group to move");
+    if (word != kOrderWords.end() && !(moves && v.has("touch"))) {
+        body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(word - kOrderWords.begin());
+        return;
+    }
+    const auto* const found = std::find(std::begin(kKinds), std::end(kKinds), kind);
+    emplaceBody(body, static_cast<std::size_t>(found - std::begin(kKinds)));
+}
+
+/// All words for kinds.
+std::vector<std::string> allKinds() {
+    std::vector<std::string> kinds;
+    for (const std::string kind : kKinds)
+        if (kind != kOrder) kinds.push_back(kind);
+    kinds.insert(kinds.end(), kOrderWords.begin() + 1, kOrderWords.end());  // Fingers move, too.
+    return kinds;
+}
+
 /// One event. The step is written only where the time does not determine it.
 template <class Visitor>
-void describeEvent(Visitor& v, Event& event, double stepTime) {
-    static const std::vector<std::string> kinds(std::begin(kKinds), std::end(kKinds));
+void describeEvent(Visitor& v, Event& event, double stepTime, Need timed) {
+    static const std::vector<std::string> kinds = allKinds();
     Command& command = event.command;
-    v.number("t", event.time, kTime, "When.", Need::Required);
-    std::string kind = kinds[command.body.index()];
-    v.choice("kind", kind, kinds, "What.", Need::Required);
+    v.number("t", event.time, kTime, "When.", timed);
+    std::string kind = kindOf(command.body);
+    v.choice("kind", kind, Visitor::kSchema ? std::vector{kind} : kinds, "What.", Need::Required);
     if constexpr (Visitor::kReading) command.client = 1;
-    if (Visitor::kReading || command.client != 1) v.whole("client", command.client, kNumber, "Who.");
+    if (takesPart<Visitor>(command.client != 1)) v.whole("client", command.client, kId, "Who.");
     if constexpr (Visitor::kReading) {
         if (v.failed()) return;
-        const auto index = std::find(kinds.begin(), kinds.end(), kind) - kinds.begin();
-        emplaceBody(command.body, static_cast<std::size_t>(index));
+        makeBody(v, command.body, kind);
         command.step = stepAt(event.time, stepTime);
     }
-    if (Visitor::kReading || command.step != stepAt(event.time, stepTime)) {
-        v.whole("step", command.step, kNumber, "Step at which it applies; left out: by its time.");
-    }
+    if (takesPart<Visitor>(command.step != stepAt(event.time, stepTime)))
+        v.whole("step", command.step, kId, "Step at which it applies; left out: by its time.");
     BodyFields<Visitor> fields{v, event.time};
     std::visit(fields, command.body);
+}
+
+/// The schema of an event: that of one kind of command.
+Json eventSchema() {
+    Json kinds = Json::array();
+    const auto add = [&](Event event) {
+        event.command.client = 1;
+        FieldSchema schema(kinds.push({}));
+        describeEvent(schema, event, 1.0, Need::Required);
+    };
+    for (std::size_t index = 0; index < std::size(kKinds); ++index) {
+        Event event;
+        emplaceBody(event.command.body, index);
+        auto* const give = std::get_if<GiveOrder>(&event.command.body);
+        for (std::size_t order = 0; order < (give != nullptr ? kOrderWords.size() : 1); ++order) {
+            if (give != nullptr) give->order.kind = static_cast<OrderKind>(order);
+            add(event);
+        }
+    }
+    return {{"anyOf", std::move(kinds)}};
 }
 
 template <class Visitor>
@@ -188,9 +121,20 @@ void describeFile(Visitor& v, std::vector<Event>& events, double stepTime) {
     std::int32_t version = 1;
     v.choice("format", format, {kGesturesFormat}, "What this file is.", Need::Required);
     v.whole("version", version, {1.0, 1.0}, "Of the format.", Need::Required);
-    v.list(
-        "events", events, kMaxEvents, "Those of one step and client apply in this order.",
-        [&](auto& item, Event& event) { describeEvent(item, event, stepTime); }, Need::Required);
+    if constexpr (Visitor::kReading || Visitor::kSchema) {
+        std::string schema;
+        v.text("$schema", schema, "Where editors find this schema.");
+    }
+    const char* const about = "Those of one step and client apply in this order.";
+    if constexpr (Visitor::kSchema) {
+        v.set("events", {{"type", "array"}, {"maxItems", kMaxEvents}, {"items", eventSchema()}}, about,
+              Need::Required);
+    } else {
+        v.list(
+            "events", events, kMaxEvents, about,
+            [&](auto& item, Event& event) { describeEvent(item, event, stepTime, Need::Required); },
+            Need::Required);
+    }
 }
 
 /// The time stamp of a command that has one; otherwise the start of its step.
@@ -204,6 +148,26 @@ double timeOf(const Command& command, double stepTime) {
             }
         },
         command.body);
+}
+
+/// The commands of events, in the order in which they apply. `path` leads to the events.
+Result<std::vector<Command>> numbered(std::vector<Event> events, const std::string& path) {
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        Command& command = events[i].command;
+        command.sequence = static_cast<std::uint32_t>(i);
+        if (const Status valid = validateCommand(command); !valid.ok())
+            return valid.within(path + "[" + std::to_string(i) + "]");
+    }
+    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+        return std::tuple(a.command.step, a.command.client) < std::tuple(b.command.step, b.command.client);
+    });
+    std::vector<Command> commands;
+    std::map<std::uint32_t, std::uint32_t> next;  // The next sequence number of each client.
+    for (Event& event : events) {
+        event.command.sequence = next[event.command.client]++;
+        commands.push_back(std::move(event.command));
+    }
+    return commands;
 }
 
 }  // namespace
@@ -224,23 +188,28 @@ Result<std::vector<Command>> parseGestures(std::string_view text, const std::str
     if (failure.empty()) describeFile(reader, events, stepTime);
     reader.finish();
     if (!failure.empty()) return Status(StatusCode::ParseError, sourceName + ": " + failure);
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        Command& command = events[i].command;
-        command.sequence = static_cast<std::uint32_t>(i);
-        if (const Status valid = validateCommand(command); !valid.ok()) {
-            return valid.within(sourceName + ": $.events[" + std::to_string(i) + "]");
-        }
+    return numbered(std::move(events), sourceName + ": $.events");
+}
+
+Result<std::vector<Command>> parseCommands(std::string_view text, const std::string& sourceName,
+                                           double stepTime) {
+    auto json = parseJson(text, sourceName);
+    if (!json.ok()) return json.status();
+    if (json->isObject()) json = Json::array({std::move(json).value()});
+    if (!json->isArray() || json->size() > kMaxEvents) {
+        return Status(StatusCode::ParseError, sourceName + ": $: found " + describeJson(*json) +
+                                                  ", expected an event or an array of at most " +
+                                                  std::to_string(kMaxEvents));
     }
-    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-        return std::tuple(a.command.step, a.command.client) < std::tuple(b.command.step, b.command.client);
-    });
-    std::vector<Command> commands;
-    std::map<std::uint32_t, std::uint32_t> next;  // The next sequence number of each client.
-    for (Event& event : events) {
-        event.command.sequence = next[event.command.client]++;
-        commands.push_back(std::move(event.command));
+    std::vector<Event> events(json->size());
+    std::string failure;
+    for (std::size_t i = 0; i < events.size() && failure.empty(); ++i) {
+        FieldReader reader((*json)[i], "$[" + std::to_string(i) + "]", failure);
+        if (failure.empty()) describeEvent(reader, events[i], stepTime, Need::Optional);
+        reader.finish();
     }
-    return commands;
+    if (!failure.empty()) return Status(StatusCode::ParseError, sourceName + ": " + failure);
+    return numbered(std::move(events), sourceName + ": $");
 }
 
 std::string writeGestures(std::span<const Command> commands, double stepTime) {
@@ -250,6 +219,14 @@ std::string writeGestures(std::span<const Command> commands, double stepTime) {
     FieldWriter writer(json);
     describeFile(writer, events, stepTime);
     return printJson(json);
+}
+
+std::string gesturesSchema() {
+    Json body;
+    FieldSchema schema(body);
+    std::vector<Event> events;
+    describeFile(schema, events, 1.0);
+    return titledSchema("Muster gestures", body);
 }
 
 Status saveGestures(std::span<const Command> commands, double stepTime, const std::string& path) {

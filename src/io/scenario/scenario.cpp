@@ -146,12 +146,7 @@ std::string scenarioSchema() {
     FieldSchema schema(body);
     WorldDef def;
     describeWorld(schema, def, {});
-    Json json = {
-        {"$schema", "https://json-schema.org/draft/2020-12/schema"},
-        {"title", "Muster scenario"},
-        {"description", "Metres, seconds, radians; x right, y forward. See docs/scenario-format.md."}};
-    for (const auto& [key, value] : body.members()) json[key] = value;
-    return printJson(json);
+    return titledSchema("Muster scenario", body);
 }
 
 }  // namespace muster

@@ -4,10 +4,13 @@
 
 #include <doctest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "base/archive.h"
+#include "io/scenario/schema_validator.h"
 #include "world/commands/command_archive.h"
 
 using namespace muster;
@@ -76,6 +79,16 @@ TEST_CASE("every kind of command survives the file") {
     patch.motion = 4;
     GroupDef group;
     group.count = 7;
+    Order order = Order::moveToLine({4, 3}, {4, -3});
+    order.route = {{0.1, 0.2}, {0.3, 1.0 / 3.0}};
+    order.formation = ring;
+    order.turn = Turn::Reverse;
+    order.pace = 1.1;
+    order.share = 0.7;
+    Order guard = Order::guard({1, 2}, {0.5, 0.25}, -0.3);
+    guard.path.waypoints = {{0, {0, 0}, 0}, {2, {1, 0}, 0}};
+    guard.character = 17;
+    const Body heavy{0.4, 1.2, 3.0, 5.0, 2.0, 3};
     const std::vector<CommandBody> bodies = {
         TouchDown{7, {1.5, -2.25}, 0.1, GroupId{2}},
         TouchMove{7, {1, 2}, 0.1 + 0.2},
@@ -96,8 +109,29 @@ TEST_CASE("every kind of command survives the file") {
         AddPatch{patch},
         ChangePatch{PatchId{1}, patch},
         RemovePatch{PatchId{1}},
-        SetParameter{"plan.exponent", 1.5}};
-    REQUIRE(bodies.size() == std::variant_size_v<CommandBody>);
+        SetParameter{"plan.exponent", 1.5},
+        GiveOrder{GroupId{2}, QueueMode::Insert, 3, order},
+        EditQueue{GroupId{2}, QueueEdit::Cancel, 12},
+        SetConduct{GroupId{2}, {Stance::Yield, 0.3, 0.2, true}},
+        AddCharacters{GroupId{2}, {{1, 2}, {3, 4}}, {heavy, Body{}}},
+        RemoveCharacters{{4, 4294967295u, 7}},
+        TransferCharacters{{9, 8}, GroupId{1}},
+        SplitGroup{GroupId{1}, SplitBy::Lasso, {}, {{0, 0}, {1, 0}, {1, 1}}, {}, false, PartShape::Smaller},
+        MergeGroups{{GroupId{3}, GroupId{1}}, PartShape::AsHeld},
+        SetBodies{{5, 6, 7}, {heavy, heavy, Body{}}},
+        SetRoles{GroupId{1}, {{RoleArea::Rim, 3}, {RoleArea::LeftFlank, 255}}},
+        SetDemands{GroupId{1}, {1.0, 0.5, 0.1 + 0.2}},
+        SetDriver{{3}, Driver::Outside},
+        WriteMotion{{3}, {{0.1, 0.2}}, {{1.0 / 3.0, 0}}},
+        GiveOrder{GroupId{2}, QueueMode::Append, 0, guard},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::face(-1.5)},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::follow(GroupId{1}, {-2, 0.5})},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::go({5, 6})},
+        SplitGroup{GroupId{1}, SplitBy::Ids, {3, 4}, {}, {}, false, PartShape::AsHeld},
+        SplitGroup{GroupId{1}, SplitBy::Shares, {}, {}, {0.25, 0.75}, true, PartShape::AsHeld}};
+    std::set<std::size_t> kinds;
+    for (const CommandBody& body : bodies) kinds.insert(body.index());
+    REQUIRE(kinds.size() == std::variant_size_v<CommandBody>);
     std::vector<Command> commands;
     std::uint32_t next[3] = {0, 0, 0};
     for (std::uint32_t i = 0; i < bodies.size(); ++i)
@@ -106,6 +140,8 @@ TEST_CASE("every kind of command survives the file") {
     const auto back = parseGestures(text, "G", kStep);
     REQUIRE_MESSAGE(back.ok(), back.status().message());
     CHECK(bytesOf(*back) == bytesOf(commands));
+    const auto conforms = testing::breaks(testing::Json::parse(gesturesSchema()), testing::Json::parse(text));
+    CHECK(conforms == "");
 }
 
 TEST_CASE("errors are reported by field") {
