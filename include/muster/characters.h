@@ -36,7 +36,7 @@ struct CharactersView {
     std::span<const Body> body;            ///< What it is.
     std::span<const Driver> driver;        ///< Who moves it.
     /// Velocity that steering aims at on the ground it is on, before bounds of speed and acceleration, and
-    /// before contacts [m/s]. It is told of those that are moved from outside too.
+    /// before contacts [m/s]. Those that are moved from outside have it too.
     std::span<const Vec2> wantedVelocity;
 
     std::size_t size() const { return id.size(); }  ///< Number of characters.

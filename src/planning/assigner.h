@@ -30,6 +30,9 @@ struct PlanInput {
     std::span<const std::int32_t> barred = {};
     std::span<const float> wait = {};
     PlannedWays ways = {};  ///< Ways through passages before which many wait.
+    /// Per character, the factor above 0 by which a way costs it more than others, because it is slower;
+    /// empty for all 1.
+    std::span<const float> slowness = {};
 };
 
 /// What an assignment returns.

@@ -39,6 +39,13 @@ Status validateAmounts(const char* what, std::span<const double> amounts) {
     return {};
 }
 
+Status validateFactors(std::span<const float> factors) {
+    for (std::size_t k = 0; k < factors.size(); ++k)
+        if (!(factors[k] > 0.0f) || !std::isfinite(factors[k]))
+            return invalidArgument("plan slowness " + std::to_string(k) + " is not a finite number above 0");
+    return {};
+}
+
 Status validateIncumbents(std::span<const std::int32_t> incumbent, std::size_t places) {
     for (std::size_t k = 0; k < incumbent.size(); ++k)
         if (incumbent[k] < -1 || std::cmp_greater_equal(incumbent[k], places))
@@ -67,6 +74,8 @@ Status validatePlan(const PlanDef& def, const PlanInput& input) {
                              validateSize("connected", input.connected.size(), characters, true),
                              validateSize("barred", input.barred.size(), characters, true),
                              validateSize("wait", input.wait.size(), input.barred.size(), false),
+                             validateSize("slowness", input.slowness.size(), characters, true),
+                             validateFactors(input.slowness),
                              validateSize("incumbent", input.incumbent.size(), characters, false),
                              validatePoints("character", input.characters),
                              validatePoints("place", input.places),

@@ -44,6 +44,7 @@ void FrozenPlan::freeze(const PlanDef& def, const PlanInput& input, const UnitCo
     copySpan(input.incumbent, incumbent_);
     copySpan(input.barred, barred_);
     copySpan(input.wait, wait_);
+    copySpan(input.slowness, slowness_);
     unitCost_ = cost;
     solved_ = 0;
     inheritUnlimited(former);
@@ -164,18 +165,19 @@ double FrozenPlan::pairCost(std::int32_t character, std::int32_t place) const {
     if (toPlace == nullptr || characterRegion_[character] != placeRegion_[place]) return kInfiniteCost;
     const double wait = !barred_.empty() && barred_[character] == place ? wait_[character] : 0.0;
     if (wait < 0.0) return -wait;
-    const double straight = distance(characters_[character], places_[place]);
+    const double slowness = slowness_.empty() ? 1.0 : static_cast<double>(slowness_[character]);
+    const double straight = slowness * distance(characters_[character], places_[place]);
     if (!def_.geodesic) return straight + wait;
     if (!isTarget(character, place)) return kBoundShare * static_cast<double>(unitCost_.lowest) * straight;
     const Vec2 from = freePoint_[character];
     const double walk = std::max(0.0, toPlace->cost(from)) + distance(characters_[character], from);
-    return walk + wait;
+    return slowness * walk + wait;
 }
 
 template <class Self, class Archive>
 void FrozenPlan::visitInputs(Self& self, Archive& archive) {
     archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_,
-            self.incumbent_, self.barred_, self.wait_, self.solved_, self.unlimited_);
+            self.incumbent_, self.barred_, self.wait_, self.slowness_, self.solved_, self.unlimited_);
 }
 
 void FrozenPlan::save(Writer& archive) const {
@@ -200,6 +202,7 @@ bool FrozenPlan::load(Reader& archive, std::int32_t& progress) {
     PlanInput input{characters_, supply_, places_, demand_, usable_, incumbent_};
     input.barred = barred_;
     input.wait = wait_;
+    input.slowness = slowness_;
     if (!validatePlan(def_, input).ok() || !validateUnitCost(unitCost_).ok()) return false;
     valid_ = true;
     derive();

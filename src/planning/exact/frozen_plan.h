@@ -94,6 +94,7 @@ private:
     std::vector<std::int32_t> incumbent_;  // Per character, -1 for none.
     std::vector<std::int32_t> barred_;     // Per character, as in PlanInput; empty for none.
     std::vector<float> wait_;              // Per character [m].
+    std::vector<float> slowness_;          // Per character, as in PlanInput; empty for all 1.
     UnitCost unitCost_;
     std::int32_t solved_ = 0;              // Places whose fields are done.
     std::vector<std::uint8_t> unlimited_;  // Per place: plans for which its front remains unlimited.

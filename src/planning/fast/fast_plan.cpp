@@ -52,6 +52,7 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copySpan(input.connected, connected_);
     copySpan(input.barred, barred_);
     copySpan(input.wait, wait_);
+    copySpan(input.slowness, slowness_);
     copySpan(input.ways.way, way_);
     copySpan(input.ways.reach, reach_);
     copySpan(input.ways.onward, onward_);
@@ -82,7 +83,7 @@ void FastPlan::advance(std::int32_t, std::int32_t, ThreadPool& pool) {
 void FastPlan::assign(ThreadPool& pool) {
     if (!guided_ || assigned_) return;
     costs_.set(geodesics_, ways(), def_.geodesic, characters_, places_, guidedPlace_, incumbentCost_, barred_,
-               wait_);
+               wait_, slowness_);
     if (def_.reassign) updateAssignment(pool);
     assigned_ = true;
 }
@@ -114,27 +115,33 @@ void FastPlan::evaluateGuidance(ThreadPool& pool) {
     targets_.resize(characters_.size());
     ++guidanceRound_;
     forChunks(&pool, characters_.size(), kChunk, [&](std::size_t i) {
-        const std::int32_t place = incumbent_[i];
-        const bool samePlace = guidedPlace_[i] == place;
-        guidedPlace_[i] = place;
-        if (place < 0) return;
-        const double byWay = ways().cost(i, place, places_.size());
-        if (byWay < kInfiniteCost && def_.geodesic) {
-            // Its passage leads it; the target of a way that it does not go would mislead it behind.
-            targets_[i] = {};
-            guidance_[i] = {normalized(places_[place] - characters_[i]), static_cast<float>(byWay)};
-            incumbentCost_[i] = guidance_[i].cost;
-            return;
-        }
-        const bool reusesDirection = samePlace && guidance_[i].cost > kDistantCost &&
-                                     (i + guidanceRound_) % 2 == 0;
-        if (reusesDirection)
-            guidance_[i].cost = geodesics_.cost(characters_[i], place);
-        else
-            guidance_[i] = geodesics_.guidance(characters_[i], place, targets_[i]);
-        incumbentCost_[i] = def_.geodesic ? guidance_[i].cost
-                                          : static_cast<float>(distance(characters_[i], places_[place]));
+        evaluateGuidanceOf(i);
+        if (!slowness_.empty() && incumbent_[i] >= 0)
+            incumbentCost_[i] = GeodesicCostOracle::slowed(incumbentCost_[i], slowness_[i]);
     });
+}
+
+void FastPlan::evaluateGuidanceOf(std::size_t i) {
+    const std::int32_t place = incumbent_[i];
+    const bool samePlace = guidedPlace_[i] == place;
+    guidedPlace_[i] = place;
+    if (place < 0) return;
+    const double byWay = ways().cost(static_cast<std::int32_t>(i), place, places_.size());
+    if (byWay < kInfiniteCost && def_.geodesic) {
+        // Its passage leads it; the target of a way that it does not go would mislead it behind.
+        targets_[i] = {};
+        guidance_[i] = {normalized(places_[place] - characters_[i]), static_cast<float>(byWay)};
+        incumbentCost_[i] = guidance_[i].cost;
+        return;
+    }
+    const bool reusesDirection = samePlace && guidance_[i].cost > kDistantCost &&
+                                 (i + guidanceRound_) % 2 == 0;
+    if (reusesDirection)
+        guidance_[i].cost = geodesics_.cost(characters_[i], place);
+    else
+        guidance_[i] = geodesics_.guidance(characters_[i], place, targets_[i]);
+    incumbentCost_[i] = def_.geodesic ? guidance_[i].cost
+                                      : static_cast<float>(distance(characters_[i], places_[place]));
 }
 
 bool FastPlan::incumbentsAreAssigned() const {
@@ -310,6 +317,7 @@ bool FastPlan::consistent() const {
                                       (!def_.reassign || assignment_.placeOf().size() == n)));
     const bool sizes = whole && incumbent_.size() == n && (connected_.empty() || connected_.size() == n) &&
                        (usable_.empty() || usable_.size() == places_.size()) &&
+                       (slowness_.empty() || slowness_.size() == n) &&
                        (waitingPlace_.empty() || waitingPlace_.size() == n);
     const auto inRange = [&](std::int32_t j) {
         return j >= -1 && (j < 0 || std::cmp_less(j, places_.size()));

@@ -42,9 +42,9 @@ private:
     template <class Self, class Archive>
     static void visit(Self& self, Archive& archive) {
         archive(self.def_, self.characters_, self.places_, self.usable_, self.incumbent_, self.connected_,
-                self.barred_, self.wait_, self.incumbentCost_, self.guidance_, self.guidedPlace_,
-                self.guidanceRound_, self.pending_, self.assigned_, self.assignment_, self.targets_,
-                self.waitingPlace_, self.waitingCursor_, self.everFinished_, self.first_);
+                self.barred_, self.wait_, self.slowness_, self.incumbentCost_, self.guidance_,
+                self.guidedPlace_, self.guidanceRound_, self.pending_, self.assigned_, self.assignment_,
+                self.targets_, self.waitingPlace_, self.waitingCursor_, self.everFinished_, self.first_);
     }
     bool consistent() const;
     PlannedWays ways() const { return {way_, reach_, onward_}; }
@@ -52,6 +52,7 @@ private:
     void updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<const Vec2> characters,
                          std::span<const Vec2> places);
     void evaluateGuidance(ThreadPool& pool);
+    void evaluateGuidanceOf(std::size_t character);
     void assign(ThreadPool& pool);
     void prepareFirst(ThreadPool& pool);
     void updateAssignment(ThreadPool& pool);
@@ -70,6 +71,7 @@ private:
     std::vector<std::uint8_t> connected_;  // Per character, as in PlanInput.
     std::vector<std::int32_t> barred_;     // Per character, as in PlanInput.
     std::vector<float> wait_;              // Per character, as in PlanInput [m].
+    std::vector<float> slowness_;          // Per character, as in PlanInput.
     std::vector<std::int32_t> way_;        // The ways of PlannedWays, of this step only.
     std::vector<float> reach_, onward_;
     std::vector<float> incumbentCost_;       // Per character: cost to its incumbent place [m].
