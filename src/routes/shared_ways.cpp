@@ -58,6 +58,13 @@ void SharedWays::add(const std::vector<Vec2>& path) {
     clear_.back() = 1;
 }
 
+void SharedWays::add(const SharedWays& others) {
+    reserve();
+    for (const Way& way : others.ways_)
+        if (ways_.size() < kMostWays) ways_.push_back(way);
+    clear_.assign(ways_.size(), -1);
+}
+
 SharedWays::Foot SharedWays::nearestFoot(const std::vector<Vec2>& path, Vec2 p) {
     Foot best;
     best.distance = distance(path[0], p);

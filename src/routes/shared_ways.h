@@ -18,6 +18,8 @@ public:
     void age();
     /// Keeps a way, both ends included [m]; short ones are not worth it.
     void add(const std::vector<Vec2>& path);
+    /// Keeps the ways of others, too, as many as there is room for.
+    void add(const SharedWays& others);
     /// Allocates memory for all ways.
     void reserve();
     /// Joins `from` and `to` to one of the ways, the last one first, if what that makes is nearly as short as

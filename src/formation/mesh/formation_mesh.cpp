@@ -75,9 +75,13 @@ Status FormationMesh::reset(const Formation& formation, const Pose& pose) {
 }
 
 Status FormationMesh::change(const Formation& formation) {
-    const std::vector<Vec2> oldFinal = final_;
-    const std::vector<Vec2> oldDisplacement = displacement_;
-    const Status status = reset(formation, pose_);
+    return changeFrom(*this, formation);
+}
+
+Status FormationMesh::changeFrom(const FormationMesh& other, const Formation& formation) {
+    const std::vector<Vec2> oldFinal = other.final_;
+    const std::vector<Vec2> oldDisplacement = other.displacement_;
+    const Status status = reset(formation, other.pose_);
     if (!status.ok()) return status;
     for (std::size_t v = 0; v < final_.size() && !oldFinal.empty(); ++v) {
         std::size_t nearest = 0;
@@ -108,6 +112,13 @@ void FormationMesh::setPose(const Pose& pose) {
     for (Vec2& d : residual_) d = pose.rotation.apply(old.rotation.applyInverse(d));
     for (Vec2& d : displacement_) d = pose.rotation.apply(old.rotation.applyInverse(d));
     pose_ = pose;
+}
+
+void FormationMesh::recentre(Vec2 centre) {
+    for (Vec2& v : formation_.mesh.vertices) v -= centre;
+    pose_.position += pose_.rotation.apply(centre);
+    solverReady_ = false;
+    constraintHash_ = 0;
 }
 
 // 0 without constraints; never 0 with some.
@@ -236,9 +247,22 @@ void FormationMesh::applyEnvironment(const FormationMeshDef& def, const Environm
 }
 
 void FormationMesh::placePositions(std::vector<Vec2>& positions) const {
+    placesOn(final_, positions);
+}
+
+void FormationMesh::restPlaces(std::vector<Vec2>& positions) const {
+    placesOn(formation_.mesh.vertices, positions);
+}
+
+void FormationMesh::heldPlaces(std::vector<Vec2>& positions) const {
+    placesOn(user_, positions);
+    for (Vec2& p : positions) p = pose_.applyInverse(p);
+}
+
+void FormationMesh::placesOn(const std::vector<Vec2>& vertices, std::vector<Vec2>& positions) const {
     positions.resize(formation_.places.size());
     for (std::size_t k = 0; k < positions.size(); ++k)
-        positions[k] = formation_.places[k].position(formation_.mesh.triangles, final_);
+        positions[k] = formation_.places[k].position(formation_.mesh.triangles, vertices);
 }
 
 }  // namespace muster

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "environment/environment.h"
@@ -40,6 +41,12 @@ public:
     /// because the meshes have no common vertices. Displacements are taken from the nearest old vertices.
     /// Call ControlSet::rebind() afterwards. Fails, changing nothing, as reset().
     Status change(const Formation& formation);
+    /// Takes a formation at the pose of another mesh, with its displacements, as change() does.
+    Status changeFrom(const FormationMesh& other, const Formation& formation);
+    /// Takes other places on the same mesh; none for a group without characters.
+    void setPlaces(std::vector<MeshPoint> places) { formation_.places = std::move(places); }
+    /// Makes `centre`, a point in the axes of the rest shape [m], its origin; nothing moves in the world.
+    void recentre(Vec2 centre);
     /// Moves the whole mesh with its rest placement to another pose at once.
     void setPose(const Pose& pose);
 
@@ -58,6 +65,10 @@ public:
     const std::vector<Vec2>& finalMesh() const { return final_; }  ///< Vf [m].
     /// Positions of all places on Vf [m].
     void placePositions(std::vector<Vec2>& positions) const;
+    /// Positions of all places on the rest shape, in its axes [m].
+    void restPlaces(std::vector<Vec2>& positions) const;
+    /// Positions of all places on Vu, in the axes of the rest shape [m].
+    void heldPlaces(std::vector<Vec2>& positions) const;
 
     /// Takes over the factorised systems of `before`, where the rest shape is the same. Call after reading an
     /// archive.
@@ -76,6 +87,7 @@ public:
 
 private:
     bool consistent() const;
+    void placesOn(const std::vector<Vec2>& vertices, std::vector<Vec2>& positions) const;
     std::uint64_t hashOfConstraints() const;
     Status findGoal();
     void decayResidual(const FormationMeshDef& def, double dt);

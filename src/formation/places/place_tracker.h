@@ -29,6 +29,16 @@ public:
     void advance(const PlaceDef& def, std::span<const Vec2> targets, RouteGraph& routes, std::int32_t region,
                  double dt, ThreadPool* pool = nullptr);
 
+    /// Where a place of another arrangement begins.
+    struct Origin {
+        const PlaceTracker* tracker = nullptr;  ///< Whose place it was; null for a new one.
+        std::int32_t place = -1;                ///< Its index there.
+        Vec2 position;                          ///< Where a new one begins [m].
+    };
+    /// Takes over places from other trackers, which go on from where they are, and new ones. The reachable
+    /// targets of all stay until the next advance(). None of the trackers may be this one.
+    void assemble(std::span<const Origin> origins, const Environment& environment);
+
     const std::vector<Vec2>& positions() const { return position_; }   ///< [m]
     const std::vector<Vec2>& velocities() const { return velocity_; }  ///< [m/s]
     /// 1 where a character can stand, 0 where the place is unfit and stays unmatched.

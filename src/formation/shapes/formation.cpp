@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "formation/shapes/formation_shape.h"
+#include "geometry/mesh_locator.h"
 
 namespace muster {
 namespace {
@@ -22,6 +23,9 @@ Status check(const FormationDef& def, std::int32_t count) {
     if (!(def.spacing > 1e-6 && def.spacing < 1e6))
         return invalidArgument("found spacing " + std::to_string(def.spacing) +
                                ", expected more than 0 and less than 1e6 m");
+    if (def.files < 0 || def.files > kMostPlaces)
+        return invalidArgument("found files " + std::to_string(def.files) + ", expected 0 to " +
+                               std::to_string(kMostPlaces));
     if (!(def.opening > 0.0 && def.opening <= 6.0))
         return invalidArgument("found opening " + std::to_string(def.opening) +
                                ", expected more than 0 and at most 6 rad");
@@ -62,7 +66,7 @@ Result<FormationShape> pointsOf(const FormationDef& def, std::int32_t count) {
 Result<FormationShape> shapeOf(const FormationDef& def, std::int32_t count) {
     switch (def.kind) {
         case FormationKind::Square:
-            return squareShape(count, def.spacing);
+            return squareShape(count, def.spacing, def.files);
         case FormationKind::Line:
             return lineShape(count, def.spacing);
         case FormationKind::Column:
@@ -119,6 +123,12 @@ Result<FormationKind> formationKind(std::string_view name) {
                   "found formation '" + std::string(name) + "', expected one of " + all);
 }
 
+std::int32_t squareFiles(std::int32_t count) {
+    auto files = static_cast<std::int32_t>(std::floor(std::sqrt(static_cast<double>(count))));
+    while (files * files < count) ++files;
+    return files;
+}
+
 Result<Formation> makeFormation(const FormationDef& def, std::int32_t count) {
     const Status checked = check(def, count);
     if (!checked.ok()) return checked;
@@ -130,8 +140,8 @@ Result<Formation> makeFormation(const FormationDef& def, std::int32_t count) {
     if (!mesh.ok()) return mesh.status().within(std::string(formationName(def.kind)));
     Formation formation;
     formation.mesh = std::move(*mesh);
-    for (const Vec2 p : shape->places)
-        formation.places.push_back(locate(formation.mesh.triangles, formation.mesh.vertices, p));
+    const MeshLocator locator(formation.mesh.triangles, formation.mesh.vertices);
+    for (const Vec2 p : shape->places) formation.places.push_back(locator.locate(p));
     return formation;
 }
 

@@ -20,6 +20,9 @@ struct Formation {
     }
 };
 
+/// How many stand abreast in a Square of `count` places that does not say it: about as many as it has ranks.
+std::int32_t squareFiles(std::int32_t count);
+
 /// Makes a formation with `count` places, 1 to 200,000 (Points: at most as many as it has points). Nearest
 /// neighbours of the named shapes are 0.8 to 1.3 spacings apart, and the mesh covers the places with a margin
 /// of half a spacing. Fails with InvalidArgument, naming the number that is out of its range.

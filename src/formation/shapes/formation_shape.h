@@ -13,8 +13,8 @@ struct FormationShape {
     PolygonWithHoles outline;  ///< Of the mesh [m]; empty for the box of the places.
 };
 
-/// As many files as ranks; a short rear rank is centred.
-FormationShape squareShape(std::int32_t count, double spacing);
+/// So many files, for 0 as many as ranks; a short rear rank is centred.
+FormationShape squareShape(std::int32_t count, double spacing, std::int32_t files = 0);
 FormationShape lineShape(std::int32_t count, double spacing);    ///< Two ranks abreast.
 FormationShape columnShape(std::int32_t count, double spacing);  ///< Two files along the heading.
 FormationShape wedgeShape(std::int32_t count, double spacing);   ///< Filled triangle with its tip in front.

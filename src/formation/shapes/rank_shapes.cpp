@@ -21,10 +21,8 @@ FormationShape ranks(std::int32_t count, std::int32_t files, double spacing) {
 
 }  // namespace
 
-FormationShape squareShape(std::int32_t count, double spacing) {
-    auto files = static_cast<std::int32_t>(std::floor(std::sqrt(static_cast<double>(count))));
-    while (files * files < count) ++files;
-    return ranks(count, files, spacing);
+FormationShape squareShape(std::int32_t count, double spacing, std::int32_t files) {
+    return ranks(count, files > 0 ? std::min(files, count) : squareFiles(count), spacing);
 }
 
 FormationShape lineShape(std::int32_t count, double spacing) {

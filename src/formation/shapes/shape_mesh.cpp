@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "formation/shapes/formation_shape.h"
+#include "geometry/mesh_locator.h"
 
 namespace muster {
 namespace {
@@ -53,8 +54,9 @@ double perimeter(const Polygon& polygon) {
 }
 
 bool covers(const TriangleMesh& mesh, const std::vector<Vec2>& places, double spacing) {
+    const MeshLocator locator(mesh.triangles, mesh.vertices);
     return std::all_of(places.begin(), places.end(), [&](Vec2 p) {
-        const MeshPoint point = locate(mesh.triangles, mesh.vertices, p);
+        const MeshPoint point = locator.locate(p);
         return distance(point.position(mesh.triangles, mesh.vertices), p) <= 1e-9 * spacing;
     });
 }

@@ -29,6 +29,10 @@ public:
         return known ? finished_.waitingPlace(character) : -1;
     }
     double costAt(std::int32_t place, Vec2 p) const override;
+    void forget() override {
+        pending_.clear();
+        finished_.clear();
+    }
     void save(Writer& archive) const override;
     bool load(Reader& archive, ThreadPool& pool) override;
     bool suits(std::size_t characters, std::size_t places, const Grid& grid) const override {

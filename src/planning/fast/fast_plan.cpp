@@ -291,6 +291,19 @@ double FastPlan::costAt(std::int32_t place, Vec2 p) const {
     return picture_.field.cost(p);
 }
 
+void FastPlan::forget() {
+    for (auto* points : {&characters_, &places_}) points->clear();
+    for (auto* numbers : {&incumbent_, &barred_, &way_, &guidedPlace_, &waitingPlace_}) numbers->clear();
+    for (auto* numbers : {&wait_, &reach_, &onward_, &incumbentCost_}) numbers->clear();
+    usable_.clear();
+    connected_.clear();
+    guidance_.clear();
+    targets_.clear();
+    assignment_.clear();
+    waitingCursor_ = 0;
+    pending_ = guided_ = assigned_ = everFinished_ = false;
+}
+
 void FastPlan::save(Writer& archive) const {
     visit(*this, archive);
     geodesics_.save(archive);

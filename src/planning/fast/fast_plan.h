@@ -31,6 +31,7 @@ public:
                std::span<double> cost) override;
     std::int32_t waitingPlace(std::int32_t character) const override;
     double costAt(std::int32_t place, Vec2 p) const override;
+    void forget() override;
     void save(Writer& archive) const override;
     bool load(Reader& archive, ThreadPool& pool) override;
     void keepFieldsOf(Plan& before) override;

@@ -188,6 +188,7 @@ private:
         Group* best = nullptr;
         double nearest = state_.parameters.input.reach;
         for (Group& group : state_.groups) {
+            if (group.members.empty()) continue;
             const auto& triangles = group.mesh.formation().mesh.triangles;
             const MeshPoint point = locate(triangles, group.mesh.finalMesh(), p);
             const double d = distance(point.position(triangles, group.mesh.finalMesh()), p);

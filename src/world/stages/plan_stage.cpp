@@ -155,11 +155,14 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadP
     ways.run(state, costs, pool);
     firstPlans_ = static_cast<std::int32_t>(
         std::count_if(state.groups.begin(), state.groups.end(),
-                      [](const Group& group) { return group.planNow || group.provisional; }));
+                      [](const Group& group) {
+                          return !group.members.empty() && (group.planNow || group.provisional);
+                      }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         Group& group = state.groups[g];
+        if (group.members.empty()) continue;
         const bool worked = group.plan->pending() && group.slice >= group.slices;
         if (worked && !group.planNow) finish(state, group, pool, events);
         if (group.planNow && waitsForFirstPlan(state, group)) continue;

@@ -32,6 +32,7 @@ void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs
                           ThreadPool& pool) {
     Group& group = state.groups[index];
     const std::size_t count = group.members.size();
+    if (count == 0) return;
     members_.gather(state.characters, group);
     directions_.resize(count);
     costs_.resize(count);

@@ -118,7 +118,7 @@ Status checkControls(const ControlSet& set, const TriangleMesh& mesh) {
 Status checkGroup(const Group& group, const Grid& grid) {
     const std::size_t count = group.members.size();
     const GroupDef& def = group.def;
-    if (def.count < 1 || static_cast<std::size_t>(def.count) != count)
+    if (def.count < 0 || static_cast<std::size_t>(def.count) != count)
         return wrong("a group of another count");
     if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts))
         return wrong("a bad group");

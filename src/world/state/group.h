@@ -31,6 +31,7 @@ struct Group {
     std::uint32_t formationVersion = 1;        ///< Grows when the mesh is exchanged.
     bool planNow = true;                       ///< The next plan is made whole in one step, at once.
     bool provisional = false;                  ///< The last plan was made by rough costs.
+    bool refitted = false;                     ///< The middle of its formation may lie off its mesh's origin.
     bool assigned = false;                     ///< True once a plan was finished for this formation.
     bool reassigns = true;                     ///< The pending plan may change places.
     std::vector<std::int32_t> lastAssignment;  ///< Place of each member by the last plan that reassigned.
@@ -54,7 +55,7 @@ struct Group {
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
                 planNow, provisional, assigned, reassigns, lastAssignment, slice, slices, order, settling,
-                surveyFrom, surveyTo, waysFor, goalDrift, foreseen);
+                surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted);
     }
 };
 

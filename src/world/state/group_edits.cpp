@@ -8,6 +8,7 @@
 #include "crowd/contacts.h"
 #include "formation/shapes/formation.h"
 #include "world/state/layer_defs.h"
+#include "world/state/reform.h"
 #include "world/state/standing_room.h"
 #include "world/validation.h"
 
@@ -53,11 +54,26 @@ void addCharacter(WorldState& state, const Group& group, std::uint32_t groupInde
     c.wanted.push_back({});
 }
 
-void removeCharacter(Characters& c, std::ptrdiff_t index) {
-    const auto erase = [index](auto&... arrays) { (arrays.erase(arrays.begin() + index), ...); };
-    erase(c.id, c.group, c.position, c.velocity, c.heading, c.place, c.direction, c.cost, c.motion, c.phase,
-          c.motionTime, c.patch, c.lastSingle, c.walk, c.wait, c.chosen, c.body, c.driver, c.wanted);
-}
+// Drops the marked entries of all arrays of characters; an archive, as far as visits go.
+struct Compaction {
+    static constexpr bool kReading = false;
+    std::span<const std::uint8_t> leaves;
+
+    template <class... Arrays>
+    void operator()(Arrays&... arrays) const {
+        (compact(arrays), ...);
+    }
+    template <class Array>
+    void compact(Array& array) const {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < array.size(); ++i) {
+            if (leaves[i] != 0) continue;
+            if (kept != i) array[kept] = std::move(array[i]);
+            ++kept;
+        }
+        array.resize(kept);
+    }
+};
 
 Status checkNewGroup(const WorldState& state, const GroupDef& def) {
     if (state.groups.size() >= kMaxGroups)
@@ -117,6 +133,16 @@ void resetPlaces(WorldState& state, Group& group, const std::vector<Vec2>& targe
     group.places.reset(placeDef(state.parameters), targets, routes, mainRegion(state, group, counts));
 }
 
+/// True where places are still far from where the mesh has them.
+bool isUnderWay(const Group& group) {
+    constexpr double kFar = 3.0;  // Mean distance [m].
+    const std::vector<Vec2>& places = group.places.positions();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        sum += distance(places[k], group.places.reachableTargets()[k]);
+    return sum > kFar * static_cast<double>(places.size());
+}
+
 }  // namespace
 
 std::unique_ptr<Plan> makePlan(const Parameters& parameters) {
@@ -157,14 +183,30 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     return {};
 }
 
+void removeCharacters(Characters& characters, std::span<const std::uint8_t> leaves) {
+    Compaction compaction{leaves};
+    characters.visit(compaction);
+}
+
+void joinCharacters(WorldState& state, const Group& group, std::span<const Vec2> positions,
+                    std::span<const Body> bodies) {
+    const auto index = static_cast<std::uint32_t>(&group - state.groups.data());
+    StandingRoom room(state.environment, state.parameters.character.radius);
+    for (const Vec2 p : state.characters.position) room.occupy(p);
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        const Body body = bodies.empty() ? bodyOf(group.def, group.members.size() + k)
+                                         : bodies[std::min(k, bodies.size() - 1)];
+        addCharacter(state, group, index, room.take(state.environment.def().box.clamp(positions[k])), body);
+    }
+    state.refreshMembers();
+}
+
 void removeGroup(WorldState& state, std::size_t index) {
     Characters& characters = state.characters;
-    for (std::size_t i = characters.size(); i-- > 0;) {
-        if (characters.group[i] == index)
-            removeCharacter(characters, static_cast<std::ptrdiff_t>(i));
-        else if (characters.group[i] > index)
-            --characters.group[i];
-    }
+    std::vector<std::uint8_t> leaves;
+    for (const std::uint32_t group : characters.group) leaves.push_back(group == index ? 1 : 0);
+    removeCharacters(characters, leaves);
+    for (std::uint32_t& group : characters.group) group -= group > index ? 1 : 0;
     state.groups.erase(state.groups.begin() + static_cast<std::ptrdiff_t>(index));
     const auto count = static_cast<std::ptrdiff_t>(state.checkpoints.size());
     const auto first = state.checkpointState.begin() + static_cast<std::ptrdiff_t>(index) * count;
@@ -172,7 +214,34 @@ void removeGroup(WorldState& state, std::size_t index) {
     state.refreshMembers();
 }
 
+namespace {
+
+// Places that are under way to another formation go on from where they are.
+Status changeUnderWay(WorldState& state, Group& group, const FormationDef& def) {
+    HeldPlaces held;
+    held.add(state, group, group);
+    std::vector<std::uint32_t> ids;
+    for (const std::int32_t i : group.members) ids.push_back(state.characters.id[i]);
+    Result<Reform> reform = refit(state, group, held, def, ids);
+    if (!reform.ok()) return reform.status().within("group '" + group.def.name + "'");
+    // The formation stands where the mesh stands: nothing of the former shape is to be kept.
+    Result<Formation> formation = makeFormation(def, group.def.count);
+    if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");
+    reform->def = def;
+    reform->formation.mesh = std::move(formation->mesh);
+    applyReform(state, group, std::move(*reform), group.mesh);
+    group.refitted = false;
+    return {};
+}
+
+}  // namespace
+
 Status changeFormation(WorldState& state, Group& group, const FormationDef& def, std::int32_t count) {
+    if (isUnderWay(group) && count == group.def.count) {
+        const Status changed = changeUnderWay(state, group, def);
+        if (changed.ok()) group.order.begin(state.stepCount);
+        return changed;
+    }
     const Result<Formation> formation = makeFormation(def, count);
     if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");
     const Status changed = group.mesh.change(*formation);
@@ -185,6 +254,7 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
     resetPlaces(state, group, targets);
     group.planNow = true;
     group.assigned = false;
+    group.refitted = false;
     group.lastAssignment.clear();
     ++group.formationVersion;
     group.order.begin(state.stepCount);
@@ -211,7 +281,11 @@ void setCount(WorldState& state, Group& group, std::int32_t count) {
         const Vec2 local{-(reach + spacing * rank), spacing * (n % kRank - 4.5)};
         addCharacter(state, group, index, room.take(pose.apply(local)), bodyOf(group.def, k));
     }
-    for (std::int32_t k = now; k-- > count;) removeCharacter(state.characters, group.members[k]);
+    if (count < now) {
+        std::vector<std::uint8_t> leaves(state.characters.size(), 0);
+        for (std::int32_t k = count; k < now; ++k) leaves[group.members[k]] = 1;
+        removeCharacters(state.characters, leaves);
+    }
     state.refreshMembers();
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "muster/status.h"
 #include "world/state/world_state.h"
@@ -23,6 +24,12 @@ void removeGroup(WorldState& state, std::size_t index);
 /// Gives a group another formation with `count` places. New places appear at once where they can be reached;
 /// they are assigned afresh. Fails, changing nothing, where the formation cannot be made.
 Status changeFormation(WorldState& state, Group& group, const FormationDef& def, std::int32_t count);
+/// Adds characters to a group near given positions [m], with bodies one for each, one for all, or none. They have no
+/// places yet.
+void joinCharacters(WorldState& state, const Group& group, std::span<const Vec2> positions,
+                    std::span<const Body> bodies);
+/// Removes the characters that are marked by 1, one mark for each.
+void removeCharacters(Characters& characters, std::span<const std::uint8_t> leaves);
 /// Adds characters behind the mesh, or removes those with the highest ids, until the group has `count`.
 void setCount(WorldState& state, Group& group, std::int32_t count);
 

@@ -1,0 +1,31 @@
+// Many points located on one mesh.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/geometry.h"
+
+namespace muster {
+
+/// Finds the triangles of points by a grid over the mesh. Its answers are those of locate().
+class MeshLocator {
+public:
+    /// Both must outlive it.
+    MeshLocator(const std::vector<Triangle>& triangles, const std::vector<Vec2>& vertices);
+    /// The point of the mesh that is nearest to `p` [m]; of several triangles that hold it, the first.
+    MeshPoint locate(Vec2 p) const;
+
+private:
+    static constexpr std::int32_t kCells = 16;  // Cells along each side of the grid.
+
+    std::int32_t cellOf(double along, double low, double size) const;
+
+    const std::vector<Triangle>& triangles_;
+    const std::vector<Vec2>& vertices_;
+    Vec2 low_, size_;                                   // Of the box of all vertices [m].
+    std::vector<std::vector<std::int32_t>> inCell_;  // Per cell, ascending.
+};
+
+}  // namespace muster

@@ -1,0 +1,95 @@
+#include "world/state/place_matching.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "assignment/dynamic/cost_oracle.h"
+#include "assignment/dynamic/dynamic_assignment.h"
+
+namespace muster {
+namespace {
+
+/// Straight distances.
+class StraightCosts final : public CostOracle {
+public:
+    StraightCosts(std::span<const Vec2> characters, std::span<const Vec2> places)
+        : characters_(characters), places_(places) {}
+    float cost(std::int32_t character, std::int32_t place) override {
+        return static_cast<float>(distance(characters_[character], places_[place]));
+    }
+    double leastUnitCost() const override { return 1.0; }
+    void evaluate(std::span<const AssignmentPair> pairs, std::span<float> cost, ThreadPool&) override {
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            cost[k] = StraightCosts::cost(pairs[k].character, pairs[k].place);
+    }
+
+private:
+    std::span<const Vec2> characters_, places_;  // [m]
+};
+
+}  // namespace
+
+std::vector<std::int32_t> matchNear(std::span<const Vec2> to, std::span<const Vec2> from, double reach) {
+    std::vector<std::int32_t> byX(from.size());
+    std::iota(byX.begin(), byX.end(), 0);
+    std::sort(byX.begin(), byX.end(), [&](std::int32_t a, std::int32_t b) {
+        return from[a].x != from[b].x ? from[a].x < from[b].x : a < b;
+    });
+    std::vector<std::uint8_t> taken(from.size(), 0);
+    std::vector<std::int32_t> match(to.size(), -1);
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        double nearest = reach * reach;
+        auto at = std::lower_bound(byX.begin(), byX.end(), to[k].x - reach,
+                                   [&](std::int32_t a, double x) { return from[a].x < x; });
+        for (; at != byX.end() && from[*at].x <= to[k].x + reach; ++at) {
+            const double d = lengthSquared(from[*at] - to[k]);
+            if (taken[*at] != 0 || d > nearest || (d == nearest && match[k] >= 0)) continue;
+            nearest = d;
+            match[k] = *at;
+        }
+        if (match[k] >= 0) taken[match[k]] = 1;
+    }
+    return match;
+}
+
+std::vector<std::int32_t> matchAll(std::span<const Vec2> to, std::span<const Vec2> from) {
+    std::vector<std::int32_t> match(to.size(), -1);
+    if (to.empty() || from.empty()) return match;
+    StraightCosts costs(from, to);
+    DynamicAssignment assignment;
+    ThreadPool alone;
+    AssignmentInput input;
+    input.characters = from;
+    input.places = to;
+    assignment.coldStart({}, input, costs, alone);
+    const std::span<const std::int32_t> placeOf = assignment.placeOf();
+    for (std::size_t i = 0; i < placeOf.size(); ++i)
+        if (placeOf[i] >= 0) match[placeOf[i]] = static_cast<std::int32_t>(i);
+    return match;
+}
+
+std::vector<std::int32_t> matchNearFirst(std::span<const Vec2> to, std::span<const Vec2> from, double reach) {
+    std::vector<std::int32_t> match = matchNear(to, from, reach);
+    std::vector<std::uint8_t> taken(from.size(), 0);
+    std::vector<std::int32_t> openTo, openFrom;
+    std::vector<Vec2> leftTo, leftFrom;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        if (match[k] >= 0) {
+            taken[match[k]] = 1;
+        } else {
+            openTo.push_back(static_cast<std::int32_t>(k));
+            leftTo.push_back(to[k]);
+        }
+    }
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        if (taken[i] != 0) continue;
+        openFrom.push_back(static_cast<std::int32_t>(i));
+        leftFrom.push_back(from[i]);
+    }
+    const std::vector<std::int32_t> rest = matchAll(leftTo, leftFrom);
+    for (std::size_t k = 0; k < rest.size(); ++k)
+        if (rest[k] >= 0) match[openTo[k]] = openFrom[rest[k]];
+    return match;
+}
+
+}  // namespace muster
