@@ -33,6 +33,17 @@ std::vector<Command> everyCommand() {
     GroupDef group;
     group.count = 2;
     group.starts = {{0, 0}, {1, 1}};
+    Order order = Order::move({3, 4}, 0.5);
+    order.route = {{1, 1}, {2, 3}};
+    order.formation = outline;
+    order.path = box.path;
+    const Body heavy{0.4, 1.5, 6.0, 2.0, 3.0, 4};
+    group.bodies = {heavy, {}};
+    group.roles = {{RoleArea::Rim, 4}};
+    group.demands = {1.0, 2.0};
+    group.conduct = {Stance::Hold, 0.5, 0.25, true};
+    group.orders = {order, Order::face(1.0)};
+    group.patrols = true;
     const std::vector<CommandBody> bodies = {
         TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}},
         TouchMove{7, {1, 2}, 0.25},
@@ -53,7 +64,20 @@ std::vector<Command> everyCommand() {
         AddPatch{patch},
         ChangePatch{PatchId{1}, patch},
         RemovePatch{PatchId{1}},
-        SetParameter{"plan.exponent", 1.5}};
+        SetParameter{"plan.exponent", 1.5},
+        GiveOrder{GroupId{1}, QueueMode::Insert, 2, order},
+        EditQueue{GroupId{1}, QueueEdit::Cancel, 7},
+        SetConduct{GroupId{1}, group.conduct},
+        AddCharacters{GroupId{1}, {{0, 0}, {1, 2}}, {heavy}},
+        RemoveCharacters{{4, 2}},
+        TransferCharacters{{4, 2}, GroupId{2}},
+        SplitGroup{GroupId{1}, SplitBy::Shares, {}, {}, {1.0, 2.5}, true, PartShape::Smaller},
+        MergeGroups{{GroupId{2}, GroupId{1}}, PartShape::AsHeld},
+        SetBodies{{4, 2}, {heavy, {}}},
+        SetRoles{GroupId{1}, group.roles},
+        SetDemands{GroupId{1}, {0.5, 2.0}},
+        SetDriver{{4, 2}, Driver::Outside},
+        WriteMotion{{4, 2}, {{0, 0}, {1, 2}}, {{1, 0}, {0, 1}}}};
     std::vector<Command> commands;
     for (const CommandBody& body : bodies) {
         const auto n = static_cast<std::uint32_t>(commands.size());

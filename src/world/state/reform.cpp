@@ -20,6 +20,7 @@ constexpr double kFileWidth = 0.8;    // and so many beside,
 constexpr double kLeastRank = 0.3;    // and at least so many behind.
 constexpr std::size_t kMostHoles = 64;  // So many places are closed up at most, else all are matched anew.
 constexpr std::int32_t kRank = 10;      // Points that are added come in ranks of so many.
+constexpr double kClearlyBetter = 0.5;  // Of the misfit of another way to fit it.
 constexpr double kCentred = 1e-9;       // A formation nearer to its origin is not moved [m].
 
 std::vector<Vec2> restPlacesOf(const Formation& formation) {
@@ -41,8 +42,8 @@ double misfit(std::span<const Vec2> places, Vec2 shift, std::span<const Vec2> he
     return sum;
 }
 
-// How far a formation is moved to fit what is held: front on front, origin on origin, middle on middle, or rear on
-// rear, the first of the best.
+// How far a formation is moved to fit what is held: front on front, unless origin on origin, middle on middle, or rear
+// on rear fit clearly better.
 Vec2 bestShift(std::span<const Vec2> places, std::span<const Vec2> held) {
     if (held.empty()) return {};
     const Box now = boundsOf(held), next = boundsOf(places);
@@ -55,7 +56,7 @@ Vec2 bestShift(std::span<const Vec2> places, std::span<const Vec2> held) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2 shift : shifts) {
         const double sum = misfit(places, shift, held);
-        if (sum >= least - kCentred) continue;
+        if (sum >= kClearlyBetter * least) continue;
         least = sum;
         best = shift;
     }
