@@ -66,23 +66,17 @@ void GoRound::findClusters(const WorldState& state, const CrowdBodies& bodies) {
     }
 }
 
-// The ends of the cluster are its outermost members as seen along the way to the target. Who is beyond them,
-// or has nobody ahead of it on its way, goes on as it was.
-void GoRound::turn(WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
-                   std::int32_t character) const {
-    Characters& c = state.characters;
+// Whether the shorter way to the target leads round the left end of the cluster. The ends are its outermost
+// members as seen along the way.
+bool GoRound::isLeftShorter(const Characters& c, const CrowdBodies& bodies, const Cluster& cluster,
+                            Vec2 target, std::int32_t character) const {
     const Vec2 here = c.position[character], way = c.direction[character];
-    const double far = std::min(kLookAhead, distance(here, target));
-    const double own = bodies.radius(character) + kMargin;
-    bool barred = false;
-    Vec2 left = here, right = here;  // The outermost members, moved aside by the distance to keep.
+    Vec2 left, right;  // The outermost members, moved aside by the distance to keep.
     double mostLeft = -std::numeric_limits<double>::infinity(), mostRight = -mostLeft;
     for (std::size_t k = cluster.first; k < cluster.end; ++k) {
         const std::int32_t i = members_[k];
-        const double keep = own + bodies.radius(i);
-        const Vec2 to = c.position[i] - here;
-        const double along = dot(to, way), across = cross(way, to);
-        barred = barred || (along > 0.0 && along < far + keep && std::fabs(across) < keep);
+        const double keep = bodies.touching(character, i) + kMargin;
+        const double across = cross(way, c.position[i] - here);
         if (across + keep > mostLeft) {
             mostLeft = across + keep;
             left = c.position[i] + perpendicular(way) * keep;
@@ -92,18 +86,46 @@ void GoRound::turn(WorldState& state, const CrowdBodies& bodies, const Cluster& 
             right = c.position[i] - perpendicular(way) * keep;
         }
     }
-    // Its place is among them or this side of them.
-    const auto behind = [&](Vec2 end) { return distance(here, end) + distance(end, target); };
+    const auto round = [&](Vec2 end) { return distance(here, end) + distance(end, target); };
+    return round(left) < round(right);
+}
+
+// Turns a way that leads into the cluster to the outermost tangent of its members on the shorter side.
+void GoRound::turn(Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+                   std::int32_t character) const {
+    const Vec2 here = c.position[character], way = c.direction[character];
+    const double far = std::min(kLookAhead, distance(here, target));
+    const auto members = std::span(members_).subspan(cluster.first, cluster.end - cluster.first);
+    const bool barred = std::any_of(members.begin(), members.end(), [&](std::int32_t i) {
+        const double keep = bodies.touching(character, i) + kMargin;
+        const Vec2 to = c.position[i] - here;
+        const double along = dot(to, way);
+        return along > 0.0 && along < far && std::fabs(cross(way, to)) < keep;
+    });
     if (!barred) return;
-    const Vec2 end = behind(left) < behind(right) ? left : right;
-    c.direction[character] = normalized(end - here, way);
+    const double side = isLeftShorter(c, bodies, cluster, target, character) ? 1.0 : -1.0;
+    // Grows with the angle from the way to the side.
+    const auto turned = [&](Vec2 unit) {
+        return std::copysign(1.0 - dot(way, unit), side * cross(way, unit));
+    };
+    Vec2 outermost = way;
+    for (const std::int32_t i : members) {
+        const double keep = bodies.touching(character, i) + kMargin;
+        const Vec2 to = c.position[i] - here;
+        if (dot(to, way) < -keep) continue;
+        const double away = std::max(length(to), 1e-9), sine = std::min(1.0, keep / away);
+        const Rotation tangent{std::sqrt(1.0 - sine * sine), side * sine};
+        const Vec2 unit = tangent.apply(to / away);
+        if (turned(unit) > turned(outermost)) outermost = unit;
+    }
+    c.direction[character] = normalized(outermost, way);
 }
 
 void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const Vec2> targets) {
     findHolders(state);
     if (holders_.empty()) return;
     findClusters(state, bodies);
-    const Characters& c = state.characters;
+    Characters& c = state.characters;
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.direction[i] == Vec2{} || bodies.isFixed(i)) continue;
         for (const Cluster& cluster : clusters_) {
@@ -112,7 +134,7 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
             if (!cluster.box.grown(reach).contains(c.position[i]) ||
                 !bodies.isFirmer(members_[cluster.first], i))
                 continue;
-            turn(state, bodies, cluster, targets[i], static_cast<std::int32_t>(i));
+            turn(c, bodies, cluster, targets[i], static_cast<std::int32_t>(i));
         }
     }
 }

@@ -11,8 +11,8 @@
 
 namespace muster {
 
-/// Turns the directions of characters whose way leads into a cluster of others who hold their ground, or who
-/// are moved from outside and stand: to the end of the cluster by which the way to their place is shorter.
+/// Turns the directions of characters whose way leads into a cluster of others who hold their ground, to
+/// the end of the cluster by which the way to their place is shorter.
 class GoRound {
 public:
     /// Changes directions. `targets` is where each heads for in the end [m].
@@ -29,7 +29,9 @@ private:
     void findHolders(const WorldState& state);
     void findClusters(const WorldState& state, const CrowdBodies& bodies);
     std::int32_t rootOf(std::int32_t k);
-    void turn(WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+    bool isLeftShorter(const Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+                       std::int32_t character) const;
+    void turn(Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
               std::int32_t character) const;
 
     std::vector<std::int32_t> holders_;  // Characters.
