@@ -71,7 +71,7 @@ void GoRound::findClusters(const WorldState& state, const CrowdBodies& bodies) {
 bool GoRound::isLeftShorter(const Characters& c, const CrowdBodies& bodies, const Cluster& cluster,
                             Vec2 target, std::int32_t character) const {
     const Vec2 here = c.position[character], way = c.direction[character];
-    Vec2 left, right;  // The outermost members, moved aside by the distance to keep.
+    Vec2 left, right;  // The outermost members, moved sideways by the distance to keep.
     double mostLeft = -std::numeric_limits<double>::infinity(), mostRight = -mostLeft;
     for (std::size_t k = cluster.first; k < cluster.end; ++k) {
         const std::int32_t i = members_[k];

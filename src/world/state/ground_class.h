@@ -20,7 +20,7 @@ double meanRadius(const WorldState& state, const Group& group);
 /// How the places of a group travel, by that of usual groups.
 PlaceDef placeDefOf(const WorldState& state, const Group& group, PlaceDef usual);
 /// Gives groups whose largest member has become another one their class. Their plans, which are bound to the
-/// ground of their class, begin anew. Waits for background work before that.
+/// ground of their class, begin again. Waits for background work before that.
 void updateGroundClasses(WorldState& state, ThreadPool& pool);
 
 }  // namespace muster
