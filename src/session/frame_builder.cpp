@@ -50,6 +50,47 @@ protocol::ControlFrame controlFrame(const Control& control, const FormationMesh&
     return frame;
 }
 
+static_assert(static_cast<int>(EventKind::Count) == static_cast<int>(protocol::EventKind::Transferred) + 1);
+
+protocol::OrderFrame orderFrame(const QueuedOrder& queued) {
+    const Order& order = queued.order;
+    protocol::OrderFrame frame;
+    frame.id = queued.id;
+    frame.kind = static_cast<protocol::OrderKind>(order.kind);
+    frame.x = narrow(order.target.x);
+    frame.y = narrow(order.target.y);
+    frame.hasFacing = order.facing.has_value();
+    frame.facing = narrow(order.facing.value_or(0.0));
+    frame.width = narrow(order.width);
+    frame.manner = static_cast<protocol::Manner>(order.manner);
+    frame.turn = static_cast<protocol::Turn>(order.turn);
+    frame.group = order.group.value;
+    frame.character = order.character;
+    frame.halfX = narrow(order.halfSize.x);
+    frame.halfY = narrow(order.halfSize.y);
+    fillPoints(frame.route, order.route);
+    return frame;
+}
+
+/// The queue and the conduct of a group.
+template <class View>
+void fillOrders(const View& view, protocol::GroupFrame& frame) {
+    frame.x = narrow(view.pose.position.x);
+    frame.y = narrow(view.pose.position.y);
+    frame.facing = narrow(std::atan2(view.pose.rotation.s, view.pose.rotation.c));
+    frame.orders.clear();
+    if constexpr (requires { view.orders; view.way; view.held; view.conduct; }) {
+    for (const QueuedOrder& order : view.orders) frame.orders.push_back(orderFrame(order));
+    fillPoints(frame.way, view.way);
+    frame.held = view.held;
+    frame.patrols = view.patrols;
+    frame.stance = static_cast<protocol::Stance>(view.conduct.stance);
+    frame.cohesion = narrow(view.conduct.cohesion);
+    frame.squeeze = narrow(view.conduct.squeeze);
+    frame.avoids = view.conduct.avoids;
+    }
+}
+
 void fillGroup(const World& world, std::size_t group, protocol::GroupFrame& frame) {
     const GroupView view = world.group(group);
     frame.id = view.id.value;
@@ -59,6 +100,7 @@ void fillGroup(const World& world, std::size_t group, protocol::GroupFrame& fram
     frame.walkSquares = narrow(view.walk.squares);
     frame.walkLongest = narrow(view.walk.longest);
     fillPoints(frame.vertices, view.finalMesh);
+    fillOrders(view, frame);
     frame.controls.clear();
     for (const Control& control : world.group(group).controls)
         frame.controls.push_back(controlFrame(control, inspect::mesh(world, group)));
@@ -80,6 +122,23 @@ void fillMoving(const Environment& environment, std::vector<protocol::MovingFram
         const TimedPath& path = environment.patch(id)->path;
         if (!path.still())
             moving.push_back(movingFrame(protocol::MovingKind::Patch, id.value, path.at(time)));
+    }
+}
+
+/// Classes and radii; empty where nobody has another than the usual one.
+void fillBodies(const World& world, protocol::Frame& frame) {
+    const std::span<const Body> bodies = world.characters().body;
+    const auto usual = [](const Body& body) { return body.radius == 0.0; };
+    const auto ofNone = [](const Body& body) { return body.unitClass == 0; };
+    frame.unitClass.clear();
+    frame.radius.clear();
+    if (!std::all_of(bodies.begin(), bodies.end(), ofNone))
+        for (const Body& body : bodies) frame.unitClass.push_back(body.unitClass);
+    if (std::all_of(bodies.begin(), bodies.end(), usual)) return;
+    const double radius = world.parameters().character.radius;
+    for (const Body& body : bodies) {
+        const double own = body.radius > 0.0 ? body.radius : radius;
+        frame.radius.push_back(static_cast<std::uint8_t>(std::clamp(std::round(100.0 * own), 1.0, 255.0)));
     }
 }
 
@@ -112,9 +171,13 @@ void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
     frame.group.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         frame.group[i] = static_cast<std::uint8_t>(std::min<std::uint32_t>(characters.group[i], 255));
-    if (frame.ids == ids_ && frame.group == groups_) return;
+    fillBodies(world, frame);
+    if (frame.ids == ids_ && frame.group == groups_ && frame.unitClass == classes_ && frame.radius == radii_)
+        return;
     ids_ = frame.ids;
     groups_ = frame.group;
+    classes_ = frame.unitClass;
+    radii_ = frame.radius;
     ++idsVersion_;
 }
 
@@ -161,6 +224,8 @@ protocol::GroupMesh buildGroupMesh(const World& world, std::size_t index) {
     message.group = group.id.value;
     message.version = group.formationVersion;
     message.formation = std::string(formationName(group.formation));
+    message.spacing = narrow(inspect::groupDef(world, index).formation.spacing);
+    fillPoints(message.rest, group.restMesh);
     const TriangleMesh& mesh = formation.mesh;
     for (const MeshPoint& place : formation.places) {
         message.placeTriangles.push_back(static_cast<std::uint32_t>(place.triangle));
@@ -181,7 +246,7 @@ void appendEvents(const World& world, std::vector<protocol::EventFrame>& events)
     for (const Event& event : world.events()) {
         // A large crowd has many swaps; a frame holds their rate instead.
         if (event.kind == EventKind::Swap) continue;
-        events.push_back({static_cast<std::uint8_t>(event.kind), event.subject, event.value,
+        events.push_back({static_cast<protocol::EventKind>(event.kind), event.subject, event.value,
                           narrow(event.position.x), narrow(event.position.y)});
     }
 }

@@ -35,6 +35,8 @@ private:
     std::size_t observed_ = 0;        // Number of steps observed.
     std::vector<std::uint32_t> ids_;  // Ids at the last build.
     std::vector<std::uint8_t> groups_;
+    std::vector<std::uint8_t> classes_;
+    std::vector<std::uint8_t> radii_;
     std::uint32_t idsVersion_ = 0;
     CrowdPicture crowd_;
     std::vector<PlacesPicture> places_;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
-    "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Attend",
-    "FrameAck", "Ping"};
+    "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
+    "Attend", "FrameAck", "Ping"};
 constexpr const char* kServerNames[] = {
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong"};
 
@@ -57,9 +57,10 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 10: return decodeAs<Any, LoadScenario>(bytes);
         case 11: return decodeAs<Any, Record>(bytes);
         case 12: return decodeAs<Any, SetOverlay>(bytes);
-        case 13: return decodeAs<Any, Attend>(bytes);
-        case 14: return decodeAs<Any, FrameAck>(bytes);
-        case 15: return decodeAs<Any, Ping>(bytes);
+        case 13: return decodeAs<Any, Commands>(bytes);
+        case 14: return decodeAs<Any, Attend>(bytes);
+        case 15: return decodeAs<Any, FrameAck>(bytes);
+        case 16: return decodeAs<Any, Ping>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }

@@ -182,9 +182,21 @@ struct SetOverlay {
     }
 };
 
+/// Orders and changes of units, in the words of gesture files.
+struct Commands {
+    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
+    std::string events;  ///< a JSON array of events as gesture files have them, without t, client and step
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(events);
+    }
+};
+
 /// Where this client looks: the characters nearest to it come with whole poses.
 struct Attend {
-    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
     float x = 0.0f;  ///< [m]
     float y = 0.0f;
     std::uint32_t count = 0;  ///< how many at most; 0 for none
@@ -198,7 +210,7 @@ struct Attend {
 
 /// Frame drawn; the next may come.
 struct FrameAck {
-    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
     std::uint32_t frame = 0;
 
     /// Lets an archive read or write the fields.
@@ -210,7 +222,7 @@ struct FrameAck {
 
 /// Asks for a Pong.
 struct Ping {
-    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 16;  ///< First byte of the message.
     double time = 0.0;
 
     /// Lets an archive read or write the fields.
@@ -223,6 +235,6 @@ struct Ping {
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Attend, FrameAck, Ping>;
+    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping>;
 
 }  // namespace muster::protocol

@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 5;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v5";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 6;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v6";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -31,6 +31,16 @@ enum class OverlayKind : std::uint8_t { None, Field, Cost, Density };
 enum class MovingKind : std::uint8_t { Obstacle, Patch };
 /// Values of a field, as one byte.
 enum class NoticeLevel : std::uint8_t { Info, Warning, Error };
+/// Values of a field, as one byte.
+enum class OrderKind : std::uint8_t { Move, Face, Follow, Guard };
+/// Values of a field, as one byte.
+enum class Manner : std::uint8_t { March, Free };
+/// Values of a field, as one byte.
+enum class Turn : std::uint8_t { Wheel, Reverse, Keep };
+/// Values of a field, as one byte.
+enum class Stance : std::uint8_t { Normal, Hold, Yield };
+/// Values of a field, as one byte.
+enum class EventKind : std::uint8_t { EnterPatch, LeavePatch, TransitionStart, TransitionEnd, SingleStep, Collect, FormationChange, Swap, Arrived, Stuck, Blocked, Free, NoPath, Partial, OrderGiven, OrderBegun, OrderDone, OrderSkipped, Passed, GroupAdded, GroupRemoved, Joined, Left, Transferred };
 
 /// One finger begins, moves, lifts or is lost, in world coordinates [m].
 struct TouchEvent {
@@ -96,6 +106,34 @@ struct ControlFrame {
     }
 };
 
+/// An order in a group's queue; the first is the one that is carried out.
+struct OrderFrame {
+    std::uint32_t id = 0;
+    OrderKind kind = OrderKind::Move;
+    float x = 0.0f;  ///< target [m]
+    float y = 0.0f;
+    bool hasFacing = false;
+    float facing = 0.0f;  ///< [rad]
+    float width = 0.0f;  ///< of the front; 0: as it is [m]
+    Manner manner = Manner::March;
+    Turn turn = Turn::Wheel;
+    std::uint32_t group = 0;  ///< whom it follows; 0: nobody
+    std::uint32_t character = 0;
+    float halfX = 0.0f;  ///< of the guarded rectangle [m]
+    float halfY = 0.0f;
+    std::vector<float> route;  ///< x, y of the drawn way
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, kind, x, y, hasFacing, facing, width, manner, turn, group, character, halfX, halfY,
+                route);
+        checkEnum(archive, kind, 4);
+        checkEnum(archive, manner, 2);
+        checkEnum(archive, turn, 3);
+    }
+};
+
 /// A group's mesh, places and controls [m].
 struct GroupFrame {
     std::uint32_t id = 0;
@@ -109,12 +147,24 @@ struct GroupFrame {
     std::vector<std::int16_t> offsets;  ///< x, y per such from their points of the mesh [cm]
     std::vector<std::uint8_t> unfit;  ///< a bit per place, the lowest first, 1: no room for anyone; empty where unchanged
     std::vector<ControlFrame> controls;
+    float x = 0.0f;  ///< where its formation has its centre [m]
+    float y = 0.0f;
+    float facing = 0.0f;  ///< [rad]
+    std::vector<OrderFrame> orders;  ///< its queue
+    std::vector<float> way;  ///< x, y: the rest of the way of the order that is carried out
+    bool held = false;  ///< it waits; the queue stays
+    bool patrols = false;  ///< orders that are done come last again
+    Stance stance = Stance::Normal;
+    float cohesion = 0.0f;  ///< 0 to 1
+    float squeeze = 0.0f;  ///< share of its width that it may give up
+    bool avoids = false;  ///< its mesh gives way to others
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, meshVersion, lag, walkSum, walkSquares, walkLongest, vertices, moved, offsets, unfit,
-                controls);
+                controls, x, y, facing, orders, way, held, patrols, stance, cohesion, squeeze, avoids);
+        checkEnum(archive, stance, 3);
     }
 };
 
@@ -199,7 +249,7 @@ struct ClipFrames {
 
 /// Something that happened.
 struct EventFrame {
-    std::uint8_t kind = 0;  ///< muster::EventKind
+    EventKind kind = EventKind::EnterPatch;
     std::uint32_t subject = 0;
     std::uint32_t value = 0;
     float x = 0.0f;
@@ -209,6 +259,7 @@ struct EventFrame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind, subject, value, x, y);
+        checkEnum(archive, kind, 24);
     }
 };
 

@@ -57,6 +57,8 @@ struct GroupMesh {
     std::uint32_t group = 0;
     std::uint32_t version = 0;
     std::string formation;
+    float spacing = 0.0f;  ///< between neighbouring places [m]
+    std::vector<float> rest;  ///< x, y of the vertices before anything deforms them, in the group's axes: it faces x [m]
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> boundary;  ///< loops: length, then vertices
     std::vector<std::uint32_t> placeTriangles;  ///< per place, index of the triangle it lies in
@@ -65,7 +67,8 @@ struct GroupMesh {
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, version, formation, triangles, boundary, placeTriangles, placeWeights);
+        archive(group, version, formation, spacing, rest, triangles, boundary, placeTriangles,
+                placeWeights);
     }
 };
 
@@ -84,6 +87,8 @@ struct Frame {
     std::uint32_t sceneRevision = 0;
     std::vector<std::uint32_t> ids;  ///< of characters; empty where unchanged since the last frame sent
     std::vector<std::uint8_t> group;  ///< index into groups
+    std::vector<std::uint8_t> unitClass;  ///< of characters, where ids are told; empty: all are of none
+    std::vector<std::uint8_t> radius;  ///< of characters, where ids are told [cm]; empty: all have the usual one
     CrowdFrame crowd;
     std::vector<GroupFrame> groups;
     std::vector<MovingFrame> moving;
@@ -97,8 +102,8 @@ struct Frame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(frame, step, time, playing, speed, recordedSeconds, replaying, demonstrating, touchEcho,
-                sceneRevision, ids, group, crowd, groups, moving, collected, stepMs, lagP95, swapsPerSecond,
-                events);
+                sceneRevision, ids, group, unitClass, radius, crowd, groups, moving, collected, stepMs,
+                lagP95, swapsPerSecond, events);
     }
 };
 

@@ -139,7 +139,6 @@ std::uint64_t sceneSignature(const World& world) {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView view = world.group(g);
         hash.add(view.id.value);
-        hash.add(view.count);
     }
     for (const ParameterInfo& info : parameterTable()) hash.add(info.get(world.parameters()));
     return hash.value();

@@ -138,12 +138,19 @@ void Session::Impl::sendFrame(SessionClient& client) {
     frame.frame = ++client.frame;
     frame.touchEcho = client.touchShown;
     frame.events.swap(client.events);
-    // The ids are left out of this message where the client already has them.
+    // Ids, groups and bodies are left out of this message where the client already has them.
     std::vector<std::uint32_t> ids;
-    std::vector<std::uint8_t> groups;
-    if (known) ids.swap(frame.ids), groups.swap(frame.group);
+    std::vector<std::uint8_t> groups, classes, radii;
+    const auto swapMembers = [&] {
+        if (!known) return;
+        ids.swap(frame.ids);
+        groups.swap(frame.group);
+        classes.swap(frame.unitClass);
+        radii.swap(frame.radius);
+    };
+    swapMembers();
     client.outbox.push_back(protocol::encode(frame));
-    if (known) ids.swap(frame.ids), groups.swap(frame.group);
+    swapMembers();
     frame.events.swap(client.events);
     client.events.clear();
     client.sentIds = frames.idsVersion();

@@ -4,6 +4,7 @@
 
 #include "environment/environment.h"
 #include "muster/parameter_table.h"
+#include "session/command_text.h"
 #include "session/notice_position.h"
 #include "session/session_state.h"
 #include "world/inspect.h"
@@ -197,6 +198,13 @@ public:
         client_.overlayCharacter = message.character;
         client_.overlayState = 0;  // Sends an overlay even while the world is paused.
         return {};
+    }
+
+    Status operator()(const protocol::Commands& message) {
+        if (!session_.world) return noWorld();
+        auto bodies = parseCommandText(message.events, session_.def.limits);
+        if (!bodies.ok()) return bodies.status();
+        return submit(std::move(bodies).value());
     }
 
     Status operator()(const protocol::Attend& message) {

@@ -66,7 +66,19 @@ protocol::Frame sampleFrame() {
     control.kind = protocol::ControlKind::Area;
     control.points.push_back({9, true, 1.0f, 2.0f, {3.0f, 4.0f}});
     frame.moving.push_back({protocol::MovingKind::Patch, 2, 0.1f, 0.2f, 0.3f});
-    frame.events.push_back({5, 1, 2, 0.0f, 0.0f});
+    protocol::OrderFrame& order = group.orders.emplace_back();
+    order.id = 4;
+    order.kind = protocol::OrderKind::Guard;
+    order.hasFacing = true;
+    order.facing = 1.5f;
+    order.route = {1.0f, -2.0f};
+    group.way = {0.5f, 0.25f};
+    group.held = true;
+    group.stance = protocol::Stance::Yield;
+    group.squeeze = 0.5f;
+    frame.unitClass = {0, 3};
+    frame.radius = {25, 60};
+    frame.events.push_back({protocol::EventKind::Collect, 1, 2, 0.0f, 0.0f});
     return frame;
 }
 
@@ -103,6 +115,10 @@ TEST_CASE("A frame is the same after encoding and decoding") {
     CHECK(frame.groups[0].offsets == sent.groups[0].offsets);
     CHECK(frame.groups[0].controls[0].points[0].path == sent.groups[0].controls[0].points[0].path);
     CHECK(frame.groups[0].controls[0].kind == protocol::ControlKind::Area);
+    CHECK(frame.groups[0].orders[0].kind == protocol::OrderKind::Guard);
+    CHECK(frame.groups[0].orders[0].route == sent.groups[0].orders[0].route);
+    CHECK(frame.groups[0].stance == protocol::Stance::Yield);
+    CHECK(frame.radius == sent.radius);
     CHECK(frame.moving[0].id == 2);
     CHECK(protocol::encode(frame) == bytes);
     for (std::size_t length = 0; length < bytes.size(); ++length)

@@ -5,6 +5,7 @@ import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
+import * as orders from './cases/orders.mjs';
 import * as overlays from './cases/overlays.mjs';
 import * as people from './cases/people.mjs';
 import * as realMaps from './cases/real_maps.mjs';
@@ -42,6 +43,17 @@ const kCases = [
   ],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
+  ['units: split and merge', orders.splitAndMerge, kTablets, { room: true }],
+  ['units: pulled apart', orders.pullApart, ['landscape'], { room: true }],
+  [
+    'units: chip onto chip',
+    orders.chipOntoChip,
+    ['desktop'],
+    { touch: false, scenario: 'web/tests/scenarios/two-groups.json', room: true },
+  ],
+  ['orders by mouse', orders.ordersByMouse, ['desktop'], { touch: false, room: true }],
+  ['orders by touch', orders.ordersByTouch, ['landscape', 'portrait', 'phone'], { room: true }],
+  ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ['paused', feedback.paused, ['desktop'], { room: true }],
   ['refused', feedback.refused, ['desktop', 'phone'], {}],
   ['objectives', objectives.objectives, ['desktop'], { scenario: 'scenarios/block.json' }],

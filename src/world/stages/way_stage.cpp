@@ -78,7 +78,6 @@ void WayStage::look(WorldState& state) {
     survey.crossing = false;
     for (Group& group : state.groups) {
         foresee(state, group);
-        if (group.groundClass != 0) continue;  // Passages are those of usual bodies.
         survey.crossing = trigger_.look(state, fields_, group, survey) || survey.crossing;
     }
     state.waysLookedAt = state.stepCount;

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "base/maths.h"
 #include "base/neighbour_list.h"
 #include "crowd/contacts.h"
 #include "formation/shapes/formation.h"
-#include "world/state/ground_class.h"
 #include "world/state/layer_defs.h"
 #include "world/state/reform.h"
 #include "world/state/standing_room.h"
@@ -107,23 +105,13 @@ Vec2 startOf(const GroupDef& def, std::int32_t index, const std::vector<Vec2>& p
 /// True where two of the characters still stand in each other.
 bool anyInside(const WorldState& state) {
     constexpr double kDeep = 0.9;  // Diameters.
-    CrowdBodies bodies;
-    bodies.resolve(state.parameters.character, state.characters, {});
+    const double least = kDeep * 2.0 * state.parameters.character.radius;
     const std::vector<Vec2>& positions = state.characters.position;
     NeighbourList neighbours;
-    neighbours.build(positions, kDeep * 2.0 * bodies.largestRadius());
+    neighbours.build(positions, least);
     return std::any_of(neighbours.pairs().begin(), neighbours.pairs().end(), [&](NeighbourPair pair) {
-        const double least = kDeep * bodies.touching(pair.low, pair.high);
         return lengthSquared(positions[pair.high] - positions[pair.low]) < least * least;
     });
-}
-
-/// Characters that start in each other or in a wall part before anything is planned.
-void partAtStart(WorldState& state) {
-    CrowdBodies bodies;
-    bodies.resolve(state.parameters.character, state.characters, {});
-    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
-                       state.characters.position, nullptr, nullptr, {}, &bodies);
 }
 
 /// Where so many start in walls that there is no room beside them, all start at their places.
@@ -134,17 +122,15 @@ void startAtPlaces(WorldState& state, const Group& group) {
         state.characters.position[i] = group.places.reachableTargets()[k];
         state.characters.walk[i].anchor = state.characters.position[i];
     }
-    partAtStart(state);
+    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
+                       state.characters.position);
 }
 
 /// Puts the places of a group on their reachable targets.
 void resetPlaces(WorldState& state, Group& group, const std::vector<Vec2>& targets) {
     std::vector<std::int32_t> counts;
-    const std::int32_t before = std::exchange(group.groundClass, groundClassFor(state, group));
-    RouteGraph& routes = state.refreshRoutes(group.groundClass);
-    group.places.reset(placeDefOf(state, group, placeDef(state.parameters)), targets, routes,
-                       mainRegion(state, group, counts));
-    group.groundClass = before;  // Until updateGroundClasses() exchanges its plan.
+    RouteGraph& routes = state.refreshRoutes();
+    group.places.reset(placeDef(state.parameters), targets, routes, mainRegion(state, group, counts));
 }
 
 /// True where places are still far from where the mesh has them.
@@ -189,7 +175,9 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     state.groups.push_back(std::move(group));
     state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
     state.refreshMembers();
-    partAtStart(state);
+    // Characters that start in each other or in a wall part before anything is planned.
+    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
+                       state.characters.position);
     resetPlaces(state, state.groups.back(), targets);
     if (def.starts.empty() && anyInside(state)) startAtPlaces(state, state.groups.back());
     return {};

@@ -9,6 +9,8 @@ export function mergeStale(stale: StudioFrame, newer: StudioFrame): StudioFrame 
     ...newer,
     ids: idsKept ? stale.ids : newer.ids,
     group: idsKept ? stale.group : newer.group,
+    unitClass: idsKept ? stale.unitClass : newer.unitClass,
+    radius: idsKept ? stale.radius : newer.radius,
     events: stale.events.length > 0 ? [...stale.events, ...newer.events] : newer.events,
   };
 }

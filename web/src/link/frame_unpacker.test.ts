@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { kJoints } from '../model/skeleton';
 import type { Frame, GroupFrame, GroupMesh } from '../protocol/messages';
+import { kIdle } from '../model/test_frames';
 import { FrameUnpacker, unpackPoses } from './frame_unpacker';
 import { buffersOf } from '../model/studio_frame';
 
@@ -18,6 +19,8 @@ function meshOf(group: number): GroupMesh {
     group,
     version: 1,
     formation: 'square',
+    spacing: 1,
+    rest: new Float32Array(),
     triangles: Uint32Array.of(0, 1, 2, 0, 2, 3),
     boundary: new Uint32Array(),
     placeTriangles: Uint32Array.of(0, 1),
@@ -64,6 +67,8 @@ function frameOf(group: Partial<GroupFrame>): Frame {
     sceneRevision: 1,
     ids: Uint32Array.of(1),
     group: Uint8Array.of(0),
+    unitClass: new Uint8Array(),
+    radius: new Uint8Array(),
     crowd,
     moving: [],
     collected: new Uint8Array(),
@@ -79,6 +84,8 @@ function frameOf(group: Partial<GroupFrame>): Frame {
         vertices: Float32Array.of(0, 0, 4, 0, 4, 4, 0, 4),
         ...moved,
         controls: [],
+        ...kIdle,
+        orders: [],
         ...group,
       },
     ],

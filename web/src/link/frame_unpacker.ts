@@ -87,6 +87,8 @@ const kNoMesh: GroupMesh = {
   group: 0,
   version: 0,
   formation: '',
+  spacing: 1,
+  rest: new Float32Array(0),
   triangles: new Uint32Array(0),
   boundary: new Uint32Array(0),
   placeTriangles: new Uint32Array(0),

@@ -3,6 +3,7 @@ import type { GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';
 import { parseScene } from '../protocol/scene';
 import { FrameReader, countGroups, sceneKey } from './frame_reader';
+import { kIdle } from './test_frames';
 import { kInitialState } from './studio_state';
 
 const scene = parseScene(
@@ -20,8 +21,9 @@ function frame(group: number[], groups: number[] = [4, 9]): StudioFrame {
   const part = {
     type: 'Frame',
     group: Uint8Array.from(group),
+    unitClass: Uint8Array.from(group, (_, i) => (i === 0 ? 2 : 0)),
     x: new Float32Array(3),
-    groups: groups.map((id) => ({ id, controls: [], walkSum: 3, walkSquares: 5, walkLongest: 2 })),
+    groups: groups.map((id) => ({ id, controls: [], ...kIdle, walkSum: 3, walkSquares: 5, walkLongest: 2 })),
     playing: true,
     speed: 2,
     recordedSeconds: 1.5,
@@ -60,6 +62,43 @@ describe('FrameReader', () => {
     expect(change.recorded).toBe(1.5);
     expect(change.demonstrating).toBe(true);
   });
+  it('keeps who is chosen by id when groups before it end', () => {
+    const reader = new FrameReader();
+    reader.setScene(scene);
+    const before = reader.change(frame([0, 0, 1]), { ...kInitialState, active: 1 });
+    const state = { ...kInitialState, ...before, active: 1, selected: [4, 9] };
+    const after = reader.change(frame([0, 0, 0], [9]), state);
+    expect([after.active, after.selected]).toEqual([0, [9]]);
+    const gone = reader.change(frame([0, 0, 0], [4]), { ...state, selected: [9] });
+    expect([gone.active, gone.selected]).toEqual([0, [4]]);
+  });
+  it('gives parts of a group its name and a number, and colours by id', () => {
+    const reader = new FrameReader();
+    reader.setScene(
+      parseScene(
+        JSON.stringify({
+          box: { min: [0, 0], max: [1, 1] },
+          groups: [
+            { id: 4, name: 'North' },
+            { id: 11, name: 'North' },
+          ],
+        }),
+      ),
+    );
+    const groups = reader.groups(frame([0, 1, 2], [4, 11, 14]), []);
+    expect(groups.map(({ name, colour }) => `${name} ${colour}`)).toEqual(['North 3', 'North 2 4', 'Group 14 1']);
+  });
+  it('tells conduct and classes of each group, and the list itself while nothing changes', () => {
+    const reader = new FrameReader();
+    reader.groups(frame([0, 0, 1]), []);
+    const told = reader.units(frame([0, 0, 1]), []);
+    expect(told.map(({ id, classes }) => [id, classes])).toEqual([
+      [4, [{ unitClass: 2, count: 1 }]],
+      [9, []],
+    ]);
+    expect(told[0]!.conduct).toEqual({ stance: 'normal', cohesion: 0, squeeze: 1, avoids: false });
+    expect(reader.units(frame([]), told)).toBe(told);
+  });
   it('remembers the scenario that was steered through a replay', () => {
     const reader = new FrameReader();
     reader.setScene(scene);
@@ -78,9 +117,9 @@ it('countGroups ignores indices of groups that are not there', () => {
   expect(countGroups(Uint8Array.from([0, 1, 1, 7]), 2)).toEqual([1, 2]);
 });
 
-it('sceneKey sees other groups and ground, but no other counts and formations', () => {
+it('sceneKey sees other ground, but no other groups, counts and formations', () => {
   const more = { ...scene, groups: scene.groups.map((group) => ({ ...group, count: 99, formation: 'ring' })) };
   expect(sceneKey(more)).toBe(sceneKey(scene));
-  expect(sceneKey({ ...scene, groups: scene.groups.slice(1) })).not.toBe(sceneKey(scene));
+  expect(sceneKey({ ...scene, groups: scene.groups.slice(1) })).toBe(sceneKey(scene));
   expect(sceneKey({ ...scene, cell: 1 })).not.toBe(sceneKey(scene));
 });

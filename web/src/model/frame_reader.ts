@@ -4,7 +4,9 @@ import type { GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';
 import type { SceneFacts } from '../protocol/scene';
 import { walksOf } from './objective';
-import type { GroupInfo, StudioState } from './studio_state';
+import { kStances } from './commands';
+import { countClasses, type ClassCount } from './roles';
+import type { GroupInfo, StudioState, UnitInfo } from './studio_state';
 
 /** Characters per group index. */
 export function countGroups(group: Uint8Array, groups: number): number[] {
@@ -13,17 +15,45 @@ export function countGroups(group: Uint8Array, groups: number): number[] {
   return counts;
 }
 
-/** Equal for scenes that look the same: counts, formations and parameters do not matter. */
+/** Equal for scenes that look the same: groups, counts, formations and parameters do not matter. */
 export function sceneKey(scene: SceneFacts): string {
   const { name, box, cell, obstacles, patches, clips, items, checkpoints } = scene;
-  const groups = scene.groups.map((group) => [group.id, group.name, group.colour]);
-  return JSON.stringify([name, box, cell, obstacles, patches, clips, items, checkpoints, groups]);
+  return JSON.stringify([name, box, cell, obstacles, patches, clips, items, checkpoints]);
+}
+
+/** Colours repeat after so many groups; a group keeps its own, whichever others come and go. */
+const kColours = 6;
+
+/** The group's name; parts of a group have its name and a number. */
+function nameOf(known: string | undefined, id: number, before: readonly GroupInfo[]): string {
+  const name = known || `Group ${id}`;
+  const taken = (one: string): boolean => before.some((group) => group.name === one);
+  for (let k = 2; ; ++k) {
+    const next = k === 2 && !taken(name) ? name : `${name} ${k}`;
+    if (!taken(next)) return next;
+  }
+}
+
+function twoDigits(value: number): number {
+  return Math.round(value * 100) / 100;
+}
+
+/** The selection by ids: groups before the active one may have ended. */
+function chosenAmong(groups: readonly GroupInfo[], state: StudioState): Pick<StudioState, 'active' | 'selected'> {
+  const wanted = [state.groups[state.active]?.id, ...state.selected];
+  const found = wanted.map((id) => groups.findIndex((group) => group.id === id)).find((index) => index >= 0);
+  const active = found ?? Math.min(state.active, Math.max(0, groups.length - 1));
+  const left = state.selected.filter((id) => groups.some((group) => group.id === id));
+  const id = groups[active]?.id;
+  const selected = id === undefined ? [] : left.includes(id) ? left : [id];
+  return { active, selected };
 }
 
 export class FrameReader {
   private scene_: SceneFacts | null = null;
   private readonly formations_ = new Map<number, string>();
   private counts_: number[] = [];
+  private classes_: readonly (readonly ClassCount[])[] = [];
 
   setScene(scene: SceneFacts): void {
     this.scene_ = scene;
@@ -38,25 +68,50 @@ export class FrameReader {
 
   /** Returns `before` itself where nothing changed, so that no watcher is called. */
   groups(frame: StudioFrame, before: readonly GroupInfo[]): readonly GroupInfo[] {
-    if (frame.group.length > 0) this.counts_ = countGroups(frame.group, frame.groups.length);
-    const groups = frame.groups.map(({ id }, index): GroupInfo => {
+    if (frame.group.length > 0 || frame.x.length === 0) {
+      this.counts_ = countGroups(frame.group, frame.groups.length);
+      this.classes_ = countClasses(frame.group, frame.unitClass, frame.groups.length);
+    }
+    const groups: GroupInfo[] = [];
+    frame.groups.forEach(({ id }, index) => {
       const known = this.scene_?.groups.find((group) => group.id === id);
-      return {
+      groups.push({
         id,
-        name: known?.name ?? `Group ${index + 1}`,
-        colour: known?.colour ?? index,
+        name: nameOf(known?.name, id, groups),
+        colour: known?.colour ?? (id + kColours - 1) % kColours,
         count: this.counts_[index] ?? 0,
         formation: this.formations_.get(id) ?? '',
-      };
+      });
     });
     return JSON.stringify(groups) === JSON.stringify(before) ? before : groups;
+  }
+
+  /** Returns `before` itself where nothing changed. */
+  units(frame: StudioFrame, before: readonly UnitInfo[]): readonly UnitInfo[] {
+    const units = frame.groups.map(
+      ({ id, orders, held, patrols, stance, cohesion, squeeze, avoids }, index): UnitInfo => ({
+        id,
+        orders: orders.map((order) => ({ id: order.id, kind: order.kind })),
+        held,
+        patrols,
+        conduct: {
+          stance: kStances[stance]!,
+          cohesion: twoDigits(cohesion),
+          squeeze: twoDigits(squeeze),
+          avoids,
+        },
+        classes: this.classes_[index] ?? [],
+      }),
+    );
+    return JSON.stringify(units) === JSON.stringify(before) ? before : units;
   }
 
   change(frame: StudioFrame, state: StudioState): Partial<StudioState> {
     const groups = this.groups(frame, state.groups);
     return {
       groups,
-      active: Math.min(state.active, Math.max(0, groups.length - 1)),
+      ...(groups === state.groups ? {} : chosenAmong(groups, state)),
+      units: this.units(frame, state.units),
       playing: frame.playing,
       replaying: frame.replaying,
       demonstrating: frame.demonstrating,

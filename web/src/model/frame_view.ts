@@ -23,6 +23,24 @@ export interface ControlView {
   readonly supplementary: Numbers;
 }
 
+/** An order in a queue; see OrderFrame. */
+export interface OrderView {
+  readonly id: number;
+  /** 0 move, 1 face, 2 follow, 3 guard. */
+  readonly kind: number;
+  readonly x: number;
+  readonly y: number;
+  readonly hasFacing: boolean;
+  readonly facing: number;
+  readonly width: number;
+  /** Id of the group that is followed; 0 for none. */
+  readonly group: number;
+  readonly halfX: number;
+  readonly halfY: number;
+  /** x, y. */
+  readonly route: Numbers;
+}
+
 export interface GroupView {
   readonly id: number;
   readonly meshVersion: number;
@@ -34,6 +52,15 @@ export interface GroupView {
   /** Per place: 0 where an obstacle leaves no space for a character. */
   readonly fit: Numbers;
   readonly controls: readonly ControlView[];
+  /** Centre of the formation, and its heading [rad]. */
+  readonly x: number;
+  readonly y: number;
+  readonly facing: number;
+  readonly orders: readonly OrderView[];
+  /** x, y: the rest of the way of the first order. */
+  readonly way: Numbers;
+  readonly held: boolean;
+  readonly patrols: boolean;
 }
 
 export interface MovingView {
@@ -57,6 +84,10 @@ export interface FrameView {
   readonly ids: Numbers;
   /** Index into groups, per character; empty together with `ids`. */
   readonly group: Numbers;
+  /** Class per character; empty where all are of none. */
+  readonly unitClass: Numbers;
+  /** Radius per character [cm]; empty where all have the usual one. */
+  readonly radius: Numbers;
   readonly x: Numbers;
   readonly y: Numbers;
   /** Per character the clip it plays (index into the clips). */
@@ -79,6 +110,15 @@ export interface GroupMeshView {
   readonly triangles: Numbers;
   /** Loops: length, then vertices. */
   readonly boundary: Numbers;
+}
+
+/** A mesh with its shape at rest. */
+export interface ShapeMeshView extends GroupMeshView {
+  readonly spacing: number;
+  /** x, y of the vertices in the group's axes. */
+  readonly rest: Numbers;
+  readonly placeTriangles: Numbers;
+  readonly placeWeights: Numbers;
 }
 
 export interface OverlayView {

@@ -45,6 +45,8 @@ export function buffersOf(frame: StudioFrame): ArrayBuffer[] {
     frame.nearPoses,
     frame.ids,
     frame.group,
+    frame.unitClass,
+    frame.radius,
     frame.collected,
   ];
   for (const group of frame.groups) arrays.push(group.places, group.fit, group.vertices);

@@ -7,8 +7,13 @@ import type { SceneParameter } from '../protocol/scene';
 import type { Layout } from './layout';
 import type { Walks } from './objective';
 import type { LinkState } from './link_state';
+import type { ConductFacts, OrderStyle } from './commands';
+import type { ClassCount } from './roles';
 
 export type InputKind = 'touch' | 'mouse';
+
+/** What presses on the scene do: steer formations, give orders, or divide and join groups; once: follow or guard. */
+export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard';
 
 export interface GroupInfo {
   readonly id: number;
@@ -16,6 +21,22 @@ export interface GroupInfo {
   readonly colour: number;
   readonly count: number;
   readonly formation: string;
+}
+
+export interface OrderInfo {
+  readonly id: number;
+  /** OrderKind */
+  readonly kind: number;
+}
+
+/** A group's queue, conduct and classes; parallel to `groups`. */
+export interface UnitInfo {
+  readonly id: number;
+  readonly orders: readonly OrderInfo[];
+  readonly held: boolean;
+  readonly patrols: boolean;
+  readonly conduct: ConductFacts;
+  readonly classes: readonly ClassCount[];
 }
 
 export interface CostFigures {
@@ -38,6 +59,13 @@ export interface StudioState {
   readonly groups: readonly GroupInfo[];
   /** Index into groups. */
   readonly active: number;
+  /** Ids of the groups that get orders; the active one is among them. */
+  readonly selected: readonly number[];
+  readonly units: readonly UnitInfo[];
+  readonly tool: ToolName;
+  readonly style: OrderStyle;
+  /** A split or merge can be undone. */
+  readonly canUndo: boolean;
   readonly layers: Layers;
   readonly overlay: OverlayKind;
   /** Character whose cost is shown; -1 for none. */
@@ -83,6 +111,11 @@ export const kInitialState: StudioState = {
   credit: '',
   groups: [],
   active: 0,
+  selected: [],
+  units: [],
+  tool: 'steer',
+  style: { manner: 'march', turn: 'wheel', mode: 'replace' },
+  canUndo: false,
   layers: { mesh: true, places: true, paths: true },
   overlay: OverlayKind.None,
   chosen: -1,

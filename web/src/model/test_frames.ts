@@ -30,6 +30,8 @@ export function madeFrame(frame: number, x: readonly number[], more: Partial<Fra
     playing: true,
     ids: x.map((_, i) => i + 1),
     group: zeros,
+    unitClass: [],
+    radius: [],
     x,
     y,
     clip,
@@ -56,6 +58,21 @@ export function madeControl(id: number, kind: number, handles: readonly (readonl
   };
 }
 
+/** A group without orders. */
+export const kIdle = {
+  x: 0,
+  y: 0,
+  facing: 0,
+  orders: [],
+  way: new Float32Array(),
+  held: false,
+  patrols: false,
+  stance: 0,
+  cohesion: 0,
+  squeeze: 1,
+  avoids: false,
+} as const;
+
 export function madeGroup(id: number, controls: readonly ControlView[], more: Partial<GroupView> = {}): GroupView {
-  return { id, meshVersion: 1, lag: 0, vertices: [], places: [], fit: [], controls, ...more };
+  return { id, meshVersion: 1, lag: 0, vertices: [], places: [], fit: [], controls, ...kIdle, ...more };
 }

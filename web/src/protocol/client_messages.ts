@@ -284,6 +284,25 @@ export function writeSetOverlay(w: ByteWriter, m: SetOverlay): void {
   w.u32(m.character);
 }
 
+/** Orders and changes of units, in the words of gesture files. */
+export interface Commands {
+  type: 'Commands';
+  /** a JSON array of events as gesture files have them, without t, client and step */
+  events: string;
+}
+
+export function readCommands(r: ByteReader): Commands {
+  return {
+    type: 'Commands',
+    events: r.string(),
+  };
+}
+
+export function writeCommands(w: ByteWriter, m: Commands): void {
+  w.u8(13);
+  w.string(m.events);
+}
+
 /** Where this client looks: the characters nearest to it come with whole poses. */
 export interface Attend {
   type: 'Attend';
@@ -304,7 +323,7 @@ export function readAttend(r: ByteReader): Attend {
 }
 
 export function writeAttend(w: ByteWriter, m: Attend): void {
-  w.u8(13);
+  w.u8(14);
   w.f32(m.x);
   w.f32(m.y);
   w.u32(m.count);
@@ -324,7 +343,7 @@ export function readFrameAck(r: ByteReader): FrameAck {
 }
 
 export function writeFrameAck(w: ByteWriter, m: FrameAck): void {
-  w.u8(14);
+  w.u8(15);
   w.u32(m.frame);
 }
 
@@ -342,6 +361,6 @@ export function readPing(r: ByteReader): Ping {
 }
 
 export function writePing(w: ByteWriter, m: Ping): void {
-  w.u8(15);
+  w.u8(16);
   w.f64(m.time);
 }

@@ -13,6 +13,8 @@ import {
   decodeServer,
   encodeClient,
   encodeServer,
+  OrderKind,
+  Stance,
   type ClientMessage,
   type Frame,
 } from './messages';
@@ -48,6 +50,7 @@ const everyMessage: ClientMessage[] = [
   { type: 'LoadScenario', name: 'open' },
   { type: 'Record', on: false },
   { type: 'SetOverlay', kind: 2, character: 7 },
+  { type: 'Commands', events: '[{"kind":"queue","group":1,"edit":"stop"}]' },
   { type: 'FrameAck', frame: 4294967295 },
   { type: 'Ping', time: 1.25 },
 ];
@@ -117,6 +120,11 @@ describe('a frame of the server', () => {
     const control = frame.groups[0]!.controls[0]!;
     expect(control.kind).toBe(ControlKind.Area);
     expect(control.points[0]).toEqual({ touch: 9, down: true, x: 1, y: 2, path: Float32Array.of(3, 4) });
+    const [order] = frame.groups[0]!.orders;
+    expect([order!.kind, order!.hasFacing, order!.facing]).toEqual([OrderKind.Guard, true, 1.5]);
+    expect(order!.route).toEqual(Float32Array.of(1, -2));
+    expect([frame.groups[0]!.held, frame.groups[0]!.stance]).toEqual([true, Stance.Yield]);
+    expect([frame.unitClass, frame.radius]).toEqual([Uint8Array.of(0, 3), Uint8Array.of(25, 60)]);
     expect(frame.moving[0]!.kind).toBe(MovingKind.Patch);
     expect(frame.moving[0]!.angle).toBeCloseTo(0.3);
     expect(frame.events[0]).toEqual({ kind: 5, subject: 1, value: 2, x: 0, y: 0 });

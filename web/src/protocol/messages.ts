@@ -3,6 +3,7 @@ import { ByteReader, ByteWriter } from './bytes';
 import {
   type AddControl,
   type Attend,
+  type Commands,
   type FrameAck,
   type Hello,
   type LoadScenario,
@@ -11,6 +12,7 @@ import {
   type Playback,
   readAddControl,
   readAttend,
+  readCommands,
   readFrameAck,
   readHello,
   readLoadScenario,
@@ -35,6 +37,7 @@ import {
   type Touches,
   writeAddControl,
   writeAttend,
+  writeCommands,
   writeFrameAck,
   writeHello,
   writeLoadScenario,
@@ -96,6 +99,7 @@ export type ClientMessage =
   | LoadScenario
   | Record
   | SetOverlay
+  | Commands
   | Attend
   | FrameAck
   | Ping;
@@ -114,6 +118,7 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readLoadScenario,
   readRecord,
   readSetOverlay,
+  readCommands,
   readAttend,
   readFrameAck,
   readPing,
@@ -169,6 +174,9 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
       break;
     case 'SetOverlay':
       writeSetOverlay(w, message);
+      break;
+    case 'Commands':
+      writeCommands(w, message);
       break;
     case 'Attend':
       writeAttend(w, message);

@@ -2,8 +2,13 @@
 import { ByteReader, ByteWriter } from './bytes';
 import {
   type ControlKind,
+  type EventKind,
+  type Manner,
   type MovingKind,
+  type OrderKind,
+  type Stance,
   type TouchPhase,
+  type Turn,
 } from './enums';
 
 /** One finger begins, moves, lifts or is lost, in world coordinates [m]. */
@@ -125,6 +130,66 @@ export function writeControlFrame(w: ByteWriter, m: ControlFrame): void {
   w.f32s(m.supplementary);
 }
 
+/** An order in a group's queue; the first is the one that is carried out. */
+export interface OrderFrame {
+  id: number;
+  kind: OrderKind;
+  /** target [m] */
+  x: number;
+  y: number;
+  hasFacing: boolean;
+  /** [rad] */
+  facing: number;
+  /** of the front; 0: as it is [m] */
+  width: number;
+  manner: Manner;
+  turn: Turn;
+  /** whom it follows; 0: nobody */
+  group: number;
+  character: number;
+  /** of the guarded rectangle [m] */
+  halfX: number;
+  halfY: number;
+  /** x, y of the drawn way */
+  route: Float32Array;
+}
+
+export function readOrderFrame(r: ByteReader): OrderFrame {
+  return {
+    id: r.u32(),
+    kind: r.choice(4) as OrderKind,
+    x: r.f32(),
+    y: r.f32(),
+    hasFacing: r.bool(),
+    facing: r.f32(),
+    width: r.f32(),
+    manner: r.choice(2) as Manner,
+    turn: r.choice(3) as Turn,
+    group: r.u32(),
+    character: r.u32(),
+    halfX: r.f32(),
+    halfY: r.f32(),
+    route: r.f32s(),
+  };
+}
+
+export function writeOrderFrame(w: ByteWriter, m: OrderFrame): void {
+  w.u32(m.id);
+  w.u8(m.kind);
+  w.f32(m.x);
+  w.f32(m.y);
+  w.bool(m.hasFacing);
+  w.f32(m.facing);
+  w.f32(m.width);
+  w.u8(m.manner);
+  w.u8(m.turn);
+  w.u32(m.group);
+  w.u32(m.character);
+  w.f32(m.halfX);
+  w.f32(m.halfY);
+  w.f32s(m.route);
+}
+
 /** A group's mesh, places and controls [m]. */
 export interface GroupFrame {
   id: number;
@@ -145,6 +210,26 @@ export interface GroupFrame {
   /** a bit per place, the lowest first, 1: no room for anyone; empty where unchanged */
   unfit: Uint8Array;
   controls: ControlFrame[];
+  /** where its formation has its centre [m] */
+  x: number;
+  y: number;
+  /** [rad] */
+  facing: number;
+  /** its queue */
+  orders: OrderFrame[];
+  /** x, y: the rest of the way of the order that is carried out */
+  way: Float32Array;
+  /** it waits; the queue stays */
+  held: boolean;
+  /** orders that are done come last again */
+  patrols: boolean;
+  stance: Stance;
+  /** 0 to 1 */
+  cohesion: number;
+  /** share of its width that it may give up */
+  squeeze: number;
+  /** its mesh gives way to others */
+  avoids: boolean;
 }
 
 export function readGroupFrame(r: ByteReader): GroupFrame {
@@ -160,6 +245,17 @@ export function readGroupFrame(r: ByteReader): GroupFrame {
     offsets: r.i16s(),
     unfit: r.u8s(),
     controls: r.list(readControlFrame),
+    x: r.f32(),
+    y: r.f32(),
+    facing: r.f32(),
+    orders: r.list(readOrderFrame),
+    way: r.f32s(),
+    held: r.bool(),
+    patrols: r.bool(),
+    stance: r.choice(3) as Stance,
+    cohesion: r.f32(),
+    squeeze: r.f32(),
+    avoids: r.bool(),
   };
 }
 
@@ -175,6 +271,17 @@ export function writeGroupFrame(w: ByteWriter, m: GroupFrame): void {
   w.i16s(m.offsets);
   w.u8s(m.unfit);
   w.list(m.controls, writeControlFrame);
+  w.f32(m.x);
+  w.f32(m.y);
+  w.f32(m.facing);
+  w.list(m.orders, writeOrderFrame);
+  w.f32s(m.way);
+  w.bool(m.held);
+  w.bool(m.patrols);
+  w.u8(m.stance);
+  w.f32(m.cohesion);
+  w.f32(m.squeeze);
+  w.bool(m.avoids);
 }
 
 /** All characters, in some four bytes each: see docs/protocol.md. */
@@ -361,8 +468,7 @@ export function writeClipFrames(w: ByteWriter, m: ClipFrames): void {
 
 /** Something that happened. */
 export interface EventFrame {
-  /** muster::EventKind */
-  kind: number;
+  kind: EventKind;
   subject: number;
   value: number;
   x: number;
@@ -371,7 +477,7 @@ export interface EventFrame {
 
 export function readEventFrame(r: ByteReader): EventFrame {
   return {
-    kind: r.u8(),
+    kind: r.choice(24) as EventKind,
     subject: r.u32(),
     value: r.u32(),
     x: r.f32(),

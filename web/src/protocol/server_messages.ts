@@ -101,6 +101,10 @@ export interface GroupMesh {
   group: number;
   version: number;
   formation: string;
+  /** between neighbouring places [m] */
+  spacing: number;
+  /** x, y of the vertices before anything deforms them, in the group's axes: it faces x [m] */
+  rest: Float32Array;
   triangles: Uint32Array;
   /** loops: length, then vertices */
   boundary: Uint32Array;
@@ -116,6 +120,8 @@ export function readGroupMesh(r: ByteReader): GroupMesh {
     group: r.u32(),
     version: r.u32(),
     formation: r.string(),
+    spacing: r.f32(),
+    rest: r.f32s(),
     triangles: r.u32s(),
     boundary: r.u32s(),
     placeTriangles: r.u32s(),
@@ -128,6 +134,8 @@ export function writeGroupMesh(w: ByteWriter, m: GroupMesh): void {
   w.u32(m.group);
   w.u32(m.version);
   w.string(m.formation);
+  w.f32(m.spacing);
+  w.f32s(m.rest);
   w.u32s(m.triangles);
   w.u32s(m.boundary);
   w.u32s(m.placeTriangles);
@@ -154,6 +162,10 @@ export interface Frame {
   ids: Uint32Array;
   /** index into groups */
   group: Uint8Array;
+  /** of characters, where ids are told; empty: all are of none */
+  unitClass: Uint8Array;
+  /** of characters, where ids are told [cm]; empty: all have the usual one */
+  radius: Uint8Array;
   crowd: CrowdFrame;
   groups: GroupFrame[];
   moving: MovingFrame[];
@@ -181,6 +193,8 @@ export function readFrame(r: ByteReader): Frame {
     sceneRevision: r.u32(),
     ids: r.u32s(),
     group: r.u8s(),
+    unitClass: r.u8s(),
+    radius: r.u8s(),
     crowd: readCrowdFrame(r),
     groups: r.list(readGroupFrame),
     moving: r.list(readMovingFrame),
@@ -206,6 +220,8 @@ export function writeFrame(w: ByteWriter, m: Frame): void {
   w.u32(m.sceneRevision);
   w.u32s(m.ids);
   w.u8s(m.group);
+  w.u8s(m.unitClass);
+  w.u8s(m.radius);
   writeCrowdFrame(w, m.crowd);
   w.list(m.groups, writeGroupFrame);
   w.list(m.moving, writeMovingFrame);

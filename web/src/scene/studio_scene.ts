@@ -4,9 +4,10 @@ import type { ViewStats } from './picture_stats';
 import type { Layers, Theme } from '../model/view_settings';
 import type { Body } from './crowd/bodies/body';
 import type { ClipPoses } from './crowd/clips/clip_bank';
+import type { OrderPicture } from './order_picture';
 import type { SceneFacts } from '../protocol/scene';
 import type { CameraControls, Padding } from './camera/camera_controls';
-import type { FrameView, GroupMeshView, OverlayView } from '../model/frame_view';
+import type { FrameView, ShapeMeshView, OverlayView } from '../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { DraftControl } from './marks/draft_control';
 
@@ -23,6 +24,8 @@ export interface Attention {
 export interface StudioScene {
   readonly camera: CameraControls;
   readonly stats: ViewStats;
+  /** Groups, who is chosen, and orders that are being drawn. */
+  readonly orders: OrderPicture;
   /** Replaces the environment; where it is another world, the next frame fits the view to the crowd. */
   setScene(scene: SceneFacts): void;
   /** The clips that frames refer to by index. */
@@ -33,7 +36,7 @@ export interface StudioScene {
   setOwnBody(body: Body | null, clips?: readonly ClipPoses[]): void;
   /** Where this view looks. */
   attention(): Attention;
-  setGroupMesh(mesh: GroupMeshView): void;
+  setGroupMesh(mesh: ShapeMeshView): void;
   /** `receivedAt` by performance.now() [ms]. */
   pushFrame(frame: FrameView, receivedAt: number): void;
   /** Shows one field over the ground and greys all else; null takes it away. */

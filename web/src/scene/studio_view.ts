@@ -12,9 +12,10 @@ import type { CrowdLayer } from './crowd/crowd_layer';
 import { CrowdState } from './crowd/crowd_state';
 import { OverlayState } from './ground/overlay_state';
 import { type FrameBlend, FrameTimeline } from '../model/frame_timeline';
-import type { FrameView, GroupMeshView, MovingView, OverlayView } from '../model/frame_view';
+import type { FrameView, ShapeMeshView, MovingView, OverlayView } from '../model/frame_view';
 import { GroupState } from './marks/group_state';
 import { MarkLayer } from './marks/mark_layer';
+import { OrderPicture } from './order_picture';
 import { surroundings } from './camera/opening';
 import { accentColour, type Palette, paletteOf } from './drawing/palette';
 import { pickCharacter } from './crowd/picker';
@@ -43,6 +44,7 @@ const kNothingMoves: readonly MovingView[] = [];
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
   readonly stats = new PictureStats();
+  readonly orders = new OrderPicture(() => this.wake());
   private readonly stage_: Stage;
   private readonly marks_ = new MarkState();
   private readonly markLayer_: MarkLayer;
@@ -57,7 +59,6 @@ export class StudioView implements StudioScene {
   private layers_: Layers = { mesh: true, places: true, paths: true };
   private readonly overlay_ = new OverlayState();
   private drafts_: readonly DraftControl[] = [];
-  /** A rubber band or lasso. */
   private preview_: readonly DraftControl[] = [];
   private padding_: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
   private moving_: readonly MovingView[] = kNothingMoves;
@@ -87,7 +88,7 @@ export class StudioView implements StudioScene {
     this.observer_.observe(canvas_);
     this.stage_.setPalette(this.palette_);
     this.resize();
-    this.request_ = requestAnimationFrame((now) => this.tick(now));
+    this.request_ = requestAnimationFrame(this.tick);
   }
 
   /** Characters in the last picture by body, and the names of clips by index: for tests. */
@@ -100,11 +101,12 @@ export class StudioView implements StudioScene {
   get fieldScale(): FieldScale | null {
     return this.overlay_.scale;
   }
-
   setScene(scene: SceneFacts): void {
     const anew = !this.scene_ || !isSameWorld(this.scene_, scene);
     this.scene_ = scene;
     this.membersStale_ = true;
+    this.crowd_.setUsualRadius(scene.radius);
+    this.orders.setGroups(scene.groups);
     this.stage_.setScene(scene, this.palette_);
     if (anew) this.openScene(scene);
     this.wake();
@@ -114,6 +116,7 @@ export class StudioView implements StudioScene {
     this.timeline_.clear();
     this.crowd_.clear();
     this.groups_.clear();
+    this.orders.clear();
     this.marks_.clear();
     this.moving_ = kNothingMoves;
     this.opened_ = false;
@@ -142,8 +145,9 @@ export class StudioView implements StudioScene {
     return { x: targetX, y: targetY, count: this.stage_.wholePoses };
   }
 
-  setGroupMesh(mesh: GroupMeshView): void {
+  setGroupMesh(mesh: ShapeMeshView): void {
     this.groups_.setMesh(mesh);
+    this.orders.setMesh(mesh);
     this.wake();
   }
 
@@ -258,9 +262,7 @@ export class StudioView implements StudioScene {
     this.overlayRoot_.replaceChildren();
   }
 
-  private wake(): void {
-    this.activeUntil_ = performance.now() + kSettle;
-  }
+  private readonly wake = (): void => void (this.activeUntil_ = performance.now() + kSettle);
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas_;
@@ -270,10 +272,10 @@ export class StudioView implements StudioScene {
     this.wake();
   }
 
-  private tick(now: number): void {
-    this.request_ = requestAnimationFrame((next) => this.tick(next));
+  private readonly tick = (now: number): void => {
+    this.request_ = requestAnimationFrame(this.tick);
     this.draw(now);
-  }
+  };
 
   /** Where drawing is slow, the answer to a finger follows the last picture without waiting for a refresh. */
   private drawSoon(): void {
@@ -306,6 +308,7 @@ export class StudioView implements StudioScene {
       this.openView();
     }
     const newest = this.timeline_.newest;
+    if (this.orders.update(newest?.groups ?? [])) this.membersStale_ = true;
     this.groups_.update(newest?.groups ?? []);
     this.marks_.update(newest?.groups ?? [], now);
     this.show(now, blend);
@@ -326,7 +329,7 @@ export class StudioView implements StudioScene {
   private show(now: number, blend: FrameBlend | null): void {
     const scene = this.scene_;
     const greyed = this.overlay_.overlay !== null;
-    const colours = this.colours();
+    const colours = this.orders.colours;
     const accents = colours.map((colour) => (greyed ? this.palette_.grey : accentColour(this.palette_, colour)));
     if (this.membersStale_) this.dress(colours, greyed);
     this.groups_.showMeshes(this.stage_.meshes, this.layers_.mesh, accents);
@@ -351,6 +354,7 @@ export class StudioView implements StudioScene {
       paths: this.layers_.paths,
       greyed,
       drafts: [...this.drafts_, ...this.preview_],
+      ...this.orders.scene(this.layers_.paths && !greyed),
     });
   }
 
@@ -358,17 +362,13 @@ export class StudioView implements StudioScene {
     return {
       camera: this.camera,
       palette: this.palette_,
-      colours: this.colours(),
+      colours: this.orders.colours,
       now,
       moving: this.moving_,
       overlay: this.overlay_.overlay,
       contours: this.overlay_.contours,
       chosenGroup: this.chosenGroup(),
     };
-  }
-
-  private colours(): readonly number[] {
-    return this.scene_?.groups.map((group) => group.colour) ?? [];
   }
 
   /** Gives people their colours. */

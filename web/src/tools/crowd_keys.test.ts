@@ -5,7 +5,7 @@ import { CrowdKeys } from './crowd_keys';
 import { FormationHitTest } from './formation_hit_test';
 import { grabAt } from './grab';
 import { VirtualControls } from './virtual_controls';
-import { FakeClient, FakeScene, contactAt, controlFrame, frameWith, onScreen } from './test_support';
+import { FakeClient, FakeScene, contactAt, controlFrame, frameWith, noOrders, onScreen } from './test_support';
 import { ToolChooser } from './tool_chooser';
 import { TouchEditor } from './touch_editor';
 import { TouchSender } from './touch_sender';
@@ -42,7 +42,15 @@ beforeEach(() => {
   const camera = new CameraGesture(noCamera);
   const orbit = new OrbitGesture(noCamera);
   const editor = new TouchEditor(touches, scene);
-  chooser = new ToolChooser({ scene, hitTest: new FormationHitTest(), editor, camera, orbit, controls });
+  chooser = new ToolChooser({
+    scene,
+    hitTest: new FormationHitTest(),
+    editor,
+    camera,
+    orbit,
+    controls,
+    orders: noOrders(),
+  });
   const world = {
     camera: noCamera,
     screenToWorld: ({ x, y }: { x: number; y: number }) => ({ x: x / 100, y: y / 100 }),

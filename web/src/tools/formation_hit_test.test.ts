@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { GroupMesh } from '../protocol/messages';
 import type { StudioGroup } from '../model/studio_frame';
+import { kIdle } from '../model/test_frames';
 import { FormationHitTest, fingertipFrom, metresFrom } from './formation_hit_test';
 
 function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame: StudioGroup } {
@@ -10,6 +11,8 @@ function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame
       group,
       version,
       formation: 'square',
+      spacing: 1,
+      rest: new Float32Array(),
       triangles: new Uint32Array([0, 1, 2, 0, 2, 3]),
       boundary: new Uint32Array([4, 0, 1, 2, 3]),
       placeTriangles: new Uint32Array(),
@@ -26,6 +29,8 @@ function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame
       places: new Float32Array(),
       fit: new Uint8Array(),
       controls: [],
+      ...kIdle,
+      orders: [],
     },
   };
 }

@@ -1,6 +1,6 @@
 // One table of keys, for the handler and for the help.
 
-export type ShortcutGroup = 'Crowd' | 'Formations' | 'Time' | 'Camera' | 'Show';
+export type ShortcutGroup = 'Crowd' | 'Orders' | 'Formations' | 'Time' | 'Camera' | 'Show';
 
 export interface Shortcut {
   /** As the help shows it. */
@@ -14,6 +14,8 @@ export interface Shortcut {
   readonly sceneOnly?: boolean;
   /** Again and again while the key is held. */
   readonly repeats?: boolean;
+  /** With Ctrl (or Cmd) as well. */
+  readonly ctrl?: boolean;
   /** Another line of the help tells of it. */
   readonly unlisted?: boolean;
 }
@@ -34,9 +36,10 @@ export function findShortcut(
   shortcuts: readonly Shortcut[],
   event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'target'>,
 ): Shortcut | null {
-  if (event.ctrlKey || event.metaKey || isTyping(event.target)) return null;
+  if (isTyping(event.target)) return null;
+  const ctrl = event.ctrlKey || event.metaKey;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  const found = shortcuts.find((shortcut) => shortcut.run && shortcut.match.includes(key));
+  const found = shortcuts.find((shortcut) => shortcut.run && (!ctrl || shortcut.ctrl) && shortcut.match.includes(key));
   return !found || (found.sceneOnly && isControl(event.target)) ? null : found;
 }
 

@@ -2,7 +2,15 @@
 
 import type { ClientMessage, ControlFrame, TouchEvent } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
+import { kIdle } from '../model/test_frames';
+import type { Cut, Cuttable } from '../model/cut';
+import type { OrderedGroup, PlannedMove } from '../model/order_plan';
+import type { CameraControls } from '../scene/camera/camera_controls';
+import { CameraGesture } from './camera_gesture';
 import type { Contact } from './contact';
+import type { CutPreview } from './cut_tool';
+import { OrderChooser, type OrderDeskSink } from './order_chooser';
+import type { OrderPreview } from './order_tools';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 
 export class FakeClient {
@@ -61,8 +69,65 @@ export function frameWith(step: number, controls: readonly ControlFrame[]): Stud
     places: new Float32Array(),
     fit: new Uint8Array(),
     controls,
+    ...kIdle,
   };
   return { type: 'Frame', step, groups: [group] } as unknown as StudioFrame;
+}
+
+/** A desk for orders that has no tool in hand and no groups. */
+export function noOrders(): OrderChooser {
+  const camera = new CameraGesture({
+    pan: () => undefined,
+    pinch: () => undefined,
+  } as unknown as CameraControls);
+  return new OrderChooser({ desk: new FakeDesk(), camera, tool: () => 'steer', toGround: (at) => at });
+}
+
+/** Records what orders, cuts and boxes come to. */
+export class FakeDesk implements OrderDeskSink {
+  readonly did: string[] = [];
+  ordered: readonly OrderedGroup[] = [];
+  cuttable: readonly Cuttable[] = [];
+  moves: readonly PlannedMove[] = [];
+  shown: OrderPreview | null = null;
+  cutShown: CutPreview | null = null;
+  chosenAt: (at: GroundPoint) => boolean = () => false;
+
+  groups = (): readonly OrderedGroup[] => this.ordered;
+  formations = (): readonly Cuttable[] => this.cuttable;
+  isChosenAt = (at: GroundPoint): boolean => this.chosenAt(at);
+  previewOrder(preview: OrderPreview | null): void {
+    this.shown = preview;
+  }
+  previewCut(preview: CutPreview | null): void {
+    this.cutShown = preview;
+  }
+  previewBox(): void {}
+  move(moves: readonly PlannedMove[], { shift, alt }: Contact): void {
+    this.moves = moves;
+    this.did.push(`move${shift ? ' queued' : ''}${alt ? ' free' : ''}`);
+  }
+  guard(centre: GroundPoint, half: GroundPoint): void {
+    this.did.push(`guard ${centre.x},${centre.y} ${half.x},${half.y}`);
+  }
+  follow(at: GroundPoint): void {
+    this.did.push(`follow ${at.x},${at.y}`);
+  }
+  split(cut: Cut): void {
+    this.did.push(`split ${cut.group}: ${cut.left} | ${cut.right}`);
+  }
+  merge(into: number, dragged: number): void {
+    this.did.push(`merge ${dragged} into ${into}`);
+  }
+  missed(): void {
+    this.did.push('missed');
+  }
+  choose(index: number, add: boolean): void {
+    this.did.push(`choose ${index}${add ? ' too' : ''}`);
+  }
+  chooseWithin(from: ScreenPoint, to: ScreenPoint): void {
+    this.did.push(`box ${from.x},${from.y} ${to.x},${to.y}`);
+  }
 }
 
 export class FakeScene {

@@ -2,10 +2,12 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { GroupMesh } from '../protocol/messages';
 import type { CameraControls } from '../scene/camera/camera_controls';
 import { CameraGesture, OrbitGesture } from './camera_gesture';
+import { OrderDrag } from './order_tools';
+import { BoxSelect } from './box_select';
 import { ControlDrag, Lasso, RubberBand } from './drawn_controls';
 import { FormationHitTest } from './formation_hit_test';
 import { VirtualControls } from './virtual_controls';
-import { FakeClient, FakeScene, contactAt, controlFrame, frameWith } from './test_support';
+import { FakeClient, FakeScene, contactAt, controlFrame, frameWith, noOrders } from './test_support';
 import { ToolChooser } from './tool_chooser';
 import { TouchEditor } from './touch_editor';
 import { TouchSender } from './touch_sender';
@@ -34,7 +36,15 @@ beforeEach(() => {
   const frame = frameWith(1, [controlFrame(3, 0, [{ x: 1, y: 1 }], { pinned: true })]);
   frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);
   hitTest.setGroups(frame.groups);
-  chooser = new ToolChooser({ scene, hitTest, editor: new TouchEditor(touches, scene), camera, orbit, controls });
+  chooser = new ToolChooser({
+    scene,
+    hitTest,
+    editor: new TouchEditor(touches, scene),
+    camera,
+    orbit,
+    controls,
+    orders: noOrders(),
+  });
   chooser.observe(frame);
 });
 
@@ -57,14 +67,15 @@ describe('ToolChooser', () => {
   it('draws with Shift and Alt, but not with fingers', () => {
     expect(chooser.choose(contactAt(2, 3, { kind: 'mouse', shift: true }))).toBeInstanceOf(RubberBand);
     expect(chooser.choose(contactAt(6, 3, { kind: 'mouse', shift: true }))).toBeInstanceOf(RubberBand);
-    expect(chooser.choose(contactAt(9, 3, { kind: 'mouse', shift: true }))).toBe(camera);
+    expect(chooser.choose(contactAt(9, 3, { kind: 'mouse', shift: true }))).toBeInstanceOf(BoxSelect);
     expect(chooser.choose(contactAt(9, 9, { kind: 'mouse', alt: true }))).toBeInstanceOf(Lasso);
     expect(chooser.choose(contactAt(2, 3, { alt: true }))).not.toBeInstanceOf(Lasso);
   });
   it('gives buttons and Space to the camera, wherever they press', () => {
-    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 1 }))).toBe(camera);
-    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 2 }))).toBe(orbit);
+    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 1 }))).toBe(orbit);
+    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 2 }))).toBeInstanceOf(OrderDrag);
     chooser.panning = true;
+    expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 2 }))).toBe(orbit);
     expect(chooser.choose(contactAt(2, 2, { kind: 'mouse' }))).toBe(camera);
   });
   it('moves the camera from above the horizon', () => {

@@ -13,6 +13,7 @@ import {
   type RimReach,
 } from './formation_hit_test';
 import { grabAt, type Grab, type Grabbable } from './grab';
+import type { OrderChooser } from './order_chooser';
 import { middleOf, type GroundPoint, type ScreenPoint } from '../model/plane';
 import type { VirtualControls } from './virtual_controls';
 import type { TouchEditor, TouchMarks } from './touch_editor';
@@ -28,6 +29,7 @@ export interface ChooserTools {
   readonly camera: CameraGesture;
   readonly orbit: OrbitGesture;
   readonly controls: VirtualControls;
+  readonly orders: OrderChooser;
 }
 
 /** A rubber band may begin so near the mesh [m]. */
@@ -47,14 +49,15 @@ export class ToolChooser {
   }
 
   choose(contact: Contact): ContactOwner {
-    const { camera, orbit } = this.tools_;
+    const { camera, orbit, orders } = this.tools_;
     if (contact.kind === 'mouse') {
-      if (contact.button === kRight) return orbit;
-      if (contact.button === kMiddle || this.panning) return camera;
+      if (contact.button === kMiddle || (contact.button === kRight && this.panning)) return orbit;
+      if (this.panning) return camera;
     }
     const { ground } = contact;
-    if (!ground) return camera;
-    return this.drawing(contact, ground) ?? this.editing(ground) ?? camera;
+    if (!ground) return contact.button === kRight ? orbit : camera;
+    const ordered = orders.choose(contact, this.formation(ground)?.index ?? -1);
+    return ordered ?? this.drawing(contact, ground) ?? this.editing(ground) ?? camera;
   }
 
   /** The control whose handle, bar or inside lies here, if it may be grabbed. */
@@ -88,7 +91,7 @@ export class ToolChooser {
     const { controls, scene } = this.tools_;
     const near = this.find(ground, metresFrom(ground, kNear));
     if (contact.alt) return new Lasso((corners) => this.lassoed(corners), near?.index ?? 0, controls, scene);
-    return near ? new RubberBand(near, controls, scene) : null;
+    return near ? new RubberBand(near, controls, scene) : this.tools_.orders.box();
   }
 
   private editing(ground: GroundPoint): ContactOwner | null {

@@ -27,6 +27,8 @@ import { ToolChooser } from '../tools/tool_chooser';
 import { TouchEditor } from '../tools/touch_editor';
 import { TouchSender } from '../tools/touch_sender';
 import type { StudioScene } from '../scene/studio_scene';
+import { OrderChooser } from '../tools/order_chooser';
+import { OrderDesk } from './order_desk';
 import { AttentionSender } from './attention_sender';
 import { ControlWatch, kKindNames, type ControlNews } from '../model/control_watch';
 import { DemonstrationCamera } from './demonstration_camera';
@@ -65,6 +67,8 @@ export class StudioApp {
   private readonly hitTest_ = new FormationHitTest();
   private readonly controller_: StudioController;
   private readonly shell_: StudioShell;
+  readonly desk: OrderDesk;
+  private readonly orders_: OrderChooser;
   private readonly touches_: TouchSender;
   private readonly controls_: VirtualControls;
   private readonly chooser_: ToolChooser;
@@ -93,6 +97,9 @@ export class StudioApp {
     const editor = new TouchEditor(this.touches_, view_, this.drafts_);
     const camera = new CameraGesture(view_.camera);
     const orbit = new OrbitGesture(view_.camera);
+    this.desk = new OrderDesk(client_, this.store, view_, say);
+    const toGround = (at: ScreenPoint): GroundPoint | null => view_.screenToWorld(at);
+    this.orders_ = new OrderChooser({ desk: this.desk, camera, tool: () => this.store.state.tool, toGround });
     this.chooser_ = new ToolChooser({
       scene: view_,
       hitTest: this.hitTest_,
@@ -100,11 +107,12 @@ export class StudioApp {
       camera,
       orbit,
       controls: this.controls_,
+      orders: this.orders_,
     });
     this.guide_ = new DemonstrationCamera(view_, () => this.fit());
     this.keys_ = new CrowdKeys(view_, this.controls_, this.chooser_, () => this.middle(), say);
     const shortcuts = this.shortcuts();
-    this.shell_ = new StudioShell(page, this.store, this.controller_, shortcuts);
+    this.shell_ = new StudioShell(page, this.store, this.controller_, this.desk, shortcuts);
     if (this.stats_) page.append(this.stats_.root);
     returnFocus(page, canvas_);
     new ShortcutHandler(window, shortcuts);
@@ -125,16 +133,23 @@ export class StudioApp {
       guide.release();
       act();
     };
-    return studioShortcuts(controller, {
+    return studioShortcuts(controller, this.desk, {
       arrow: (key, long) => byHand(() => keys.arrow(key, long)),
       zoom: (factor) => byHand(() => keys.zoom(factor)),
       turn: (radians) => byHand(() => keys.turn(radians)),
       grabOrDrop: () => keys.grabOrDrop(store.state.active),
-      letGo: () => keys.letGo(),
+      letGo: () => this.letGo(),
       togglePin: () => keys.togglePin(),
       removeControl: () => keys.removeControl(),
       nextGroup: () => controller.nextGroup(),
     });
+  }
+
+  /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
+  private letGo(): void {
+    this.orders_.abort();
+    if (this.store.state.tool === 'steer') this.keys_.letGo();
+    else this.desk.setTool('steer');
   }
 
   private routePointers(): void {
@@ -157,32 +172,37 @@ export class StudioApp {
   }
 
   /** Touching a formation chooses its group. */
-  private chooseGroupOf({ ground }: Contact): void {
+  private chooseGroupOf({ ground, button, shift }: Contact): void {
+    const { tool, active } = this.store.state;
+    if (tool !== 'steer' || button > 0) return;
     const target = ground && this.chooser_.formation(ground);
-    if (target && target.index !== this.store.state.active) this.store.set({ active: target.index });
+    if (target && (shift || target.index !== active)) this.desk.choose(target.index, shift);
   }
 
   private pointed(contact: Contact): void {
     const input = contact.kind === 'mouse' ? 'mouse' : 'touch';
     if (this.store.state.input !== input) this.store.set({ input });
     if (contact.kind !== 'mouse' || !contact.ground) return;
-    const over = this.chooser_.grab(contact.ground)
-      ? 'grab'
-      : this.chooser_.formation(contact.ground)
-        ? 'pointer'
-        : 'default';
+    const over =
+      this.store.state.tool !== 'steer'
+        ? 'crosshair'
+        : this.chooser_.grab(contact.ground)
+          ? 'grab'
+          : this.chooser_.formation(contact.ground)
+            ? 'pointer'
+            : 'default';
     if (this.canvas_.style.cursor !== over) this.canvas_.style.cursor = over;
   }
 
   private tapped(contact: Contact): void {
-    if (this.store.state.overlay !== OverlayKind.Cost) return;
+    if (this.store.state.overlay !== OverlayKind.Cost || contact.button > 0) return;
     const box = this.canvas_.getBoundingClientRect();
     const character = this.view_.pick(contact.screen.x + box.left, contact.screen.y + box.top);
     if (character >= 0) this.controller_.chooseCharacter(character);
   }
 
   private doubleClicked({ ground, time }: Contact): void {
-    if (!ground) return;
+    if (!ground || this.store.state.tool !== 'steer') return;
     const grab = this.chooser_.grab(ground);
     const target = this.chooser_.formation(ground);
     if (grab) this.controls_.togglePin(grab.group, grab.control, time);
@@ -208,6 +228,7 @@ export class StudioApp {
     });
     store.watch(['layers'], ({ layers }) => view.setLayers(layers));
     store.watch(['active'], ({ active }) => view.setActiveGroup(active));
+    store.watch(['selected'], ({ selected }) => view.orders.setSelected(selected));
     store.watch(['overlay', 'chosen'], ({ overlay }) => {
       document.documentElement.toggleAttribute('data-overlay', overlay !== OverlayKind.None);
       view.setOverlay(null);
@@ -244,10 +265,10 @@ export class StudioApp {
     this.store.set({ scenarios });
     this.controller_.askOverlayAgain();
   }
-
   private noticed(notice: Notice): void {
     // The server refused these touches, so no frame will show them.
     if (notice.code === 'Touches' || notice.code === 'AddControl') this.drafts_.clear();
+    if (notice.code === 'Commands' || notice.code === 'rejected') this.desk.refused();
     this.store.set({ notice });
   }
 
@@ -260,6 +281,7 @@ export class StudioApp {
   private showMesh(mesh: GroupMesh): void {
     this.hitTest_.setMesh(mesh);
     this.reader_.setMesh(mesh);
+    this.desk.setMesh(mesh);
     this.view_.setGroupMesh(mesh);
   }
 
@@ -272,6 +294,7 @@ export class StudioApp {
       this.store.set({ title, scenario: name, credit, demonstration, parameters, loaded: true });
       const before = this.scene_;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
+      this.view_.orders.setGroups(scene.groups);
       if (before && sceneKey(before) === sceneKey(scene)) return;
       this.scene_ = scene;
       if (!before || !isSameWorld(before, scene)) this.forgetWorld();
@@ -285,6 +308,7 @@ export class StudioApp {
   private forgetWorld(): void {
     this.forgetTouches();
     this.formations_.clear();
+    this.desk.forgetWorld();
     this.guide_.forget();
     this.store.set({ active: 0, notice: null });
   }
@@ -312,6 +336,7 @@ export class StudioApp {
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
     this.store.set(this.reader_.change(frame, this.store.state));
+    this.desk.observe(frame);
     this.drafts_.observe(frame);
     for (const news of this.watch_.observe(frame)) this.announce(news);
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {

@@ -131,7 +131,7 @@ export class StudioController implements StudioActions {
   setActiveGroup(index: number): void {
     const group = this.store_.state.groups[index];
     if (!group) return;
-    this.store_.set({ active: index });
+    this.store_.set({ active: index, selected: [group.id] });
     this.say_(`${group.name} chosen`);
   }
 

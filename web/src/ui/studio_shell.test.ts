@@ -1,5 +1,6 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it } from 'vitest';
+import type { OrderActions } from '../model/order_actions';
 import type { StudioActions } from '../model/studio_actions';
 import { StudioShell } from './studio_shell';
 import { StudioStore } from '../model/studio_store';
@@ -12,7 +13,7 @@ beforeEach(() => {
   store = new StudioStore();
   page = document.createElement('div');
   document.body.replaceChildren(page);
-  new StudioShell(page, store, {} as StudioActions, []);
+  new StudioShell(page, store, {} as StudioActions, {} as OrderActions, []);
 });
 
 it('what needs the server is inert while it is lost, what does not stays', () => {

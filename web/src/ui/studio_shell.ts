@@ -17,6 +17,8 @@ import { PhoneBar } from './panels/phone_bar';
 import { Readout } from './panels/readout';
 import { ScaleBar } from './panels/scale_bar';
 import { ScenarioPicker } from './panels/scenario_picker';
+import type { OrderActions } from '../model/order_actions';
+import { OrdersPanel } from './panels/orders_panel';
 import type { StudioActions } from '../model/studio_actions';
 import { isLost } from '../model/studio_state';
 import { Tooltip } from './widgets/tooltip';
@@ -40,10 +42,11 @@ export class StudioShell {
     private readonly page_: HTMLElement,
     private readonly store_: StudioStore,
     actions: StudioActions,
+    orders: OrderActions,
     shortcuts: readonly Shortcut[],
   ) {
     const scenario = new ScenarioPicker(store_, actions).root;
-    const groups = new GroupChips(store_, actions).root;
+    const groups = new GroupChips(store_, actions, orders).root;
     const layers = new LayerBar(store_, actions).root;
     this.formations_ = new FormationPanel(store_, actions);
     this.playback_ = new PlaybackBar(store_, actions);
@@ -55,6 +58,7 @@ export class StudioShell {
       () => this.playback_.chooseCharacter(),
     ).root;
     const sheet = element('div', { class: 'sheet' }, this.formations_.root, element('hr'), this.playback_.root);
+    const orderPanel = new OrdersPanel(store_, orders).root;
     const hint = new HintBar(store_, actions).root;
     const legend = new LegendPanel(store_).root;
     const header = element('header', { class: 'contents' }, scenario, groups, layers, phone);
@@ -72,6 +76,7 @@ export class StudioShell {
       empty,
       hint,
       sheet,
+      orderPanel,
       legend,
       this.readout_.root,
       this.scale.root,
@@ -85,7 +90,7 @@ export class StudioShell {
     );
     pressWithExtraFingers(this.page_);
     store_.watch(['link', 'loaded'], (state) => {
-      for (const panel of [scenario, sheet, empty]) panel.inert = isLost(state);
+      for (const panel of [scenario, sheet, empty, orderPanel]) panel.inert = isLost(state);
     });
     this.panels_ = [scenario, groups, layers, phone, sheet, this.readout_.root];
   }

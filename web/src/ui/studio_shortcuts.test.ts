@@ -1,6 +1,7 @@
 // @vitest-environment jsdom
 import { expect, it } from 'vitest';
 import { findShortcut } from '../tools/shortcuts';
+import type { OrderActions } from '../model/order_actions';
 import type { StudioActions } from '../model/studio_actions';
 import { studioShortcuts, type KeyTools } from './studio_shortcuts';
 
@@ -14,7 +15,7 @@ const recorder = new Proxy(
         calls.push([name, ...values].map(String).join(' ')),
   },
 );
-const shortcuts = studioShortcuts(recorder as StudioActions, recorder as KeyTools);
+const shortcuts = studioShortcuts(recorder as StudioActions, recorder as OrderActions, recorder as KeyTools);
 
 function press(key: string, shiftKey = false): string | undefined {
   calls.length = 0;
@@ -35,7 +36,11 @@ it('every key does what the help says', () => {
   expect(press('c')).toBe('toggleOverlay 2');
   expect(press('?')).toBe('showHelp true');
   expect(press('p')).toBe('togglePin');
-  expect(press('x')).toBeUndefined();
+  expect(press('i')).toBeUndefined();
+  expect(press('x')).toBe('toggleTool cut');
+  expect(press('s')).toBe('stop');
+  expect(press('k')).toBe('toggleHold');
+  expect(press('a')).toBe('chooseAll');
 });
 
 it('only camera, steps and carrying repeat while a key is held', () => {

@@ -4,6 +4,7 @@ import { OverlayKind } from '../protocol/messages';
 import type { ArrowKey } from '../tools/keyboard_steering';
 import type { Shortcut } from '../tools/shortcuts';
 import { kFormations } from './panels/formation_panel';
+import type { OrderActions } from '../model/order_actions';
 import type { StudioActions } from '../model/studio_actions';
 
 /** What keys ask of camera and tools. */
@@ -47,6 +48,34 @@ function crowdKeys(tools: KeyTools): Shortcut[] {
     },
     { keys: 'Esc', does: 'lets go of all controls', group: 'Crowd', match: ['Escape'], run: () => tools.letGo() },
     { keys: 'G', does: 'next group', group: 'Crowd', match: ['g'], run: () => tools.nextGroup() },
+  ];
+}
+
+function orderKeys(orders: OrderActions): Shortcut[] {
+  const key = (keys: string, does: string, run: () => void): Shortcut => ({
+    keys,
+    does,
+    group: 'Orders',
+    match: [keys.toLowerCase()],
+    run,
+  });
+  return [
+    key('O', 'order tool: press or drag on the ground', () => orders.toggleTool('order')),
+    key('X', 'cutting tool: divides and joins', () => orders.toggleTool('cut')),
+    key('J', 'follow: then press on a group', () => orders.toggleTool('follow')),
+    key('U', 'guard: then drag a rectangle', () => orders.toggleTool('guard')),
+    key('S', 'stop', () => orders.stop()),
+    key('K', 'hold, or go on', () => orders.toggleHold()),
+    key('B', 'patrol, or end it', () => orders.togglePatrol()),
+    key('A', 'all groups', () => orders.chooseAll()),
+    {
+      keys: 'Z Ctrl+Z',
+      does: 'undoes a split or a merge',
+      group: 'Orders',
+      match: ['z'],
+      ctrl: true,
+      run: () => orders.undo(),
+    },
   ];
 }
 
@@ -148,9 +177,10 @@ function showKeys(actions: StudioActions): Shortcut[] {
   ];
 }
 
-export function studioShortcuts(actions: StudioActions, tools: KeyTools): Shortcut[] {
+export function studioShortcuts(actions: StudioActions, orders: OrderActions, tools: KeyTools): Shortcut[] {
   return [
     ...crowdKeys(tools),
+    ...orderKeys(orders),
     ...formationKeys(actions),
     ...timeKeys(actions),
     ...cameraKeys(actions, tools),

@@ -10,6 +10,7 @@ import {
   type Vector3,
   type WebGLProgramParametersWithUniforms,
 } from 'three';
+import { kClassColours } from '../../model/roles';
 import { kHairs, kSkins } from './look';
 import type { CrowdTextures } from './crowd_textures';
 import { kCharacterColour, kCharacterPose, kCharacterShown } from './character_shader';
@@ -20,6 +21,7 @@ import { kEarthColour, kSkyColour, kSunColour, kToSun } from '../drawing/sun';
 export class CharacterUniforms {
   readonly uSkins = { value: kSkins.map((hex) => new Color(hex)) };
   readonly uHairs = { value: kHairs.map((hex) => new Color(hex)) };
+  readonly uClasses = { value: kClassColours.map((hex) => new Color(hex)) };
   readonly uGreyed = { value: 0 };
   /** Trousers are lighter where the ground is dark. */
   readonly uTrousers = { value: 1 };

@@ -2,9 +2,10 @@
 //
 // Per character: aWho (its number in the crowd; row of a whole pose of its own, or -1). Everything else lies in
 // textures: uFrom and uTo, two frames as StudioFrame.rows has them; uMembers (shirt, and skin, hair and whether it is
-// never greyed as one number; size); uClips (first pose, poses, whether cyclic; disc of shade).
+// never greyed as one number; size, class, radius); uClips (first pose, poses, whether cyclic; disc of shade).
 
 import { kRowsAcross } from '../../model/studio_frame';
+import { kClassColours } from '../../model/roles';
 import { kPosesAcross } from './clips/pose_texture';
 import { kChosen } from './crowd_textures';
 import { kJump } from './crowd_state';
@@ -152,6 +153,7 @@ Skin posePerson(vec3 p, vec3 n) {
 export const kCharacterColour = `
 uniform vec3 uSkins[5];
 uniform vec3 uHairs[5];
+uniform vec3 uClasses[${kClassColours.length}];
 uniform float uGreyed;
 uniform float uTrousers;
 varying vec3 vPerson;
@@ -163,10 +165,12 @@ void colourPerson() {
   int look = int(worn.w + 0.5 - chosen * ${kChosen}.0);
   int skin = look / 5;
   int hair = look - skin * 5;
+  // Who is of a class wears a helmet.
+  int unitClass = int(texelFetch(uMembers, rowOf(aWho.x) + ivec2(1, 0), 0).y + 0.5);
   vec3 colour = worn.rgb * (0.86 + 0.28 * fract(gSize * 97.31));
   if (region > 4.5) colour = mix(tint, worn.rgb, 0.3);
   else if (region > 3.5) colour = vec3(0.8);
-  else if (region > 2.5) colour = uHairs[hair];
+  else if (region > 2.5) colour = unitClass > 0 ? uClasses[(unitClass - 1) % ${kClassColours.length}] : uHairs[hair];
   else if (region > 1.5) colour = uTrousers * mix(worn.rgb * 0.16, vec3(0.012, 0.016, 0.026), 0.55);
   else if (region < 0.5) colour = uSkins[skin];
   vPerson = colour;

@@ -1,7 +1,9 @@
-// Contact discs: a soft shadow under each character, in one draw call.
+// Contact discs: a soft shadow under each character, and round those of a class a ring in its colour, as large as the
+// body; all in one draw call.
 
-import { BufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
+import { BufferAttribute, Color, InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
 import type { CrowdTextures } from './crowd_textures';
+import { kClassColours } from '../../model/roles';
 import { InstanceList } from '../drawing/instance_list';
 import { kCharacterNow } from './character_shader';
 
@@ -46,18 +48,25 @@ function discMaterial(crowd: CrowdTextures['uniforms']): ShaderMaterial {
     polygonOffset: true,
     polygonOffsetFactor: -2,
     polygonOffsetUnits: -4,
-    uniforms: { ...crowd, uStrength: { value: 0.3 } },
+    uniforms: { ...crowd, uStrength: { value: 0.3 }, uClasses: { value: kClassColours.map((hex) => new Color(hex)) } },
     vertexShader: `
 ${kCharacterNow}
 varying vec2 vAt;
 varying float vShade;
+varying vec2 vRing;
+flat varying int vClass;
 void main() {
   Person one = personShown();
   vec2 now = texelFetch(uClips, ivec2(1, one.clip), 0).xy;
   vec2 shape = mix(now, texelFetch(uClips, ivec2(1, one.before), 0).xy, one.fade);
-  vAt = position.xy;
   vShade = shape.y;
-  vec2 p = vec2(position.x * shape.x, position.y) * 0.34 * one.size;
+  vec4 body = texelFetch(uMembers, rowOf(aWho.x) + ivec2(1, 0), 0);
+  vClass = int(body.y + 0.5);
+  vec2 shade = vec2(shape.x, 1.0) * 0.34 * one.size;
+  float ring = vClass > 0 ? 1.25 * max(body.z, 0.2) : 0.0;
+  vec2 p = position.xy * max(shade, vec2(ring));
+  vAt = p / shade;
+  vRing = p / max(body.z, 0.2);
   float c = cos(one.heading);
   float s = sin(one.heading);
   gl_Position = projectionMatrix * viewMatrix * vec4(one.at.x + c * p.x - s * p.y, one.at.y + s * p.x + c * p.y, 0.008, 1.0);
@@ -65,11 +74,26 @@ void main() {
     fragmentShader: `
 varying vec2 vAt;
 varying float vShade;
+varying vec2 vRing;
+flat varying int vClass;
 uniform float uStrength;
+uniform vec3 uClasses[${kClassColours.length}];
 void main() {
   float a = uStrength * vShade * (1.0 - smoothstep(0.25, 1.0, length(vAt)));
+  vec3 colour = vec3(0.0);
+  if (vClass > 0) {
+    float r = length(vRing);
+    float edge = fwidth(r);
+    float ring = smoothstep(0.86 - edge, 0.86, r) - smoothstep(1.1, 1.1 + edge, r);
+    colour = uClasses[(vClass - 1) % ${kClassColours.length}];
+    // Premultiplied over the shade: the ring covers it.
+    float over = 0.9 * ring;
+    colour = mix(vec3(0.0), colour, over / max(over + a * (1.0 - over), 0.001));
+    a = over + a * (1.0 - over);
+  }
   if (a < 0.004) discard;
-  gl_FragColor = vec4(0.0, 0.0, 0.0, a);
+  gl_FragColor = vec4(colour, a);
+  #include <colorspace_fragment>
 }`,
   });
 }

@@ -11,16 +11,29 @@ import { StandingGrid } from './standing_grid';
 /** A character that moves farther than this between two frames was put elsewhere; its path is not interpolated [m]. */
 export const kJump = 1.5;
 
+/** A body of another radius is drawn larger by this power of the ratio: twice as broad is 1.6 times as tall. */
+const kScalePower = 0.7;
+const kScaleLeast = 0.6;
+const kScaleMost = 4;
+
 export class CrowdState {
   count = 0;
   ids = new Uint32Array(0);
   group = new Uint8Array(0);
   /** Size of each character relative to the skeleton. */
   size = new Float32Array(0);
+  /** How much larger than usual each body is drawn. */
+  scale = new Float32Array(0);
+  /** Radius of each body [m]. */
+  radius = new Float32Array(0);
+  /** Class of each character; 0 for none. */
+  unitClass = new Uint8Array(0);
   /** Skin and hair as one number. */
   look = new Uint8Array(0);
   /** Grows when the list of members changes. */
   version = 0;
+  private radiiTold_ = new Uint8Array(0);
+  private usualRadius_ = 0.25;
   private bodyDraw_ = new Uint8Array(0);
   private blend_: FrameBlend | null = null;
   private positions_ = new Float32Array(0);
@@ -33,14 +46,17 @@ export class CrowdState {
     this.blend_ = null;
   }
 
-  /** Takes the ids and groups of the characters. */
-  setMembers(ids: Numbers, group: Numbers): void {
+  /** Takes the ids and groups of the characters, their classes and radii [cm]; empty where all are as usual. */
+  setMembers(ids: Numbers, group: Numbers, unitClass: Numbers = [], radius: Numbers = []): void {
     const count = ids.length;
     this.count = count;
     this.version += 1;
     this.ids = Uint32Array.from(ids);
     this.group = Uint8Array.from(group);
     [this.size, this.look, this.bodyDraw_] = [new Float32Array(count), new Uint8Array(count), new Uint8Array(count)];
+    this.unitClass = Uint8Array.from({ length: count }, (_, i) => unitClass[i] ?? 0);
+    this.radiiTold_ = Uint8Array.from(radius);
+    this.setRadii();
     this.positions_ = new Float32Array(2 * count);
     for (let i = 0; i < count; ++i) {
       const id = this.ids[i]!;
@@ -53,15 +69,37 @@ export class CrowdState {
     this.positionsStale_ = this.gridStale_ = true;
   }
 
+  /** What a body usually has [m]; true where that changes how somebody looks. */
+  setUsualRadius(radius: number): boolean {
+    if (radius === this.usualRadius_) return false;
+    this.usualRadius_ = radius;
+    this.setRadii();
+    this.version += 1;
+    return true;
+  }
+
+  private setRadii(): void {
+    const usual = this.usualRadius_;
+    this.radius = Float32Array.from({ length: this.count }, (_, i) => (this.radiiTold_[i] ?? 100 * usual) / 100);
+    this.scale = this.radius.map((own) => Math.min(kScaleMost, Math.max(kScaleLeast, (own / usual) ** kScalePower)));
+  }
+
   /** Takes the ids and groups of a frame; true where they differ from those before. */
   takeMembers(frame: FrameView): boolean {
-    if (frame.ids.length > 0 && !sameNumbers(frame.ids, this.ids, frame.group, this.group)) {
-      this.setMembers(frame.ids, frame.group);
+    if (frame.ids.length > 0 && !this.hasMembersOf(frame)) {
+      this.setMembers(frame.ids, frame.group, frame.unitClass, frame.radius);
       return true;
     }
     if (frame.x.length > 0 || this.count === 0) return false;
     this.setMembers([], []);
     return true;
+  }
+
+  private hasMembersOf({ ids, group, unitClass, radius }: FrameView): boolean {
+    const same = sameNumbers(ids, this.ids, group, this.group) && sameNumbers(radius, this.radiiTold_, [], []);
+    return (
+      same && (unitClass.length > 0 ? sameNumbers(unitClass, this.unitClass, [], []) : !this.unitClass.some(Boolean))
+    );
   }
 
   /** Index of the group of the character with this id; undefined where there is none. */

@@ -74,7 +74,7 @@ export class CrowdTextures {
     this.uniforms.uAlpha.value = same ? alpha : 1;
   }
 
-  /** Shirts, skins and sizes; `accents` by group, three numbers each; `chosen`: id never greyed. */
+  /** Shirts, skins, sizes, classes and radii; `accents` by group, three numbers each; `chosen`: id never greyed. */
   setMembers(state: CrowdState, accents: Float32Array, chosen: number): void {
     const data = new Float32Array(rowsLength(state.count));
     const groups = Math.max(1, accents.length / 3);
@@ -82,7 +82,9 @@ export class CrowdTextures {
       const accent = 3 * Math.min(state.group[i]!, groups - 1);
       for (let k = 0; k < 3; ++k) data[at + k] = accents[accent + k]!;
       data[at + 3] = state.look[i]! + (state.ids[i] === chosen ? kChosen : 0);
-      data[at + 4] = state.size[i]!;
+      data[at + 4] = state.size[i]! * state.scale[i]!;
+      data[at + 5] = state.unitClass[i]!;
+      data[at + 6] = state.radius[i]!;
     }
     this.members_.dispose();
     this.uniforms.uMembers.value = this.members_ = floatTexture(data, kWidth);

@@ -6,6 +6,7 @@ import type { ControlView } from '../../model/frame_view';
 import { MarkLayer, type MarkScene } from './mark_layer';
 import { MarkPainter } from './mark_painter';
 import { paletteOf } from '../drawing/palette';
+import { GroupShapes } from '../../model/group_shapes';
 import { madeControl, madeGroup } from '../../model/test_frames';
 import type { ScreenPoint } from '../../model/plane';
 
@@ -39,6 +40,12 @@ function draw(control: ControlView): void {
     drafts: [],
     overlay: null,
     chosenGroup: 0,
+    groups: [],
+    shapes: new GroupShapes(),
+    selected: new Set(),
+    queues: true,
+    drawn: null,
+    cut: null,
   };
   layer.draw(marks, scene);
 }

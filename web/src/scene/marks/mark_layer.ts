@@ -1,7 +1,6 @@
 // The canvas above the scene: controls, touch rings, previews, and the path of a chosen character.
 
 import { convexHull, distance, type GroundPoint, type ScreenPoint } from '../../model/plane';
-import type { CameraController } from '../camera/camera_controller';
 import type { DraftControl } from './draft_control';
 import type { MarkState, ShownControl } from './mark_state';
 import { pathPoints, smooth, thinned } from './control_shapes';
@@ -9,16 +8,11 @@ import type { OverlayView } from '../../model/frame_view';
 import { withAlpha } from '../drawing/colour';
 import { MarkExtent, type MarkBounds } from './mark_extent';
 import { MarkPainter, type MarkColours } from './mark_painter';
-import { accentColour, type Palette } from '../drawing/palette';
+import { OrderMarks, type OrderScene } from './order_marks';
+import { accentColour } from '../drawing/palette';
 
-export interface MarkScene {
-  readonly camera: CameraController;
-  readonly palette: Palette;
-  /** Accent index per group. */
-  readonly colours: readonly number[];
+export interface MarkScene extends OrderScene {
   readonly paths: boolean;
-  /** Draw controls in grey. */
-  readonly greyed: boolean;
   readonly now: number;
   readonly drafts: readonly DraftControl[];
   readonly overlay: OverlayView | null;
@@ -35,6 +29,7 @@ const kDraftAlpha = 0.55;
 export class MarkLayer {
   readonly canvas: HTMLCanvasElement;
   private readonly painter_: MarkPainter;
+  private readonly orders_: OrderMarks;
   private width_ = 1;
   private height_ = 1;
   private ratio_ = 1;
@@ -50,6 +45,7 @@ export class MarkLayer {
     const pen = this.canvas.getContext('2d');
     if (!pen) throw new Error('This browser draws no 2D canvas.');
     this.painter_ = new MarkPainter(pen);
+    this.orders_ = new OrderMarks(this.painter_);
   }
 
   resize(width: number, height: number, ratio: number): void {
@@ -64,6 +60,7 @@ export class MarkLayer {
     if (!this.cover(this.extentOf(controls, marks, scene))) return;
     this.painter_.begin(this.bounds_ as MarkBounds, this.ratio_);
     if (scene.overlay && scene.overlay.path.length >= 4) this.drawChosenPath(scene.overlay.path, scene);
+    this.orders_.draw(scene);
     for (const shown of controls) this.drawBody(shown, marks, scene);
     if (scene.paths) for (const shown of controls) this.drawPaths(shown, marks, scene);
     this.drawRings(marks, scene);
@@ -89,6 +86,7 @@ export class MarkLayer {
     for (const ring of [...marks.rings.values(), ...marks.others.values()]) add(ring.at.x, ring.at.y);
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
+    this.orders_.extend(extent, scene);
     return extent;
   }
 

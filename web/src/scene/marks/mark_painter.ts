@@ -65,6 +65,31 @@ export class MarkPainter {
     this.disc(at, 1.6, colours.casing);
   }
 
+  /** A dot without a casing. */
+  dot(at: ScreenPoint, radius: number, colour: string): void {
+    this.disc(at, radius, colour);
+  }
+
+  /** A number on a disc in the accent; `ink` is read on it. */
+  badge(at: ScreenPoint, text: string, colours: MarkColours, ink: string): void {
+    this.disc(at, 11.5, colours.casing);
+    this.disc(at, 10, colours.accent);
+    const pen = this.pen_;
+    pen.fillStyle = ink;
+    pen.font = '600 12px "Inter Variable", Inter, system-ui, sans-serif';
+    pen.textAlign = 'center';
+    pen.textBaseline = 'middle';
+    pen.fillText(text, at.x, at.y + 0.5);
+  }
+
+  /** Two bars on a disc: who waits. */
+  pauseBadge(at: ScreenPoint, colours: MarkColours, ink: string): void {
+    this.disc(at, 11.5, colours.casing);
+    this.disc(at, 10, colours.accent);
+    this.pen_.fillStyle = ink;
+    for (const side of [-1, 1]) this.pen_.fillRect(at.x + side * 3 - 1.3, at.y - 4.5, 2.6, 9);
+  }
+
   /** The head of an arrow where a finger lifted; `angle` on the screen [rad]. */
   chevron(at: ScreenPoint, angle: number, colours: MarkColours): void {
     const pen = this.pen_;

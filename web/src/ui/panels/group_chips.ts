@@ -1,5 +1,7 @@
 // The groups: colour, mark, name and count; the pressed one is what formations act on.
 
+import { ChipDrag } from '../widgets/chip_drag';
+import type { OrderActions } from '../../model/order_actions';
 import { element, setAttribute, setPressed, setText } from '../widgets/dom';
 import { formatCount } from '../../model/formatters';
 import { accentVariable, groupMark } from '../widgets/group_marks';
@@ -20,13 +22,19 @@ export class GroupChips {
   });
   private readonly focus_: ToolbarFocus;
   private shownKey_ = '';
+  private groups_: readonly number[] = [];
+  private readonly drag_ = new ChipDrag(
+    (chip) => this.groups_[[...this.root.children].indexOf(chip)],
+    (into, dragged) => this.orders_.merge(into, dragged),
+  );
 
   constructor(
     store: StudioStore,
     private readonly actions_: StudioActions,
+    private readonly orders_: OrderActions,
   ) {
     this.focus_ = new ToolbarFocus(this.root, store);
-    store.watch(['groups', 'active'], (state) => this.show(state));
+    store.watch(['groups', 'active', 'selected'], (state) => this.show(state));
   }
 
   private show(state: StudioState): void {
@@ -34,27 +42,40 @@ export class GroupChips {
     if (key !== this.shownKey_) {
       this.shownKey_ = key;
       this.root.replaceChildren(...state.groups.map((group, i) => this.chip(group, i)), this.add_);
+      this.groups_ = state.groups.map(({ id }) => id);
       this.focus_.refresh();
     }
     this.root.hidden = state.groups.length === 0;
-    state.groups.forEach((group, i) => this.update(this.root.children[i]!, group, i === state.active));
+    state.groups.forEach((group, i) => this.update(this.root.children[i]!, group, state));
   }
 
   private chip(group: GroupInfo, index: number): HTMLButtonElement {
     const chip = element(
       'button',
-      { type: 'button', class: 'chip', 'data-tip': `Choose ${group.name}`, 'data-key': 'G' },
+      {
+        type: 'button',
+        class: 'chip',
+        'data-tip': `Choose ${group.name}; drag it onto another to join them`,
+        'data-key': 'G',
+      },
       groupMark(group.colour),
       element('span', { class: 'chip-name' }, group.name),
       element('span', { class: 'chip-count secondary' }),
     );
     chip.style.setProperty('--accent', accentVariable(group.colour));
-    chip.addEventListener('click', () => this.actions_.setActiveGroup(index));
+    chip.addEventListener('click', (event) => {
+      if (this.drag_.consumeClick()) return;
+      if (event.shiftKey || event.ctrlKey || event.metaKey) this.orders_.choose(index, true);
+      else this.actions_.setActiveGroup(index);
+    });
+    this.drag_.watch(chip, group.id);
     return chip;
   }
 
-  private update(chip: Element, group: GroupInfo, active: boolean): void {
-    setPressed(chip, active);
+  private update(chip: Element, group: GroupInfo, state: StudioState): void {
+    setPressed(chip, state.groups[state.active]?.id === group.id);
+    chip.classList.toggle('chosen', state.selected.length > 1 && state.selected.includes(group.id));
+    chip.classList.toggle('empty', group.count === 0);
     setText(chip.lastElementChild!, formatCount(group.count));
     setAttribute(chip, 'aria-label', `${group.name}, ${group.count} characters`);
   }

@@ -16,6 +16,10 @@ const kTouch: readonly Gesture[] = [
   { with: 'Two fingers together', does: 'move a line; its edge stays straight' },
   { with: 'Three or more together', does: 'carry an area; it keeps its shape' },
   { with: 'Draw ahead and lift', does: 'the crowd follows the path' },
+  { with: 'Order, then press or drag', does: 'orders a place or a front; from the formation: a way' },
+  { with: 'Cut, then draw across', does: 'divides a formation; from one to another: joins them' },
+  { with: 'Cut, then pull two fingers apart', does: 'divides a formation between them' },
+  { with: 'Chip onto chip', does: 'joins two groups' },
   { with: 'One finger on empty ground', does: 'pans the camera' },
   { with: 'Two on empty ground', does: 'pinch and turn the camera' },
 ];
@@ -25,12 +29,15 @@ const kMouse: readonly Gesture[] = [
   { with: 'Shift + drag', does: 'spans a line; then drag an end or the bar' },
   { with: 'Ctrl or Alt + drag', does: 'lassoes an area; then drag inside it' },
   { with: 'Double click', does: 'pins a point, or lets a pinned control go' },
-  { with: 'Drag on empty ground, middle button, or Space + drag', does: 'pans the camera' },
-  { with: 'Right button', does: 'turns the camera' },
+  { with: 'Drag on empty ground, or Space + drag', does: 'pans the camera' },
+  { with: 'Right click', does: 'orders the chosen groups there (Shift: queued, Alt: each by its own way)' },
+  { with: 'Right drag', does: 'orders a front, from its left to its right end; from the formation: a way' },
+  { with: 'Shift + drag on empty ground', does: 'chooses the groups in a box; Shift + click adds one' },
+  { with: 'Middle button, or Space + right button', does: 'turns the camera' },
   { with: 'Wheel', does: 'zooms at the pointer' },
 ];
 
-const kGroups: readonly ShortcutGroup[] = ['Crowd', 'Formations', 'Time', 'Camera', 'Show'];
+const kGroups: readonly ShortcutGroup[] = ['Crowd', 'Orders', 'Formations', 'Time', 'Camera', 'Show'];
 
 function rows(title: string, list: readonly { with: HTMLElement | string; does: string }[]): HTMLElement {
   const body = element('dl', { class: 'help-rows' });

@@ -31,6 +31,22 @@ const kShapes = {
   error:
     '<path d="M6.9 2.4h6.200l4.5 4.500v6.200l-4.5 4.500H6.900l-4.5-4.500V6.900Z M7.4 7.400l5.2 5.2 M12.6 7.400l-5.2 5.2" stroke-linejoin="round"/>',
   leave: '<path d="M8.5 3.500h-4v13h4 M8 10h9 M13.6 6.4 17.2 10l-3.6 3.6" stroke-linejoin="round"/>',
+  steer:
+    '<path d="M7.2 10.2V4.1a1.5 1.5 0 0 1 3 0v4.700l3.800.9c1.300.3 2 1.200 1.800 2.500l-.6 4.300H8.400l-3.600-4.600c-.5-.7-.4-1.500.2-1.900.6-.5 1.400-.4 2.200.2Z" stroke-linejoin="round"/>',
+  order:
+    '<path d="M3 5.500h14 M10 16.500V8.500 M6.600 11.600 10 8.200l3.400 3.400" stroke-linejoin="round"/><circle cx="3" cy="5.500" r="1.300" fill="currentColor"/><circle cx="17" cy="5.500" r="1.300" fill="currentColor"/>',
+  cut: '<circle cx="5" cy="5.200" r="2.200"/><circle cx="5" cy="14.800" r="2.200"/><path d="M6.900 6.400 17 13.500 M6.900 13.600 17 6.500"/>',
+  stop: '<rect x="5" y="5" width="10" height="10" rx="1.500" fill="currentColor"/>',
+  hold: '<path d="M7 4.500v11 M13 4.500v11" stroke-width="2.600"/>',
+  resume: '<path d="M4 10h11 M11 5.500 15.500 10 11 14.500" stroke-linejoin="round"/>',
+  patrol:
+    '<path d="M3.500 8.500A6.700 6.700 0 0 1 15.600 6 M16.500 11.500A6.700 6.700 0 0 1 4.400 14 M15.900 2.600V6.200h-3.600 M4.100 17.400v-3.600h3.600" stroke-linejoin="round"/>',
+  undo: '<path d="M7 4 3.500 7.500 7 11 M3.800 7.500h7.700a4.500 4.500 0 0 1 0 9H8" stroke-linejoin="round"/>',
+  follow:
+    '<circle cx="14.500" cy="5.500" r="2.400"/><circle cx="4.800" cy="14.500" r="2.400" fill="currentColor"/><path d="M6.800 12.600 11 8.600" stroke-dasharray="2 2.600"/>',
+  guard:
+    '<path d="M10 2.800 16 5v4.600c0 3.700-2.500 6.200-6 7.600-3.500-1.400-6-3.900-6-7.600V5Z" stroke-linejoin="round"/>',
+  dials: '<path d="M3 6h8 M15 6h2 M3 14h2 M9 14h8"/><circle cx="13" cy="6" r="2"/><circle cx="7" cy="14" r="2"/>',
   close: '<path d="m5 5 10 10 M15 5 5 15"/>',
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',

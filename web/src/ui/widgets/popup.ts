@@ -42,7 +42,7 @@ export class Popup {
   }
 
   private items(): HTMLElement[] {
-    return [...this.panel_.querySelectorAll<HTMLElement>('button')].filter((item) => !item.hidden);
+    return [...this.panel_.querySelectorAll<HTMLElement>('button, input')].filter((item) => !item.hidden);
   }
 
   private pointed(event: Event): void {

@@ -1,0 +1,17 @@
+// Orders and changes of units as clients send them: events in the words of gesture files.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "muster/command.h"
+#include "muster/session.h"
+
+namespace muster {
+
+/// Reads events; the session sets time, step and client. Only orders, changes of units, formations and poses are
+/// allowed: fingers come in messages of their own, and nobody builds walls from a page. Fails with one sentence that
+/// names the event.
+Result<std::vector<CommandBody>> parseCommandText(std::string_view text, const SessionLimits& limits);
+
+}  // namespace muster

@@ -1,0 +1,108 @@
+// Orders and changes of units as events of gesture files: what a Commands message carries.
+
+import type { GroundPoint } from './plane';
+
+export type MannerWord = 'march' | 'free';
+export type TurnWord = 'wheel' | 'reverse' | 'keep';
+export type StanceWord = 'normal' | 'hold' | 'yield';
+export type QueueModeWord = 'replace' | 'append';
+export type QueueEditWord = 'cancel' | 'hold' | 'resume' | 'patrol' | 'endPatrol' | 'stop';
+export type PartShapeWord = 'asHeld' | 'smaller';
+type Pair = readonly [number, number];
+
+/** In the order of their values on the wire. */
+export const kManners: readonly MannerWord[] = ['march', 'free'];
+export const kTurns: readonly TurnWord[] = ['wheel', 'reverse', 'keep'];
+export const kStances: readonly StanceWord[] = ['normal', 'hold', 'yield'];
+
+/** How orders are given until they are given otherwise. */
+export interface OrderStyle {
+  readonly manner: MannerWord;
+  readonly turn: TurnWord;
+  readonly mode: QueueModeWord;
+}
+
+export interface ConductFacts {
+  readonly stance: StanceWord;
+  readonly cohesion: number;
+  readonly squeeze: number;
+  readonly avoids: boolean;
+}
+
+/** Where a group shall go. */
+export interface MoveTarget {
+  readonly target: GroundPoint;
+  /** [rad]; null for the heading of the last stretch. */
+  readonly facing: number | null;
+  /** Of the front [m]; 0 to keep it. */
+  readonly width: number;
+  readonly route: readonly GroundPoint[];
+}
+
+/** One event of a gesture file. */
+export type CommandEvent = Readonly<Record<string, unknown>> & { readonly kind: string };
+
+function rounded(value: number): number {
+  return Math.round(value * 1000) / 1000;
+}
+
+function pair({ x, y }: GroundPoint): Pair {
+  return [rounded(x), rounded(y)];
+}
+
+export function moveEvent(group: number, to: MoveTarget, style: OrderStyle): CommandEvent {
+  const [x, y] = pair(to.target);
+  return {
+    kind: 'move',
+    group,
+    mode: style.mode,
+    x,
+    y,
+    ...(to.facing === null ? {} : { facing: rounded(to.facing) }),
+    ...(to.width > 0 ? { width: rounded(to.width) } : {}),
+    ...(to.route.length > 0 ? { route: to.route.map(pair) } : {}),
+    manner: style.manner,
+    turn: style.turn,
+  };
+}
+
+export function followEvent(group: number, leader: number, offset: GroundPoint, mode: QueueModeWord): CommandEvent {
+  return { kind: 'follow', group, mode, leader, offset: pair(offset) };
+}
+
+export function guardEvent(
+  group: number,
+  centre: GroundPoint,
+  halfSize: GroundPoint,
+  facing: number,
+  mode: QueueModeWord,
+): CommandEvent {
+  const [x, y] = pair(centre);
+  return { kind: 'guard', group, mode, x, y, facing: rounded(facing), halfSize: pair(halfSize) };
+}
+
+export function queueEvent(group: number, edit: QueueEditWord, order = 0): CommandEvent {
+  return { kind: 'queue', group, edit, ...(order > 0 ? { order } : {}) };
+}
+
+export function conductEvent(group: number, conduct: ConductFacts): CommandEvent {
+  return { kind: 'conduct', group, ...conduct };
+}
+
+/** Those to the left of a line, looking from its first point to its second, leave. */
+export function splitByLineEvent(group: number, from: GroundPoint, to: GroundPoint): CommandEvent {
+  return { kind: 'split', group, by: 'line', points: [pair(from), pair(to)], shape: 'asHeld' };
+}
+
+export function splitByIdsEvent(group: number, ids: readonly number[]): CommandEvent {
+  return { kind: 'split', group, by: 'ids', ids, shape: 'asHeld' };
+}
+
+export function mergeEvent(groups: readonly number[], shape: PartShapeWord): CommandEvent {
+  return { kind: 'merge', groups, shape };
+}
+
+/** The text of a Commands message. */
+export function commandText(events: readonly CommandEvent[]): string {
+  return JSON.stringify(events);
+}

@@ -1,0 +1,23 @@
+// What buttons, keys and tools do with orders and units.
+
+import type { ConductFacts, OrderStyle } from './commands';
+import type { ToolName } from './studio_state';
+
+export interface OrderActions {
+  setTool(tool: ToolName): void;
+  /** Back to steering, where this tool is in hand; else takes it in hand. */
+  toggleTool(tool: ToolName): void;
+  setStyle(style: Partial<OrderStyle>): void;
+  /** Makes a group the active one; `add`: together with those that are chosen. */
+  choose(index: number, add: boolean): void;
+  chooseAll(): void;
+  stop(): void;
+  toggleHold(): void;
+  togglePatrol(): void;
+  /** Takes an order out of the active group's queue. */
+  cancelOrder(order: number): void;
+  setConduct(conduct: Partial<ConductFacts>): void;
+  /** Joins a group to another one, by their ids. */
+  merge(into: number, dragged: number): void;
+  undo(): void;
+}

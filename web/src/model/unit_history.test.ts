@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest';
+import { EventKind, type EventFrame } from '../protocol/messages';
+import { UnitHistory } from './unit_history';
+
+function added(id: number, from: number): EventFrame {
+  return { kind: EventKind.GroupAdded, subject: id, value: from, x: 0, y: 0 };
+}
+
+const nobody = (): number[] => [];
+
+describe('UnitHistory', () => {
+  it('undoes a split by a merge of its parts, once frames have told of them', () => {
+    const history = new UnitHistory();
+    history.splitAsked(3);
+    expect(history.canUndo).toBe(false);
+    expect(history.observe([added(8, 3), added(9, 7)])).toEqual([8]);
+    expect(history.canUndo).toBe(true);
+    expect(history.undo([3, 8], nobody)).toEqual([{ kind: 'merge', groups: [3, 8], shape: 'asHeld' }]);
+    expect(history.canUndo).toBe(false);
+  });
+
+  it('undoes a merge by a split with the ids that the parts had, of those who live', () => {
+    const history = new UnitHistory();
+    history.mergeAsked(3, [[10, 11, 12]]);
+    const events = history.undo([3], () => [1, 2, 10, 12]);
+    expect(events).toEqual([{ kind: 'split', group: 3, by: 'ids', ids: [10, 12], shape: 'asHeld' }]);
+  });
+
+  it('passes over what cannot be undone any more, and undoes the one before', () => {
+    const history = new UnitHistory();
+    history.mergeAsked(3, [[10]]);
+    history.splitAsked(5);
+    history.observe([added(8, 5)]);
+    // Group 8 has ended.
+    expect(history.undo([3, 5], () => [10])).toMatchObject([{ kind: 'split', ids: [10] }]);
+    expect(history.undo([3, 5], () => [10])).toEqual([]);
+  });
+
+  it('forgets a split that the server refused, and keeps those that happened', () => {
+    const history = new UnitHistory();
+    history.splitAsked(5);
+    history.observe([added(8, 5)]);
+    history.splitAsked(5);
+    history.refused();
+    history.refused();
+    expect(history.canUndo).toBe(true);
+  });
+});

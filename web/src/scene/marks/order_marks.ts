@@ -1,0 +1,277 @@
+// Queues of orders as drawn ways: lines with arrow heads, a numbered point per order, and how the group will stand at the
+// end. Orders that are being drawn are shown the same way, with all places.
+
+import type { GroupView, OrderView } from '../../model/frame_view';
+import { placed, widened, widthOf, depthOf, type GroupShapes } from '../../model/group_shapes';
+import { convexHull, distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
+import type { CameraController } from '../camera/camera_controller';
+import { withAlpha } from '../drawing/colour';
+import { accentColour, type Palette } from '../drawing/palette';
+import type { MarkExtent } from './mark_extent';
+import type { MarkColours, MarkPainter } from './mark_painter';
+
+/** How one group would stand. */
+export interface StandPreview {
+  readonly index: number;
+  readonly places: readonly GroundPoint[];
+  readonly outline: readonly GroundPoint[];
+  /** Left and right end. */
+  readonly front: readonly [GroundPoint, GroundPoint];
+}
+
+/** What is being drawn; empty lists for nothing. */
+export interface DrawnOrder {
+  readonly moves: readonly StandPreview[];
+  readonly rectangle: readonly GroundPoint[];
+  readonly route: readonly GroundPoint[];
+}
+
+/** A stroke of the cutting tool. */
+export interface DrawnCut {
+  readonly line: readonly GroundPoint[];
+  readonly index: number;
+  readonly leaving: readonly GroundPoint[];
+  readonly onto: readonly GroundPoint[];
+}
+
+export interface OrderScene {
+  readonly camera: CameraController;
+  readonly palette: Palette;
+  readonly colours: readonly number[];
+  readonly greyed: boolean;
+  readonly groups: readonly GroupView[];
+  readonly shapes: GroupShapes;
+  /** Ids of the groups that get orders: their ways are drawn fully, others' faintly. */
+  readonly selected: ReadonlySet<number>;
+  readonly queues: boolean;
+  readonly drawn: DrawnOrder | null;
+  readonly cut: DrawnCut | null;
+}
+
+const kFollow = 2;
+const kGuard = 3;
+const kFace = 1;
+const kOthersAlpha = 0.42;
+/** Arrow heads on long legs stand so far apart [CSS px]. */
+const kArrowGap = 120;
+/** An order's point is drawn this far from its group, or not at all [m]. */
+const kReached = 0.4;
+
+/** A stretch of a way, and the order at its end. */
+interface Leg {
+  readonly order: OrderView;
+  readonly points: readonly GroundPoint[];
+  readonly facing: number;
+}
+
+/** The legs of a queue, from where the group stands. */
+export function legsOf(group: GroupView, groups: readonly GroupView[]): Leg[] {
+  let from: GroundPoint = { x: group.x, y: group.y };
+  let facing = group.facing;
+  return group.orders.map((order, k) => {
+    const leader = order.kind === kFollow ? groups.find(({ id }) => id === order.group) : undefined;
+    const end = order.kind === kFace ? from : (leader ?? order);
+    const between = k === 0 ? pointsOf(group.way) : pointsOf(order.route);
+    const points = [from, ...between, { x: end.x, y: end.y }].filter(
+      (point, i, all) => i === 0 || distance(point, all[i - 1]!) > 0.05,
+    );
+    const [a, b] = [points[points.length - 2], points[points.length - 1]!];
+    facing = order.hasFacing ? order.facing : a ? Math.atan2(b.y - a.y, b.x - a.x) : facing;
+    from = b;
+    return { order, points, facing };
+  });
+}
+
+export class OrderMarks {
+  constructor(private readonly painter_: MarkPainter) {}
+
+  extend(extent: MarkExtent, scene: OrderScene): void {
+    const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
+    for (const group of scene.queues ? scene.groups : []) this.pointsOf(group, scene).forEach(add);
+    const { drawn, cut } = scene;
+    for (const move of drawn?.moves ?? []) [...move.outline, ...move.front].forEach(add);
+    const strokes = [drawn?.rectangle, drawn?.route, cut?.line, cut?.leaving, cut?.onto];
+    for (const points of strokes) points?.forEach(add);
+  }
+
+  /** All that is drawn of a group's queue. */
+  private pointsOf(group: GroupView, scene: OrderScene): GroundPoint[] {
+    const points: GroundPoint[] = group.held ? [group] : [];
+    for (const leg of legsOf(group, scene.groups)) {
+      points.push(...leg.points, ...(this.ghost(group, leg.order, leg.facing, scene)?.outline ?? []));
+      if (leg.order.kind === kGuard) points.push(...rectangleOf(leg.order));
+    }
+    return points;
+  }
+
+  draw(scene: OrderScene): void {
+    if (scene.queues) {
+      // The chosen ones' above the others'.
+      for (const chosen of [false, true]) {
+        scene.groups.forEach((group, index) => {
+          if (scene.selected.has(group.id) === chosen) this.drawQueue(group, index, scene);
+        });
+      }
+    }
+    this.painter_.alpha = 1;
+    if (scene.drawn) this.drawPreview(scene.drawn, scene);
+    if (scene.cut) this.drawCut(scene.cut, scene);
+  }
+
+  private coloursOf(index: number, { palette, colours, greyed }: OrderScene): MarkColours {
+    const accent = index < 0 ? palette.ink2 : accentColour(palette, colours[index] ?? index);
+    return { accent: greyed ? palette.obstacleEdge : accent, casing: palette.casing };
+  }
+
+  private screen(points: readonly GroundPoint[], { camera }: OrderScene): ScreenPoint[] {
+    return points.map(({ x, y }) => camera.worldToScreen(x, y));
+  }
+
+  private drawQueue(group: GroupView, index: number, scene: OrderScene): void {
+    const legs = legsOf(group, scene.groups);
+    const colours = this.coloursOf(index, scene);
+    const { painter_: painter } = this;
+    painter.alpha = scene.selected.has(group.id) ? 1 : kOthersAlpha;
+    const last = legs[legs.length - 1];
+    if (group.patrols && legs.length > 1 && last) this.drawReturn(last, legs[0]!, colours, scene);
+    for (const leg of legs) this.drawLeg(leg, colours, scene);
+    if (last) this.drawGhost(group, last, colours, scene);
+    for (const { order } of legs) if (order.kind === kGuard) this.drawGuard(order, colours, scene);
+    legs.forEach(({ points }, k) => {
+      const end = points[points.length - 1]!;
+      const near = legs.length === 1 && distance(end, group) < kReached;
+      if (near) return;
+      const at = scene.camera.worldToScreen(end.x, end.y);
+      if (legs.length > 1 || group.patrols) painter.badge(at, String(k + 1), colours, scene.palette.onAccent);
+      else painter.checkpoint(at, colours, true);
+    });
+    if (group.held && legs.length > 0) {
+      painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, scene.palette.onAccent);
+    }
+  }
+
+  private drawLeg({ points, order }: Leg, colours: MarkColours, scene: OrderScene): void {
+    if (points.length < 2) return;
+    const at = this.screen(points, scene);
+    if (order.kind === kFollow) this.painter_.dashed(at, colours.accent, 2.2, false);
+    else this.painter_.cased(at, colours, 2.2, 5);
+    this.drawArrows(at, colours);
+  }
+
+  /** Heads along a way, the last one some way before its end. */
+  private drawArrows(at: readonly ScreenPoint[], colours: MarkColours): void {
+    let gone = 0;
+    let next = kArrowGap / 2;
+    for (let i = 0; i + 1 < at.length; ++i) {
+      const [a, b] = [at[i]!, at[i + 1]!];
+      const length = distance(a, b);
+      for (; length > 0 && next <= gone + length; next += kArrowGap) {
+        const t = (next - gone) / length;
+        const head = { x: a.x + (b.x - a.x) * t, y: a.y + (b.y - a.y) * t };
+        this.painter_.chevron(head, Math.atan2(b.y - a.y, b.x - a.x), colours);
+      }
+      gone += length;
+    }
+  }
+
+  private drawReturn(last: Leg, first: Leg, colours: MarkColours, scene: OrderScene): void {
+    const ends = [last.points[last.points.length - 1]!, first.points[first.points.length - 1]!];
+    this.painter_.dashed(this.screen(ends, scene), withAlpha(colours.accent, 0.8), 2.2, false);
+  }
+
+  private ghost(group: GroupView, order: OrderView, facing: number, { shapes }: OrderScene): StandPreview | null {
+    const shape = shapes.of(group.id);
+    if (!shape || shape.places.length === 0 || order.kind === kFollow || order.kind === kGuard) return null;
+    const local = widened(shape, order.width);
+    const at = order.kind === kFace ? group : order;
+    const [half, ahead] = [widthOf(local) / 2 + 0.5, depthOf(local) / 2 + 0.5];
+    const corners = [
+      { x: ahead, y: half },
+      { x: ahead, y: -half },
+    ];
+    const [left, right] = placed(corners, at, facing);
+    const outline = convexHull(placed(local, at, facing));
+    return { index: 0, places: [], outline, front: [left!, right!] };
+  }
+
+  /** How it will stand: the outline dashed, the front with the way it faces. */
+  private drawGhost(group: GroupView, { order, facing }: Leg, colours: MarkColours, scene: OrderScene): void {
+    const ghost = this.ghost(group, order, facing, scene);
+    if (!ghost) return;
+    if (distance(group, order) < 1 && Math.abs(Math.sin((group.facing - facing) / 2)) < 0.1) return;
+    this.painter_.dashed(this.screen(ghost.outline, scene), withAlpha(colours.accent, 0.8), 1.6, true);
+    this.drawFront(ghost.front, colours, scene);
+  }
+
+  private drawFront([left, right]: readonly [GroundPoint, GroundPoint], colours: MarkColours, scene: OrderScene): void {
+    const at = this.screen([left, right], scene);
+    this.painter_.cased(at, colours, 3.4, 6.5);
+    const middle = { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2 };
+    const width = Math.max(0.1, distance(left, right));
+    const ahead = { x: middle.x - (right.y - left.y) / width, y: middle.y + (right.x - left.x) / width };
+    const [from, to] = this.screen([middle, ahead], scene) as [ScreenPoint, ScreenPoint];
+    const angle = Math.atan2(to.y - from.y, to.x - from.x);
+    const head = { x: from.x + 12 * Math.cos(angle), y: from.y + 12 * Math.sin(angle) };
+    this.painter_.chevron(head, angle, colours);
+  }
+
+  private drawGuard(order: OrderView, colours: MarkColours, scene: OrderScene): void {
+    const corners = this.screen(rectangleOf(order), scene);
+    this.painter_.veil(corners, colours.accent);
+    this.painter_.dashed(corners, colours.accent, 2.2, true);
+  }
+
+  private drawPreview({ moves, rectangle, route }: DrawnOrder, scene: OrderScene): void {
+    const { painter_: painter } = this;
+    const first = moves[0];
+    const colours = this.coloursOf(first?.index ?? this.firstChosen(scene), scene);
+    if (route.length > 1) painter.cased(this.screen(route, scene), colours, 2.2, 5);
+    if (rectangle.length > 2) {
+      painter.veil(this.screen(rectangle, scene), colours.accent);
+      painter.dashed(this.screen(rectangle, scene), colours.accent, 2.2, true);
+    }
+    for (const move of moves) {
+      const own = this.coloursOf(move.index, scene);
+      const outline = this.screen(move.outline, scene);
+      painter.veil(outline, own.accent);
+      painter.dashed(outline, withAlpha(own.accent, 0.9), 1.6, true);
+      for (const place of this.screen(move.places, scene)) {
+        painter.dot(place, 3.6, own.casing);
+        painter.dot(place, 2.5, own.accent);
+      }
+      this.drawFront(move.front, own, scene);
+    }
+  }
+
+  private firstChosen({ groups, selected }: OrderScene): number {
+    return groups.findIndex(({ id }) => selected.has(id));
+  }
+
+  private drawCut({ line, index, leaving, onto }: DrawnCut, scene: OrderScene): void {
+    const colours = this.coloursOf(index, scene);
+    const { painter_: painter } = this;
+    for (const place of this.screen(leaving, scene)) {
+      painter.dot(place, 6, colours.casing);
+      painter.dot(place, 4.2, colours.accent);
+    }
+    if (onto.length > 2) {
+      painter.veil(this.screen(onto, scene), colours.accent);
+      painter.dashed(this.screen(onto, scene), colours.accent, 2.2, true);
+    }
+    const ink = { accent: index < 0 ? scene.palette.ink2 : scene.palette.ink, casing: colours.casing };
+    const at = this.screen(line, scene);
+    painter.cased(at, ink, 2.4, 6);
+    const [a, b] = [at[at.length - 2], at[at.length - 1]];
+    if (a && b && onto.length > 2) painter.chevron(b, Math.atan2(b.y - a.y, b.x - a.x), ink);
+  }
+}
+
+function rectangleOf({ x, y, halfX, halfY, facing }: OrderView): GroundPoint[] {
+  const corners = [
+    { x: -halfX, y: -halfY },
+    { x: halfX, y: -halfY },
+    { x: halfX, y: halfY },
+    { x: -halfX, y: halfY },
+  ];
+  return placed(corners, { x, y }, facing);
+}

@@ -1,0 +1,78 @@
+// What the view shows of groups and their orders: colours by id, who is chosen, and what is being drawn.
+
+import { GroupShapes } from '../model/group_shapes';
+import type { GroupView, ShapeMeshView } from '../model/frame_view';
+import type { SceneGroup } from '../protocol/scene';
+import type { DrawnCut, DrawnOrder, OrderScene } from './marks/order_marks';
+
+export class OrderPicture {
+  private readonly shapes_ = new GroupShapes();
+  private byId_ = new Map<number, number>();
+  private selected_: ReadonlySet<number> = new Set();
+  private drawn_: DrawnOrder | null = null;
+  private cut_: DrawnCut | null = null;
+  private groups_: readonly GroupView[] = [];
+  private colours_: readonly number[] = [];
+
+  /** `changed` asks for another picture. */
+  constructor(private readonly changed_: () => void) {}
+
+  /** Accent indices of the newest frame's groups. */
+  get colours(): readonly number[] {
+    return this.colours_;
+  }
+
+  clear(): void {
+    this.shapes_.clear();
+    this.groups_ = [];
+  }
+
+  setMesh(mesh: ShapeMeshView): void {
+    this.shapes_.setMesh(mesh);
+  }
+
+  /** Colours of the groups by id; groups come and go. */
+  setGroups(groups: readonly SceneGroup[]): void {
+    this.byId_ = new Map(groups.map(({ id, colour }) => [id, colour]));
+    this.changed_();
+  }
+
+  /** Ids of the groups that get orders. */
+  setSelected(ids: readonly number[]): void {
+    this.selected_ = new Set(ids);
+    this.changed_();
+  }
+
+  /** An order that is being drawn; null takes it away. */
+  previewOrder(drawn: DrawnOrder | null): void {
+    this.drawn_ = drawn;
+    this.changed_();
+  }
+
+  /** A stroke of the cutting tool; null takes it away. */
+  previewCut(cut: DrawnCut | null): void {
+    this.cut_ = cut;
+    this.changed_();
+  }
+
+  /** Takes the groups of the newest frame; true where their colours are others than before. */
+  update(groups: readonly GroupView[]): boolean {
+    this.groups_ = groups;
+    const colours = groups.map(({ id }) => this.byId_.get(id) ?? id - 1);
+    if (colours.join() === this.colours_.join()) return false;
+    this.colours_ = colours;
+    return true;
+  }
+
+  /** For the marks. */
+  scene(queues: boolean): Pick<OrderScene, 'groups' | 'shapes' | 'selected' | 'queues' | 'drawn' | 'cut'> {
+    return {
+      groups: this.groups_,
+      shapes: this.shapes_,
+      selected: this.selected_,
+      queues,
+      drawn: this.drawn_,
+      cut: this.cut_,
+    };
+  }
+}

@@ -1,0 +1,342 @@
+// Gives orders: keeps who is chosen, turns what was drawn into commands, and remembers splits and merges to undo.
+
+import type { MessageSender } from '../link/studio_client';
+import {
+  commandText,
+  conductEvent,
+  followEvent,
+  guardEvent,
+  moveEvent,
+  queueEvent,
+  mergeEvent,
+  splitByLineEvent,
+  type CommandEvent,
+  type ConductFacts,
+  type OrderStyle,
+  type QueueEditWord,
+  type QueueModeWord,
+} from '../model/commands';
+import type { Cut, Cuttable } from '../model/cut';
+import { GroupShapes } from '../model/group_shapes';
+import type { OrderActions } from '../model/order_actions';
+import type { OrderedGroup, PlannedMove } from '../model/order_plan';
+import { convexHull, insidePolygon, pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
+import type { StudioFrame } from '../model/studio_frame';
+import type { ToolName, UnitInfo } from '../model/studio_state';
+import type { StudioStore } from '../model/studio_store';
+import { UnitHistory } from '../model/unit_history';
+import type { GroupMesh } from '../protocol/messages';
+import type { BoxSink } from '../tools/box_select';
+import type { Contact } from '../tools/contact';
+import type { CutPreview, CutSink } from '../tools/cut_tool';
+import type { OrderPreview, OrderSink } from '../tools/order_tools';
+
+/** What the desk shows on the scene. */
+export interface DeskScene {
+  readonly orders: {
+    previewOrder(preview: OrderPreview | null): void;
+    previewCut(preview: CutPreview | null): void;
+  };
+  previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
+  worldToScreen(point: GroundPoint): ScreenPoint;
+}
+
+type Keys = Pick<Contact, 'shift' | 'alt'>;
+
+/** Behind the middle of the group that is followed [m]. */
+const kFollowGap = 2;
+/** The group of a press is the one whose mesh is this near [m]. */
+const kNear = 1.5;
+
+export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
+  readonly shapes = new GroupShapes();
+  private readonly history_ = new UnitHistory();
+  private frame_: StudioFrame | null = null;
+  private ids_: Uint32Array = new Uint32Array(0);
+  private group_: Uint8Array = new Uint8Array(0);
+
+  constructor(
+    private readonly client_: MessageSender,
+    private readonly store_: StudioStore,
+    private readonly scene_: DeskScene,
+    private readonly say_: (text: string) => void,
+  ) {}
+
+  setMesh(mesh: GroupMesh): void {
+    this.shapes.setMesh(mesh);
+  }
+
+  forgetWorld(): void {
+    this.shapes.clear();
+    this.history_.clear();
+    this.store_.set({ canUndo: false, selected: [] });
+  }
+
+  /** Takes a frame; the state has its groups already. */
+  observe(frame: StudioFrame): void {
+    this.frame_ = frame;
+    if (frame.ids.length > 0 || frame.x.length === 0) [this.ids_, this.group_] = [frame.ids, frame.group];
+    const made = this.history_.observe(frame.events);
+    this.chooseParts(made);
+    const { canUndo, groups, active, selected } = this.store_.state;
+    if (canUndo !== this.history_.canUndo) this.store_.set({ canUndo: this.history_.canUndo });
+    if (selected.length === 0 && groups[active]) this.store_.set({ selected: [groups[active].id] });
+  }
+
+  /** The server refused commands. */
+  refused(): void {
+    this.history_.refused();
+  }
+
+  // ---- Who is chosen ----
+
+  choose(index: number, add: boolean): void {
+    const { groups, selected } = this.store_.state;
+    const group = groups[index];
+    if (!group || (add && selected.length === 1 && selected[0] === group.id)) return;
+    if (add && selected.includes(group.id) && selected.length > 1) {
+      const left = selected.filter((id) => id !== group.id);
+      this.store_.set({ selected: left, active: groups.findIndex(({ id }) => id === left[0]) });
+      return;
+    }
+    this.store_.set({ active: index, selected: add ? [...selected, group.id] : [group.id] });
+    this.say_(`${group.name} chosen`);
+  }
+
+  chooseAll(): void {
+    const { groups } = this.store_.state;
+    this.store_.set({ selected: groups.map(({ id }) => id) });
+    this.say_(`All ${groups.length} groups chosen`);
+  }
+
+  chooseWithin(from: ScreenPoint, to: ScreenPoint): void {
+    const inside = ({ x, y }: ScreenPoint): boolean => (x - from.x) * (x - to.x) <= 0 && (y - from.y) * (y - to.y) <= 0;
+    const within = (this.frame_?.groups ?? []).filter(({ places, vertices }) =>
+      pointsOf(places.length > 0 ? places : vertices).some((place) => inside(this.scene_.worldToScreen(place))),
+    );
+    const first = within[0];
+    if (!first) return;
+    const { groups } = this.store_.state;
+    this.store_.set({
+      active: groups.findIndex(({ id }) => id === first.id),
+      selected: within.map(({ id }) => id),
+    });
+    this.say_(within.length === 1 ? `${this.nameOf(first.id)} chosen` : `${within.length} groups chosen`);
+  }
+
+  groups(): readonly OrderedGroup[] {
+    const { selected } = this.store_.state;
+    return (this.frame_?.groups ?? []).flatMap(({ id, x, y, facing }, index) => {
+      const shape = this.shapes.of(id);
+      return shape && shape.places.length > 0 && selected.includes(id)
+        ? [{ id, index, at: { x, y }, facing, shape }]
+        : [];
+    });
+  }
+
+  /** True where a chosen group's mesh lies under the point. */
+  isChosenAt(at: GroundPoint): boolean {
+    const { selected } = this.store_.state;
+    return this.formations().some(({ group, outline }) => selected.includes(group) && insidePolygon(at, outline));
+  }
+
+  // ---- What was drawn ----
+
+  previewOrder(preview: OrderPreview | null): void {
+    this.scene_.orders.previewOrder(preview);
+  }
+
+  previewCut(preview: CutPreview | null): void {
+    this.scene_.orders.previewCut(preview);
+  }
+
+  previewBox(corners: readonly GroundPoint[] | null): void {
+    this.scene_.previewControl(-1, corners, true);
+  }
+
+  move(moves: readonly PlannedMove[], keys: Keys): void {
+    const style = this.styleOf(keys);
+    this.send(moves.map((move) => moveEvent(move.group, move, style)));
+    this.once();
+  }
+
+  guard(centre: GroundPoint, halfSize: GroundPoint, facing: number, keys: Keys): void {
+    const mode = this.modeOf(keys);
+    this.send(this.groups().map(({ id }) => guardEvent(id, centre, halfSize, facing, mode)));
+    this.once();
+  }
+
+  follow(at: GroundPoint, keys: Keys): void {
+    const leader = this.formations().find(({ outline }) => insidePolygon(at, outline)) ?? this.nearest(at);
+    const followers = this.groups().filter(({ id }) => id !== leader?.group);
+    if (!leader || followers.length === 0) {
+      this.say_('Press on another group, which they shall follow');
+      return;
+    }
+    const behind = (group: OrderedGroup): GroundPoint => ({
+      x: -this.depths(group.id, leader.group) - kFollowGap,
+      y: 0,
+    });
+    const mode = this.modeOf(keys);
+    this.send(followers.map((group) => followEvent(group.id, leader.group, behind(group), mode)));
+    this.say_(`Follows ${this.nameOf(leader.group)}`);
+    this.once();
+  }
+
+  formations(): readonly Cuttable[] {
+    return (this.frame_?.groups ?? []).map((group, index) => ({
+      group: group.id,
+      index,
+      outline: convexHull(pointsOf(group.vertices)),
+      places: pointsOf(group.places),
+    }));
+  }
+
+  split(cut: Cut): void {
+    this.history_.splitAsked(cut.group);
+    this.send([splitByLineEvent(cut.group, cut.from, cut.to)]);
+    this.say_(`${this.nameOf(cut.group)} divided: ${cut.left} leave, ${cut.right} stay`);
+  }
+
+  merge(into: number, dragged: number): void {
+    if (into === dragged) return;
+    this.history_.mergeAsked(into, [this.membersOf(dragged)]);
+    this.send([mergeEvent([into, dragged], 'smaller')]);
+    const { groups } = this.store_.state;
+    const index = groups.findIndex(({ id }) => id === into);
+    if (index >= 0) this.store_.set({ active: index, selected: [into] });
+    this.say_(`${this.nameOf(dragged)} joins ${this.nameOf(into)}`);
+  }
+
+  missed(reason: string): void {
+    this.say_(reason);
+    this.store_.set({
+      notice: { type: 'Notice', level: 0, code: 'cut', text: `${reason}.`, hasPlace: false, x: 0, y: 0 },
+    });
+  }
+
+  // ---- Buttons and keys ----
+
+  setTool(tool: ToolName): void {
+    if (this.store_.state.tool === tool) return;
+    this.store_.set({ tool });
+    this.say_(kToolWords[tool]);
+  }
+
+  toggleTool(tool: ToolName): void {
+    this.setTool(this.store_.state.tool === tool ? 'steer' : tool);
+  }
+
+  setStyle(style: Partial<OrderStyle>): void {
+    this.store_.set({ style: { ...this.store_.state.style, ...style } });
+  }
+
+  stop(): void {
+    this.edit('stop');
+    this.say_('Stop');
+  }
+
+  toggleHold(): void {
+    const held = this.activeUnit()?.held ?? false;
+    this.edit(held ? 'resume' : 'hold');
+    this.say_(held ? 'Goes on' : 'Holds');
+  }
+
+  togglePatrol(): void {
+    const patrols = this.activeUnit()?.patrols ?? false;
+    this.edit(patrols ? 'endPatrol' : 'patrol');
+    this.say_(patrols ? 'Ends the patrol' : 'Patrols');
+  }
+
+  cancelOrder(order: number): void {
+    const unit = this.activeUnit();
+    if (unit) this.send([queueEvent(unit.id, 'cancel', order)]);
+  }
+
+  setConduct(conduct: Partial<ConductFacts>): void {
+    const { units, selected } = this.store_.state;
+    const chosen = units.filter(({ id }) => selected.includes(id));
+    this.send(chosen.map((unit) => conductEvent(unit.id, { ...unit.conduct, ...conduct })));
+  }
+
+  undo(): void {
+    const { groups } = this.store_.state;
+    const events = this.history_.undo(
+      groups.map(({ id }) => id),
+      (group) => this.membersOf(group),
+    );
+    this.say_(events.length > 0 ? 'Undone' : 'There is nothing to undo');
+    this.send(events);
+    this.store_.set({ canUndo: this.history_.canUndo });
+  }
+
+  private edit(edit: QueueEditWord): void {
+    this.send(this.store_.state.selected.map((id) => queueEvent(id, edit)));
+  }
+
+  private send(events: readonly CommandEvent[]): void {
+    if (events.length > 0) this.client_.send({ type: 'Commands', events: commandText(events) });
+  }
+
+  /** Tools that are meant for one order are put away. */
+  private once(): void {
+    const { tool } = this.store_.state;
+    if (tool === 'follow' || tool === 'guard') this.store_.set({ tool: 'steer' });
+  }
+
+  private modeOf({ shift }: Keys): QueueModeWord {
+    return shift ? 'append' : this.store_.state.style.mode;
+  }
+
+  private styleOf(keys: Keys): OrderStyle {
+    const { style } = this.store_.state;
+    return { ...style, mode: this.modeOf(keys), manner: keys.alt ? 'free' : style.manner };
+  }
+
+  private activeUnit(): UnitInfo | undefined {
+    return this.store_.state.units[this.store_.state.active];
+  }
+
+  private nameOf(group: number): string {
+    return this.store_.state.groups.find(({ id }): boolean => id === group)?.name ?? 'the group';
+  }
+
+  private membersOf(group: number): number[] {
+    const index = (this.frame_?.groups ?? []).findIndex(({ id }) => id === group);
+    return [...this.ids_].filter((_, i) => this.group_[i] === index);
+  }
+
+  /** Half the depth of both, one behind the other [m]. */
+  private depths(a: number, b: number): number {
+    const half = (group: number): number => {
+      const along = (this.shapes.of(group)?.places ?? []).map(({ x }) => Math.abs(x));
+      return Math.max(0, ...along);
+    };
+    return half(a) + half(b);
+  }
+
+  private nearest(at: GroundPoint): Cuttable | undefined {
+    const reach = (one: Cuttable): number =>
+      Math.min(...one.places.map((place) => Math.hypot(place.x - at.x, place.y - at.y)));
+    const sorted = this.formations()
+      .filter((one) => one.places.length > 0)
+      .map((one) => ({ one, away: reach(one) }))
+      .sort((a, b) => a.away - b.away);
+    return sorted[0] && sorted[0].away < kNear ? sorted[0].one : undefined;
+  }
+
+  /** The parts of a split of ours are chosen, to get orders at once. */
+  private chooseParts(made: readonly number[]): void {
+    const { groups } = this.store_.state;
+    const index = groups.findIndex(({ id }) => id === made[0]);
+    if (index >= 0) this.store_.set({ active: index, selected: [...made] });
+  }
+}
+
+const kToolWords: Readonly<Record<ToolName, string>> = {
+  steer: 'Steering: fingers shape the formation',
+  order: 'Orders: drag on the ground for place and front',
+  cut: 'Cutting: draw across a formation',
+  follow: 'Press on the group to follow',
+  guard: 'Drag the rectangle to guard',
+};
