@@ -21,19 +21,29 @@ describe('UnitHistory', () => {
 
   it('undoes a merge by a split with the ids that the parts had, of those who live', () => {
     const history = new UnitHistory();
-    history.mergeAsked(3, [[10, 11, 12]]);
+    history.mergeAsked(3, 8, [10, 11, 12]);
     const events = history.undo([3], () => [1, 2, 10, 12]);
     expect(events).toEqual([{ kind: 'split', group: 3, by: 'ids', ids: [10, 12], shape: 'asHeld' }]);
   });
 
   it('passes over what cannot be undone any more, and undoes the one before', () => {
     const history = new UnitHistory();
-    history.mergeAsked(3, [[10]]);
+    history.mergeAsked(3, 8, [10]);
     history.splitAsked(5);
     history.observe([added(8, 5)]);
     // Group 8 has ended.
     expect(history.undo([3, 5], () => [10])).toMatchObject([{ kind: 'split', ids: [10] }]);
     expect(history.undo([3, 5], () => [10])).toEqual([]);
+  });
+
+  it('undoes a split after the merge of its parts was undone, though the part has a new id', () => {
+    const history = new UnitHistory();
+    history.splitAsked(3);
+    history.observe([added(8, 3)]);
+    history.mergeAsked(3, 8, [10, 11]);
+    history.undo([3], () => [1, 10, 11]);
+    expect(history.observe([added(9, 3)])).toEqual([9]);
+    expect(history.undo([3, 9], nobody)).toEqual([{ kind: 'merge', groups: [3, 9], shape: 'asHeld' }]);
   });
 
   it('forgets a split that the server refused, and keeps those that happened', () => {

@@ -6,16 +6,17 @@ import { mergeEvent, splitByIdsEvent, type CommandEvent } from './commands';
 
 interface Split {
   readonly kind: 'split';
-  readonly group: number;
+  group: number;
   /** The new groups, as far as frames have told of them. */
-  readonly parts: number[];
+  parts: number[];
 }
 
 interface Merge {
   readonly kind: 'merge';
-  readonly into: number;
-  /** Members of each group that ended. */
-  readonly parts: readonly (readonly number[])[];
+  into: number;
+  /** The group that ended, and who was in it. */
+  readonly ended: number;
+  readonly ids: readonly number[];
 }
 
 type Done = Split | Merge;
@@ -25,6 +26,8 @@ const kMost = 50;
 
 export class UnitHistory {
   private done_: Done[] = [];
+  /** Groups that the undo of a merge brings back under a new id. */
+  private coming_: { readonly from: number; readonly was: number }[] = [];
 
   get canUndo(): boolean {
     return this.done_.some((one) => one.kind === 'merge' || one.parts.length > 0);
@@ -32,6 +35,7 @@ export class UnitHistory {
 
   clear(): void {
     this.done_ = [];
+    this.coming_ = [];
   }
 
   /** A split was asked for; frames tell what came of it. */
@@ -39,9 +43,9 @@ export class UnitHistory {
     this.push({ kind: 'split', group, parts: [] });
   }
 
-  /** A merge was asked for; `parts`: the members of those that end. */
-  mergeAsked(into: number, parts: readonly (readonly number[])[]): void {
-    this.push({ kind: 'merge', into, parts });
+  /** A merge was asked for; `ids`: the members of the group that ends. */
+  mergeAsked(into: number, ended: number, ids: readonly number[]): void {
+    this.push({ kind: 'merge', into, ended, ids });
   }
 
   /** The server refused something: a split that no frame has told of has not happened. */
@@ -55,6 +59,12 @@ export class UnitHistory {
     const made: number[] = [];
     for (const { kind, subject, value } of events) {
       if (kind !== EventKind.GroupAdded) continue;
+      const back = this.coming_.findIndex(({ from }) => from === value);
+      if (back >= 0) {
+        this.rename(this.coming_.splice(back, 1)[0]!.was, subject);
+        made.push(subject);
+        continue;
+      }
       const split = this.done_.find(
         (one): one is Split => one.kind === 'split' && one.group === value && one.parts.length === 0,
       );
@@ -85,8 +95,19 @@ export class UnitHistory {
     }
     if (!alive.has(done.into)) return [];
     const there = new Set(members(done.into));
-    const left = done.parts.map((ids) => ids.filter((id) => there.has(id)));
-    return left.filter((ids) => ids.length > 0).map((ids) => splitByIdsEvent(done.into, ids));
+    const left = done.ids.filter((id) => there.has(id));
+    if (left.length === 0) return [];
+    this.coming_.push({ from: done.into, was: done.ended });
+    return [splitByIdsEvent(done.into, left)];
+  }
+
+  /** A group is back under another id. */
+  private rename(was: number, now: number): void {
+    const renamed = (id: number): number => (id === was ? now : id);
+    for (const one of this.done_) {
+      if (one.kind === 'merge') one.into = renamed(one.into);
+      else [one.group, one.parts] = [renamed(one.group), one.parts.map(renamed)];
+    }
   }
 
   private push(done: Done): void {

@@ -200,7 +200,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   merge(into: number, dragged: number): void {
     if (into === dragged) return;
-    this.history_.mergeAsked(into, [this.membersOf(dragged)]);
+    this.history_.mergeAsked(into, dragged, this.membersOf(dragged));
     this.send([mergeEvent([into, dragged], 'smaller')]);
     const { groups } = this.store_.state;
     const index = groups.findIndex(({ id }) => id === into);
