@@ -50,7 +50,10 @@ public:
     double time() const;                   ///< stepCount() * stepTime [s].
     const Parameters& parameters() const;  ///< Current values.
 
-    CharactersView characters() const;           ///< Characters of all groups.
+    CharactersView characters() const;  ///< Characters of all groups.
+    /// The way of a character, an index into characters(), to its place: corners round what stands still,
+    /// both ends included [m]. Empty for the unmatched and where there is none.
+    std::vector<Vec2> wayAhead(std::size_t character) const;
     std::size_t groupCount() const;              ///< Current number of groups.
     GroupView group(std::size_t index) const;    ///< Groups are in ascending order of ids.
     GroupDef groupDef(std::size_t index) const;  ///< Current name, count and formation.

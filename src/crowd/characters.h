@@ -54,8 +54,8 @@ struct Characters {
     std::size_t size() const { return id.size(); }
     /// The same for reading.
     CharactersView view() const {
-        return {id,   group,  position, velocity,   heading, place, direction, cost,
-                motion, phase, motionTime, patch, body, driver, wanted};
+        return {id,     group, position,   velocity, heading, place,  direction, cost,
+                motion, phase, motionTime, patch,    body,    driver, wanted};
     }
 
     /// Lets an archive read or write all arrays.

@@ -30,35 +30,40 @@ Vec2 Contacts::withinReach(std::size_t character, Vec2 position) const {
     return lengthSquared(way) <= reach * reach ? position : from + clampLength(way, reach);
 }
 
-double Contacts::separatePairs(double diameter, std::span<Vec2> positions) {
+template <bool kAlike>
+double Contacts::separatePairs(std::span<Vec2> positions) {
     double worst = 0.0;
-    const double touching = diameter * diameter;
     for (const NeighbourPair pair : pairs_->pairs()) {
+        const double touching = kAlike ? diameter_ : bodies_->touching(pair.low, pair.high);
         Vec2& a = positions[pair.low];
         Vec2& b = positions[pair.high];
         const Vec2 between = b - a;
         const double d2 = lengthSquared(between);
-        if (d2 >= touching) continue;
+        if (d2 >= touching * touching) continue;
         const double d = std::sqrt(d2);
-        const double depth = diameter - d;
+        const double depth = touching - d;
         // Coincident characters separate along an axis that their indices choose.
         const Vec2 away = d > 1e-9 ? between / d
                                    : (((pair.low + pair.high) & 1) != 0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0});
-        a = withinReach(pair.low, a - away * (0.5 * depth));
-        b = withinReach(pair.high, b + away * (0.5 * depth));
-        worst = std::max(worst, depth);
+        const double shareA = kAlike ? 0.5 : bodies_->share(pair.low, pair.high);
+        const double shareB = kAlike ? 0.5 : bodies_->share(pair.high, pair.low);
+        if (shareA > 0.0) a = withinReach(pair.low, a - away * (shareA * depth));
+        if (shareB > 0.0) b = withinReach(pair.high, b + away * (shareB * depth));
+        if (shareA + shareB == 0.0) continue;
+        worst = std::max(worst, kAlike ? depth : depth * (diameter_ / touching));
         corrected_ = true;
     }
     return worst;
 }
 
-double Contacts::leaveObstacles(double radius, const Environment& environment, std::span<Vec2> positions) {
+double Contacts::leaveObstacles(const Environment& environment, std::span<Vec2> positions) {
     double worst = 0.0;
     for (ObstacleCandidate& candidate : obstacleCandidates_) {
         Vec2& p = positions[candidate.index];
         if (p == candidate.free) continue;
+        const double radius = bodies_->radius(candidate.index);
         Vec2 free = environment.projectToFreeSpace(p, radius);
-        if (free != p && isWedged(radius, environment, candidate.index))
+        if (free != p && isWedged(environment, candidate.index))
             free = environment.projectToFreeSpace(p, radius - kWedgeSlack);
         if (free == p) {
             candidate.free = p;
@@ -73,8 +78,9 @@ double Contacts::leaveObstacles(double radius, const Environment& environment, s
 
 // True where the character began the step in a gap about as wide as itself. Routes lead through gaps that are
 // narrower by a hair, because they run along walls.
-bool Contacts::isWedged(double radius, const Environment& environment, std::int32_t character) const {
+bool Contacts::isWedged(const Environment& environment, std::int32_t character) const {
     if (bounds_.from.empty()) return false;
+    const double radius = bodies_->radius(character);
     const Vec2 from = bounds_.from[character];
     Vec2 first;
     bool wedged = false;
@@ -113,14 +119,14 @@ Vec2 Contacts::walkOut(double radius, const Environment& environment, std::size_
 }
 
 // Corrections of pairs may have moved characters into obstacles, which have priority.
-void Contacts::leaveObstaclesFinally(double radius, const Environment& environment,
-                                     std::span<Vec2> positions) {
-    const Box inside = environment.def().box.grown(-radius);
+void Contacts::leaveObstaclesFinally(const Environment& environment, std::span<Vec2> positions) {
     for (const ObstacleCandidate& candidate : obstacleCandidates_) {
         Vec2& p = positions[candidate.index];
         if (p == candidate.free) continue;
+        const double radius = bodies_->radius(candidate.index);
+        const Box inside = environment.def().box.grown(-radius);
         if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
-        const bool wedged = isWedged(radius, environment, candidate.index);
+        const bool wedged = isWedged(environment, candidate.index);
         const double width = wedged ? radius - kWedgeSlack : radius;
         p = walkOut(width, environment, candidate.index, environment.projectToFreeSpace(p, width));
         corrected_ = true;
@@ -128,8 +134,9 @@ void Contacts::leaveObstaclesFinally(double radius, const Environment& environme
 }
 
 // Puts a character back where it began the step; false where it is there already, or an obstacle is.
-bool Contacts::takeBackOne(double radius, const Environment& environment, std::int32_t character,
+bool Contacts::takeBackOne(const Environment& environment, std::int32_t character,
                            std::span<Vec2> positions) {
+    const double radius = bodies_->radius(character);
     const Vec2 from = bounds_.from[character];
     Vec2& p = positions[character];
     if (p == from || environment.distanceToObstacle(from, radius) < radius - kFreeTolerance) return false;
@@ -140,68 +147,69 @@ bool Contacts::takeBackOne(double radius, const Environment& environment, std::i
 
 // The iteration does not always converge in a dense crowd, but nobody was too deep when the step began: of
 // pairs that have become too deep, both are put back, and so on with those that came after them.
-void Contacts::takeBack(double radius, const Environment& environment, std::span<Vec2> positions) {
-    const double diameter = 2.0 * radius;
-    const double least = (1.0 - kDeepest) * diameter;
+void Contacts::takeBack(const Environment& environment, std::span<Vec2> positions) {
     for (bool changed = true; changed;) {
         changed = false;
-        if (outdatedByCorrections(diameter, positions)) findPairs(diameter, positions);
+        if (outdatedByCorrections(positions)) findPairs(positions);
         for (const NeighbourPair pair : pairs_->pairs()) {
+            const double least = (1.0 - kDeepest) * bodies_->touching(pair.low, pair.high);
             const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
             if (d2 >= least * least || d2 >= lengthSquared(bounds_.from[pair.low] - bounds_.from[pair.high]))
                 continue;
             for (const std::int32_t character : {pair.low, pair.high})
-                changed = takeBackOne(radius, environment, character, positions) || changed;
+                changed = takeBackOne(environment, character, positions) || changed;
         }
     }
 }
 
 // Finds pairs again where corrections may have brought together characters that were far apart before.
-ContactReport Contacts::report(double diameter, std::span<const Vec2> positions) {
+ContactReport Contacts::report(std::span<const Vec2> positions) {
     ContactReport result;
-    if (outdatedByCorrections(diameter, positions)) findPairs(diameter, positions);
+    if (outdatedByCorrections(positions)) findPairs(positions);
     for (const NeighbourPair pair : pairs_->pairs()) {
+        const double touching = bodies_->touching(pair.low, pair.high);
         const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
-        if (d2 >= diameter * diameter) continue;
-        const double share = (diameter - std::sqrt(d2)) / diameter;
+        if (d2 >= touching * touching) continue;
+        const double share = (touching - std::sqrt(d2)) / touching;
         result.worstPenetration = std::max(result.worstPenetration, share);
         if (share > kReported) ++result.overlapPairs;
     }
     return result;
 }
 
-void Contacts::findPairs(double diameter, std::span<const Vec2> positions) {
-    ownPairs_.build(positions, diameter, kPairSkin);
+void Contacts::findPairs(std::span<const Vec2> positions) {
+    ownPairs_.build(positions, diameter_, kPairSkin);
     pairs_ = &ownPairs_;
 }
 
 // Candidates are so near an obstacle or the edge of the world that nobody else reaches one while the pairs
 // are valid.
-void Contacts::findObstacleCandidates(double radius, const Environment& environment,
-                                      std::span<const Vec2> positions, ThreadPool* pool) {
+void Contacts::findObstacleCandidates(const Environment& environment, std::span<const Vec2> positions,
+                                      ThreadPool* pool) {
     nearObstacle_.resize(positions.size());
     forChunks(pool, (positions.size() + kMarkedPerTask - 1) / kMarkedPerTask, 1, [&](std::size_t chunk) {
         const std::size_t first = chunk * kMarkedPerTask,
                           count = std::min(kMarkedPerTask, positions.size() - first);
-        environment.markNearObstacles(positions.subspan(first, count), 3.0 * radius,
+        environment.markNearObstacles(positions.subspan(first, count), 1.5 * diameter_,
                                       std::span(nearObstacle_).subspan(first, count));
     });
     obstacleCandidates_.clear();
     obstacleCandidates_.reserve(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (nearObstacle_[i] != 0) obstacleCandidates_.push_back({static_cast<std::int32_t>(i)});
+        if (nearObstacle_[i] != 0 && !bodies_->isFixed(i))
+            obstacleCandidates_.push_back({static_cast<std::int32_t>(i)});
 }
 
 // How far a character may be from where the pairs were found [m]: half the skin, and not so far that an
 // obstacle candidate is missed.
-double Contacts::slack(double diameter) const {
-    return std::clamp(0.5 * (pairs_->listedReach() - diameter), 0.0, 0.5 * diameter);
+double Contacts::slack() const {
+    return std::clamp(0.5 * (pairs_->listedReach() - diameter_), 0.0, 0.5 * diameter_);
 }
 
 // True where a character has been corrected so far that pairs may be missing; only corrections count.
-bool Contacts::outdatedByCorrections(double diameter, std::span<const Vec2> positions) {
+bool Contacts::outdatedByCorrections(std::span<const Vec2> positions) {
     if (!std::exchange(corrected_, false)) return false;
-    const double most = slack(diameter);
+    const double most = slack();
     if (2 * pairs_->pairs().size() + obstacleCandidates_.size() > positions.size())
         return !pairs_->holdsFor(positions, most);
     for (const NeighbourPair pair : pairs_->pairs())
@@ -214,25 +222,30 @@ bool Contacts::outdatedByCorrections(double diameter, std::span<const Vec2> posi
 
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment,
                                 std::span<Vec2> positions, const NeighbourList* neighbours, ThreadPool* pool,
-                                const ContactBounds& bounds) {
-    const double diameter = 2.0 * def.radius;
+                                const ContactBounds& bounds, const CrowdBodies* bodies) {
+    Parameters::Character usual;
+    usual.radius = def.radius;
+    alike_.reset(usual);
+    bodies_ = bodies != nullptr ? bodies : &alike_;
+    diameter_ = 2.0 * bodies_->largestRadius();
     bounds_ = bounds;
     pairs_ = neighbours;
-    if (pairs_ == nullptr || !pairs_->holdsFor(positions, slack(diameter))) findPairs(diameter, positions);
+    if (pairs_ == nullptr || !pairs_->holdsFor(positions, slack())) findPairs(positions);
     corrected_ = false;
-    findObstacleCandidates(def.radius, environment, positions, pool);
+    findObstacleCandidates(environment, positions, pool);
+    const bool alike = bodies_->alike();
     for (std::int32_t iteration = 0; iteration < def.iterations; ++iteration) {
-        const double pairs = separatePairs(diameter, positions);
-        const double walls = leaveObstacles(def.radius, environment, positions);
-        const bool outdated = outdatedByCorrections(diameter, positions);
-        if (!outdated && std::max(pairs, walls) < kConverged * diameter) break;
+        const double pairs = alike ? separatePairs<true>(positions) : separatePairs<false>(positions);
+        const double walls = leaveObstacles(environment, positions);
+        const bool outdated = outdatedByCorrections(positions);
+        if (!outdated && std::max(pairs, walls) < kConverged * diameter_) break;
         if (!outdated) continue;
-        findPairs(diameter, positions);
-        findObstacleCandidates(def.radius, environment, positions, pool);
+        findPairs(positions);
+        findObstacleCandidates(environment, positions, pool);
     }
-    leaveObstaclesFinally(def.radius, environment, positions);
-    if (!bounds.from.empty()) takeBack(def.radius, environment, positions);
-    return report(diameter, positions);
+    leaveObstaclesFinally(environment, positions);
+    if (!bounds.from.empty()) takeBack(environment, positions);
+    return report(positions);
 }
 
 }  // namespace muster

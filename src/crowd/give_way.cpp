@@ -49,6 +49,13 @@ GiveWay::Lane GiveWay::laneOf(const ObstaclePiece& piece, double radius) {
     return lane;
 }
 
+// The lane for a body whose radius is larger than usual by so much.
+GiveWay::Lane GiveWay::widened(Lane lane, double by) {
+    lane.right -= by;
+    lane.left += by;
+    return lane;
+}
+
 // Leaves a lane by the side that takes less time, or straight on if that is in time. A side behind a wall
 // comes last.
 void GiveWay::leave(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
@@ -101,9 +108,7 @@ void GiveWay::giveWay(const Lane& lane, const Environment& environment, Vec2 pos
 }
 
 // Who is touched by somebody leaving goes the same way, and so on.
-void GiveWay::passOn(const Parameters::Character& def, const Characters& now,
-                     const NeighbourList& neighbours) {
-    const double reach = 2.0 * def.radius + kPressGap;
+void GiveWay::passOn(const CrowdBodies& bodies, const Characters& now, const NeighbourList& neighbours) {
     bool changed = true;
     const auto press = [&](std::int32_t from, std::int32_t to, Vec2 between) {
         if (leaving_[from] == Vec2{} || !(leaving_[to] == Vec2{})) return;
@@ -116,6 +121,7 @@ void GiveWay::passOn(const Parameters::Character& def, const Characters& now,
         changed = false;
         for (const NeighbourPair pair : neighbours.pairs()) {
             const Vec2 between = now.position[pair.high] - now.position[pair.low];
+            const double reach = bodies.touching(pair.low, pair.high) + kPressGap;
             if (lengthSquared(between) > reach * reach) continue;
             press(pair.low, pair.high, between);
             press(pair.high, pair.low, -between);
@@ -123,9 +129,10 @@ void GiveWay::passOn(const Parameters::Character& def, const Characters& now,
     }
 }
 
-void GiveWay::run(const Parameters::Character& def, const Characters& now, const Environment& environment,
+void GiveWay::run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
                   const NeighbourList& neighbours, std::span<const double> topSpeed,
                   std::span<Vec2> preferred) {
+    const Parameters::Character& def = bodies.usual();
     lanes_.clear();
     for (const ObstaclePiece& piece : environment.pieces())
         if (piece.moving && lengthSquared(piece.velocity) > kSlowest * kSlowest)
@@ -134,12 +141,14 @@ void GiveWay::run(const Parameters::Character& def, const Characters& now, const
     slack_.assign(now.size(), 0.0);
     bool any = gates_.run(def, now, environment, leaving_, preferred);
     for (std::size_t i = 0; i < now.size(); ++i) {
+        const double radius = bodies.radius(i), wider = radius - def.radius;
         for (const Lane& lane : lanes_)
-            giveWay(lane, environment, now.position[i], topSpeed[i], def.radius, i, preferred[i]);
+            giveWay(wider == 0.0 ? lane : widened(lane, wider), environment, now.position[i], topSpeed[i],
+                    radius, i, preferred[i]);
         any = any || !(leaving_[i] == Vec2{});
     }
     if (!any) return;
-    passOn(def, now, neighbours);
+    passOn(bodies, now, neighbours);
     for (std::size_t i = 0; i < now.size(); ++i)
         if (!(leaving_[i] == Vec2{})) preferred[i] = leaving_[i];
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/neighbour_list.h"
+#include "crowd/crowd_bodies.h"
 #include "crowd/gates.h"
 #include "environment/environment.h"
 #include "muster/parameters.h"
@@ -21,7 +22,7 @@ class GiveWay {
 public:
     /// Overwrites `preferred` velocities [m/s] of those who give way. `topSpeed` is that of each character
     /// [m/s]; `neighbours` lists all who nearly touch.
-    void run(const Parameters::Character& def, const Characters& now, const Environment& environment,
+    void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
              const NeighbourList& neighbours, std::span<const double> topSpeed, std::span<Vec2> preferred);
 
 private:
@@ -34,12 +35,13 @@ private:
     };
 
     static Lane laneOf(const ObstaclePiece& piece, double radius);
+    static Lane widened(Lane lane, double by);
     void giveWay(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
                  double radius, std::size_t character, Vec2& preferred);
     static void follow(const Lane& lane, double along, double across, Vec2& preferred);
     void leave(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
                double radius, std::size_t character, double timeLeft, Vec2 preferred);
-    void passOn(const Parameters::Character& def, const Characters& now, const NeighbourList& neighbours);
+    void passOn(const CrowdBodies& bodies, const Characters& now, const NeighbourList& neighbours);
 
     Gates gates_;
     std::vector<Lane> lanes_;

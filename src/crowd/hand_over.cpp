@@ -46,8 +46,8 @@ void follow(const Characters& now, std::int32_t i, float dt, PlaceWait& wait) {
 
 }  // namespace
 
-void updateWaits(const HandOverDef& def, const Characters& now, const NeighbourList& neighbours, double dt,
-                 std::span<PlaceWait> waits) {
+void updateWaits(const HandOverDef& def, const Characters& now, const CrowdBodies& bodies,
+                 const NeighbourList& neighbours, double dt, std::span<PlaceWait> waits) {
     const auto step = static_cast<float>(dt);
     const auto count = static_cast<std::int32_t>(now.size());
     for (std::int32_t i = 0; i < count; ++i) follow(now, i, step, waits[i]);
@@ -61,7 +61,8 @@ void updateWaits(const HandOverDef& def, const Characters& now, const NeighbourL
     };
     for (const NeighbourPair pair : neighbours.pairs()) {
         const Vec2 between = now.position[pair.high] - now.position[pair.low];
-        if (lengthSquared(between) > def.reach * def.reach) continue;
+        const double reach = bodies.touching(pair.low, pair.high) + def.gap;
+        if (lengthSquared(between) > reach * reach) continue;
         wait(pair.low, pair.high, between);
         wait(pair.high, pair.low, -between);
     }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/neighbour_list.h"
+#include "crowd/crowd_bodies.h"
 #include "crowd/place_wait.h"
 
 namespace muster {
@@ -13,14 +14,14 @@ struct Characters;
 
 /// What the rule reads of the parameters.
 struct HandOverDef {
-    double reach = 0.0;     ///< Two characters touch up to this distance of their centres [m].
-    double topSpeed = 0.0;  ///< In the open [m/s].
+    double gap = 0.0;       ///< Two characters touch up to this gap between them [m].
+    double topSpeed = 0.0;  ///< In the open, of who has none of its own [m/s].
 };
 
 /// Updates the waits of all characters for one step of `dt` [s]. `neighbours` lists all pairs that touch; one
 /// that stands near its place bars the way of another of its group. A wait counts like a walk: the cost of
 /// the barred place rises at top speed, and falls slowly once the character has got on or another place.
-void updateWaits(const HandOverDef& def, const Characters& now, const NeighbourList& neighbours, double dt,
-                 std::span<PlaceWait> waits);
+void updateWaits(const HandOverDef& def, const Characters& now, const CrowdBodies& bodies,
+                 const NeighbourList& neighbours, double dt, std::span<PlaceWait> waits);
 
 }  // namespace muster

@@ -84,27 +84,30 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
     return direction * topSpeed;
 }
 
-// Gains and bounds for one time step, the same for all characters.
-struct StepBounds {
+// Gains for one time step, the same for all characters.
+struct StepGains {
     double velocityShare;  // Share of the velocity error that is corrected.
-    double change;         // Bound on the change of velocity [m/s].
     double headingShare;   // Share of the heading error that is corrected.
 };
 
-Vec2 nextVelocity(const StepBounds& bounds, Vec2 velocity, Vec2 preferred, double topSpeed) {
+// `most` bounds the change of velocity [m/s].
+Vec2 nextVelocity(double share, double most, Vec2 velocity, Vec2 preferred, double topSpeed) {
     const Vec2 desired = clampLength(preferred, topSpeed);
-    const Vec2 change = clampLength((desired - velocity) * bounds.velocityShare, bounds.change);
+    const Vec2 change = clampLength((desired - velocity) * share, most);
     return clampLength(velocity + change, topSpeed);
 }
 
 }  // namespace
 
-// Separation steering (Reynolds 1987), and a sidestep to the right of two who approach each other.
-void Steering::addSeparationSteering(const Parameters::Character& def, const Characters& now) {
+// Separation steering (Reynolds 1987), and a sidestep to the right of two who approach each other. Each takes
+// its share of both, by mass.
+void Steering::addSeparationSteering(const CrowdBodies& bodies, const Characters& now) {
+    const Parameters::Character& def = bodies.usual();
     if (def.separationGain <= 0.0 || def.separationReach <= 0.0) return;
-    const double reach = 2.0 * def.radius + def.separationReach;
+    const auto intent = [&](std::int32_t i) { return bodies.isFixed(i) ? now.velocity[i] : preferred_[i]; };
     for (const NeighbourPair pair : neighbours_.pairs()) {
         const std::int32_t a = pair.low, b = pair.high;
+        const double reach = bodies.touching(a, b) + def.separationReach;
         const Vec2 between = now.position[b] - now.position[a];
         if (lengthSquared(between) >= reach * reach || walkTogether(now.velocity[a], now.velocity[b]))
             continue;
@@ -112,22 +115,22 @@ void Steering::addSeparationSteering(const Parameters::Character& def, const Cha
         const double closeness = (reach - length(between)) / def.separationReach;
         const Vec2 push = away * (def.separationGain * def.separationReach * std::min(1.0, closeness));
         // Both step to their right, so that meeting head on is no tie.
-        const double closing = dot(preferred_[a] - preferred_[b], away);
+        const double closing = dot(intent(a) - intent(b), away);
         const Vec2 sidestep = closing > 0.0
                                   ? perpendicular(away) * (0.25 * closing * std::min(1.0, closeness))
                                   : Vec2{};
-        preferred_[a] -= push + sidestep;
-        preferred_[b] += push + sidestep;
+        preferred_[a] -= (push + sidestep) * (2.0 * bodies.share(a, b));
+        preferred_[b] += (push + sidestep) * (2.0 * bodies.share(b, a));
     }
 }
 
 // Of two who touch and walk in the same direction, the one behind steps back from a blocked one ahead.
 // Otherwise crowds would form stable arches before doors. Of two who bar each other side by side, one steps
 // back against its own direction.
-void Steering::yieldToBlocked(const Parameters::Character& def, const Characters& now,
+void Steering::yieldToBlocked(const CrowdBodies& bodies, const Characters& now,
                               std::span<const PlaceWait> waits) {
-    const double touching = 2.0 * def.radius + kTouchGap;
     for (const NeighbourPair pair : neighbours_.pairs()) {
+        const double touching = bodies.touching(pair.low, pair.high) + kTouchGap;
         std::int32_t front = pair.low, back = pair.high;
         if (isAhead(now, back, front)) std::swap(front, back);
         const bool standing = bothStand(now, waits, front, back);
@@ -135,7 +138,7 @@ void Steering::yieldToBlocked(const Parameters::Character& def, const Characters
         const Vec2 between = now.position[front] - now.position[back];
         if (lengthSquared(now.velocity[front]) > kBlockedSpeed * kBlockedSpeed) continue;
         if (lengthSquared(between) > touching * touching ||
-            dot(now.direction[front], now.direction[back]) <= 0.0)
+            dot(now.direction[front], now.direction[back]) <= 0.0 || bodies.isFirmer(back, front))
             continue;
         if (standing) {
             preferred_[back] = now.direction[back] * -kYieldSpeed;
@@ -147,32 +150,35 @@ void Steering::yieldToBlocked(const Parameters::Character& def, const Characters
     }
 }
 
-void Steering::run(const Parameters::Character& def, const Characters& now, const SteeringInput& input,
+void Steering::run(const CrowdBodies& bodies, const Characters& now, const SteeringInput& input,
                    const Environment& environment, double dt, std::span<Vec2> velocity,
                    std::span<Vec2> heading, ThreadPool* pool) {
     const std::size_t count = now.size();
+    const Parameters::Character& def = bodies.usual();
     preferred_.resize(count);
     topSpeed_.resize(count);
     const bool patches = !environment.patchIds().empty();
     forChunks(pool, count, kSteeredPerTask, [&](std::size_t i) {
-        topSpeed_[i] = patches ? def.maxSpeed * environment.ground(now.position[i]).travelSpeed
-                               : def.maxSpeed;
+        topSpeed_[i] = patches ? bodies.maxSpeed(i) * environment.ground(now.position[i]).travelSpeed
+                               : bodies.maxSpeed(i);
+        if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     });
-    neighbours_.build(now.position, 2.0 * def.radius + std::max(def.separationReach, kTouchGap));
-    addSeparationSteering(def, now);
-    yieldToBlocked(def, now, input.waits);
-    giveWay_.run(def, now, environment, neighbours_, topSpeed_, preferred_);
-    const StepBounds bounds{std::min(1.0, def.velocityGain * dt), def.acceleration * dt,
-                            std::min(1.0, kHeadingRate * dt)};
-    forChunks(pool, count, kSteeredPerTask, [&, bounds](std::size_t i) {
-        const Vec2 next = nextVelocity(bounds, now.velocity[i], preferred_[i], topSpeed_[i]);
+    neighbours_.build(now.position, 2.0 * bodies.largestRadius() + std::max(def.separationReach, kTouchGap));
+    addSeparationSteering(bodies, now);
+    yieldToBlocked(bodies, now, input.waits);
+    giveWay_.run(bodies, now, environment, neighbours_, topSpeed_, preferred_);
+    const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt)};
+    forChunks(pool, count, kSteeredPerTask, [&, gains](std::size_t i) {
+        const Vec2 next = bodies.isFixed(i) ? now.velocity[i]
+                                            : nextVelocity(gains.velocityShare, bodies.acceleration(i) * dt,
+                                                           now.velocity[i], preferred_[i], topSpeed_[i]);
         const double speed = length(next);
         const Vec2 towards = speed > kWalkingSpeed ? next / speed : input.facing[i];
         velocity[i] = next;
         heading[i] = now.phase[i] == MotionPhase::Locked
                          ? now.heading[i]
-                         : rotateTowards(now.heading[i], towards, bounds.headingShare);
+                         : rotateTowards(now.heading[i], towards, gains.headingShare);
     });
 }
 

@@ -7,6 +7,7 @@
 #include "base/neighbour_list.h"
 #include "base/parallel.h"
 #include "crowd/characters.h"
+#include "crowd/crowd_bodies.h"
 #include "crowd/give_way.h"
 #include "environment/environment.h"
 #include "muster/parameters.h"
@@ -19,27 +20,29 @@ struct SteeringInput {
     std::span<const Vec2> placeVelocity;  ///< Velocity of its place [m/s].
     std::span<const Vec2> facing;         ///< Unit heading of its formation, which it takes when standing.
     std::span<const PlaceWait> waits = {};  ///< For how long it has stood; empty for none.
+    std::span<const double> pace = {};      ///< Share of its top speed at which it walks; empty for all.
 };
 
 /// Computes next velocities and headings from the present state only, so the order of characters cannot
 /// matter.
 class Steering {
 public:
-    /// Reads `now`, writes the next velocity [m/s] and heading (one per character). The same bits with and
-    /// without a pool.
-    void run(const Parameters::Character& def, const Characters& now, const SteeringInput& input,
+    /// Reads `now`, writes the next velocity [m/s] and heading (one per character): of who is moved from
+    /// outside the velocity that it has. The same bits with and without a pool.
+    void run(const CrowdBodies& bodies, const Characters& now, const SteeringInput& input,
              const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading,
              ThreadPool* pool = nullptr);
 
     /// Of each character at the last run, on its ground [m/s].
     std::span<const double> topSpeeds() const { return topSpeed_; }
+    /// Of each character at the last run, the velocity that it aimed at [m/s].
+    std::span<const Vec2> preferred() const { return preferred_; }
     /// Close pairs of the last run, at its positions.
     const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
-    void addSeparationSteering(const Parameters::Character& def, const Characters& now);
-    void yieldToBlocked(const Parameters::Character& def, const Characters& now,
-                        std::span<const PlaceWait> waits);
+    void addSeparationSteering(const CrowdBodies& bodies, const Characters& now);
+    void yieldToBlocked(const CrowdBodies& bodies, const Characters& now, std::span<const PlaceWait> waits);
 
     GiveWay giveWay_;
     NeighbourList neighbours_;

@@ -21,6 +21,8 @@ public:
     virtual const StaticGround& staticGround() = 0;      ///< What stands still.
     virtual const DynamicCost& dynamicCost() = 0;        ///< What crowd and moving things add.
     virtual RouteGraph* routes() { return nullptr; }     ///< Where characters can walk; null for unknown.
+    /// The costs for larger or smaller bodies; 0 for usual ones. Valid as long as these.
+    virtual PlanCosts& ofClass(std::int32_t /*groundClass*/) { return *this; }
 };
 
 }  // namespace muster

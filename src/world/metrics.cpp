@@ -92,9 +92,12 @@ void RunMetrics::watchSpeeds(const World& world) {
     const CharactersView characters = world.characters();
     const Environment& environment = inspect::environment(world);
     const bool patches = !environment.patchIds().empty();
-    const double step = world.parameters().character.maxSpeed * world.parameters().stepTime;
+    const Parameters& parameters = world.parameters();
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        const double ratio = distance(last_[i], characters.position[i]) / step;
+        if (characters.driver[i] != Driver::Muster) continue;
+        const double own = characters.body[i].maxSpeed;
+        const double top = own > 0.0 ? own : parameters.character.maxSpeed;
+        const double ratio = distance(last_[i], characters.position[i]) / (top * parameters.stepTime);
         if (ratio <= topSpeedRatio_) continue;
         topSpeedRatio_ = std::max(topSpeedRatio_,
                                   patches ? ratio / environment.ground(last_[i]).travelSpeed : ratio);

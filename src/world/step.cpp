@@ -21,7 +21,10 @@ constexpr StageFunction kStages[] = {
     [](WorldEngine& w) { w.places.run(w.state, *w.pool); },
     [](WorldEngine& w) { w.cost.run(w.state); },
     [](WorldEngine& w) { w.plans.run(w.state, w.cost, w.ways, *w.pool, w.events); },
-    [](WorldEngine& w) { w.steering.run(w.state, w.cost, w.ways, *w.pool); },
+    [](WorldEngine& w) {
+        const double stepTime = w.state.parameters.stepTime;
+        w.steering.run(w.state, w.cost, w.ways, stepTime / movesOf(stepTime), *w.pool);
+    },
     [](WorldEngine& w) { w.contactReport = w.contacts.run(w.state, w.steering, *w.pool); },
     [](WorldEngine& w) { w.patches.run(w.state); },
     [](WorldEngine& w) { w.happenings.run(w.state, w.patches.events(), w.events); },

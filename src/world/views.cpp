@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "muster/world.h"
+#include "routes/route_search.h"
 #include "world/inspect.h"
 #include "world/world_engine.h"
 
@@ -41,6 +44,19 @@ const Parameters& World::parameters() const {
 }
 CharactersView World::characters() const {
     return engine_->state.characters.view();
+}
+std::vector<Vec2> World::wayAhead(std::size_t character) const {
+    engine_->finishBackgroundWork();
+    WorldState& state = engine_->state;
+    if (character >= state.characters.size() || state.characters.place[character] < 0) return {};
+    const Group& group = state.groups[state.characters.group[character]];
+    RouteSearch search;
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    search.start(routes, state.characters.position[character],
+                 group.places.positions()[state.characters.place[character]]);
+    std::int64_t whole = std::numeric_limits<std::int64_t>::max();
+    const bool found = search.advance(routes, whole) == RouteStatus::Found;
+    return found ? search.path() : std::vector<Vec2>{};
 }
 std::size_t World::groupCount() const {
     return engine_->state.groups.size();

@@ -46,7 +46,7 @@ struct WorldEngine {
     void goOnFromState() {
         cost.reset(state);
         ways.reset(state);
-        for (const Group& group : state.groups) group.plan->bind(cost);
+        for (const Group& group : state.groups) group.plan->bind(cost.ofClass(group.groundClass));
         events.clear();
         rejections.clear();
         contactReport = {};

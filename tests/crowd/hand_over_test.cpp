@@ -13,6 +13,7 @@ struct Pair {
     Characters now;
     std::vector<PlaceWait> waits = std::vector<PlaceWait>(2);
     NeighbourList neighbours;
+    CrowdBodies bodies;
 
     Pair() {
         now.id = {1, 2};
@@ -25,7 +26,8 @@ struct Pair {
     }
     void run(double seconds) {
         neighbours.build(now.position, 0.65);
-        for (int s = 0; s < 60 * seconds; ++s) updateWaits({0.65, 2.0}, now, neighbours, 1.0 / 60, waits);
+        for (int s = 0; s < 60 * seconds; ++s)
+            updateWaits({0.15, 2.0}, now, bodies, neighbours, 1.0 / 60, waits);
     }
 };
 

@@ -43,14 +43,14 @@ void add(Characters& c, Vec2 position, Vec2 direction) {
 // Runs towards fixed places, straight, without contacts.
 void walk(Characters& c, const std::vector<Vec2>& places, const Environment& environment, int steps) {
     Steering steering;
-    const Parameters::Character def;
+    const CrowdBodies bodies;
     std::vector<Vec2> still(c.size());
     std::vector<Vec2> facing(c.size(), Vec2{0, 1});
     std::vector<Vec2> velocity(c.size());
     std::vector<Vec2> heading(c.size());
     for (int s = 0; s < steps; ++s) {
         for (std::size_t i = 0; i < c.size(); ++i) c.direction[i] = normalized(places[i] - c.position[i]);
-        steering.run(def, c, {places, still, facing}, environment, kStep, velocity, heading);
+        steering.run(bodies, c, {places, still, facing}, environment, kStep, velocity, heading);
         c.velocity = velocity;
         c.heading = heading;
         for (std::size_t i = 0; i < c.size(); ++i) c.position[i] += velocity[i] * kStep;

@@ -19,6 +19,11 @@ struct PlaceDef {
     double clearance = Parameters::Place{}.clearance;
     /// Of places [m/s], above 0; multiplied by the ground's travel speed.
     double maxSpeed = Parameters::Place{}.speed;
+    /// Least distance between reachable targets [m]; 0 for a diameter.
+    double separation = 0.0;
+
+    /// As above, in metres.
+    double apart() const { return separation > 0.0 ? separation : 2.0 * radius; }
 };
 
 /// The free space of one kind of character in one region of an environment.

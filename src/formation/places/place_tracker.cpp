@@ -94,8 +94,8 @@ void PlaceTracker::bringWithinReach(const FreeSpace& space) {
 void PlaceTracker::separateAll(const PlaceDef& def, const RouteGraph& routes, std::int32_t region) {
     targets_.target = wanted_;
     targets_.reachable = wanted_;
-    separateTargets(FreeSpace(def, routes, region, nearest_), 2.0 * def.radius, targets_.reachable,
-                    targets_.fit, separationMemory_);
+    separateTargets(FreeSpace(def, routes, region, nearest_), def.apart(), targets_.reachable, targets_.fit,
+                    separationMemory_);
 }
 
 // After targets have jumped: the points of those in walls are any free ones, and are given out in the order
@@ -424,8 +424,7 @@ void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, R
     readTargets(targets, routes.environment());
     const FreeSpace space(def, routes, region, nearest_);
     bringWithinReach(space);
-    TargetUpdate update(space, 2.0 * def.radius, kAttractionSpeed * def.maxSpeed * dt, targets_,
-                        updateMemory_);
+    TargetUpdate update(space, def.apart(), kAttractionSpeed * def.maxSpeed * dt, targets_, updateMemory_);
     before_ = targets_.reachable;
     if (!update.run(wanted_, pool)) {
         separateAll(def, routes, region);

@@ -10,6 +10,7 @@
 #include "world/commands/order_commands.h"
 #include "world/commands/role_commands.h"
 #include "world/commands/unit_commands.h"
+#include "world/state/ground_class.h"
 #include "world/state/group_edits.h"
 #include "world/state/layer_defs.h"
 #include "world/validation.h"
@@ -219,6 +220,7 @@ void applyCommands(WorldState& state, ThreadPool& pool, std::vector<Event>& even
                    std::vector<Rejection>& rejections) {
     events.clear();
     rejections.clear();
+    restOutside(state);
     std::vector<Command>& queue = state.queue;
     std::ptrdiff_t done = 0;
     while (done < std::ssize(queue) && queue[done].step <= state.stepCount) {
@@ -231,6 +233,7 @@ void applyCommands(WorldState& state, ThreadPool& pool, std::vector<Event>& even
     }
     queue.erase(queue.begin(), queue.begin() + done);
     state.environment.setTime(state.time());
+    updateGroundClasses(state, pool);
 }
 
 }  // namespace muster

@@ -1,22 +1,70 @@
 #include "world/commands/body_commands.h"
 
+#include <algorithm>
+#include <string>
+
+#include "crowd/crowd_bodies.h"
+
 namespace muster {
 namespace {
 
-Status notYet() {
-    return {StatusCode::Unsupported, "characters have no bodies of their own yet"};
+constexpr double kFastest = 1e5;  // Of who is moved from outside [m/s].
+
+/// Index of the character with an id; -1 for none.
+std::ptrdiff_t indexOf(const Characters& characters, std::uint32_t id) {
+    const auto at = std::lower_bound(characters.id.begin(), characters.id.end(), id);
+    return at != characters.id.end() && *at == id ? at - characters.id.begin() : -1;
+}
+
+Status allExist(const Characters& characters, const std::vector<std::uint32_t>& ids) {
+    for (const std::uint32_t id : ids)
+        if (indexOf(characters, id) < 0)
+            return {StatusCode::NotFound, "no character has the id " + std::to_string(id)};
+    return {};
 }
 
 }  // namespace
 
-Status setBodies(WorldState&, const SetBodies&) {
-    return notYet();
+Status setBodies(WorldState& state, const SetBodies& command) {
+    Characters& c = state.characters;
+    if (Status s = allExist(c, command.ids); !s.ok()) return s;
+    for (std::size_t k = 0; k < command.ids.size(); ++k)
+        c.body[indexOf(c, command.ids[k])] = command.bodies[std::min(k, command.bodies.size() - 1)];
+    return {};
 }
-Status setDriver(WorldState&, const SetDriver&) {
-    return notYet();
+
+Status setDriver(WorldState& state, const SetDriver& command) {
+    Characters& c = state.characters;
+    if (Status s = allExist(c, command.ids); !s.ok()) return s;
+    for (const std::uint32_t id : command.ids) c.driver[indexOf(c, id)] = command.driver;
+    return {};
 }
-Status writeMotion(WorldState&, const WriteMotion&) {
-    return notYet();
+
+Status writeMotion(WorldState& state, const WriteMotion& command) {
+    Characters& c = state.characters;
+    if (Status s = allExist(c, command.ids); !s.ok()) return s;
+    for (const std::uint32_t id : command.ids)
+        if (c.driver[indexOf(c, id)] != Driver::Outside)
+            return invalidArgument("character " + std::to_string(id) +
+                                   " is moved by Muster, not from outside");
+    const Box& box = state.environment.def().box;
+    for (std::size_t k = 0; k < command.ids.size(); ++k) {
+        const std::ptrdiff_t i = indexOf(c, command.ids[k]);
+        const double radius = radiusOf(state.parameters.character, c.body[i]);
+        const Vec2 to = box.grown(-std::min({radius, 0.5 * box.width(), 0.5 * box.height()}))
+                            .clamp(command.positions[k]);
+        const Vec2 by = command.velocities.empty() ? (to - c.position[i]) / state.parameters.stepTime
+                                                   : command.velocities[k];
+        c.position[i] = to;
+        c.velocity[i] = clampLength(by, kFastest);
+    }
+    return {};
+}
+
+void restOutside(WorldState& state) {
+    Characters& c = state.characters;
+    for (std::size_t i = 0; i < c.size(); ++i)
+        if (c.driver[i] == Driver::Outside) c.velocity[i] = {};
 }
 
 }  // namespace muster

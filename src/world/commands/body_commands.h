@@ -14,5 +14,7 @@ Status setBodies(WorldState& state, const SetBodies& command);
 Status setDriver(WorldState& state, const SetDriver& command);
 /// Takes over where characters are that are moved from outside.
 Status writeMotion(WorldState& state, const WriteMotion& command);
+/// Stops all that are moved from outside: who is not written in a step stands.
+void restOutside(WorldState& state);
 
 }  // namespace muster

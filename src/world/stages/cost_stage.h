@@ -1,6 +1,10 @@
 // The stage of density and costs (SPEC A3 to A5).
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <memory>
+
 #include "cost/density.h"
 #include "cost/unit_cost_builder.h"
 #include "planning/plan_costs.h"
@@ -24,8 +28,34 @@ public:
     const StaticGround& staticGround() override;
     const DynamicCost& dynamicCost() override;
     RouteGraph* routes() override { return &state_->refreshRoutes(); }
+    PlanCosts& ofClass(std::int32_t groundClass) override;
 
 private:
+    // The costs of another class of ground than the usual one.
+    class ClassCosts final : public PlanCosts {
+    public:
+        ClassCosts(CostStage& stage, std::int32_t groundClass) : stage_(stage), class_(groundClass) {}
+        // Costs of the last step are out of date.
+        void begin() { unitCostBuilt_ = dynamicCostBuilt_ = false; }
+
+        const Environment& environment() const override { return stage_.environment(); }
+        const UnitCost& unitCost() override;
+        const StaticGround& staticGround() override;
+        const DynamicCost& dynamicCost() override;
+        RouteGraph* routes() override { return &stage_.state_->refreshRoutes(class_); }
+
+    private:
+        double radius() const;
+
+        CostStage& stage_;
+        std::int32_t class_;
+        UnitCostBuilder builder_;
+        bool unitCostBuilt_ = false;
+        StaticGround ground_;
+        DynamicCost dynamicCost_;
+        bool dynamicCostBuilt_ = false;
+    };
+
     void buildUnitCost();
 
     WorldState* state_ = nullptr;
@@ -37,6 +67,7 @@ private:
     StaticGround ground_;
     DynamicCost dynamicCost_;
     bool dynamicCostBuilt_ = false;  // For the density as it is.
+    std::map<std::int32_t, std::unique_ptr<ClassCosts>> classes_;
 };
 
 }  // namespace muster

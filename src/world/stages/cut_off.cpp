@@ -22,7 +22,7 @@ std::int32_t regionNear(const RouteGraph& routes, Vec2 p) {
 
 CutOff findCutOff(const WorldState& state, const Group& group) {
     CutOff found;
-    const RouteGraph& routes = state.routes;
+    const RouteGraph& routes = state.routesOf(group);
     if (group.region < 0 || routes.regionCount() <= 1) return found;
     Vec2 targets, characters;
     for (const Vec2 p : group.places.targets()) {

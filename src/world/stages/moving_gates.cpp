@@ -39,7 +39,7 @@ Behind findBehind(const WorldState& state, const Group& group, const MovingRegio
         const Vec2 from = state.characters.position[i];
         const Vec2 to = group.places.reachableTargets()[state.characters.place[i]];
         const std::int32_t a = regions.region(from), b = regions.region(to);
-        if (a < 0 || b < 0 || a == b || !state.routes.reachable(from, to)) continue;
+        if (a < 0 || b < 0 || a == b || !state.routesOf(group).reachable(from, to)) continue;
         ++found.count;
         found.middle += from;
     }

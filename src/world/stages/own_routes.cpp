@@ -34,6 +34,10 @@ Vec2 placeOf(const WorldState& state, std::int32_t i) {
     return state.groups[state.characters.group[i]].places.positions()[state.characters.place[i]];
 }
 
+const RouteGraph& routesFor(const WorldState& state, std::int32_t i) {
+    return state.routesOf(state.groups[state.characters.group[i]]);
+}
+
 // True where ground may cost more than its length, because something moves there.
 bool nearMoving(const Environment& environment, Vec2 p) {
     const Grid& grid = environment.grid();
@@ -57,8 +61,8 @@ double nearCost(const WorldState& state, std::int32_t i) {
     if (left > kNearPlace || nearMoving(environment, here)) return -1.0;
     const Grid& grid = environment.grid();
     const double clearance = environment.clearance()[grid.index(grid.nearestCell(here))];
-    if (clearance > left + state.parameters.character.radius + grid.cell) return -1.0;
-    return left < kAtPlace || state.routes.ground().lineClear(here, place) ? left : -1.0;
+    if (clearance > left + routesFor(state, i).radius() + grid.cell) return -1.0;
+    return left < kAtPlace || routesFor(state, i).ground().lineClear(here, place) ? left : -1.0;
 }
 
 bool hasTurn(const WorldState& state, std::int32_t i) {
@@ -101,7 +105,7 @@ void OwnRoutes::dropEnded(WorldState& state) {
 
 // False where no way leads to the place.
 bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
-    RouteGraph& graph = state.routes;
+    RouteGraph& graph = state.routesOf(state.groups[state.characters.group[i]]);
     const Vec2 from = state.characters.position[i];
     route.place = state.characters.place[i];
     route.goal = placeOf(state, i);
@@ -143,7 +147,7 @@ void OwnRoutes::begin(WorldState& state) {
 
 void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
     Characters& c = state.characters;
-    const RouteGround& ground = state.routes.ground();
+    const RouteGround& ground = routesFor(state, i).ground();
     const Vec2 here = c.position[i];
     const bool moved = route.place != c.place[i] || distance(route.goal, placeOf(state, i)) > kGoalMoved;
     const bool lost = route.path.empty() || !ground.lineClear(here, route.path.front());

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 
+#include "world/state/ground_class.h"
 #include "world/state/layer_defs.h"
 
 namespace muster {
 
 void PlaceStage::run(WorldState& state, ThreadPool& pool) {
-    const PlaceDef def = placeDef(state.parameters);
-    RouteGraph& routes = state.refreshRoutes();
+    const PlaceDef usual = placeDef(state.parameters);
+    state.refreshRoutes();
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         Group& group = state.groups[g];
+        RouteGraph& routes = state.refreshRoutes(group.groundClass);
+        const PlaceDef def = placeDefOf(state, group, usual);
         group.mesh.placePositions(targets_);
         spacing_.settle(state, g, targets_);
         group.region = mainRegion(state, group, regionCounts_);

@@ -14,7 +14,8 @@ constexpr std::size_t kFirstCharacters = 500;
 // In large worlds this share of all.
 constexpr std::size_t kFirstShare = 10;
 
-constexpr float kLeastCost = 0.01f;  // Of a place whose cost is known [m].
+constexpr double kMostSlowness = 10.0;  // Beyond, speeds count as that much slower, or faster.
+constexpr float kLeastCost = 0.01f;     // Of a place whose cost is known [m].
 
 /// Groups take different steps of the period, so that their plans do not fall on one step.
 bool isDue(const WorldState& state, std::size_t index) {
@@ -23,11 +24,19 @@ bool isDue(const WorldState& state, std::size_t index) {
     return group.planNow || (!group.plan->pending() && (state.stepCount + index) % period == 0);
 }
 
+// By how much a way costs a character more than others, because it is slower (SPEC B10).
+double slownessOf(const WorldState& state, std::int32_t i) {
+    const Parameters::Character& usual = state.parameters.character;
+    const double own = state.characters.body[i].maxSpeed;
+    return own > 0.0 ? std::clamp(usual.maxSpeed / own, 1.0 / kMostSlowness, kMostSlowness) : 1.0;
+}
+
 }  // namespace
 
 void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
     for (Group& group : state.groups)
-        group.plan->reserve(group.members.size(), group.places.positions().size(), costs);
+        group.plan->reserve(group.members.size(), group.places.positions().size(),
+                            costs.ofClass(group.groundClass));
 }
 
 // Marks who stands on ground that is cut off from where most of the group is; empty where nobody does.
@@ -35,7 +44,7 @@ void PlanStage::findConnected(const WorldState& state, const Group& group) {
     connected_.clear();
     if (!group.split) return;
     for (const Vec2 p : members_.positions()) {
-        const std::int32_t label = state.routes.region(p);
+        const std::int32_t label = state.routesOf(group).region(p);
         connected_.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
     }
 }
@@ -45,7 +54,7 @@ void PlanStage::gatherWaits(const WorldState& state, const Group& group) {
     wait_.clear();
     for (const std::int32_t i : group.members) {
         const PlaceWait& wait = state.characters.wait[i];
-        const double exact = exactCost(state, i);
+        const double exact = slownessOf(state, i) * exactCost(state, i);
         const bool same = wait.place == state.characters.place[i];
         // One place counts: its own, where its cost is known, unless another one was barred.
         const bool counts = exact >= 0.0 && (same || wait.place < 0);
@@ -53,6 +62,14 @@ void PlanStage::gatherWaits(const WorldState& state, const Group& group) {
         const float known = std::max(kLeastCost, static_cast<float>(exact) + (same ? wait.cost : 0.0f));
         wait_.push_back(counts ? -known : wait.cost);
     }
+}
+
+// Empty where all are as fast as the parameters say.
+void PlanStage::gatherSlowness(const WorldState& state, const Group& group) {
+    slowness_.clear();
+    const auto isUsual = [&](std::int32_t i) { return state.characters.body[i].maxSpeed == 0.0; };
+    if (std::all_of(group.members.begin(), group.members.end(), isUsual)) return;
+    for (const std::int32_t i : group.members) slowness_.push_back(static_cast<float>(slownessOf(state, i)));
 }
 
 void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group) {
@@ -77,12 +94,14 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     input.places = group.places.positions();
     input.usable = group.places.fit();
     input.incumbent = incumbent;
-    input.costs = &costs;
+    input.costs = &costs.ofClass(group.groundClass);
     findConnected(state, group);
     input.connected = connected_;
     gatherWaits(state, group);
     input.barred = barred_;
     input.wait = wait_;
+    gatherSlowness(state, group);
+    input.slowness = slowness_;
     input.ways = ways;
     group.slices = group.plan->shares(group.planNow ? 1 : planPeriod(state.parameters));
     group.slice = 0;

@@ -31,6 +31,7 @@ private:
     void finish(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     bool waitsForFirstPlan(const WorldState& state, const Group& group);
     void gatherWaits(const WorldState& state, const Group& group);
+    void gatherSlowness(const WorldState& state, const Group& group);
     void findConnected(const WorldState& state, const Group& group);
     void launch(ThreadPool& pool);
 
@@ -42,6 +43,7 @@ private:
     std::vector<std::uint8_t> connected_;
     std::vector<std::int32_t> barred_;  // Of one group's members, as in PlanInput.
     std::vector<float> wait_;
+    std::vector<float> slowness_;
     PlanResult result_;
 };
 

@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crowd/crowd_bodies.h"
+
 namespace muster {
 namespace {
 
 constexpr double kQueueReach = 2.5;   // Who is ahead is at most this far away, in diameters.
 constexpr double kQueueCosine = 0.5;  // And off the way by no more than this cosine.
+
+double radiusAt(const WorldState& state, std::int32_t i) {
+    return radiusOf(state.parameters.character, state.characters.body[i]);
+}
 
 }  // namespace
 
@@ -31,7 +37,7 @@ bool Standstill::isAhead(const WorldState& state, std::int32_t j, std::int32_t i
     const Characters& c = state.characters;
     const Vec2 offset = c.position[j] - c.position[i];
     const double away = length(offset);
-    if (away > kQueueReach * 2.0 * state.parameters.character.radius) return false;
+    if (away > kQueueReach * (radiusAt(state, i) + radiusAt(state, j))) return false;
     const std::vector<Vec2>& places = state.groups[c.group[i]].places.positions();
     const Vec2 way = c.direction[i] == Vec2{} ? normalized(places[c.place[i]] - c.position[i], {})
                                               : c.direction[i];
@@ -41,7 +47,7 @@ bool Standstill::isAhead(const WorldState& state, std::int32_t j, std::int32_t i
 // Marks those directly behind j who wait.
 void Standstill::markBehind(const WorldState& state, std::int32_t j) {
     const Characters& c = state.characters;
-    const double reach = kQueueReach * 2.0 * state.parameters.character.radius;
+    const double reach = kQueueReach * (radiusAt(state, j) + largest_);
     const Grid& grid = cells_.grid();
     const Cell low = grid.nearestCell(c.position[j] - Vec2{reach, reach});
     const Cell high = grid.nearestCell(c.position[j] + Vec2{reach, reach});
@@ -57,6 +63,8 @@ void Standstill::markBehind(const WorldState& state, std::int32_t j) {
 void Standstill::markMovingQueues(const WorldState& state) {
     const Characters& c = state.characters;
     cells_.sort(c.position, 2.0 * state.parameters.character.radius);
+    largest_ = 0.0;
+    for (std::int32_t i = 0; i < std::ssize(c.id); ++i) largest_ = std::max(largest_, radiusAt(state, i));
     spreading_.clear();
     for (std::int32_t i = 0; i < std::ssize(c.id); ++i) {
         movesOn_[i] = movedLately(state, i) ? 1 : 0;

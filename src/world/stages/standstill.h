@@ -25,6 +25,7 @@ private:
     void markBehind(const WorldState& state, std::int32_t j);
 
     CellList cells_;
+    double largest_ = 0.0;                 // Radius [m].
     std::vector<std::uint8_t> movesOn_;    // Per character, 1 for those that move and the queues behind them.
     std::vector<std::int32_t> spreading_;  // Those whose followers are still to be marked.
 };

@@ -37,8 +37,8 @@ void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs
     directions_.resize(count);
     costs_.resize(count);
     directUnmatched(state, group);
-    const GuidanceInput input{members_.positions(), members_.places(), group.places.positions(), &costs,
-                              state.parameters.character.directReach};
+    const GuidanceInput input{members_.positions(), members_.places(), group.places.positions(),
+                              &costs.ofClass(group.groundClass), state.parameters.character.directReach};
     group.plan->guide(input, pool, directions_, costs_);
     const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
     Characters& characters = state.characters;
@@ -57,22 +57,50 @@ void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs
     }
 }
 
-void SteeringStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, ThreadPool& pool) {
+// How firmly groups stand, and what everybody is.
+void SteeringStage::resolveBodies(const WorldState& state) {
+    firmness_.clear();
+    for (const Group& group : state.groups) {
+        const Stance stance = group.def.conduct.stance;
+        firmness_.push_back(stance == Stance::Hold ? 2 : stance == Stance::Normal ? 1 : 0);
+    }
+    bodies_.resolve(state.parameters.character, state.characters, firmness_);
+}
+
+void SteeringStage::setPaces(const WorldState& state) {
+    pace_.clear();
+    for (const Group& group : state.groups) {
+        if (group.def.conduct.cohesion == 0.0) continue;
+        pace_.resize(state.characters.size(), 1.0);
+        cohesion_.setPaces(group.def.conduct.cohesion, bodies_, state.characters, group.members, pace_);
+    }
+}
+
+void SteeringStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, double dt,
+                        ThreadPool& pool) {
     const std::size_t count = state.characters.size();
     for (auto* array :
          {&placePosition_, &placeVelocity_, &facing_, &next_.position, &next_.velocity, &next_.heading})
         array->resize(count);
+    resolveBodies(state);
     for (std::size_t g = 0; g < state.groups.size(); ++g) guide(state, g, costs, ways, pool);
     ownRoutes_.run(state);
-    const double dt = state.parameters.stepTime;
-    const SteeringInput input{placePosition_, placeVelocity_, facing_, state.characters.wait};
-    steering_.run(state.parameters.character, state.characters, input, state.environment, dt, next_.velocity,
-                  next_.heading, &pool);
-    const Parameters::Character& character = state.parameters.character;
-    updateWaits({2.0 * character.radius + kTouching, character.maxSpeed}, state.characters,
-                steering_.neighbours(), dt, state.characters.wait);
-    for (std::size_t i = 0; i < count; ++i)
-        next_.position[i] = state.characters.position[i] + next_.velocity[i] * dt;
+    setPaces(state);
+    goRound_.run(state, bodies_, placePosition_);
+    move(state, dt, pool);
+}
+
+void SteeringStage::move(WorldState& state, double dt, ThreadPool& pool) {
+    Characters& characters = state.characters;
+    const SteeringInput input{placePosition_, placeVelocity_, facing_, characters.wait, pace_};
+    steering_.run(bodies_, characters, input, state.environment, dt, next_.velocity, next_.heading, &pool);
+    characters.wanted.assign(steering_.preferred().begin(), steering_.preferred().end());
+    updateWaits({kTouching, state.parameters.character.maxSpeed}, characters, bodies_, steering_.neighbours(),
+                dt, characters.wait);
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        next_.position[i] = characters.position[i];
+        if (!bodies_.isFixed(i)) next_.position[i] += next_.velocity[i] * dt;
+    }
 }
 
 }  // namespace muster

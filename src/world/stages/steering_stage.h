@@ -6,8 +6,11 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "crowd/cohesion.h"
+#include "crowd/crowd_bodies.h"
 #include "crowd/steering.h"
 #include "planning/plan_costs.h"
+#include "world/stages/go_round.h"
 #include "world/stages/member_arrays.h"
 #include "world/stages/own_routes.h"
 #include "world/stages/way_stage.h"
@@ -25,10 +28,13 @@ struct NextMotion {
 /// Steers the characters of all groups.
 class SteeringStage {
 public:
-    /// Writes directions and costs of characters, and the next motion.
-    void run(WorldState& state, PlanCosts& costs, const WayStage& ways, ThreadPool& pool);
+    /// Writes directions and costs of characters, and the next motion after `dt` [s].
+    void run(WorldState& state, PlanCosts& costs, const WayStage& ways, double dt, ThreadPool& pool);
+    /// Writes the next motion after another `dt` [s], by the same directions.
+    void move(WorldState& state, double dt, ThreadPool& pool);
 
-    NextMotion& next() { return next_; }  ///< By the last run; contacts correct it.
+    const CrowdBodies& bodies() const { return bodies_; }  ///< Of the last run.
+    NextMotion& next() { return next_; }                   ///< By the last run; contacts correct it.
     std::span<const double> topSpeeds() const { return steering_.topSpeeds(); }  ///< Of the last run [m/s].
     const NeighbourList& neighbours() const { return steering_.neighbours(); }   ///< Of the last run.
 
@@ -36,9 +42,16 @@ private:
     void guide(WorldState& state, std::size_t index, PlanCosts& costs, const WayStage& ways,
                ThreadPool& pool);
     void directUnmatched(const WorldState& state, const Group& group);
+    void resolveBodies(const WorldState& state);
+    void setPaces(const WorldState& state);
 
     Steering steering_;
     OwnRoutes ownRoutes_;
+    GoRound goRound_;
+    CrowdBodies bodies_;
+    std::vector<std::uint8_t> firmness_;  // Of all groups.
+    std::vector<double> pace_;            // Of all characters, as shares; empty for all 1.
+    Cohesion cohesion_;
     MemberArrays members_;
     std::vector<Vec2> directions_;  // Of one group's members.
     std::vector<double> costs_;

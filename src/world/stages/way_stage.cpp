@@ -78,6 +78,7 @@ void WayStage::look(WorldState& state) {
     survey.crossing = false;
     for (Group& group : state.groups) {
         foresee(state, group);
+        if (group.groundClass != 0) continue;  // Passages are those of usual bodies.
         survey.crossing = trigger_.look(state, fields_, group, survey) || survey.crossing;
     }
     state.waysLookedAt = state.stepCount;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "passages/way_number.h"
@@ -11,6 +12,7 @@ namespace muster {
 namespace {
 
 constexpr double kFastest = 1e6;  // [m/s]
+constexpr std::int32_t kMostClasses = 12;
 
 Status wrong(const char* what) {
     return invalidArgument(std::string("found ") + what);
@@ -135,6 +137,7 @@ Status checkGroup(const Group& group, const Grid& grid) {
     if (group.order.arrival > ArrivalWatch::Awaited || group.order.withoutWay < 0 ||
         group.order.behindMoving < 0)
         return wrong("progress out of range");
+    if (std::abs(group.groundClass) > kMostClasses) return wrong("a class of ground out of range");
     if (group.slice < 0 || group.slices < 1 || group.slice > group.slices)
         return wrong("shares of a plan out of range");
     if (!group.lastAssignment.empty() && group.lastAssignment.size() != count)

@@ -44,6 +44,7 @@ struct Group {
     Vec2 waysFor;                              ///< Mean goal for which ways were last chosen [m].
     Vec2 goalDrift;                            ///< Velocity of the mean goal before that [m/s].
     Vec2 foreseen;                             ///< How far goals will have moved soon [m].
+    std::int32_t groundClass = 0;              ///< Of the ground that it plans on (ground_class.h).
 
     // Caches of a step.
     std::int32_t region = -1;           ///< Region in which most of its characters stand; -1 for none.
@@ -55,7 +56,7 @@ struct Group {
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
                 planNow, provisional, assigned, reassigns, lastAssignment, slice, slices, order, settling,
-                surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted);
+                surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted, groundClass);
     }
 };
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/maths.h"
 #include "base/neighbour_list.h"
 #include "crowd/contacts.h"
 #include "formation/shapes/formation.h"
+#include "world/state/ground_class.h"
 #include "world/state/layer_defs.h"
 #include "world/state/reform.h"
 #include "world/state/standing_room.h"
@@ -105,13 +107,23 @@ Vec2 startOf(const GroupDef& def, std::int32_t index, const std::vector<Vec2>& p
 /// True where two of the characters still stand in each other.
 bool anyInside(const WorldState& state) {
     constexpr double kDeep = 0.9;  // Diameters.
-    const double least = kDeep * 2.0 * state.parameters.character.radius;
+    CrowdBodies bodies;
+    bodies.resolve(state.parameters.character, state.characters, {});
     const std::vector<Vec2>& positions = state.characters.position;
     NeighbourList neighbours;
-    neighbours.build(positions, least);
+    neighbours.build(positions, kDeep * 2.0 * bodies.largestRadius());
     return std::any_of(neighbours.pairs().begin(), neighbours.pairs().end(), [&](NeighbourPair pair) {
+        const double least = kDeep * bodies.touching(pair.low, pair.high);
         return lengthSquared(positions[pair.high] - positions[pair.low]) < least * least;
     });
+}
+
+/// Characters that start in each other or in a wall part before anything is planned.
+void partAtStart(WorldState& state) {
+    CrowdBodies bodies;
+    bodies.resolve(state.parameters.character, state.characters, {});
+    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
+                       state.characters.position, nullptr, nullptr, {}, &bodies);
 }
 
 /// Where so many start in walls that there is no room beside them, all start at their places.
@@ -122,15 +134,17 @@ void startAtPlaces(WorldState& state, const Group& group) {
         state.characters.position[i] = group.places.reachableTargets()[k];
         state.characters.walk[i].anchor = state.characters.position[i];
     }
-    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
-                       state.characters.position);
+    partAtStart(state);
 }
 
 /// Puts the places of a group on their reachable targets.
 void resetPlaces(WorldState& state, Group& group, const std::vector<Vec2>& targets) {
     std::vector<std::int32_t> counts;
-    RouteGraph& routes = state.refreshRoutes();
-    group.places.reset(placeDef(state.parameters), targets, routes, mainRegion(state, group, counts));
+    const std::int32_t before = std::exchange(group.groundClass, groundClassFor(state, group));
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    group.places.reset(placeDefOf(state, group, placeDef(state.parameters)), targets, routes,
+                       mainRegion(state, group, counts));
+    group.groundClass = before;  // Until updateGroundClasses() exchanges its plan.
 }
 
 /// True where places are still far from where the mesh has them.
@@ -175,9 +189,7 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     state.groups.push_back(std::move(group));
     state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
     state.refreshMembers();
-    // Characters that start in each other or in a wall part before anything is planned.
-    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
-                       state.characters.position);
+    partAtStart(state);
     resetPlaces(state, state.groups.back(), targets);
     if (def.starts.empty() && anyInside(state)) startAtPlaces(state, state.groups.back());
     return {};

@@ -29,7 +29,7 @@ FormationMeshDef meshDef(const Parameters& parameters) {
 }
 
 PlaceDef placeDef(const Parameters& parameters) {
-    return {parameters.character.radius, parameters.place.clearance, parameters.place.speed};
+    return {parameters.character.radius, parameters.place.clearance, parameters.place.speed, 0.0};
 }
 
 UnitCostDef unitCostDef(const Parameters& parameters) {

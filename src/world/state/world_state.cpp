@@ -1,5 +1,7 @@
 #include "world/state/world_state.h"
 
+#include "world/state/ground_class.h"
+
 namespace muster {
 
 Group* WorldState::findGroup(GroupId id) {
@@ -14,11 +16,24 @@ void WorldState::refreshMembers() {
         groups[characters.group[i]].members.push_back(static_cast<std::int32_t>(i));
 }
 
+RouteGraph& WorldState::refreshRoutes(std::int32_t groundClass) {
+    if (groundClass == 0) return refreshRoutes();
+    RouteGraph& own = classRoutes[groundClass];
+    own.update(environment, groundRadius(parameters.character.radius, groundClass));
+    return own;
+}
+
+const RouteGraph& WorldState::routesOf(const Group& group) const {
+    const auto own = group.groundClass == 0 ? classRoutes.end() : classRoutes.find(group.groundClass);
+    return own == classRoutes.end() ? routes : own->second;
+}
+
 std::int32_t mainRegion(const WorldState& state, const Group& group, std::vector<std::int32_t>& counts) {
     counts.clear();
-    const bool only = state.routes.regionCount() <= 1;
+    const RouteGraph& routes = state.routesOf(group);
+    const bool only = routes.regionCount() <= 1;
     for (const std::int32_t i : group.members) {
-        const std::int32_t label = state.routes.region(state.characters.position[i]);
+        const std::int32_t label = routes.region(state.characters.position[i]);
         if (label < 0) continue;
         if (only) return label;
         if (label >= std::ssize(counts)) counts.resize(label + 1, 0);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/random.h"
@@ -43,7 +45,8 @@ struct WorldState {
     std::uint32_t nextGroup = 1;                      ///< Id of the next group.
 
     // Caches.
-    RouteGraph routes;  ///< Where characters can walk; as it was after the last refreshRoutes().
+    RouteGraph routes;  ///< Where usual characters can walk; as it was after the last refreshRoutes().
+    std::map<std::int32_t, RouteGraph> classRoutes;  ///< The same for other classes of ground.
 
     /// Simulated time [s].
     double time() const { return stepCount * parameters.stepTime; }
@@ -55,6 +58,13 @@ struct WorldState {
     RouteGraph& refreshRoutes() {
         routes.update(environment, parameters.character.radius);
         return routes;
+    }
+    /// The same for a class of ground.
+    RouteGraph& refreshRoutes(std::int32_t groundClass);
+    /// The routes of a group, as they were after the last refresh of those of its class.
+    const RouteGraph& routesOf(const Group& group) const;
+    RouteGraph& routesOf(const Group& group) {
+        return const_cast<RouteGraph&>(std::as_const(*this).routesOf(group));
     }
 };
 

@@ -72,9 +72,11 @@ void Crossers::gather(const WorldState& state, const WayFields& fields) {
     arrival_.clear();
     onward_.clear();
     side_.clear();
-    for (std::size_t g = 0; g < state.groups.size(); ++g)
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        if (state.groups[g].groundClass != 0) continue;  // Passages are those of usual bodies.
         for (const std::int32_t i : state.groups[g].members)
             gatherMember(state, fields, state.groups[g], static_cast<std::int32_t>(g), i);
+    }
     keepNearest(state.passages.size());
 }
 

@@ -1,0 +1,73 @@
+// The bodies of a crowd as steering and contacts read them: no zeros that stand for parameters.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "muster/parameters.h"
+#include "muster/unit.h"
+
+namespace muster {
+
+struct Characters;
+
+/// The radius of a body [m].
+inline double radiusOf(const Parameters::Character& def, const Body& body) {
+    return body.radius > 0.0 ? body.radius : def.radius;
+}
+/// The top speed of a body in the open [m/s].
+inline double maxSpeedOf(const Parameters::Character& def, const Body& body) {
+    return body.maxSpeed > 0.0 ? body.maxSpeed : def.maxSpeed;
+}
+
+/// What each character of a crowd is in one step. Where nobody differs from the parameters no arrays are
+/// kept, and all take the short way.
+class CrowdBodies {
+public:
+    /// Everybody is as the parameters say.
+    CrowdBodies() { reset({}); }
+    explicit CrowdBodies(const Parameters::Character& def) { reset(def); }
+    /// Everybody is as the parameters say.
+    void reset(const Parameters::Character& def);
+    /// Reads what each is. `firmness` holds for each group how firmly it stands: of two of different groups
+    /// the firmer one gives way hardly at all. Empty for all alike.
+    void resolve(const Parameters::Character& def, const Characters& now,
+                 std::span<const std::uint8_t> firmness);
+
+    bool alike() const { return radius_.empty(); }               ///< Nobody differs from the parameters.
+    double largestRadius() const { return largest_; }            ///< [m]
+    const Parameters::Character& usual() const { return def_; }  ///< Of who has no number of its own.
+
+    double radius(std::size_t i) const { return alike() ? def_.radius : radius_[i]; }  ///< [m]
+    double maxSpeed(std::size_t i) const {                                             ///< [m/s]
+        return alike() ? def_.maxSpeed : maxSpeed_[i];
+    }
+    double acceleration(std::size_t i) const {  ///< [m/s^2]
+        return alike() ? def_.acceleration : acceleration_[i];
+    }
+    /// True where steering and contacts do not move it.
+    bool isFixed(std::size_t i) const { return !alike() && inverseMass_[i] == 0.0; }
+    /// Distance at which two touch [m].
+    double touching(std::size_t a, std::size_t b) const { return radius(a) + radius(b); }
+    /// The share of a correction between two that `a` takes; `b` takes the rest. Of two fixed ones none takes
+    /// any, and both answers are 0.
+    double share(std::size_t a, std::size_t b) const { return alike() ? 0.5 : ownShare(a, b); }
+    /// True where `a` holds its ground against `b`, who is of another group, or `b` makes room.
+    bool isFirmer(std::size_t a, std::size_t b) const {
+        return !alike() && group_[a] != group_[b] && firmness_[a] > firmness_[b];
+    }
+
+private:
+    double ownShare(std::size_t a, std::size_t b) const;
+
+    Parameters::Character def_;
+    double largest_ = 0.0;
+    std::vector<double> radius_, maxSpeed_, acceleration_;
+    std::vector<double> inverseMass_;     // 0 for who is fixed.
+    std::vector<std::uint8_t> firmness_;  // That of its group.
+    std::vector<std::uint32_t> group_;
+};
+
+}  // namespace muster
