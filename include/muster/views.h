@@ -87,10 +87,12 @@ struct GroupView {
     std::span<const Vec2> placeVelocities;      ///< Current velocity of each place [m/s].
     std::span<const Vec2> placeTargets;         ///< Reachable target of each place [m].
     std::span<const std::uint8_t> placeUsable;  ///< 1 where a character can stand at the place, else 0.
-    double objective = 0.0;                     ///< Objective of the last plan [cost^p].
-    double gapBound = 0.0;                      ///< Upper bound of its duality gap [cost^p].
-    WalkTotals walk;                            ///< Path costs by the last plan.
-    double meanLag = 0.0;  ///< Mean distance of characters to the targets of their places [m] (SPEC U6).
+    /// Class of each place by the group's roles, 0 for whoever is left; empty without roles.
+    std::span<const std::uint8_t> placeClasses;
+    double objective = 0.0;  ///< Objective of the last plan [cost^p].
+    double gapBound = 0.0;   ///< Upper bound of its duality gap [cost^p].
+    WalkTotals walk;         ///< Path costs by the last plan.
+    double meanLag = 0.0;    ///< Mean distance of characters to the targets of their places [m] (SPEC U6).
 };
 
 /// An obstacle and its current position. Its id is none where the world has no such obstacle.

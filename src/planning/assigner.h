@@ -33,6 +33,11 @@ struct PlanInput {
     /// Per character, the factor above 0 by which a way costs it more than others, because it is slower;
     /// empty for all 1.
     std::span<const float> slowness = {};
+    /// The class of each character and of each place: of all ways to send as many units as possible, one
+    /// counts that sends as many as possible within their classes, and then the least objective. Both empty
+    /// for none.
+    std::span<const std::uint8_t> characterClass = {};
+    std::span<const std::uint8_t> placeClass = {};
 };
 
 /// What an assignment returns.

@@ -83,6 +83,7 @@ GroupView World::group(std::size_t index) const {
     view.placeVelocities = group.places.velocities();
     view.placeTargets = group.places.reachableTargets();
     view.placeUsable = group.places.fit();
+    view.placeClasses = group.placeClass;
     view.objective = group.objective;
     view.gapBound = group.gapBound;
     view.walk = group.walk;

@@ -1,4 +1,4 @@
-#include "planning/exact/commit_rule.h"
+#include "planning/commit_rule.h"
 
 #include <doctest.h>
 
@@ -23,7 +23,10 @@ std::vector<std::int32_t> commit(const PlanDef& def, std::int32_t places, const 
     CommitRule rule;
     std::vector<Flow> committed;
     const auto characters = static_cast<std::int32_t>(incumbent.size());
-    rule.choose(def, characters, places, cost, flowsOf(incumbent), flowsOf(optimal), committed);
+    const auto costOf = [&](std::int32_t i, std::int32_t j) {
+        return muster::FlowCost{cost[i * places + j]};
+    };
+    rule.choose(def, characters, places, costOf, flowsOf(incumbent), flowsOf(optimal), committed);
     std::vector<std::int32_t> result(incumbent.size(), -1);
     for (const Flow& flow : committed) result[flow.character] = flow.place;
     return result;
@@ -87,9 +90,10 @@ TEST_CASE("fractional flows that share a character or place are one exchange") {
     const std::vector<double> cost = {4, 2, 2, 4};
     CommitRule rule;
     std::vector<Flow> committed;
-    rule.choose(withThreshold(1.9, 0.0), 2, 2, cost, incumbent, best, committed);
+    const auto costOf = [&](std::int32_t i, std::int32_t j) { return muster::FlowCost{cost[i * 2 + j]}; };
+    rule.choose(withThreshold(1.9, 0.0), 2, 2, costOf, incumbent, best, committed);
     CHECK(committed.size() == 4);
-    rule.choose(withThreshold(2.1, 0.0), 2, 2, cost, incumbent, best, committed);
+    rule.choose(withThreshold(2.1, 0.0), 2, 2, costOf, incumbent, best, committed);
     CHECK(committed.size() == 2);
 }
 
@@ -113,7 +117,10 @@ TEST_CASE(
         REQUIRE(solver.solve(problem.view(), solution).ok());
         const double threshold = random.below(30);
         std::vector<Flow> committed;
-        CommitRule().choose(withThreshold(threshold, 0.0), rows, columns, problem.cost, flowsOf(incumbent),
+        const auto costOf = [&](std::int32_t i, std::int32_t j) {
+            return muster::FlowCost{problem.at(i, j)};
+        };
+        CommitRule().choose(withThreshold(threshold, 0.0), rows, columns, costOf, flowsOf(incumbent),
                             solution.flows, committed);
         double amount = 0.0, cost = 0.0;
         std::vector<int> used(columns, 0);

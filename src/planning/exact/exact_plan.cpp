@@ -52,6 +52,19 @@ void ExactPlan::readCosts(std::int32_t place) {
     }
 }
 
+// Any exchange that makes a pair of one class instead of one of two lowers the sum then: it changes at most
+// one pair per character and place.
+void ExactPlan::separateClasses() {
+    double costliest = 0.0;
+    for (const double c : powered_)
+        if (c < kInfiniteCost) costliest = std::max(costliest, c);
+    const double penalty = 1.0 + costliest * (pending_.characters() + pending_.places());
+    classed_ = powered_;
+    for (std::int32_t i = 0; i < pending_.characters(); ++i)
+        for (std::int32_t j = 0; j < pending_.places(); ++j)
+            if (!pending_.inClass(i, j)) classed_[pairIndex(i, j)] += penalty;
+}
+
 // A place that is not usable or cannot be reached any more is lost. Where several characters claim more than
 // a place demands, the later ones get what is left.
 void ExactPlan::collectIncumbents() {
@@ -70,11 +83,13 @@ void ExactPlan::collectIncumbents() {
 // With the bottleneck objective pairs costlier than the bottleneck are forbidden, and the least sum is found
 // among the others.
 Status ExactPlan::solveAssignment() {
-    TransportationProblem problem{pending_.characters(), pending_.places(), powered_, pending_.supply(),
+    if (pending_.hasClasses()) separateClasses();
+    const std::vector<double>& costs = pending_.hasClasses() ? classed_ : powered_;
+    TransportationProblem problem{pending_.characters(), pending_.places(), costs, pending_.supply(),
                                   demand_};
     if (pending_.def().bottleneck) {
         const double bottleneck = bottleneck_.solve(problem);
-        allowed_ = powered_;
+        allowed_ = costs;
         for (double& c : allowed_)
             if (c > bottleneck) c = kInfiniteCost;
         problem.cost = allowed_;
@@ -107,10 +122,19 @@ Status ExactPlan::reassign(ThreadPool& pool, PlanResult& result) {
     for (std::int32_t j = 0; j < pending_.places(); ++j) demand_.push_back(pending_.demandOf(j));
     if (Status status = solveProvenAssignment(pool); !status.ok()) return status;
     collectIncumbents();
-    commitRule_.choose(pending_.def(), pending_.characters(), pending_.places(), powered_, incumbents_,
+    const auto costOf = [this](std::int32_t i, std::int32_t j) {
+        return FlowCost{powered_[pairIndex(i, j)], pending_.inClass(i, j)};
+    };
+    commitRule_.choose(pending_.def(), pending_.characters(), pending_.places(), costOf, incumbents_,
                        solution_.flows, result.flows);
     report(result);
-    result.gapBound = std::max(0.0, result.objective - solution_.cost);
+    double optimum = solution_.cost;
+    if (pending_.hasClasses()) {
+        optimum = 0.0;
+        for (const Flow& flow : solution_.flows)
+            optimum += flow.amount * costOf(flow.character, flow.place).cost;
+    }
+    result.gapBound = std::max(0.0, result.objective - optimum);
     return {};
 }
 

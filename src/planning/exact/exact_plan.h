@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assignment/dense/bottleneck_assignment.h"
-#include "planning/exact/commit_rule.h"
+#include "planning/commit_rule.h"
 #include "planning/exact/frozen_plan.h"
 #include "planning/plan.h"
 
@@ -55,6 +55,7 @@ private:
     Status solveAssignment();
     void keepIncumbents(PlanResult& result);
     void readCosts(std::int32_t place);
+    void separateClasses();
     void collectIncumbents();
     void report(PlanResult& result);
     FieldGuidance guideOne(Vec2 p, std::int32_t place, Vec2 placeNow, const Environment& environment,
@@ -73,7 +74,8 @@ private:
     CommitRule commitRule_;
     std::vector<double> cost_;             // Characters x places [m].
     std::vector<double> powered_;          // The same to the power of the objective.
-    std::vector<double> allowed_;          // The same, infinite for pairs costlier than the bottleneck.
+    std::vector<double> classed_;          // The same with classes: pairs outside of them come last.
+    std::vector<double> allowed_;          // Of these, infinite for pairs costlier than the bottleneck.
     std::vector<double> demand_;           // Per place.
     std::vector<double> unclaimedDemand_;  // Per place: what incumbents do not claim.
     std::vector<Flow> incumbents_;         // What the incumbents hold, ordered by character.

@@ -45,6 +45,8 @@ void FrozenPlan::freeze(const PlanDef& def, const PlanInput& input, const UnitCo
     copySpan(input.barred, barred_);
     copySpan(input.wait, wait_);
     copySpan(input.slowness, slowness_);
+    copySpan(input.characterClass, characterClass_);
+    copySpan(input.placeClass, placeClass_);
     unitCost_ = cost;
     solved_ = 0;
     inheritUnlimited(former);
@@ -177,7 +179,8 @@ double FrozenPlan::pairCost(std::int32_t character, std::int32_t place) const {
 template <class Self, class Archive>
 void FrozenPlan::visitInputs(Self& self, Archive& archive) {
     archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_,
-            self.incumbent_, self.barred_, self.wait_, self.slowness_, self.solved_, self.unlimited_);
+            self.incumbent_, self.barred_, self.wait_, self.slowness_, self.characterClass_, self.placeClass_,
+            self.solved_, self.unlimited_);
 }
 
 void FrozenPlan::save(Writer& archive) const {
@@ -203,6 +206,8 @@ bool FrozenPlan::load(Reader& archive, std::int32_t& progress) {
     input.barred = barred_;
     input.wait = wait_;
     input.slowness = slowness_;
+    input.characterClass = characterClass_;
+    input.placeClass = placeClass_;
     if (!validatePlan(def_, input).ok() || !validateUnitCost(unitCost_).ok()) return false;
     valid_ = true;
     derive();

@@ -45,6 +45,11 @@ public:
     std::span<const double> supply() const { return supply_; }  ///< Per character; empty for 1 each.
     /// Supply of a character >= 0.
     double supplyOf(std::int32_t character) const { return supply_.empty() ? 1.0 : supply_[character]; }
+    /// True where a character and a place are of one class, or there are no classes.
+    bool inClass(std::int32_t character, std::int32_t place) const {
+        return characterClass_.empty() || characterClass_[character] == placeClass_[place];
+    }
+    bool hasClasses() const { return !characterClass_.empty(); }  ///< As frozen.
     /// Demand of a place >= 0; 0 where it is not usable.
     double demandOf(std::int32_t place) const {
         return usable(place) ? (demand_.empty() ? 1.0 : demand_[place]) : 0.0;
@@ -95,6 +100,7 @@ private:
     std::vector<std::int32_t> barred_;     // Per character, as in PlanInput; empty for none.
     std::vector<float> wait_;              // Per character [m].
     std::vector<float> slowness_;          // Per character, as in PlanInput; empty for all 1.
+    std::vector<std::uint8_t> characterClass_, placeClass_;  // As in PlanInput.
     UnitCost unitCost_;
     std::int32_t solved_ = 0;              // Places whose fields are done.
     std::vector<std::uint8_t> unlimited_;  // Per place: plans for which its front remains unlimited.

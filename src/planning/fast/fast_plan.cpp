@@ -53,6 +53,8 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copySpan(input.barred, barred_);
     copySpan(input.wait, wait_);
     copySpan(input.slowness, slowness_);
+    copySpan(input.characterClass, characterClass_);
+    copySpan(input.placeClass, placeClass_);
     copySpan(input.ways.way, way_);
     copySpan(input.ways.reach, reach_);
     copySpan(input.ways.onward, onward_);
@@ -146,8 +148,7 @@ void FastPlan::evaluateGuidanceOf(std::size_t i) {
 
 bool FastPlan::incumbentsAreAssigned() const {
     const std::span<const std::int32_t> assigned = assignment_.placeOf();
-    return assigned.size() == incumbent_.size() &&
-           std::equal(assigned.begin(), assigned.end(), incumbent_.begin());
+    return std::equal(assigned.begin(), assigned.end(), incumbent_.begin(), incumbent_.end());
 }
 
 void FastPlan::prepareFirst(ThreadPool& pool) {
@@ -171,17 +172,16 @@ void FastPlan::updateAssignment(ThreadPool& pool) {
     DynamicAssignmentDef def = assignmentDef(characters_.size());
     if (first_.unfinished()) def.threshold = def.thresholdShare = 0.0;
     def.initialRounds = FirstPlan::roundsAtOnce(characters_.size());
+    const MatchingProblem problem{def, input, {characterClass_, placeClass_}, incumbent_};
     switch (first_.action()) {
         case FirstPlan::Action::Start:
-            return assignment_.coldStart(def, input, costs_, pool);
+            return assignment_.coldStart(problem, costs_, pool);
         case FirstPlan::Action::Wait:
             return;
         case FirstPlan::Action::Repair:
         case FirstPlan::Action::None:
-            break;
+            return assignment_.update(problem, costs_, pool);
     }
-    if (!incumbentsAreAssigned()) assignment_.warmStart(def, input, incumbent_, costs_, pool);
-    assignment_.update(def, input, costs_, pool);
 }
 
 Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
@@ -295,8 +295,8 @@ void FastPlan::forget() {
     for (auto* points : {&characters_, &places_}) points->clear();
     for (auto* numbers : {&incumbent_, &barred_, &way_, &guidedPlace_, &waitingPlace_}) numbers->clear();
     for (auto* numbers : {&wait_, &reach_, &onward_, &incumbentCost_}) numbers->clear();
-    usable_.clear();
-    connected_.clear();
+    for (auto* flags : {&usable_, &connected_, &characterClass_, &placeClass_}) flags->clear();
+    slowness_.clear();
     guidance_.clear();
     targets_.clear();
     assignment_.clear();
@@ -331,6 +331,8 @@ bool FastPlan::consistent() const {
     const bool sizes = whole && incumbent_.size() == n && (connected_.empty() || connected_.size() == n) &&
                        (usable_.empty() || usable_.size() == places_.size()) &&
                        (slowness_.empty() || slowness_.size() == n) &&
+                       (characterClass_.empty() || characterClass_.size() == n) &&
+                       placeClass_.size() == (characterClass_.empty() ? 0 : places_.size()) &&
                        (waitingPlace_.empty() || waitingPlace_.size() == n);
     const auto inRange = [&](std::int32_t j) {
         return j >= -1 && (j < 0 || std::cmp_less(j, places_.size()));

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "assignment/dynamic/dynamic_assignment.h"
 #include "eikonal/eikonal_solver.h"
 #include "geodesics/geodesics.h"
 #include "planning/fast/first_plan.h"
 #include "planning/fast/geodesic_cost_oracle.h"
+#include "planning/fast/place_matching.h"
 #include "planning/plan.h"
 
 namespace muster {
@@ -43,9 +43,10 @@ private:
     template <class Self, class Archive>
     static void visit(Self& self, Archive& archive) {
         archive(self.def_, self.characters_, self.places_, self.usable_, self.incumbent_, self.connected_,
-                self.barred_, self.wait_, self.slowness_, self.incumbentCost_, self.guidance_,
-                self.guidedPlace_, self.guidanceRound_, self.pending_, self.assigned_, self.assignment_,
-                self.targets_, self.waitingPlace_, self.waitingCursor_, self.everFinished_, self.first_);
+                self.barred_, self.wait_, self.slowness_, self.characterClass_, self.placeClass_,
+                self.incumbentCost_, self.guidance_, self.guidedPlace_, self.guidanceRound_, self.pending_,
+                self.assigned_, self.assignment_, self.targets_, self.waitingPlace_, self.waitingCursor_,
+                self.everFinished_, self.first_);
     }
     bool consistent() const;
     PlannedWays ways() const { return {way_, reach_, onward_}; }
@@ -73,7 +74,9 @@ private:
     std::vector<std::int32_t> barred_;     // Per character, as in PlanInput.
     std::vector<float> wait_;              // Per character, as in PlanInput [m].
     std::vector<float> slowness_;          // Per character, as in PlanInput.
-    std::vector<std::int32_t> way_;        // The ways of PlannedWays, of this step only.
+    // As in PlanInput.
+    std::vector<std::uint8_t> characterClass_, placeClass_;
+    std::vector<std::int32_t> way_;  // The ways of PlannedWays, of this step only.
     std::vector<float> reach_, onward_;
     std::vector<float> incumbentCost_;       // Per character: cost to its incumbent place [m].
     std::vector<Guidance> guidance_;         // Per character, to guidedPlace_.
@@ -86,7 +89,7 @@ private:
     bool assigned_ = false;
     bool everFinished_ = false;
     FirstPlan first_;
-    DynamicAssignment assignment_;
+    PlaceMatching assignment_;
     Geodesics geodesics_;
     std::vector<SteeringTarget> targets_;     // Per character.
     std::vector<std::int32_t> waitingPlace_;  // Per character, -1 for none.

@@ -72,6 +72,36 @@ void PlanStage::gatherSlowness(const WorldState& state, const Group& group) {
     for (const std::int32_t i : group.members) slowness_.push_back(static_cast<float>(slownessOf(state, i)));
 }
 
+// Only those count who can get to the places.
+void PlanStage::findClasses(const WorldState& state, Group& group) {
+    const std::vector<RoleDef>& roles = group.def.roles;
+    class_.clear();
+    ClassCounts counts{};
+    for (std::size_t k = 0; k < group.members.size() && !roles.empty(); ++k) {
+        class_.push_back(roleClass(roles, state.characters.body[group.members[k]].unitClass));
+        if (connected_.empty() || connected_[k] != 0) ++counts[class_.back()];
+    }
+    group.placeClasses.find(group.mesh.formation(), roles, counts, group.places.fit(), group.placeClass);
+}
+
+void PlanStage::gatherAmounts(const WorldState& state, const Group& group) {
+    const std::vector<double>& demands = group.def.demands;
+    supply_.clear();
+    demand_.clear();
+    bool unequal = false;
+    for (const std::int32_t i : group.members) {
+        supply_.push_back(state.characters.body[i].supply);
+        unequal = unequal || supply_.back() != 1.0;
+    }
+    for (std::size_t j = 0; j < group.places.positions().size(); ++j) {
+        demand_.push_back(j < demands.size() ? demands[j] : 1.0);
+        unequal = unequal || demand_.back() != 1.0;
+    }
+    if (unequal && state.parameters.plan.solver == PlanSolver::Exact) return;
+    supply_.clear();
+    demand_.clear();
+}
+
 void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group) {
     const PlanMode mode = state.parameters.plan.mode;
     members_.gather(state.characters, group);
@@ -103,6 +133,12 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     gatherSlowness(state, group);
     input.slowness = slowness_;
     input.ways = ways;
+    findClasses(state, group);
+    input.characterClass = class_;
+    input.placeClass = group.placeClass;
+    gatherAmounts(state, group);
+    input.supply = supply_;
+    input.demand = demand_;
     group.slices = group.plan->shares(group.planNow ? 1 : planPeriod(state.parameters));
     group.slice = 0;
     const Status status = group.plan->start(def, input);
@@ -120,7 +156,12 @@ void PlanStage::finish(WorldState& state, Group& group, ThreadPool& pool, std::v
     for (const double cost : result_.cost) group.walk.add(cost);
     std::vector<std::int32_t>& places = members_.places();
     places.assign(group.members.size(), -1);
-    for (const Flow& flow : result_.flows) places[flow.character] = flow.place;
+    largest_.assign(group.members.size(), 0.0);
+    for (const Flow& flow : result_.flows) {
+        if (flow.amount <= largest_[flow.character]) continue;
+        largest_[flow.character] = flow.amount;
+        places[flow.character] = flow.place;
+    }
     if (group.reassigns) group.lastAssignment = places;
     Characters& characters = state.characters;
     for (std::size_t k = 0; k < group.members.size(); ++k) {
@@ -172,11 +213,9 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadP
     pool.wait();
     background_.clear();
     ways.run(state, costs, pool);
-    firstPlans_ = static_cast<std::int32_t>(
-        std::count_if(state.groups.begin(), state.groups.end(),
-                      [](const Group& group) {
-                          return !group.members.empty() && (group.planNow || group.provisional);
-                      }));
+    firstPlans_ = static_cast<std::int32_t>(std::count_if(
+        state.groups.begin(), state.groups.end(),
+        [](const Group& group) { return !group.members.empty() && (group.planNow || group.provisional); }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {

@@ -33,6 +33,8 @@ private:
     void gatherWaits(const WorldState& state, const Group& group);
     void gatherSlowness(const WorldState& state, const Group& group);
     void findConnected(const WorldState& state, const Group& group);
+    void findClasses(const WorldState& state, Group& group);
+    void gatherAmounts(const WorldState& state, const Group& group);
     void launch(ThreadPool& pool);
 
     std::vector<Assigner*> background_;  // Plans whose work goes on until the next run.
@@ -44,6 +46,9 @@ private:
     std::vector<std::int32_t> barred_;  // Of one group's members, as in PlanInput.
     std::vector<float> wait_;
     std::vector<float> slowness_;
+    std::vector<std::uint8_t> class_;      // Of one group's members; empty without roles.
+    std::vector<double> supply_, demand_;  // Of one group; both empty where all are 1.
+    std::vector<double> largest_;          // Of each member's flows.
     PlanResult result_;
 };
 

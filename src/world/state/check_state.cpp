@@ -142,6 +142,8 @@ Status checkGroup(const Group& group, const Grid& grid) {
         return wrong("shares of a plan out of range");
     if (!group.lastAssignment.empty() && group.lastAssignment.size() != count)
         return wrong("last places that do not suit their group");
+    if (Status s = validateRoles(def.roles); !s.ok()) return s;
+    if (Status s = validateDemands(def.demands); !s.ok()) return s;
     for (const std::int32_t place : group.lastAssignment)
         if (place < -1 || place >= def.count) return wrong("last places that do not suit their group");
     if (!group.plan->suits(count, count, grid)) return wrong("a plan for another group");

@@ -12,6 +12,7 @@
 #include "muster/world_def.h"
 #include "planning/plan.h"
 #include "world/state/order_progress.h"
+#include "world/state/place_classes.h"
 #include "world/state/settling.h"
 
 namespace muster {
@@ -35,6 +36,7 @@ struct Group {
     bool assigned = false;                     ///< True once a plan was finished for this formation.
     bool reassigns = true;                     ///< The pending plan may change places.
     std::vector<std::int32_t> lastAssignment;  ///< Place of each member by the last plan that reassigned.
+    std::vector<std::uint8_t> placeClass;      ///< Of each place by the roles; empty without roles.
     std::int32_t slice = 0;                    ///< Shares of the pending plan that are done.
     std::int32_t slices = 1;                   ///< Shares into which it was cut.
     OrderProgress order;                       ///< How far it has come with its order.
@@ -46,6 +48,7 @@ struct Group {
     Vec2 foreseen;                             ///< How far goals will have moved soon [m].
     std::int32_t groundClass = 0;              ///< Of the ground that it plans on (ground_class.h).
 
+    PlaceClasses placeClasses;  ///< Finds placeClass; a cache.
     // Caches of a step.
     std::int32_t region = -1;           ///< Region in which most of its characters stand; -1 for none.
     bool split = false;                 ///< True where they stand in several regions.
@@ -55,8 +58,8 @@ struct Group {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
-                planNow, provisional, assigned, reassigns, lastAssignment, slice, slices, order, settling,
-                surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted, groundClass);
+                planNow, provisional, assigned, reassigns, lastAssignment, placeClass, slice, slices, order,
+                settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted, groundClass);
     }
 };
 

@@ -1,4 +1,4 @@
-#include "planning/exact/commit_rule.h"
+#include "planning/commit_rule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,15 +47,15 @@ bool CommitRule::isWorthwhile(const PlanDef& def, const Exchange& exchange, doub
     const auto threshold = [&](double cost) {
         return std::max(def.commitThreshold, def.commitThresholdShare * cost);
     };
-    if (exchange.moreMatched > tolerance_) return true;
+    if (exchange.moreMatched > tolerance_ || exchange.moreInClass > tolerance_) return true;
     if (def.bottleneck && exchange.incumbentBottleneck - bottleneck > threshold(exchange.incumbentBottleneck))
         return true;
     return exchange.incumbentCost - exchange.optimalCost > threshold(exchange.incumbentCost);
 }
 
-void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_t places,
-                        std::span<const double> cost, std::span<const Flow> incumbent,
-                        std::span<const Flow> optimal, std::vector<Flow>& committed) {
+void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_t places, FlowCostOf costOf,
+                        std::span<const Flow> incumbent, std::span<const Flow> optimal,
+                        std::vector<Flow>& committed) {
     const std::int32_t nodes = characters + places;
     parent_.resize(nodes);
     for (std::int32_t k = 0; k < nodes; ++k) parent_[k] = k;
@@ -69,12 +69,13 @@ void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_
     });
     double bottleneck = 0.0;  // Cost of the costliest pair of the optimal flows.
     forEachPair(incumbent, optimal, [&](const Flow& flow, double before, double after) {
-        const double c = cost[static_cast<std::size_t>(flow.character) * places + flow.place];
+        const auto [c, inClass] = costOf(flow.character, flow.place);
         if (after > tolerance_) bottleneck = std::max(bottleneck, c);
         if (!differ(before, after)) return;
         Exchange& exchange = exchanges_[find(flow.character)];
         if (before > tolerance_) exchange.incumbentBottleneck = std::max(exchange.incumbentBottleneck, c);
         exchange.moreMatched += after - before;
+        if (inClass) exchange.moreInClass += after - before;
         exchange.incumbentCost += c * before;
         exchange.optimalCost += c * after;
     });

@@ -6,9 +6,18 @@
 #include <span>
 #include <vector>
 
+#include "base/function_ref.h"
 #include "planning/plan.h"
 
 namespace muster {
+
+/// What a unit of a flow costs.
+struct FlowCost {
+    double cost = 0.0;    ///< To the power of the objective, finite.
+    bool inClass = true;  ///< The character and the place are of one class.
+};
+/// The cost of a unit from a character to a place.
+using FlowCostOf = FunctionRef<FlowCost(std::int32_t character, std::int32_t place)>;
 
 /// The difference between the two lists of flows falls into exchanges that share no character and no place:
 /// the connected components of the symmetric difference, found by union-find (with unit amounts: cycles, and
@@ -16,17 +25,16 @@ namespace muster {
 /// whole, so that any choice is feasible. Owns its working memory.
 class CommitRule {
 public:
-    /// `cost` is characters x places, row-major, to the power of the objective, finite wherever something
-    /// flows. Both lists of flows are ordered by character, then place. Writes the flows to be committed in
-    /// the same order.
-    void choose(const PlanDef& def, std::int32_t characters, std::int32_t places,
-                std::span<const double> cost, std::span<const Flow> incumbent, std::span<const Flow> optimal,
-                std::vector<Flow>& committed);
+    /// `costOf` is asked wherever something flows. Both lists of flows are ordered by character, then place.
+    /// Writes the flows to be committed in the same order.
+    void choose(const PlanDef& def, std::int32_t characters, std::int32_t places, FlowCostOf costOf,
+                std::span<const Flow> incumbent, std::span<const Flow> optimal, std::vector<Flow>& committed);
 
 private:
     /// One component of the difference. Costs are to the power of the objective.
     struct Exchange {
         double moreMatched = 0.0;          // Amount that the optimal flows send beyond the incumbent ones.
+        double moreInClass = 0.0;          // The same within classes.
         double incumbentCost = 0.0;        // Sum over its incumbent flows.
         double optimalCost = 0.0;          // Sum over its optimal flows.
         double incumbentBottleneck = 0.0;  // Cost of its costliest incumbent pair.
