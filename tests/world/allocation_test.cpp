@@ -34,6 +34,21 @@ TEST_CASE("60 steps of a standing crowd allocate nothing") {
     CHECK(allocationsOf(world) == 0);
 }
 
+TEST_CASE("60 steps of a standing crowd of several bodies, stances and drivers allocate nothing") {
+    WorldDef def = openFloor(25);
+    def.groups.push_back(def.groups[0]);
+    def.groups[1].position = {6, 0};
+    Body big;
+    big.radius = 0.4;
+    big.maxSpeed = 1.5;
+    def.groups[0].bodies = {big};
+    def.groups[0].conduct.stance = Stance::Hold;
+    def.groups[1].conduct.cohesion = 0.7;
+    World world = World::create(def).value();
+    REQUIRE(world.submit({0, 1, 0, SetDriver{{3}, Driver::Outside}}).ok());
+    CHECK(allocationsOf(world) == 0);
+}
+
 namespace {
 
 /// Leads a crowd to and fro, `legs` times; allocations in the steps of the last two.

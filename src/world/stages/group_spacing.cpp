@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "formation/places/target_shift.h"
+#include "world/state/ground_class.h"
 
 namespace muster {
 namespace {
@@ -32,7 +33,8 @@ void watchRest(const Group& group, const std::vector<Vec2>& targets, Settling& s
 }  // namespace
 
 Vec2 GroupSpacing::findShift(const WorldState& state, std::size_t index, const std::vector<Vec2>& targets) {
-    const double radius = state.parameters.character.radius;
+    double radius = 0.0;
+    for (const Group& group : state.groups) radius = std::max(radius, meanRadius(state, group));
     shift_.begin(targets);
     for (std::size_t g = 0; g < index; ++g)
         if (state.groups[g].settling.restSteps >= kRestSteps) shift_.add(settled_[g]);

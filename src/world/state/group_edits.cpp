@@ -104,6 +104,15 @@ Vec2 startOf(const GroupDef& def, std::int32_t index, const std::vector<Vec2>& p
     return start;
 }
 
+/// Of all characters and of those who join [m].
+double largestRadius(const WorldState& state, std::span<const Body> joining) {
+    const Parameters::Character& usual = state.parameters.character;
+    double largest = 0.0;
+    for (const Body& body : state.characters.body) largest = std::max(largest, radiusOf(usual, body));
+    for (const Body& body : joining) largest = std::max(largest, radiusOf(usual, body));
+    return largest > 0.0 ? largest : usual.radius;
+}
+
 /// True where two of the characters still stand in each other.
 bool anyInside(const WorldState& state) {
     constexpr double kDeep = 0.9;  // Diameters.
@@ -203,7 +212,7 @@ void removeCharacters(Characters& characters, std::span<const std::uint8_t> leav
 void joinCharacters(WorldState& state, const Group& group, std::span<const Vec2> positions,
                     std::span<const Body> bodies) {
     const auto index = static_cast<std::uint32_t>(&group - state.groups.data());
-    StandingRoom room(state.environment, state.parameters.character.radius);
+    StandingRoom room(state.environment, largestRadius(state, bodies));
     for (const Vec2 p : state.characters.position) room.occupy(p);
     for (std::size_t k = 0; k < positions.size(); ++k) {
         const Body body = bodies.empty() ? bodyOf(group.def, group.members.size() + k)
@@ -284,7 +293,7 @@ void setCount(WorldState& state, Group& group, std::int32_t count) {
     for (const Vec2 v : group.mesh.formation().mesh.vertices) reach = std::max(reach, length(v));
     const auto now = static_cast<std::int32_t>(group.members.size());
     const double spacing = std::max(group.def.formation.spacing, 2.2 * state.parameters.character.radius);
-    StandingRoom room(state.environment, state.parameters.character.radius);
+    StandingRoom room(state.environment, largestRadius(state, group.def.bodies));
     if (count > now)
         for (const Vec2 p : state.characters.position) room.occupy(p);
     for (std::int32_t k = now; k < count; ++k) {

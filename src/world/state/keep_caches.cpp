@@ -13,7 +13,8 @@ void keepCaches(WorldState& earlier, WorldState& later) {
         Group* const before = later.findGroup(group.id);
         if (before == nullptr) continue;
         group.mesh.keepCachesOf(before->mesh);
-        group.plan->keepFieldsOf(*before->plan);
+        // Fields of another class of ground are of other walls.
+        if (group.groundClass == before->groundClass) group.plan->keepFieldsOf(*before->plan);
     }
 }
 
