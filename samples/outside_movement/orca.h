@@ -26,7 +26,7 @@ struct HalfPlane {
     Vec2 point;
     Vec2 normal;
 
-    double excess(Vec2 v) const { return dot(v - point, normal); }
+    double margin(Vec2 v) const { return dot(v - point, normal); }
 };
 
 /// The velocities of `a` that keep it clear of `b` for `horizon` seconds. Those that do not form a cone, cut
@@ -70,7 +70,7 @@ inline Vec2 choose(const std::vector<HalfPlane>& planes, Vec2 wanted, double top
         for (std::size_t j = 0; j < i; ++j) {
             const double slope = dot(along, planes[j].normal);
             if (std::fabs(slope) < 1e-9) continue;
-            candidates.push_back(foot - along * (planes[j].excess(foot) / slope));
+            candidates.push_back(foot - along * (planes[j].margin(foot) / slope));
         }
     }
     Vec2 best;
@@ -78,7 +78,7 @@ inline Vec2 choose(const std::vector<HalfPlane>& planes, Vec2 wanted, double top
     for (const Vec2 v : candidates) {
         if (length(v) > topSpeed * (1.0 + 1e-9)) continue;
         double breach = 0.0;
-        for (const HalfPlane& plane : planes) breach = std::max(breach, -plane.excess(v));
+        for (const HalfPlane& plane : planes) breach = std::max(breach, -plane.margin(v));
         if (breach < 1e-7) breach = 0.0;
         const double change = lengthSquared(v - wanted);
         if (breach > leastBreach || (breach == leastBreach && change >= leastChange)) continue;

@@ -34,6 +34,7 @@ export class StudioShell {
   readonly live = new LiveRegion();
   /** At the upper and the lower edge. */
   private readonly panels_: HTMLElement[];
+  private readonly orders_: HTMLElement;
   private readonly formations_: FormationPanel;
   private readonly playback_: PlaybackBar;
   private readonly readout_: Readout;
@@ -58,7 +59,7 @@ export class StudioShell {
       () => this.playback_.chooseCharacter(),
     ).root;
     const sheet = element('div', { class: 'sheet' }, this.formations_.root, element('hr'), this.playback_.root);
-    const orderPanel = new OrdersPanel(store_, orders).root;
+    this.orders_ = new OrdersPanel(store_, orders).root;
     const hint = new HintBar(store_, actions).root;
     const legend = new LegendPanel(store_).root;
     const header = element('header', { class: 'contents' }, scenario, groups, layers, phone);
@@ -76,7 +77,7 @@ export class StudioShell {
       empty,
       hint,
       sheet,
-      orderPanel,
+      this.orders_,
       legend,
       this.readout_.root,
       this.scale.root,
@@ -90,7 +91,7 @@ export class StudioShell {
     );
     pressWithExtraFingers(this.page_);
     store_.watch(['link', 'loaded'], (state) => {
-      for (const panel of [scenario, sheet, empty, orderPanel]) panel.inert = isLost(state);
+      for (const panel of [scenario, sheet, empty, this.orders_]) panel.inert = isLost(state);
     });
     this.panels_ = [scenario, groups, layers, phone, sheet, this.readout_.root];
   }
@@ -105,10 +106,12 @@ export class StudioShell {
     const top = Math.max(0, ...above.map((box) => box.bottom)) + kHeadroom;
     if (layout === 'desktop' || layout === 'landscape') {
       const left = this.formations_.root.getBoundingClientRect().right + 12;
-      const right =
-        layout === 'desktop' ? 24 : window.innerWidth - this.playback_.root.getBoundingClientRect().left + 12;
+      const beside = layout === 'desktop' ? this.orders_ : this.playback_.root;
+      const right = window.innerWidth - Math.min(beside.getBoundingClientRect().left, window.innerWidth - 12) + 12;
       return { top, right, bottom: height - this.readout_.root.getBoundingClientRect().top + 12, left };
     }
-    return { top, right: 24, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 24 };
+    const column = this.orders_.getBoundingClientRect();
+    const right = layout === 'portrait' && column.width > 0 ? window.innerWidth - column.left + 12 : 24;
+    return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 24 };
   }
 }

@@ -11,6 +11,9 @@ import { toolButton } from '../widgets/tool_button';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
 import type { StudioStore } from '../../model/studio_store';
 
+/** With more groups than this only the active one's chip has its name. */
+const kNamed = 4;
+
 export class GroupChips {
   readonly root = element('div', { class: 'groups panel', role: 'toolbar', 'aria-label': 'Groups' });
   private readonly add_ = toolButton({
@@ -46,6 +49,7 @@ export class GroupChips {
       this.focus_.refresh();
     }
     this.root.hidden = state.groups.length === 0;
+    this.root.classList.toggle('many', state.groups.length > kNamed);
     state.groups.forEach((group, i) => this.update(this.root.children[i]!, group, state));
   }
 

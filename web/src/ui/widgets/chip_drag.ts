@@ -1,6 +1,8 @@
 // Drags one chip onto another, with mouse or finger.
 
 const kStillPx = 10;
+/** The dragged chip hangs below the pointer, so that the chip under it is seen [px]. */
+const kLift = 22;
 
 interface Held {
   readonly chip: HTMLElement;
@@ -51,7 +53,7 @@ export class ChipDrag {
       held.chip.setPointerCapture(event.pointerId);
       held.chip.classList.add('dragged');
     }
-    held.chip.style.transform = `translate(${dx}px, ${dy}px)`;
+    held.chip.style.transform = `translate(${dx}px, ${dy + kLift}px)`;
     this.aimAt(this.chipUnder(event));
   }
 

@@ -1,0 +1,50 @@
+// A battle as the page shows it, one picture every few seconds: node tests/battle_film.mjs [--out FOLDER]
+// [--scenario FILE] [--seconds 60] [--every 5] [--size desktop] [--scheme dark]. Its orders come from its gestures file.
+import { mkdirSync } from 'node:fs';
+import { chromium } from 'playwright-core';
+import { startStudio } from './support/server.mjs';
+import { StudioPage } from './support/studio_page.mjs';
+
+const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+
+function option(name, fallback) {
+  const at = process.argv.indexOf(`--${name}`);
+  return at > 0 ? process.argv[at + 1] : fallback;
+}
+
+const out = option('out', new URL('../test-results/', import.meta.url).pathname);
+const [seconds, every] = [Number(option('seconds', 60)), Number(option('every', 5))];
+const [size, colorScheme] = [option('size', 'desktop'), option('scheme', 'light')];
+mkdirSync(out, { recursive: true });
+
+/** Plays up to a time of the world, and stops there. */
+async function playTo(studio, time) {
+  await studio.send({ type: 'Playback', action: 0 });
+  await studio.until(`second ${time}`, (t) => globalThis.__muster.frame.time >= t, time, 300000);
+  await studio.send({ type: 'Playback', action: 1 });
+  await studio.until('the pause', () => !globalThis.__muster.frame.playing);
+  await studio.pictures(2);
+}
+
+const server = await startStudio({ scenario: option('scenario', 'scenarios/battle.json'), port: 18380 });
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+try {
+  const studio = await StudioPage.open(browser, `${server.url}?quality=full`, { size, colorScheme, touch: false });
+  const revision = await studio.page.evaluate(() => globalThis.__muster.frame.sceneRevision);
+  await studio.send({ type: 'Playback', action: 4 });
+  await studio.until('the battle', (before) => globalThis.__muster.frame.sceneRevision > before, revision);
+  await studio.fit();
+  await studio.page.keyboard.press('a');
+  for (let time = 0; time <= seconds; time += every) {
+    await playTo(studio, Math.max(0.2, time));
+    const file = `battle-${size}-${colorScheme}-${String(time).padStart(2, '0')}s.png`;
+    await studio.page.screenshot({ path: `${out}/${file}` });
+    const { groups, x } = await studio.frame();
+    const orders = groups.map((group) => group.orders.length).join(' ');
+    console.log(`${file}: ${x.length} characters, ${groups.length} groups, orders ${orders}`);
+  }
+  if (studio.errors.length > 0) throw new Error(studio.errors.join('; '));
+} finally {
+  await browser.close();
+  await server.stop();
+}
