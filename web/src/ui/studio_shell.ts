@@ -106,12 +106,19 @@ export class StudioShell {
     const top = Math.max(0, ...above.map((box) => box.bottom)) + kHeadroom;
     if (layout === 'desktop' || layout === 'landscape') {
       const left = this.formations_.root.getBoundingClientRect().right + 12;
-      const beside = layout === 'desktop' ? this.orders_ : this.playback_.root;
-      const right = window.innerWidth - Math.min(beside.getBoundingClientRect().left, window.innerWidth - 12) + 12;
+      const right = layout === 'desktop' ? this.besideOrders() : this.beside(this.playback_.root);
       return { top, right, bottom: height - this.readout_.root.getBoundingClientRect().top + 12, left };
     }
-    const column = this.orders_.getBoundingClientRect();
-    const right = layout === 'portrait' && column.width > 0 ? window.innerWidth - column.left + 12 : 24;
+    const right = layout === 'portrait' ? this.besideOrders() : 24;
     return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 24 };
+  }
+
+  private beside(panel: HTMLElement): number {
+    return window.innerWidth - panel.getBoundingClientRect().left + 12;
+  }
+
+  /** Before the first scene the orders are hidden. */
+  private besideOrders(): number {
+    return this.orders_.hidden ? 24 : this.beside(this.orders_);
   }
 }

@@ -186,7 +186,7 @@ export class OrdersPanel {
   }
 
   private show(state: StudioState): void {
-    this.root.hidden = !state.loaded || state.groups.length === 0;
+    this.root.hidden = !state.loaded;
     const unit = unitOf(state);
     const colour = state.groups[state.active]?.colour ?? 0;
     this.root.style.setProperty('--accent', accentVariable(colour));
