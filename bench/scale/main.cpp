@@ -121,9 +121,9 @@ int runOrders(const OrdersDef& def) {
     std::printf(
         "%d characters in %d groups, %d obstacles, %d gaps: step p50 %.2f, p95 %.2f, first %.1f, worst %.1f "
         "ms (step "
-        "%d: %s); longest wait %.2f s; hash %016llx\n",
+        "%d: %s), with an order at most %.2f ms above others; longest wait %.2f s; hash %016llx\n",
         def.count, def.groups, def.obstacles, def.gaps, row->p50, row->p95, row->first, row->worst,
-        row->worstStep, row->worstStages.c_str(), row->longestWait,
+        row->worstStep, row->worstStages.c_str(), row->above, row->longestWait,
         static_cast<unsigned long long>(row->hash));
     return 0;
 }

@@ -137,6 +137,8 @@ private:
         command.step = world.stepCount();
         command.sequence = ++sequence_;
         command.body = SetPose{world.group(group).id, position, angle};
+        if (def_.moves)
+            command.body = GiveOrder{world.group(group).id, QueueMode::Replace, 0, Order::move(position, angle)};
         return world.submit(command);
     }
 
@@ -179,6 +181,18 @@ std::string stagesOf(const StageTimes& times) {
     return text;
 }
 
+// The first step plans everything: it has no orders alone.
+double mostAbove(const std::vector<double>& least, std::size_t period) {
+    constexpr std::size_t kRound = 12;
+    double most = 0.0;
+    for (std::size_t k = period; k + kRound < least.size() && k >= kRound; k += period) {
+        const std::vector<double> near(least.begin() + static_cast<std::ptrdiff_t>(k - kRound),
+                                       least.begin() + static_cast<std::ptrdiff_t>(k + kRound));
+        most = std::max(most, least[k] - quantile(near, 0.5));
+    }
+    return most;
+}
+
 // One run: lowers `least` to its times, and notes the stages of steps that were the slowest so far.
 Status run(const OrdersDef& def, std::vector<double>& least, std::vector<std::string>& stages,
            OrdersRow& row) {
@@ -217,6 +231,7 @@ Result<OrdersRow> measureOrders(const OrdersDef& def) {
     row.worst = *worst;
     row.worstStep = static_cast<std::int32_t>(worst - least.begin());
     row.worstStages = stages[row.worstStep];
+    row.above = mostAbove(least, static_cast<std::size_t>(kOrderPeriod * 60.0));
     row.p50 = quantile(least, 0.5);
     row.p95 = quantile(least, 0.95);
     return row;

@@ -14,6 +14,7 @@ struct OrdersDef {
     std::int32_t count = 1500;   ///< Characters of all groups together, 8 to 100,000.
     std::int32_t obstacles = 0;  ///< Discs of 0.5 m strewn over the square, 0 or more.
     std::int32_t gaps = 0;       ///< In a wall through which all walk east, 0 for no wall; up to 100.
+    bool moves = false;          ///< Orders to march there instead of poses.
     std::int32_t runs = 5;       ///< Equal runs; the time of a step is its least over them, 1 to 50.
     double seconds = 10.0;       ///< World time of a run [s], up to 120.
     std::uint64_t seed = 1;      ///< Of the obstacles.
@@ -26,6 +27,7 @@ struct OrdersRow {
     std::int32_t worstStep = 0;  ///< Its number.
     double p50 = 0.0;            ///< Median [ms].
     double p95 = 0.0;            ///< 95th percentile [ms].
+    double above = 0.0;          ///< Most by which a step with an order exceeds the median of the 24 round it [ms].
     double longestWait = 0.0;    ///< Longest that a character which is not arrived stood still [s].
     std::uint64_t hash = 0;      ///< Of the last state, the same in all runs.
     std::string worstStages;     ///< Stages of the slowest step that took 0.5 ms and more.

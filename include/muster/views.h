@@ -13,6 +13,7 @@
 #include "muster/formation.h"
 #include "muster/id.h"
 #include "muster/obstacle.h"
+#include "muster/order.h"
 #include "muster/patch.h"
 #include "muster/status.h"
 #include "muster/vec2.h"
@@ -22,6 +23,7 @@ namespace muster {
 /// The stages of a step, in order.
 enum class Stage : std::uint8_t {
     Commands,
+    Orders,
     Controls,
     UserMesh,
     FinalMesh,
@@ -34,7 +36,7 @@ enum class Stage : std::uint8_t {
     Events,
     Count
 };
-/// The name of a stage: "commands", "controls", "user mesh"...
+/// The name of a stage: "commands", "orders", "controls"...
 const char* stageName(Stage stage);
 
 /// Wall time of the last step by stage; it is not part of the state.
@@ -93,6 +95,13 @@ struct GroupView {
     double gapBound = 0.0;   ///< Upper bound of its duality gap [cost^p].
     WalkTotals walk;         ///< Path costs by the last plan.
     double meanLag = 0.0;    ///< Mean distance of characters to the targets of their places [m] (SPEC U6).
+    std::span<const QueuedOrder> orders;  ///< Its queue; the first one is carried out.
+    bool held = false;                    ///< True: it waits, and its orders stay.
+    bool patrols = false;                 ///< True: orders that are done come last again.
+    Conduct conduct;                      ///< How it behaves.
+    /// What is ahead of the way of the order that it carries out: corners up to the end [m]. It begins where the
+    /// group is.
+    std::span<const Vec2> way;
 };
 
 /// An obstacle and its current position. Its id is none where the world has no such obstacle.

@@ -9,6 +9,7 @@
 #include "muster/characters.h"
 #include "muster/command.h"
 #include "muster/event.h"
+#include "muster/order.h"
 #include "muster/task_runner.h"
 #include "muster/views.h"
 #include "muster/world_def.h"
@@ -57,6 +58,9 @@ public:
     std::size_t groupCount() const;              ///< Current number of groups.
     GroupView group(std::size_t index) const;    ///< Groups are in ascending order of ids.
     GroupDef groupDef(std::size_t index) const;  ///< Current name, count and formation.
+    /// What would come of an order that a group were given now, and nothing else changed: would it arrive, by
+    /// which way, when? For Follow and Guard where what they are about is now. Nothing changes.
+    OrderForecast forecast(GroupId group, const Order& order) const;
 
     std::span<const ObstacleId> obstacleIds() const;              ///< Ids in ascending order.
     ObstacleView obstacle(ObstacleId id) const;                   ///< The obstacle of that id.

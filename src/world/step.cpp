@@ -15,6 +15,7 @@ using StageFunction = void (*)(WorldEngine&);
 // In the order of Stage.
 constexpr StageFunction kStages[] = {
     [](WorldEngine& w) { applyCommands(w.state, *w.pool, w.events, w.rejections); },
+    [](WorldEngine& w) { w.orders.run(w.state, *w.pool, w.events); },
     [](WorldEngine& w) { advanceControls(w.state); },
     [](WorldEngine& w) { deformUserMeshes(w.state); },
     [](WorldEngine& w) { deformFinalMeshes(w.state); },

@@ -9,14 +9,15 @@
 #include "muster/world.h"
 #include "routes/route_search.h"
 #include "world/inspect.h"
+#include "world/validation.h"
 #include "world/world_engine.h"
 
 namespace muster {
 
 const char* stageName(Stage stage) {
-    constexpr const char* kStageNames[] = {"commands", "controls",         "user mesh", "final mesh",
-                                           "places",   "density and cost", "plan",      "steering",
-                                           "contacts", "patches",          "events"};
+    constexpr const char* kStageNames[] = {"commands", "orders", "controls", "user mesh",
+                                           "final mesh", "places", "density and cost", "plan",
+                                           "steering", "contacts", "patches", "events"};
     return stage < Stage::Count ? kStageNames[static_cast<std::size_t>(stage)] : "none";
 }
 
@@ -88,11 +89,29 @@ GroupView World::group(std::size_t index) const {
     view.gapBound = group.gapBound;
     view.walk = group.walk;
     view.meanLag = group.meanLag;
+    const OrderQueue& queue = group.orders;
+    view.orders = queue.orders;
+    view.held = queue.held;
+    view.patrols = queue.patrols;
+    view.conduct = group.def.conduct;
+    view.way = queue.march.ahead();
     return view;
 }
 
 GroupDef World::groupDef(std::size_t index) const {
     return engine_->state.groups[index].def;
+}
+
+OrderForecast World::forecast(GroupId group, const Order& order) const {
+    engine_->finishBackgroundWork();
+    const Group* const found = engine_->state.findGroup(group);
+    if (found == nullptr || !validateOrder(order).ok()) {
+        OrderForecast none;
+        none.end = order.target;
+        none.seconds = std::numeric_limits<double>::infinity();
+        return none;
+    }
+    return engine_->orders.forecast(engine_->state, *found, order);
 }
 
 std::span<const ObstacleId> World::obstacleIds() const {

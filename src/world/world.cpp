@@ -103,6 +103,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
         const Status added = addGroup(state, def.groups[i]);
         if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");
     }
+    engine->orders.reset(state);
     engine->cost.reset(state);
     engine->ways.reset(state);
     engine->plans.reserve(state, engine->cost);

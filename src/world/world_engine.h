@@ -9,6 +9,7 @@
 #include "world/stages/contact_stage.h"
 #include "world/stages/cost_stage.h"
 #include "world/stages/event_stage.h"
+#include "world/stages/order_stage.h"
 #include "world/stages/patch_stage.h"
 #include "world/stages/place_stage.h"
 #include "world/stages/plan_stage.h"
@@ -27,6 +28,7 @@ struct WorldEngine {
     ContactReport contactReport;        ///< After the last step.
     StageTimes times;                   ///< Of the last step.
 
+    OrderStage orders;
     PlaceStage places;
     CostStage cost;
     WayStage ways;
@@ -44,6 +46,7 @@ struct WorldEngine {
     /// Prepares to go on from a state that was just read, with the memory that the stages have. No background
     /// work may be running.
     void goOnFromState() {
+        orders.reset(state);
         cost.reset(state);
         ways.reset(state);
         for (const Group& group : state.groups) group.plan->bind(cost.ofClass(group.groundClass));

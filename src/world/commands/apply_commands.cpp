@@ -85,7 +85,9 @@ public:
     Status operator()(const SetFormation& set) {
         Group* group = state_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
-        return changeFormation(state_, *group, set.formation, group->def.count);
+        const Status changed = changeFormation(state_, *group, set.formation, group->def.count);
+        if (changed.ok()) group->orders.own.reset();
+        return changed;
     }
     Status operator()(const SetCount& set) {
         Group* group = state_.findGroup(set.group);
@@ -102,6 +104,8 @@ public:
         Group* group = state_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
         group->controls.clear();
+        dropOrders(*group);
+        group->orders.march.reversed = false;
         group->order.begin(state_.stepCount);
         group->mesh.setPose({set.position, {cosine(set.angle), sine(set.angle)}});
         return {};

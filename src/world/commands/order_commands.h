@@ -1,6 +1,7 @@
 // What the commands of orders change.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "muster/event.h"
@@ -15,5 +16,13 @@ Status giveOrder(WorldState& state, const GiveOrder& command, std::vector<Event>
 Status editQueue(WorldState& state, const EditQueue& command, std::vector<Event>& events);
 /// Tells a group how to behave. Fails with NotFound, changing nothing.
 Status setConduct(WorldState& state, const SetConduct& command);
+
+/// After a group was divided: each part goes on with the orders of the whole, beside the others as they are.
+/// `parts` are the whole, whose middle was at `middle` [m], and those that have left it.
+void shareOrders(WorldState& state, std::span<Group* const> parts, Vec2 middle);
+/// Drops all orders; the mesh stays where it is.
+void dropOrders(Group& group);
+/// Puts the mesh where its places are now: those who are on their way stop.
+void standWhereItIs(Group& group);
 
 }  // namespace muster

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/polygon.h"
+#include "world/commands/order_commands.h"
 #include "world/commands/unit_commands.h"
 #include "world/state/group_edits.h"
 #include "world/state/reform.h"
@@ -190,6 +191,10 @@ Status splitGroup(WorldState& state, const SplitGroup& command, std::vector<Even
         if (!reform.ok()) return reform.status().within("group '" + state.groups[whole].def.name + "'");
         reforms.push_back(std::move(*reform));
     }
+    std::vector<Vec2> places;
+    state.groups[whole].mesh.placePositions(places);
+    const Vec2 middle = std::accumulate(places.begin(), places.end(), Vec2{}) /
+                        std::max(1.0, static_cast<double>(places.size()));
     const std::size_t first = state.groups.size();
     addParts(state, whole, *parts);
     std::vector<Group*> formed{&state.groups[whole]};
@@ -198,6 +203,7 @@ Status splitGroup(WorldState& state, const SplitGroup& command, std::vector<Even
     for (std::size_t p = parts->size(); p-- > 0;)
         applyReform(state, *formed[p], std::move(reforms[p]), formed[0]->mesh);
     divideControls(formed);
+    shareOrders(state, formed, middle);
     for (std::size_t p = 1; p < formed.size(); ++p)
         events.push_back({EventKind::GroupAdded, formed[p]->id.value, formed[0]->id.value,
                           formed[p]->mesh.pose().position});

@@ -1,6 +1,7 @@
 #include "world/stages/event_stage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "world/stages/cut_off.h"
 #include "world/state/group_edits.h"
@@ -27,6 +28,43 @@ void collectItems(WorldState& state, std::vector<Event>& events) {
     }
 }
 
+/// Notes who of a group is in a checkpoint. True once the share of it has been there since it was last left.
+bool crowdPasses(const WorldState& state, const Group& group, const FormationCheckpointDef& checkpoint,
+                 std::vector<std::uint32_t>& visitors, bool& anyInside) {
+    std::int32_t been = 0;
+    anyInside = false;
+    for (const std::int32_t i : group.members) {
+        const std::uint32_t id = state.characters.id[i];
+        const auto at = std::lower_bound(visitors.begin(), visitors.end(), id);
+        const bool known = at != visitors.end() && *at == id;
+        const bool inside = distance(state.characters.position[i], checkpoint.position) <= checkpoint.radius;
+        anyInside = anyInside || inside;
+        been += known || inside ? 1 : 0;
+        if (inside && !known) visitors.insert(at, id);
+    }
+    const auto count = static_cast<double>(group.members.size());
+    return been > 0 && been >= std::ceil(checkpoint.share * count - 1e-9);
+}
+
+/// True where a group passes a checkpoint in this step.
+bool passes(WorldState& state, Group& group, std::size_t index, std::uint8_t& flags) {
+    const FormationCheckpointDef& checkpoint = state.checkpoints[index];
+    if (checkpoint.once && (flags & 2) != 0) return false;
+    bool passed = false, inside = false;
+    if (checkpoint.trigger == CheckpointTrigger::Mesh) {
+        inside = distance(group.mesh.pose().position, checkpoint.position) <= checkpoint.radius;
+        passed = inside;
+    } else {
+        group.visitors.resize(state.checkpoints.size());
+        std::vector<std::uint32_t>& visitors = group.visitors[index];
+        passed = crowdPasses(state, group, checkpoint, visitors, inside);
+        if (!inside) visitors.clear();
+    }
+    const bool comes = passed && (flags & 1) == 0;
+    flags = static_cast<std::uint8_t>((flags & 2) | ((inside && (flags & 1) != 0) || comes ? 1 : 0));
+    return comes;
+}
+
 void meetCheckpoints(WorldState& state, std::vector<Event>& events) {
     const std::vector<FormationCheckpointDef>& checkpoints = state.checkpoints;
     for (std::size_t c = 0; c < checkpoints.size(); ++c) {
@@ -35,15 +73,14 @@ void meetCheckpoints(WorldState& state, std::vector<Event>& events) {
             Group& group = state.groups[g];
             if (state.checkpointGroups[c] && state.checkpointGroups[c] != group.id) continue;
             std::uint8_t& flags = state.checkpointState[g * checkpoints.size() + c];
-            const bool inside = distance(group.mesh.pose().position, checkpoint.position) <=
-                                checkpoint.radius;
-            const bool comes = inside && (flags & 1) == 0 && !(checkpoint.once && (flags & 2) != 0);
-            flags = static_cast<std::uint8_t>((flags & 2) | (inside ? 1 : 0));
-            if (!comes) continue;
+            if (!passes(state, group, c, flags)) continue;
             flags |= 2;
-            if (changeFormation(state, group, checkpoint.formation, group.def.count).ok())
-                events.push_back({EventKind::FormationChange, group.id.value, static_cast<std::uint32_t>(c),
-                                  checkpoint.position});
+            const auto value = static_cast<std::uint32_t>(c);
+            events.push_back({EventKind::Passed, group.id.value, value, checkpoint.position});
+            if (!changeFormation(state, group, checkpoint.formation, group.def.count).ok()) continue;
+            group.orders.own.reset();
+            group.orders.files = 0;
+            events.push_back({EventKind::FormationChange, group.id.value, value, checkpoint.position});
         }
     }
 }
@@ -96,6 +133,11 @@ bool isDrawn(const Group& group) {
     return false;
 }
 
+/// True while an order is carried out whose end the mesh has not reached.
+bool isOnItsWay(const Group& group) {
+    return group.orders.begun && !group.orders.held && group.orders.march.phase != MarchPhase::Stand;
+}
+
 // Where some have no way, their places stand short of where the order wants them.
 bool placesStand(const Group& group) {
     if (group.order.withoutWay > 0) return false;
@@ -132,7 +174,7 @@ void raiseArrival(const WorldState& state, Group& group, std::vector<Event>& eve
 
 void watchOrder(WorldState& state, Group& group, std::vector<Event>& events) {
     OrderProgress& order = group.order;
-    if (isDrawn(group)) {
+    if (isDrawn(group) || isOnItsWay(group)) {
         order.arrival = ArrivalWatch::Awaited;
         order.step = state.stepCount;
         order.judged = false;

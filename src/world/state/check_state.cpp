@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "passages/way_number.h"
 #include "world/validation.h"
@@ -114,6 +115,43 @@ Status checkControls(const ControlSet& set, const TriangleMesh& mesh) {
     std::sort(vertices.begin(), vertices.end());
     if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end())
         return wrong("a vertex that two controls hold");
+    return {};
+}
+
+bool isSane(const WayNeeds& needs) {
+    const auto isSize = [](double x) { return x >= 0.0 && x <= 1e9; };
+    return std::all_of(needs.half.begin(), needs.half.end(), isSize) && isSize(needs.margin) &&
+           isSize(needs.least) && needs.radius > 0.0 && needs.radius <= 1e3;
+}
+
+bool isSane(const March& march) {
+    const Rotation& r = march.last.rotation;
+    return march.phase <= MarchPhase::Stand && arePlaces(march.way) && arePlaces(march.legs) &&
+           march.next <= march.way.size() && std::fabs(march.speed) <= kFastest &&
+           std::fabs(march.spin) <= kFastest && std::fabs(march.facing) <= kMaxCoordinate &&
+           isPlace(march.last.position) && std::fabs(r.c * r.c + r.s * r.s - 1.0) < 1e-6 &&
+           isPlace(march.query.from) && isPlace(march.query.to) && isSane(march.query.needs) &&
+           march.searched >= 0 && march.searched <= 16'000'000 &&
+           (march.phase != MarchPhase::Go || march.next < march.way.size()) &&
+           (march.phase != MarchPhase::Search || !march.way.empty());
+}
+
+Status checkOrders(const Group& group, std::uint32_t nextOrder) {
+    const OrderQueue& queue = group.orders;
+    if (queue.orders.size() > kMaxOrders + 1) return wrong("too many orders");
+    for (const QueuedOrder& queued : queue.orders) {
+        if (queued.id == 0 || queued.id >= nextOrder) return wrong("an order of an unknown number");
+        if (Status s = validateOrder(queued.order); !s.ok()) return s;
+    }
+    if (queue.own)
+        if (Status s = validateFormation(*queue.own); !s.ok()) return s;
+    const bool points = queue.own && queue.own->kind == FormationKind::Points;
+    if (!isSane(queue.march) || !isPlace(queue.target) || queue.arrived < 0 || queue.files < 0 ||
+        !(queue.clearOf >= 0.0 && queue.clearOf <= 1e9) || (queue.begun && queue.orders.empty()) ||
+        (points && std::cmp_less(queue.own->points.size(), 1)))
+        return wrong("an order that contradicts itself");
+    for (const std::vector<std::uint32_t>& visitors : group.visitors)
+        if (!std::is_sorted(visitors.begin(), visitors.end())) return wrong("numbers out of order");
     return {};
 }
 
@@ -240,6 +278,8 @@ Status checkState(WorldState& state) {
     std::vector<std::uint32_t> ids;
     for (const Group& group : state.groups) {
         if (Status s = checkGroup(group, state.environment.grid()); !s.ok()) return s;
+        if (Status s = checkOrders(group, state.nextOrder); !s.ok()) return s;
+        if (group.visitors.size() > state.checkpoints.size()) return wrong("lists of different lengths");
         ids.push_back(group.id.value);
     }
     if (!ascending(ids, state.nextGroup)) return wrong("numbers out of order");

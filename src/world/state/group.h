@@ -12,6 +12,7 @@
 #include "muster/world_def.h"
 #include "planning/plan.h"
 #include "world/state/order_progress.h"
+#include "world/state/order_queue.h"
 #include "world/state/place_classes.h"
 #include "world/state/settling.h"
 
@@ -40,6 +41,9 @@ struct Group {
     std::int32_t slice = 0;                    ///< Shares of the pending plan that are done.
     std::int32_t slices = 1;                   ///< Shares into which it was cut.
     OrderProgress order;                       ///< How far it has come with its order.
+    OrderQueue orders;                         ///< What it is to do.
+    /// By checkpoint, the ids of those who have been in it since it was last left, ascending.
+    std::vector<std::vector<std::uint32_t>> visitors;
     Settling settling;                         ///< Where it settles.
     Vec2 surveyFrom;                           ///< Where passages were last looked for from [m]...
     Vec2 surveyTo;                             ///< ... and where to [m].
@@ -59,7 +63,8 @@ struct Group {
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
                 planNow, provisional, assigned, reassigns, lastAssignment, placeClass, slice, slices, order,
-                settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted, groundClass);
+                orders, visitors, settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted,
+                groundClass);
     }
 };
 

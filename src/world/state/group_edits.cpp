@@ -195,6 +195,8 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     for (std::int32_t i = 0; i < def.count; ++i)
         addCharacter(state, group, index, startOf(def, i, targets, state.random),
                      bodyOf(def, static_cast<std::size_t>(i)));
+    for (const Order& order : def.orders) group.orders.orders.push_back({state.nextOrder++, order});
+    group.orders.patrols = def.patrols;
     state.groups.push_back(std::move(group));
     state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
     state.refreshMembers();
@@ -235,10 +237,7 @@ void removeGroup(WorldState& state, std::size_t index) {
     state.refreshMembers();
 }
 
-namespace {
-
-// Places that are under way to another formation go on from where they are.
-Status changeUnderWay(WorldState& state, Group& group, const FormationDef& def) {
+Status reformGroup(WorldState& state, Group& group, const FormationDef& def) {
     HeldPlaces held;
     held.add(state, group, group);
     std::vector<std::uint32_t> ids;
@@ -252,17 +251,12 @@ Status changeUnderWay(WorldState& state, Group& group, const FormationDef& def) 
     reform->formation.mesh = std::move(formation->mesh);
     applyReform(state, group, std::move(*reform), group.mesh);
     group.refitted = false;
+    group.order.begin(state.stepCount);
     return {};
 }
 
-}  // namespace
-
 Status changeFormation(WorldState& state, Group& group, const FormationDef& def, std::int32_t count) {
-    if (isUnderWay(group) && count == group.def.count) {
-        const Status changed = changeUnderWay(state, group, def);
-        if (changed.ok()) group.order.begin(state.stepCount);
-        return changed;
-    }
+    if (isUnderWay(group) && count == group.def.count) return reformGroup(state, group, def);
     const Result<Formation> formation = makeFormation(def, count);
     if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");
     const Status changed = group.mesh.change(*formation);

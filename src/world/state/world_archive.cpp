@@ -95,7 +95,7 @@ void archiveState(auto& ar, WorldState& state, ThreadPool* pool) {
     archive(ar, state.queue);
     ar(state.checkpoints, state.checkpointGroups, state.checkpointState, state.items, state.collected,
        state.random, state.stepCount, state.passages, state.survey, state.waysLookedAt, state.waysChosenAt,
-       state.lastCommandStep, state.groundEdits, state.nextCharacter, state.nextGroup);
+       state.lastCommandStep, state.groundEdits, state.nextCharacter, state.nextGroup, state.nextOrder);
     if constexpr (std::decay_t<decltype(ar)>::kReading)
         if (!ar.ok()) return;
     archiveGroups(ar, state, pool);

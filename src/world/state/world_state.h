@@ -43,6 +43,7 @@ struct WorldState {
     std::uint32_t groundEdits = 0;                    ///< Commands that changed obstacles or patches.
     std::uint32_t nextCharacter = 1;                  ///< Id of the next character.
     std::uint32_t nextGroup = 1;                      ///< Id of the next group.
+    std::uint32_t nextOrder = 1;                      ///< Id of the next order.
 
     // Caches.
     RouteGraph routes;  ///< Where usual characters can walk; as it was after the last refreshRoutes().

@@ -1,0 +1,48 @@
+// What a formation needs of its way, and what a metre of a way costs it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// The room that a formation needs.
+struct WayNeeds {
+    static constexpr std::size_t kDirections = 8;  ///< Of travel, from +x counter-clockwise to half a turn.
+
+    std::array<double, kDirections> half{};  ///< Half its width across each direction of travel [m].
+    double margin = 0.0;  ///< Keeps so much farther from obstacles where that costs little [m].
+    double least = 0.0;   ///< Share of its width below which it does not narrow, [0, 1].
+    double radius = 0.25;  ///< Radius of bodies [m].
+
+    /// Half its width across a direction, a vector of any length [m].
+    double halfAcross(Vec2 direction) const;
+    /// Cost of a metre of a way with so much room to both sides, for half a width [m]; infinite where nobody
+    /// passes.
+    double cost(double clearance, double halfWidth) const;
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(half, margin, least, radius);
+    }
+    friend bool operator==(const WayNeeds&, const WayNeeds&) = default;
+};
+
+/// A search for a way from one point to another.
+struct WayQuery {
+    Vec2 from;       ///< [m]
+    Vec2 to;         ///< [m]
+    WayNeeds needs;  ///< Of the formation.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(from, to, needs);
+    }
+    friend bool operator==(const WayQuery&, const WayQuery&) = default;
+};
+
+}  // namespace muster

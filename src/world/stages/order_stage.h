@@ -1,0 +1,55 @@
+// The stage of orders: it begins the orders of groups, moves their meshes along their ways, and ends them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "muster/event.h"
+#include "world/stages/order_ways.h"
+#include "world/state/world_state.h"
+
+namespace muster {
+
+/// Carries orders out.
+class OrderStage {
+public:
+    /// Takes a new or restored state; call before its first step.
+    void reset(const WorldState& state) { ways_.update(state); }
+    /// One step of all queues; appends what happened to `events`.
+    void run(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
+    /// What would come of an order. Changes nothing but caches.
+    OrderForecast forecast(WorldState& state, const Group& group, const Order& order);
+
+private:
+    /// What a group stays with: a pose that moves.
+    struct Lead {
+        bool found = false;
+        Vec2 position;
+        Vec2 facing{1.0, 0.0};
+        Vec2 velocity;
+    };
+    /// What the carrying out of an order has come to in a step.
+    enum class Outcome : std::uint8_t { GoesOn, Done, Skipped };
+
+    void runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    Outcome begin(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    void takeUpFormation(WorldState& state, Group& group, const Order& order, ThreadPool& pool);
+    void restart(WorldState& state, Group& group);
+    Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
+    void goOn(WorldState& state, Group& group, const MarchDef& def);
+    void squeeze(WorldState& state, Group& group, const FormationExtent& extent, ThreadPool& pool);
+    Outcome follow(WorldState& state, Group& group, const MarchDef& def);
+    Outcome guard(WorldState& state, Group& group);
+    bool isDone(const WorldState& state, Group& group);
+    double paceOf(const WorldState& state, const Group& group);
+    std::int32_t regionOf(WorldState& state, const Group& group);
+    static Lead leadOf(const WorldState& state, const Order& order);
+
+    WayFinder ways_;
+    std::int32_t budget_ = 0;            // Cells that may be searched in this step.
+    std::vector<double> lags_;           // Of one group [m].
+    std::vector<std::int32_t> regions_;  // Members of one group by region.
+};
+
+}  // namespace muster
