@@ -30,6 +30,11 @@ public:
     void build(std::span<const Vec2> points, double reach, double skin = 0.0);
     /// Does nothing where the list is valid for these points; else as build().
     void update(std::span<const Vec2> points, double reach, double skin);
+    /// Drops listed pairs for which `drops(pair)` is true; it must hold as long as the list is valid.
+    template <class Drops>
+    void dropPairs(const Drops& drops) {
+        std::erase_if(pairs_, drops);
+    }
     /// Makes the list invalid.
     void clear() {
         listedAt_.clear();

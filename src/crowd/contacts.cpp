@@ -179,6 +179,7 @@ ContactReport Contacts::report(std::span<const Vec2> positions) {
 
 void Contacts::findPairs(std::span<const Vec2> positions) {
     ownPairs_.build(positions, diameter_, kPairSkin);
+    bodies_->shorten(positions, ownPairs_);
     pairs_ = &ownPairs_;
 }
 

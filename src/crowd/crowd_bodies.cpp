@@ -55,4 +55,13 @@ double CrowdBodies::ownShare(std::size_t a, std::size_t b) const {
     return sum > 0.0 ? own / sum : 0.0;
 }
 
+void CrowdBodies::shorten(std::span<const Vec2> positions, NeighbourList& neighbours) const {
+    if (alike()) return;
+    const double beyond = neighbours.listedReach() - 2.0 * largest_;
+    neighbours.dropPairs([&](NeighbourPair pair) {
+        const double reach = touching(pair.low, pair.high) + beyond;
+        return lengthSquared(positions[pair.high] - positions[pair.low]) > reach * reach;
+    });
+}
+
 }  // namespace muster

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/neighbour_list.h"
 #include "muster/parameters.h"
 #include "muster/unit.h"
 
@@ -58,6 +59,10 @@ public:
     bool isFirmer(std::size_t a, std::size_t b) const {
         return !alike() && group_[a] != group_[b] && firmness_[a] > firmness_[b];
     }
+
+    /// Drops from a list, which reaches beyond the largest diameter, the pairs that are farther beyond their
+    /// own touching distance than that.
+    void shorten(std::span<const Vec2> positions, NeighbourList& neighbours) const;
 
 private:
     double ownShare(std::size_t a, std::size_t b) const;

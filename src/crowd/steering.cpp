@@ -165,6 +165,7 @@ void Steering::run(const CrowdBodies& bodies, const Characters& now, const Steer
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
     });
     neighbours_.build(now.position, 2.0 * bodies.largestRadius() + std::max(def.separationReach, kTouchGap));
+    bodies.shorten(now.position, neighbours_);
     addSeparationSteering(bodies, now);
     yieldToBlocked(bodies, now, input.waits);
     giveWay_.run(bodies, now, environment, neighbours_, topSpeed_, preferred_);

@@ -11,6 +11,23 @@ namespace {
 constexpr double kLookAhead = 8.0;  // A cluster farther ahead is not gone round yet [m].
 constexpr double kMargin = 0.12;    // Kept from it [m].
 
+// True where the stretch from `from` along the unit vector `way` meets the box.
+bool meets(const Box& box, Vec2 from, Vec2 way, double far) {
+    double enter = 0.0, leave = far;
+    const auto clip = [&](double at, double step, double low, double high) {
+        if (step == 0.0) {
+            if (at < low || at > high) leave = -1.0;
+            return;
+        }
+        const double a = (low - at) / step, b = (high - at) / step;
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    };
+    clip(from.x, way.x, box.min.x, box.max.x);
+    clip(from.y, way.y, box.min.y, box.max.y);
+    return enter <= leave;
+}
+
 }  // namespace
 
 void GoRound::findHolders(const WorldState& state) {
@@ -130,8 +147,9 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
         if (c.direction[i] == Vec2{} || bodies.isFixed(i)) continue;
         for (const Cluster& cluster : clusters_) {
             if (c.group[members_[cluster.first]] == c.group[i]) continue;
-            const double reach = kLookAhead + cluster.largest + bodies.radius(i) + kMargin;
-            if (!cluster.box.grown(reach).contains(c.position[i]) ||
+            const double keep = cluster.largest + bodies.radius(i) + kMargin;
+            const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
+            if (!meets(cluster.box.grown(keep), c.position[i], c.direction[i], far) ||
                 !bodies.isFirmer(members_[cluster.first], i))
                 continue;
             turn(c, bodies, cluster, targets[i], static_cast<std::int32_t>(i));
