@@ -121,6 +121,28 @@ TEST_CASE("through a gap of 0.8 m bodies of 0.25 m go, and those of 0.6 m go rou
     }
 }
 
+TEST_CASE("orders lead large bodies round a gap that is too narrow for them") {
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        for (const double radius : {0.25, 0.6}) {
+            CAPTURE(radius);
+            WorldDef def = gapScene(radius, 4);
+            Played played(def);
+            Order order = Order::move({8, 0}, 0.0);
+            order.manner = manner;
+            played.give(GiveOrder{GroupId{1}, QueueMode::Replace, 0, order});
+            bool round = false;
+            for (int part = 0; part < 900; ++part) {
+                played.run(0.1);
+                for (const Vec2 p : played.world.characters().position)
+                    round = round || (std::fabs(p.x) < 0.5 && p.y > 11.0);
+            }
+            CHECK(round == (radius > 0.4));
+            for (const Vec2 p : played.world.characters().position) CHECK(distance(p, {8, 0}) < 3.0);
+            CHECK(played.deepest < 0.1);
+        }
+    }
+}
+
 TEST_CASE("mixed crowds cross without overlap, walls or loss, and snapshots and rewinds change no bit") {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         CAPTURE(seed);

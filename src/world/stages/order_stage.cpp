@@ -7,6 +7,7 @@
 #include "base/maths.h"
 #include "orders/rim_places.h"
 #include "world/stages/standstill.h"
+#include "world/state/ground_class.h"
 #include "world/state/group_edits.h"
 #include "world/state/reform.h"
 
@@ -91,7 +92,7 @@ void restoreOwn(WorldState& state, Group& group, ThreadPool& pool) {
 }  // namespace
 
 std::int32_t OrderStage::regionOf(WorldState& state, const Group& group) {
-    state.refreshRoutes();
+    state.refreshRoutes(group.groundClass);
     return mainRegion(state, group, regions_);
 }
 
@@ -164,7 +165,7 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     queue.target = order.target;
     queue.reachable = true;
     if (order.kind == OrderKind::Move) {
-        const OrderGoal goal = goalOf(state, regionOf(state, group), extentOf(group).width, order.target);
+        const OrderGoal goal = goalOf(state, group, regionOf(state, group), extentOf(group).width, order.target);
         queue.target = goal.target;
         queue.reachable = goal.reachable;
         const bool last = queue.orders.size() == 1;
@@ -215,8 +216,8 @@ void OrderStage::restart(WorldState& state, Group& group) {
         return;
     }
     const std::int32_t region = regionOf(state, group);
-    const OrderGoal goal = goalOf(state, region, extentOf(group).width, order.target);
-    listLegs(state, region, order, goal, march.legs);
+    const OrderGoal goal = goalOf(state, group, region, extentOf(group).width, order.target);
+    listLegs(state, group, region, order, goal, march.legs);
     march.way.assign(1, pose.position);
     march.next = 1;
     march.phase = MarchPhase::Search;
@@ -227,7 +228,7 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     March& march = queue.march;
     const Order& order = queue.orders.front().order;
     if (march.phase == MarchPhase::Search && budget_ > 0) {
-        const bool whole = ways_.advance(state, regionOf(state, group), !order.route.empty(),
+        const bool whole = ways_.advance(state, group, regionOf(state, group), !order.route.empty(),
                                          needsOf(state, group, order), march, budget_);
         if (whole) {
             if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
@@ -285,7 +286,7 @@ void OrderStage::squeeze(WorldState& state, Group& group, const FormationExtent&
     const Vec2 ahead = normalized(march.way[march.next] - group.mesh.pose().position);
     if (dot(ahead, march.front(group.mesh.pose())) < 0.7) return;
     const FormationDef own = queue.own ? *queue.own : group.def.formation;
-    const double radius = state.parameters.character.radius;
+    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     const double spacing = group.def.formation.spacing;
     if (queue.files == 0) queue.clearOf = extent.width;
     const double full = 2.0 * (queue.clearOf + radius + kBeside);
@@ -320,10 +321,10 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
     const Pose leading = facingPose(lead.position, lead.facing);
     const Pose pose = group.mesh.pose();
     const double dt = state.parameters.stepTime;
-    const double radius = state.parameters.character.radius;
+    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     const Vec2 goal = leading.apply(order.offset);
     const std::int32_t region = regionOf(state, group);
-    const bool free = region < 0 || state.routes.region(goal) == region;
+    const bool free = region < 0 || state.routesOf(group).region(goal) == region;
     if (free && state.environment.clearStaticLine(pose.position, goal, radius)) {
         march.phase = MarchPhase::Idle;
         group.mesh.setPose(advanceTowards(def, march, pose, goal, lead.velocity, lead.facing, dt));
@@ -336,13 +337,13 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
         queue.target = goal;
         march.turns = false;
         march.searched = 0;
-        march.legs.assign(1, free ? goal : state.routes.nearestReachable(goal, region));
+        march.legs.assign(1, free ? goal : state.routesOf(group).nearestReachable(goal, region));
         march.way.assign(1, pose.position);
         march.next = 1;
         march.phase = MarchPhase::Search;
     }
     if (march.phase == MarchPhase::Search && budget_ > 0 &&
-        ways_.advance(state, region, false, needsOf(state, group, order), march, budget_))
+        ways_.advance(state, group, region, false, needsOf(state, group, order), march, budget_))
         march.phase = MarchPhase::Go;
     group.mesh.setPose(advanceMarch(def, march, pose, dt));
     march.last = group.mesh.pose();
@@ -437,15 +438,15 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     const std::int32_t region = regionOf(state, group);
     const FormationExtent extent = extentOf(group);
     if (asked.kind == OrderKind::Face) asked.target = pose.position;
-    const OrderGoal goal = goalOf(state, region, extent.width, asked.target);
+    const OrderGoal goal = goalOf(state, group, region, extent.width, asked.target);
     March march;
     march.reversed = group.orders.march.reversed;
     march.way.assign(1, pose.position);
-    listLegs(state, region, asked, goal, march.legs);
+    listLegs(state, group, region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
     WayFinder finder;
     finder.update(state);
-    while (!finder.advance(state, region, !asked.route.empty(), needsOf(state, group, asked), march, budget))
+    while (!finder.advance(state, group, region, !asked.route.empty(), needsOf(state, group, asked), march, budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
     forecast.arrives = goal.reachable;

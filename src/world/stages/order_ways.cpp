@@ -5,6 +5,7 @@
 
 #include "base/maths.h"
 #include "routes/route_search.h"
+#include "world/state/ground_class.h"
 
 namespace muster {
 namespace {
@@ -30,9 +31,9 @@ FormationExtent extentOf(const Group& group) {
     return extent;
 }
 
-OrderGoal goalOf(WorldState& state, std::int32_t region, double width, Vec2 target) {
+OrderGoal goalOf(WorldState& state, const Group& group, std::int32_t region, double width, Vec2 target) {
     if (region < 0) return {target, target, true};
-    RouteGraph& routes = state.refreshRoutes();
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
     const std::int32_t at = routes.region(target);
     if (at == region) return {target, target, true};
     const Vec2 nearest = routes.nearestReachable(target, region);
@@ -46,7 +47,7 @@ OrderGoal goalOf(WorldState& state, std::int32_t region, double width, Vec2 targ
 WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order) {
     const Formation& formation = group.mesh.formation();
     WayNeeds needs;
-    needs.radius = state.parameters.character.radius;
+    needs.radius = groundRadius(state.parameters.character.radius, group.groundClass);
     needs.margin = state.parameters.field.enabled ? std::min(1.5, state.parameters.field.range) : 0.5;
     needs.least = 1.0 - group.def.conduct.squeeze;
     for (std::size_t k = 0; k < WayNeeds::kDirections; ++k) {
@@ -82,10 +83,10 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     return def;
 }
 
-void listLegs(WorldState& state, std::int32_t region, const Order& order, const OrderGoal& goal,
-              std::vector<Vec2>& legs) {
+void listLegs(WorldState& state, const Group& group, std::int32_t region, const Order& order,
+              const OrderGoal& goal, std::vector<Vec2>& legs) {
     legs.clear();
-    const RouteGraph& routes = state.refreshRoutes();
+    const RouteGraph& routes = state.refreshRoutes(group.groundClass);
     for (const Vec2 p : order.route)
         if (region < 0 || routes.region(p) == region) legs.push_back(p);
     legs.push_back(goal.ground);
@@ -132,9 +133,9 @@ void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march, c
     }
 }
 
-bool WayFinder::advance(WorldState& state, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
+bool WayFinder::advance(WorldState& state, const Group& group, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
                         std::int32_t& budget) {
-    RouteGraph& routes = state.refreshRoutes();
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
     while (!march.legs.empty() && budget > 0) {
         const Vec2 to = march.legs.front();
         Vec2 from = march.way.back();
