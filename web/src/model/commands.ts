@@ -37,6 +37,8 @@ export interface MoveTarget {
   /** Of the front [m]; 0 to keep it. */
   readonly width: number;
   readonly route: readonly GroundPoint[];
+  /** Which formation to take up; null to keep it. */
+  readonly formation: { readonly kind: string; readonly spacing: number } | null;
 }
 
 /** One event of a gesture file. */
@@ -61,6 +63,7 @@ export function moveEvent(group: number, to: MoveTarget, style: OrderStyle): Com
     ...(to.facing === null ? {} : { facing: rounded(to.facing) }),
     ...(to.width > 0 ? { width: rounded(to.width) } : {}),
     ...(to.route.length > 0 ? { route: to.route.map(pair) } : {}),
+    ...(to.formation ? { formation: to.formation } : {}),
     manner: style.manner,
     turn: style.turn,
   };

@@ -1,7 +1,10 @@
 // The shapes of groups, for previews: where places lie in a group's own axes, which face x.
 
 import type { ShapeMeshView } from './frame_view';
-import type { GroundPoint } from './plane';
+import { convexHull, type GroundPoint } from './plane';
+
+/** Outlines and fronts lie this far outside the outermost places [m]. */
+const kRim = 0.5;
 
 export interface GroupShape {
   readonly formation: string;
@@ -53,28 +56,56 @@ export function depthOf(places: readonly GroundPoint[]): number {
   return Math.max(...along) - Math.min(...along);
 }
 
-/** Ranks of so many abreast; the last one stands in the middle. */
+/** Ranks of so many abreast, the last one in the middle, their mean at the origin: as the engine makes them. */
 function ranks(count: number, files: number, spacing: number): GroundPoint[] {
-  const rows = Math.ceil(count / files);
-  return Array.from({ length: count }, (_, i) => {
+  const places = Array.from({ length: count }, (_, i) => {
     const rank = Math.floor(i / files);
-    const inRank = rank + 1 < rows ? files : count - files * (rows - 1);
-    return { x: ((rows - 1) / 2 - rank) * spacing, y: ((inRank - 1) / 2 - (i % files)) * spacing };
+    const inRank = Math.min(files, count - files * rank);
+    return { x: -rank * spacing, y: ((inRank - 1) / 2 - (i % files)) * spacing };
   });
+  const mean = places.reduce((sum, { x }) => sum + x, 0) / Math.max(1, count);
+  return places.map(({ x, y }) => ({ x: x - mean, y }));
 }
 
-const kRanked = new Set(['square', 'line', 'column']);
+/** Formations that stand in ranks, or in no order of their own: they take up a front as wide as it is drawn. */
+const kRanked = new Set(['square', 'line', 'column', 'points']);
 
-/** The places with a front of another width: other ranks where it stands in ranks, else stretched across. */
-export function widened({ formation, spacing, places }: GroupShape, width: number): readonly GroundPoint[] {
-  const now = widthOf(places);
-  if (!(width > 0) || places.length < 2) return places;
-  if (kRanked.has(formation)) {
-    const files = Math.min(places.length, Math.max(1, Math.round(width / spacing) + 1));
-    return ranks(places.length, files, spacing);
-  }
-  const stretch = now > 0 ? width / now : 1;
-  return places.map(({ x, y }) => ({ x: x / stretch, y: y * stretch }));
+/** True where a formation takes up a front of any width. */
+export function isRanked({ formation }: GroupShape): boolean {
+  return kRanked.has(formation);
+}
+
+/** The places with a front of another width: other ranks where it stands in ranks, else as they are. */
+export function widened(shape: GroupShape, width: number): readonly GroundPoint[] {
+  const { spacing, places } = shape;
+  if (!(width > 0) || places.length < 2 || !isRanked(shape)) return places;
+  const files = Math.min(places.length, Math.floor(width / spacing + 1e-6) + 1);
+  return ranks(places.length, files, spacing);
+}
+
+/** How far the foremost place is from the centre [m]. */
+export function frontOf(places: readonly GroundPoint[]): number {
+  return Math.max(0, ...places.map(({ x }) => x));
+}
+
+/** Round places, half a metre outside [m]. */
+export function outlineOf(places: readonly GroundPoint[]): GroundPoint[] {
+  const round = places.flatMap(({ x, y }) =>
+    [0, 1, 2, 3, 4, 5, 6, 7].map((k) => ({
+      x: x + kRim * Math.cos((k * Math.PI) / 4),
+      y: y + kRim * Math.sin((k * Math.PI) / 4),
+    })),
+  );
+  return convexHull(round);
+}
+
+/** The front of places that face x, from left to right, half a metre before them. */
+export function frontLine(places: readonly GroundPoint[]): readonly [GroundPoint, GroundPoint] {
+  const [half, ahead] = [widthOf(places) / 2 + kRim, frontOf(places) + kRim];
+  return [
+    { x: ahead, y: half },
+    { x: ahead, y: -half },
+  ];
 }
 
 /** From a group's axes to the ground. */

@@ -67,11 +67,25 @@ describe('shapes', () => {
     expect(widened(block(3, 4), 0)).toHaveLength(12);
     expect(widthOf(widened(block(3, 4), 0.1))).toBe(0);
   });
-  it('other shapes keep their area', () => {
+  it('other shapes stay as they are, and are asked for no width', () => {
     const wedge = { ...block(3, 4), formation: 'wedge' };
-    const wide = widened(wedge, 6);
-    expect(widthOf(wide)).toBeCloseTo(6);
-    expect(widthOf(wide) * depthOf(wide)).toBeCloseTo(widthOf(wedge.places) * depthOf(wedge.places));
+    expect(widened(wedge, 6)).toBe(wedge.places);
+    const [plan] = planLine([group(1, 0, 0, wedge)], { x: 0, y: 9 }, { x: 6, y: 9 });
+    expect([plan!.width, plan!.formation]).toEqual([0, null]);
+  });
+  it('lines, and places without an order of their own, become ranks', () => {
+    const line = { ...block(2, 6), formation: 'line', spacing: 1 };
+    const [plan] = planLine([group(1, 0, 0, line)], { x: 0, y: 9 }, { x: 3, y: 9 });
+    expect([plan!.width, plan!.formation]).toEqual([3, { kind: 'square', spacing: 1 }]);
+    expect(widthOf(plan!.places.map(({ x, y }) => ({ x: y, y: x })))).toBeCloseTo(3);
+  });
+  it('have their mean at the centre, also with a last rank that is not full', () => {
+    // Seven in ranks of five: 5 and 2.
+    const seven = { ...block(1, 7), formation: 'square' };
+    const places = widened(seven, 4);
+    expect(places.reduce((sum, { x }) => sum + x, 0)).toBeCloseTo(0);
+    expect(places.filter(({ x }) => Math.abs(x - 2 / 7) < 1e-9)).toHaveLength(5);
+    expect(places.slice(5).map(({ y }) => y)).toEqual([0.5, -0.5]);
   });
   it('are put on the ground by centre and heading', () => {
     const [front] = placed([{ x: 2, y: 0 }], { x: 10, y: 10 }, Math.PI / 2);
@@ -81,7 +95,9 @@ describe('shapes', () => {
 
 it('an event says no more than was drawn', () => {
   const style = { manner: 'march', turn: 'wheel', mode: 'append' } as const;
-  expect(moveEvent(3, { target: { x: 1.23456, y: 2 }, facing: null, width: 0, route: [] }, style)).toEqual({
+  expect(
+    moveEvent(3, { target: { x: 1.23456, y: 2 }, facing: null, width: 0, route: [], formation: null }, style),
+  ).toEqual({
     kind: 'move',
     group: 3,
     mode: 'append',

@@ -2,8 +2,8 @@
 // before the button is released.
 
 import type { MoveTarget } from './commands';
-import { depthOf, placed, widened, widthOf, type GroupShape } from './group_shapes';
-import { convexHull, distance, type GroundPoint } from './plane';
+import { frontLine, frontOf, isRanked, outlineOf, placed, widened, type GroupShape } from './group_shapes';
+import { distance, type GroundPoint } from './plane';
 
 /** A group that gets an order. */
 export interface OrderedGroup {
@@ -30,22 +30,10 @@ export interface PlannedMove extends MoveTarget {
 const kGap = 1.5;
 /** Points of a drawn way lie so far apart [m]. */
 const kRouteStep = 1;
-/** Round the outermost places [m]. */
-const kRim = 0.5;
 
 function middle(groups: readonly OrderedGroup[]): GroundPoint {
   const total = groups.reduce((sum, { at }) => ({ x: sum.x + at.x, y: sum.y + at.y }), { x: 0, y: 0 });
   return { x: total.x / groups.length, y: total.y / groups.length };
-}
-
-function outlineOf(places: readonly GroundPoint[]): GroundPoint[] {
-  const round = places.flatMap(({ x, y }) =>
-    [0, 1, 2, 3, 4, 5, 6, 7].map((k) => ({
-      x: x + kRim * Math.cos((k * Math.PI) / 4),
-      y: y + kRim * Math.sin((k * Math.PI) / 4),
-    })),
-  );
-  return convexHull(round);
 }
 
 /** How a group would stand with its centre at `target`. */
@@ -57,15 +45,7 @@ function stand(
   local: readonly GroundPoint[] = group.shape.places,
 ): PlannedMove {
   const places = placed(local, target, facing);
-  const [half, ahead] = [widthOf(local) / 2 + kRim, depthOf(local) / 2 + kRim];
-  const [left, right] = placed(
-    [
-      { x: ahead, y: half },
-      { x: ahead, y: -half },
-    ],
-    target,
-    facing,
-  );
+  const [left, right] = placed(frontLine(local), target, facing);
   return {
     group: group.id,
     index: group.index,
@@ -73,11 +53,18 @@ function stand(
     facing: null,
     width: 0,
     route: [],
+    formation: null,
     ...move,
     places,
     outline: outlineOf(places),
     front: [left!, right!],
   };
+}
+
+/** What makes a group take up a front as wide as it is drawn; shapes that are not of ranks stay as they are. */
+function frontOfWidth(shape: GroupShape, width: number): Partial<MoveTarget> {
+  if (!isRanked(shape)) return {};
+  return shape.formation === 'square' ? { width } : { width, formation: { kind: 'square', spacing: shape.spacing } };
 }
 
 /** All go to a point, and keep how they stand to each other. */
@@ -107,13 +94,13 @@ export function planLine(groups: readonly OrderedGroup[], left: GroundPoint, rig
   return order.map((group) => {
     const width = people > 0 ? (room * group.shape.places.length) / people : 0;
     const local = widened(group.shape, width);
-    const [at, back] = [begin + width / 2, depthOf(local) / 2];
+    const [at, back] = [begin + width / 2, frontOf(local)];
     begin += width + kGap;
     const target = {
       x: left.x + along.x * at - ahead.x * back,
       y: left.y + along.y * at - ahead.y * back,
     };
-    return stand(group, target, facing, { facing, width }, local);
+    return stand(group, target, facing, { facing, ...frontOfWidth(group.shape, width) }, local);
   });
 }
 

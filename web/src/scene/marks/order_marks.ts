@@ -2,8 +2,8 @@
 // end. Orders that are being drawn are shown the same way, with all places.
 
 import type { GroupView, OrderView } from '../../model/frame_view';
-import { placed, widened, widthOf, depthOf, type GroupShapes } from '../../model/group_shapes';
-import { convexHull, distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
+import { frontLine, outlineOf, placed, widened, type GroupShapes } from '../../model/group_shapes';
+import { distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
 import { withAlpha } from '../drawing/colour';
 import { accentColour, type Palette } from '../drawing/palette';
@@ -184,13 +184,8 @@ export class OrderMarks {
     if (!shape || shape.places.length === 0 || order.kind === kFollow || order.kind === kGuard) return null;
     const local = widened(shape, order.width);
     const at = order.kind === kFace ? group : order;
-    const [half, ahead] = [widthOf(local) / 2 + 0.5, depthOf(local) / 2 + 0.5];
-    const corners = [
-      { x: ahead, y: half },
-      { x: ahead, y: -half },
-    ];
-    const [left, right] = placed(corners, at, facing);
-    const outline = convexHull(placed(local, at, facing));
+    const [left, right] = placed(frontLine(local), at, facing);
+    const outline = outlineOf(placed(local, at, facing));
     return { index: 0, places: [], outline, front: [left!, right!] };
   }
 
