@@ -73,13 +73,11 @@ protocol::OrderFrame orderFrame(const QueuedOrder& queued) {
 }
 
 /// The queue and the conduct of a group.
-template <class View>
-void fillOrders(const View& view, protocol::GroupFrame& frame) {
+void fillOrders(const GroupView& view, protocol::GroupFrame& frame) {
     frame.x = narrow(view.pose.position.x);
     frame.y = narrow(view.pose.position.y);
     frame.facing = narrow(std::atan2(view.pose.rotation.s, view.pose.rotation.c));
     frame.orders.clear();
-    if constexpr (requires { view.orders; view.way; view.held; view.conduct; }) {
     for (const QueuedOrder& order : view.orders) frame.orders.push_back(orderFrame(order));
     fillPoints(frame.way, view.way);
     frame.held = view.held;
@@ -88,7 +86,6 @@ void fillOrders(const View& view, protocol::GroupFrame& frame) {
     frame.cohesion = narrow(view.conduct.cohesion);
     frame.squeeze = narrow(view.conduct.squeeze);
     frame.avoids = view.conduct.avoids;
-    }
 }
 
 void fillGroup(const World& world, std::size_t group, protocol::GroupFrame& frame) {

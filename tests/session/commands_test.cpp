@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "session/command_text.h"
@@ -45,7 +46,8 @@ TEST_CASE("Commands are read in the words of gesture files") {
 TEST_CASE("What is no order is refused with a sentence that names it") {
     CHECK(has(wrongWith("[{"), "commands"));
     CHECK(has(wrongWith(R"([{"kind":"dance","group":1}])"), "dance"));
-    CHECK(has(wrongWith(R"([{"kind":"queue","group":1,"edit":"hold"},{"kind":"removeObstacle","id":1}])"), "$[1]"));
+    CHECK(has(wrongWith(R"([{"kind":"queue","group":1,"edit":"hold"},{"kind":"removeObstacle","id":1}])"),
+              "$[1]"));
     CHECK(has(wrongWith(R"([{"kind":"parameter","name":"plan.exponent","value":1}])"), "another kind"));
     CHECK_FALSE(wrongWith(R"([{"kind":"move","group":1,"x":"far","y":0}])").empty());
     CHECK_FALSE(wrongWith(R"([{"kind":"move","group":1,"x":1e400,"y":0}])").empty());
@@ -81,7 +83,8 @@ TEST_CASE("Classes and radii come with the ids, and only where somebody has othe
     Session session = startedSession();
     FakeClient plain(session);
     run(session, 0.1, {&plain});
-    for (const protocol::Frame& frame : plain.frames) CHECK((frame.unitClass.empty() && frame.radius.empty()));
+    for (const protocol::Frame& frame : plain.frames)
+        CHECK((frame.unitClass.empty() && frame.radius.empty()));
     WorldDef def = smallFloor();
     def.groups[0].bodies.resize(16);
     def.groups[0].bodies[3].unitClass = 2;
@@ -89,7 +92,7 @@ TEST_CASE("Classes and radii come with the ids, and only where somebody has othe
     REQUIRE(session.load("small", def).ok());
     run(session, 0.1, {&plain});
     const auto known = std::find_if(plain.frames.rbegin(), plain.frames.rend(),
-                                   [](const protocol::Frame& frame) { return !frame.ids.empty(); });
+                                    [](const protocol::Frame& frame) { return !frame.ids.empty(); });
     REQUIRE(known != plain.frames.rend());
     REQUIRE(known->unitClass.size() == 16);
     CHECK(known->unitClass[3] == 2);
@@ -116,4 +119,68 @@ TEST_CASE("A mesh comes with its shape at rest: its places lie where the formati
         CHECK(std::abs(mesh.rest[i + 1] + group.y - group.vertices[i + 1]) < 1e-4f);
     }
     CHECK(group.facing == 0.0f);
+}
+
+TEST_CASE("A queue comes to the page as it was given, with the way and the conduct") {
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.1, {&client});
+    CHECK(client.frames.back().groups[0].orders.empty());
+    CHECK(client.frames.back().groups[0].way.empty());
+    client.send(protocol::Commands{
+        R"([{"kind":"move","group":1,"x":6,"y":-2,"facing":1.5,"width":3},
+            {"kind":"move","group":1,"x":-6,"y":2,"route":[[0,5]],"mode":"append","manner":"free","turn":"keep"},
+            {"kind":"conduct","group":1,"stance":"yield","cohesion":0.5,"squeeze":0.25,"avoids":true}])"});
+    run(session, 0.2, {&client});
+    CHECK(client.notices.empty());
+    const protocol::GroupFrame& group = client.frames.back().groups[0];
+    REQUIRE(group.orders.size() == 2);
+    const protocol::OrderFrame& first = group.orders[0];
+    const protocol::OrderFrame& second = group.orders[1];
+    CHECK(first.id != second.id);
+    CHECK((first.x == 6.0f && first.y == -2.0f && first.width == 3.0f));
+    CHECK((first.hasFacing && first.facing == 1.5f));
+    CHECK(second.route == std::vector<float>{0.0f, 5.0f});
+    CHECK((second.manner == protocol::Manner::Free && second.turn == protocol::Turn::Keep));
+    CHECK_FALSE(second.hasFacing);
+    CHECK((group.stance == protocol::Stance::Yield && group.avoids));
+    CHECK((group.cohesion == 0.5f && group.squeeze == 0.25f));
+    REQUIRE(group.way.size() >= 2);
+    CHECK(std::abs(group.way[group.way.size() - 2] - 6.0f) < 0.5f);
+    client.send(protocol::Commands{R"([{"kind":"queue","group":1,"edit":"hold"},
+                                       {"kind":"queue","group":1,"edit":"patrol"}])"});
+    run(session, 0.1, {&client});
+    CHECK((client.frames.back().groups[0].held && client.frames.back().groups[0].patrols));
+    client.send(protocol::Commands{R"([{"kind":"queue","group":1,"edit":"stop"}])"});
+    run(session, 0.1, {&client});
+    CHECK(client.frames.back().groups[0].orders.empty());
+}
+
+TEST_CASE("A split gives frames another group, with a scene and a mesh before it; a merge takes it away") {
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.1, {&client});
+    const std::size_t scenes = client.scenes.size();
+    client.send(protocol::Commands{R"([{"kind":"split","group":1,"by":"line","points":[[0,-9],[0,9]]}])"});
+    run(session, 0.2, {&client});
+    CHECK(client.notices.empty());
+    REQUIRE(client.frames.back().groups.size() == 2);
+    CHECK(client.scenes.size() > scenes);
+    const std::uint32_t part = client.frames.back().groups[1].id;
+    CHECK(client.meshes.back().group == part);
+    CHECK(std::count(client.page.group.begin(), client.page.group.end(), 1) == 8);
+    // Those to the left of a line to the north stood in the west.
+    for (std::size_t i = 0; i < client.page.ids.size(); ++i)
+        CHECK((client.page.group[i] == 1) == (client.page.x[i] < 0.0));
+    bool added = false;
+    for (const protocol::Frame& frame : client.frames)
+        for (const protocol::EventFrame& event : frame.events)
+            added |= event.kind == protocol::EventKind::GroupAdded && event.subject == part &&
+                     event.value == 1;
+    CHECK(added);
+    client.send(protocol::Commands{"[{\"kind\":\"merge\",\"groups\":[1," + std::to_string(part) + "]}]"});
+    run(session, 0.2, {&client});
+    REQUIRE(client.frames.back().groups.size() == 1);
+    CHECK(client.page.ids.size() == 16);
+    CHECK(std::count(client.page.group.begin(), client.page.group.end(), 0) == 16);
 }

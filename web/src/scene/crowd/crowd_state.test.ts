@@ -20,6 +20,20 @@ describe('CrowdState', () => {
     expect(Array.from(state.positions)).toEqual([0.5, 0.5, 4.5, 0]);
   });
 
+  it('draws big bodies big, and takes other classes and radii as other members', () => {
+    const state = new CrowdState();
+    state.setUsualRadius(0.25);
+    const first = madeFrame(1, [0, 4], { unitClass: [0, 3], radius: [25, 50] });
+    expect(state.takeMembers(first)).toBe(true);
+    expect(state.scale[0]).toBeCloseTo(1);
+    expect(state.scale[1]).toBeCloseTo(2 ** 0.7);
+    expect(Array.from(state.unitClass)).toEqual([0, 3]);
+    expect(state.takeMembers(first)).toBe(false);
+    expect(state.takeMembers(madeFrame(2, [0, 4], { unitClass: [1, 3], radius: [25, 50] }))).toBe(true);
+    expect(state.takeMembers(madeFrame(3, [0, 4], { unitClass: [1, 3] }))).toBe(true);
+    expect(state.scale[1]).toBeCloseTo(1);
+  });
+
   it('is there at once where somebody was put elsewhere', () => {
     const state = crowd(1);
     state.update({ from: madeFrame(1, [0]), to: madeFrame(2, [50]), alpha: 0.25 });

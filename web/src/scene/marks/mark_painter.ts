@@ -72,9 +72,13 @@ export class MarkPainter {
 
   /** A number on a disc in the accent; `ink` is read on it. */
   badge(at: ScreenPoint, text: string, colours: MarkColours, ink: string): void {
-    this.disc(at, 11.5, colours.casing);
-    this.disc(at, 10, colours.accent);
     const pen = this.pen_;
+    const half = 10 + 3.2 * (text.length - 1);
+    pen.save();
+    pen.translate(at.x, at.y);
+    this.box(half + 1.5, 11.5, 11.5, colours.casing);
+    this.box(half, 10, 10, colours.accent);
+    pen.restore();
     pen.fillStyle = ink;
     pen.font = '600 12px "Inter Variable", Inter, system-ui, sans-serif';
     pen.textAlign = 'center';

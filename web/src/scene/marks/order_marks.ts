@@ -98,7 +98,7 @@ export class OrderMarks {
   private pointsOf(group: GroupView, scene: OrderScene): GroundPoint[] {
     const points: GroundPoint[] = group.held ? [group] : [];
     for (const leg of legsOf(group, scene.groups)) {
-      points.push(...leg.points, ...(this.ghost(group, leg.order, leg.facing, scene)?.outline ?? []));
+      points.push(...leg.points, ...(this.ghost(group, leg, scene)?.outline ?? []));
       if (leg.order.kind === kGuard) points.push(...rectangleOf(leg.order));
     }
     return points;
@@ -137,17 +137,25 @@ export class OrderMarks {
     for (const leg of legs) this.drawLeg(leg, colours, scene);
     if (last) this.drawGhost(group, last, colours, scene);
     for (const { order } of legs) if (order.kind === kGuard) this.drawGuard(order, colours, scene);
-    legs.forEach(({ points }, k) => {
-      const end = points[points.length - 1]!;
-      const near = legs.length === 1 && distance(end, group) < kReached;
-      if (near) return;
-      const at = scene.camera.worldToScreen(end.x, end.y);
-      if (legs.length > 1 || group.patrols) painter.badge(at, String(k + 1), colours, scene.palette.onAccent);
-      else painter.checkpoint(at, colours, true);
-    });
+    this.drawNumbers(group, legs, colours, scene);
     if (group.held && legs.length > 0) {
       painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, scene.palette.onAccent);
     }
+  }
+
+  /** A number at the end of each leg; orders at one place share a badge. */
+  private drawNumbers(group: GroupView, legs: readonly Leg[], colours: MarkColours, scene: OrderScene): void {
+    const ends = legs.map(({ points }) => points[points.length - 1]!);
+    let first = 0;
+    ends.forEach((end, k) => {
+      const next = ends[k + 1];
+      if (next && distance(end, next) < kReached) return;
+      const text = first < k ? `${first + 1}–${k + 1}` : `${k + 1}`;
+      first = k + 1;
+      const at = scene.camera.worldToScreen(end.x, end.y);
+      if (legs.length > 1 || group.patrols) this.painter_.badge(at, text, colours, scene.palette.onAccent);
+      else if (distance(end, group) >= kReached) this.painter_.checkpoint(at, colours, true);
+    });
   }
 
   private drawLeg({ points, order }: Leg, colours: MarkColours, scene: OrderScene): void {
@@ -179,21 +187,23 @@ export class OrderMarks {
     this.painter_.dashed(this.screen(ends, scene), withAlpha(colours.accent, 0.8), 2.2, false);
   }
 
-  private ghost(group: GroupView, order: OrderView, facing: number, { shapes }: OrderScene): StandPreview | null {
+  private ghost(group: GroupView, { order, points, facing }: Leg, { shapes }: OrderScene): StandPreview | null {
     const shape = shapes.of(group.id);
-    if (!shape || shape.places.length === 0 || order.kind === kFollow || order.kind === kGuard) return null;
+    const at = points[points.length - 1];
+    if (!shape || !at || shape.places.length === 0 || order.kind === kFollow || order.kind === kGuard) return null;
     const local = widened(shape, order.width);
-    const at = order.kind === kFace ? group : order;
     const [left, right] = placed(frontLine(local), at, facing);
     const outline = outlineOf(placed(local, at, facing));
     return { index: 0, places: [], outline, front: [left!, right!] };
   }
 
   /** How it will stand: the outline dashed, the front with the way it faces. */
-  private drawGhost(group: GroupView, { order, facing }: Leg, colours: MarkColours, scene: OrderScene): void {
-    const ghost = this.ghost(group, order, facing, scene);
-    if (!ghost) return;
-    if (distance(group, order) < 1 && Math.abs(Math.sin((group.facing - facing) / 2)) < 0.1) return;
+  private drawGhost(group: GroupView, leg: Leg, colours: MarkColours, scene: OrderScene): void {
+    const ghost = this.ghost(group, leg, scene);
+    const end = leg.points[leg.points.length - 1];
+    if (!ghost || !end) return;
+    // Who stands there already needs none.
+    if (distance(group, end) < 1 && Math.abs(Math.sin((group.facing - leg.facing) / 2)) < 0.1) return;
     this.painter_.dashed(this.screen(ghost.outline, scene), withAlpha(colours.accent, 0.8), 1.6, true);
     this.drawFront(ghost.front, colours, scene);
   }

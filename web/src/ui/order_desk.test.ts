@@ -1,0 +1,145 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { EventKind, type ClientMessage, type GroupMesh } from '../protocol/messages';
+import type { StudioFrame } from '../model/studio_frame';
+import { StudioStore } from '../model/studio_store';
+import { kIdle } from '../model/test_frames';
+import { OrderDesk } from './order_desk';
+
+let sent: ClientMessage[];
+let said: string[];
+let store: StudioStore;
+let desk: OrderDesk;
+const noKeys = { shift: false, alt: false };
+
+/** A mesh of one triangle with three places on its corners. */
+function mesh(group: number): GroupMesh {
+  return {
+    type: 'GroupMesh',
+    group,
+    version: 1,
+    formation: 'square',
+    spacing: 1,
+    rest: Float32Array.of(1, 0, -1, 1, -1, -1),
+    triangles: Uint32Array.of(0, 1, 2),
+    boundary: Uint32Array.of(3, 0, 1, 2),
+    placeTriangles: Uint32Array.of(0, 0, 0),
+    placeWeights: Float32Array.of(1, 0, 0, 1, 0, 0),
+  };
+}
+
+function frame(groups: readonly [id: number, x: number][], members: number[], events: unknown[] = []): StudioFrame {
+  const made = groups.map(([id, x]) => {
+    const corners = Float32Array.of(x + 1, 0, x - 1, 1, x - 1, -1);
+    return { id, controls: [], ...kIdle, x, vertices: corners, places: corners };
+  });
+  const ids = Uint32Array.from(members, (_, i) => i + 1);
+  const x = new Float32Array(members.length);
+  return { groups: made, ids, group: Uint8Array.from(members), x, events } as unknown as StudioFrame;
+}
+
+/** The events of all Commands that were sent. */
+function events(): Record<string, unknown>[] {
+  return sent.flatMap((one) => (one.type === 'Commands' ? (JSON.parse(one.events) as Record<string, unknown>[]) : []));
+}
+
+beforeEach(() => {
+  sent = [];
+  said = [];
+  store = new StudioStore();
+  const scene = {
+    orders: { previewOrder: () => undefined, previewCut: () => undefined },
+    previewControl: () => undefined,
+    worldToScreen: (at: { x: number; y: number }) => at,
+  };
+  desk = new OrderDesk({ send: (one) => sent.push(one) }, store, scene, (text) => said.push(text));
+  const info = (id: number, name: string) => ({ id, name, colour: 0, count: 3, formation: 'square' });
+  store.set({ groups: [info(4, 'North'), info(9, 'South')] });
+  desk.setMesh(mesh(4));
+  desk.setMesh(mesh(9));
+  desk.observe(
+    frame(
+      [
+        [4, 0],
+        [9, 20],
+      ],
+      [0, 0, 0, 1, 1, 1],
+    ),
+  );
+});
+
+describe('OrderDesk', () => {
+  it('gives orders to the active group until others are chosen', () => {
+    expect(store.state.selected).toEqual([4]);
+    expect(desk.groups().map(({ id }) => id)).toEqual([4]);
+    desk.choose(1, true);
+    expect(desk.groups().map(({ id }) => id)).toEqual([4, 9]);
+    desk.choose(1, true);
+    expect(store.state.selected).toEqual([4]);
+    desk.choose(0, true);
+    expect(store.state.selected).toEqual([4]);
+    desk.chooseWithin({ x: 15, y: -5 }, { x: 25, y: 5 });
+    expect([store.state.selected, store.state.active]).toEqual([[9], 1]);
+    desk.chooseAll();
+    desk.stop();
+    expect(events()).toEqual([
+      { kind: 'queue', group: 4, edit: 'stop' },
+      { kind: 'queue', group: 9, edit: 'stop' },
+    ]);
+  });
+
+  it('follows the group under the press, behind it, and puts the tool away', () => {
+    desk.setTool('follow');
+    desk.follow({ x: 0, y: 0 }, noKeys);
+    expect(events()).toEqual([]);
+    expect(store.state.tool).toBe('follow');
+    desk.follow({ x: 20, y: 0 }, { ...noKeys, shift: true });
+    expect(events()).toEqual([{ kind: 'follow', group: 4, mode: 'append', leader: 9, offset: [-4, 0] }]);
+    expect(store.state.tool).toBe('steer');
+  });
+
+  it('chooses the part that a split of ours has made, and undoes it by a merge', () => {
+    desk.split({ group: 4, index: 0, from: { x: 0, y: -3 }, to: { x: 0, y: 3 }, left: 1, right: 2 });
+    const parts = [...store.state.groups, { id: 12, name: 'North 2', colour: 5, count: 1, formation: 'points' }];
+    store.set({ groups: parts });
+    const added = { kind: EventKind.GroupAdded, subject: 12, value: 4, x: 0, y: 0 };
+    desk.observe(
+      frame(
+        [
+          [4, 0],
+          [9, 20],
+          [12, 1],
+        ],
+        [0, 0, 2, 1, 1, 1],
+        [added],
+      ),
+    );
+    expect([store.state.active, store.state.selected, store.state.canUndo]).toEqual([2, [12], true]);
+    desk.undo();
+    expect(events()[1]).toEqual({ kind: 'merge', groups: [4, 12], shape: 'asHeld' });
+    expect(store.state.canUndo).toBe(false);
+  });
+
+  it('undoes a merge by the ids that the dragged group had', () => {
+    desk.merge(4, 9);
+    desk.observe(frame([[4, 0]], [0, 0, 0, 0, 0, 0]));
+    store.set({ groups: store.state.groups.slice(0, 1) });
+    desk.undo();
+    expect(events()).toEqual([
+      { kind: 'merge', groups: [4, 9], shape: 'smaller' },
+      { kind: 'split', group: 4, by: 'ids', ids: [4, 5, 6], shape: 'asHeld' },
+    ]);
+  });
+
+  it('changes one part of the conduct and keeps the others', () => {
+    const conduct = { stance: 'hold', cohesion: 0.5, squeeze: 0.25, avoids: false } as const;
+    store.set({ units: [{ id: 4, orders: [], held: false, patrols: false, conduct, classes: [] }] });
+    desk.setConduct({ squeeze: 1 });
+    expect(events()).toEqual([{ kind: 'conduct', group: 4, ...conduct, squeeze: 1 }]);
+  });
+
+  it('tells why a stroke did nothing', () => {
+    desk.missed('The stroke leaves nobody on one side');
+    expect(store.state.notice?.text).toBe('The stroke leaves nobody on one side.');
+    expect(said).toHaveLength(1);
+  });
+});

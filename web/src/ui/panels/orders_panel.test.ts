@@ -1,0 +1,102 @@
+// @vitest-environment jsdom
+import { beforeEach, expect, it } from 'vitest';
+import type { OrderActions } from '../../model/order_actions';
+import type { UnitInfo } from '../../model/studio_state';
+import { StudioStore } from '../../model/studio_store';
+import { OrdersPanel } from './orders_panel';
+
+const calls: string[] = [];
+const actions = new Proxy(
+  {},
+  {
+    get:
+      (_, name) =>
+      (...values: unknown[]) =>
+        calls.push([name, ...values.map((value) => JSON.stringify(value))].map(String).join(' ')),
+  },
+) as OrderActions;
+let store: StudioStore;
+let root: HTMLElement;
+const find = (selector: string): HTMLElement => root.querySelector<HTMLElement>(selector)!;
+const tile = (label: string): HTMLElement => find(`.order-tile[aria-label="${label}"]`);
+
+const unit: UnitInfo = {
+  id: 7,
+  orders: [],
+  held: false,
+  patrols: false,
+  conduct: { stance: 'normal', cohesion: 0, squeeze: 1, avoids: false },
+  classes: [],
+};
+
+beforeEach(() => {
+  calls.length = 0;
+  store = new StudioStore();
+  root = new OrdersPanel(store, actions).root;
+  document.body.replaceChildren(root);
+  const groups = [{ id: 7, name: 'North', colour: 0, count: 9, formation: 'square' }];
+  store.set({ loaded: true, groups, units: [unit] });
+});
+
+it('shows the tool in hand and takes another', () => {
+  tile('Cut').click();
+  expect(calls).toEqual(['toggleTool "cut"']);
+  store.set({ tool: 'cut' });
+  expect([tile('Cut'), tile('Steer')].map((one) => one.getAttribute('aria-pressed'))).toEqual(['true', 'false']);
+});
+
+it('says what the button of a group that waits does', () => {
+  tile('Hold').click();
+  store.set({ units: [{ ...unit, held: true, patrols: true }] });
+  expect(tile('Go on').textContent).toBe('Go on');
+  expect(tile('Patrol').getAttribute('aria-pressed')).toBe('true');
+  tile('Stop').click();
+  expect(calls).toEqual(['toggleHold', 'stop']);
+});
+
+it('undoes only where there is something to undo', () => {
+  expect(tile('Undo').getAttribute('aria-disabled')).toBe('true');
+  store.set({ canUndo: true });
+  expect(tile('Undo').getAttribute('aria-disabled')).toBe('false');
+});
+
+it('has the dials of the active group, and sets them', () => {
+  store.set({ units: [{ ...unit, conduct: { stance: 'yield', cohesion: 0.25, squeeze: 0.5, avoids: true } }] });
+  const cohesion = find('input[aria-label="Cohesion"]') as HTMLInputElement;
+  expect(cohesion.value).toBe('25');
+  cohesion.value = '60';
+  cohesion.dispatchEvent(new Event('change'));
+  const pressed = [...root.querySelectorAll('[aria-label="Meets others"] button')].map((one) =>
+    one.getAttribute('aria-pressed'),
+  );
+  expect(pressed).toEqual(['false', 'false', 'true']);
+  const switches = [...root.querySelectorAll<HTMLElement>('.switch')];
+  expect(switches.map((one) => one.getAttribute('aria-checked'))).toEqual(['false', 'true']);
+  switches[0]!.click();
+  switches[1]!.click();
+  expect(calls).toEqual(['setConduct {"cohesion":0.6}', 'setStyle {"mode":"append"}', 'setConduct {"avoids":false}']);
+});
+
+it('lists the queue, and cancels by the id', () => {
+  expect(find('.order-queue').hidden).toBe(true);
+  store.set({
+    units: [
+      {
+        ...unit,
+        orders: [
+          { id: 31, kind: 0 },
+          { id: 32, kind: 3 },
+        ],
+      },
+    ],
+  });
+  expect([...root.querySelectorAll('.order-queue li')].map((one) => one.textContent)).toEqual(['1Move', '2Guard']);
+  find('[aria-label="Cancel order 2, Guard"]').click();
+  expect(calls).toEqual(['cancelOrder 32']);
+});
+
+it('tells the classes of the active group', () => {
+  expect(find('.class-legend').hidden).toBe(true);
+  store.set({ units: [{ ...unit, classes: [{ unitClass: 2, count: 12 }] }] });
+  expect(find('.class-legend').textContent).toBe('Class 212');
+});
