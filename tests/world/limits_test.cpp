@@ -163,6 +163,7 @@ TEST_CASE("a checkpoint keeps to its group when another goes") {
     checkpoint.position = {10, 8};
     checkpoint.formation.kind = FormationKind::Ring;
     checkpoint.group = 2;
+    checkpoint.trigger = CheckpointTrigger::Mesh;
     def.checkpoints = {checkpoint};
     World world = World::create(def).value();
     const GroupId second = world.group(1).id;

@@ -165,7 +165,8 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     queue.target = order.target;
     queue.reachable = true;
     if (order.kind == OrderKind::Move) {
-        const OrderGoal goal = goalOf(state, group, regionOf(state, group), extentOf(group).width, order.target);
+        const std::int32_t region = regionOf(state, group);
+        const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
         queue.target = goal.target;
         queue.reachable = goal.reachable;
         const bool last = queue.orders.size() == 1;
@@ -216,8 +217,8 @@ void OrderStage::restart(WorldState& state, Group& group) {
         return;
     }
     const std::int32_t region = regionOf(state, group);
-    const OrderGoal goal = goalOf(state, group, region, extentOf(group).width, order.target);
-    listLegs(state, group, region, order, goal, march.legs);
+    const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
+    listLegs(state.routesOf(group), region, order, goal, march.legs);
     march.way.assign(1, pose.position);
     march.next = 1;
     march.phase = MarchPhase::Search;
@@ -228,7 +229,8 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     March& march = queue.march;
     const Order& order = queue.orders.front().order;
     if (march.phase == MarchPhase::Search && budget_ > 0) {
-        const bool whole = ways_.advance(state, group, regionOf(state, group), !order.route.empty(),
+        const std::int32_t region = regionOf(state, group);
+        const bool whole = ways_.advance(state, state.routesOf(group), region, !order.route.empty(),
                                          needsOf(state, group, order), march, budget_);
         if (whole) {
             if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
@@ -343,7 +345,7 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
         march.phase = MarchPhase::Search;
     }
     if (march.phase == MarchPhase::Search && budget_ > 0 &&
-        ways_.advance(state, group, region, false, needsOf(state, group, order), march, budget_))
+        ways_.advance(state, state.routesOf(group), region, false, needsOf(state, group, order), march, budget_))
         march.phase = MarchPhase::Go;
     group.mesh.setPose(advanceMarch(def, march, pose, dt));
     march.last = group.mesh.pose();
@@ -438,15 +440,15 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     const std::int32_t region = regionOf(state, group);
     const FormationExtent extent = extentOf(group);
     if (asked.kind == OrderKind::Face) asked.target = pose.position;
-    const OrderGoal goal = goalOf(state, group, region, extent.width, asked.target);
+    const OrderGoal goal = goalOf(state.refreshRoutes(group.groundClass), region, extent.width, asked.target);
     March march;
     march.reversed = group.orders.march.reversed;
     march.way.assign(1, pose.position);
-    listLegs(state, group, region, asked, goal, march.legs);
+    listLegs(state.routesOf(group), region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
-    WayFinder finder;
-    finder.update(state);
-    while (!finder.advance(state, group, region, !asked.route.empty(), needsOf(state, group, asked), march, budget))
+    // A search that is under way is run again up to where it was.
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), march, budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
     forecast.arrives = goal.reachable;

@@ -6,6 +6,7 @@
 #include "base/maths.h"
 #include "routes/route_search.h"
 #include "world/state/ground_class.h"
+#include "world/state/layer_defs.h"
 
 namespace muster {
 namespace {
@@ -14,6 +15,7 @@ constexpr double kKeepUp = 0.97;        // Of the top speed of the slowest: so o
 constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
 constexpr double kNearTarget = 1.0;     // A target in an obstacle counts as reached so near to it at least [m].
 constexpr double kStep = 0.25;          // Of looks for walls [m].
+constexpr double kPost = 1.0;           // A wall is longer than this [m].
 constexpr double kCentring = 1.0;       // Between points that are moved to the middle of a passage [m].
 constexpr std::int32_t kLegWork = 5;    // Cells for which a straight leg counts.
 
@@ -31,9 +33,8 @@ FormationExtent extentOf(const Group& group) {
     return extent;
 }
 
-OrderGoal goalOf(WorldState& state, const Group& group, std::int32_t region, double width, Vec2 target) {
+OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target) {
     if (region < 0) return {target, target, true};
-    RouteGraph& routes = state.refreshRoutes(group.groundClass);
     const std::int32_t at = routes.region(target);
     if (at == region) return {target, target, true};
     const Vec2 nearest = routes.nearestReachable(target, region);
@@ -67,7 +68,7 @@ WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order
 
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order, const FormationExtent& extent) {
     const Parameters::Character& character = state.parameters.character;
-    double slowest = state.parameters.place.speed, least = character.acceleration;
+    double slowest = placeDefOf(state, group, placeDef(state.parameters)).maxSpeed, least = character.acceleration;
     for (const std::int32_t i : group.members) {
         const Body& body = state.characters.body[i];
         slowest = std::min(slowest, body.maxSpeed > 0.0 ? body.maxSpeed : character.maxSpeed);
@@ -83,10 +84,9 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     return def;
 }
 
-void listLegs(WorldState& state, const Group& group, std::int32_t region, const Order& order,
-              const OrderGoal& goal, std::vector<Vec2>& legs) {
+void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order, const OrderGoal& goal,
+              std::vector<Vec2>& legs) {
     legs.clear();
-    const RouteGraph& routes = state.refreshRoutes(group.groundClass);
     for (const Vec2 p : order.route)
         if (region < 0 || routes.region(p) == region) legs.push_back(p);
     legs.push_back(goal.ground);
@@ -98,12 +98,19 @@ bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& ne
     return stretchCost(ground_, needs, from, to) <= 1.001 * distance(from, to);
 }
 
+// Single trees and posts are no walls: a formation lets them through.
+bool WayFinder::isWall(Vec2 p, Vec2 along) const {
+    const Box& box = ground_.environment().def().box;
+    const auto blocked = [&](Vec2 q) { return !box.contains(q) || ground_.clearanceAt(q) < 0.5 * kStep; };
+    return blocked(p) && (blocked(p + along * kPost) || blocked(p - along * kPost));
+}
+
 double WayFinder::roomBeside(Vec2 p, Vec2 side, double most) const {
     const Box& box = ground_.environment().def().box;
     for (double at = 0.0; at < most;) {
         const Vec2 q = p + side * at;
         const double clearance = box.contains(q) ? ground_.clearanceAt(q) : 0.0;
-        if (clearance < 0.5 * kStep) return at + std::max(clearance, 0.0);
+        if (isWall(q, perpendicular(side))) return at + std::max(clearance, 0.0);
         at += std::max(clearance, kStep);
     }
     return most;
@@ -133,9 +140,8 @@ void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march, c
     }
 }
 
-bool WayFinder::advance(WorldState& state, const Group& group, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
+bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
                         std::int32_t& budget) {
-    RouteGraph& routes = state.refreshRoutes(group.groundClass);
     while (!march.legs.empty() && budget > 0) {
         const Vec2 to = march.legs.front();
         Vec2 from = march.way.back();

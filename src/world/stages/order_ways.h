@@ -29,15 +29,15 @@ struct OrderGoal {
 /// The extent of a group's formation.
 FormationExtent extentOf(const Group& group);
 /// Where a group in a region comes by an order to go to `target` [m].
-OrderGoal goalOf(WorldState& state, const Group& group, std::int32_t region, double width, Vec2 target);
+OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
 /// The room that a group needs on its way.
 WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
 /// The bounds of a group's march.
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order, const FormationExtent& extent);
 /// The points through which an order leads, from the first after the group's position to the end: those of a drawn
 /// way on which the group can stand, then the goal [m].
-void listLegs(WorldState& state, const Group& group, std::int32_t region, const Order& order,
-              const OrderGoal& goal, std::vector<Vec2>& legs);
+void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order, const OrderGoal& goal,
+              std::vector<Vec2>& legs);
 
 /// Searches the ways of marches, leg by leg.
 class WayFinder {
@@ -47,7 +47,7 @@ public:
     const WayGround& ground() const { return ground_; }  ///< As of the last update().
     /// Goes on with the search for the legs of a march for `budget` cells, about, and takes what it used off it. True
     /// once the whole way is known.
-    bool advance(WorldState& state, const Group& group, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
+    bool advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
                  std::int32_t& budget);
     /// Length of way ahead, and some behind, whose narrowest width is asked for; the width [m], `most` where wider.
     double narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const;
@@ -55,6 +55,7 @@ public:
 private:
     bool straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from, Vec2 to) const;
     void append(WorldState& state, const WayNeeds& needs, March& march, const std::vector<Vec2>& path);
+    bool isWall(Vec2 p, Vec2 along) const;
     double roomBeside(Vec2 p, Vec2 side, double most) const;
 
     WayGround ground_;

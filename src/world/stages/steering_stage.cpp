@@ -40,7 +40,7 @@ void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs
     const GuidanceInput input{members_.positions(), members_.places(), group.places.positions(),
                               &costs.ofClass(group.groundClass), state.parameters.character.directReach};
     group.plan->guide(input, pool, directions_, costs_);
-    const Vec2 facing = group.mesh.pose().rotation.apply({1.0, 0.0});
+    const Vec2 facing = group.orders.march.front(group.mesh.pose());
     Characters& characters = state.characters;
     for (std::size_t k = 0; k < count; ++k) {
         const std::int32_t i = group.members[k];
