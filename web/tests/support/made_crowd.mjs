@@ -72,6 +72,8 @@ function meshOf(group, count) {
     formation: 'square',
     triangles: Uint32Array.from(triangles),
     boundary: Uint32Array.of(rim.length, ...rim),
+    spacing: 1,
+    rest: new Float32Array(0),
     placeTriangles: Uint32Array.from({ length: count }, (_, k) => Math.floor((k * 722) / count)),
     placeWeights: new Float32Array(2 * count).fill(0.33),
   };
@@ -205,6 +207,17 @@ class Conversation {
       offsets: new Int16Array(0),
       unfit: new Uint8Array(0),
       controls: [],
+      x: 0,
+      y: 0,
+      facing: 0,
+      orders: [],
+      way: new Float32Array(0),
+      held: false,
+      patrols: false,
+      stance: 0,
+      cohesion: 0,
+      squeeze: 1,
+      avoids: false,
     }));
     this.sizes.push(
       this.send({
@@ -219,6 +232,8 @@ class Conversation {
         demonstrating: false,
         touchEcho: 0,
         sceneRevision: 1,
+        unitClass: new Uint8Array(0),
+        radius: new Uint8Array(0),
         ids: first ? Uint32Array.from({ length: this.count }, (_, i) => i + 1) : new Uint32Array(0),
         group: first ? Uint8Array.from({ length: this.count }, (_, i) => (i < half ? 0 : 1)) : new Uint8Array(0),
         crowd: this.walkers.crowd(frame, this.near),
