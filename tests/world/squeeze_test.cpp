@@ -88,6 +88,25 @@ TEST_CASE("who may not narrow takes the wide way, and keeps the shape where ther
     CHECK(world.group(0).orders.empty());
 }
 
+TEST_CASE("trees on the way do not narrow a formation") {
+    WorldDef def = gapScene(3.0);
+    def.obstacles.clear();
+    for (const double y : {-3.0, 3.2, 7.0}) def.obstacles.push_back(tree({0, y}, 0.4));
+    const Passing passing = pass(def);
+    CHECK(passing.done);
+    CHECK(passing.files == 9);
+}
+
+TEST_CASE("a thin wall with a door narrows it") {
+    WorldDef def = gapScene(3.0);
+    def.obstacles = {block(-0.15, -20, 0.15, -1.5), block(-0.15, 1.5, 0.15, 20)};
+    const Passing passing = pass(def);
+    CHECK(passing.done);
+    CHECK(passing.files >= 2);
+    CHECK(passing.files <= 3);
+    CHECK(passing.world.groupDef(0).formation.files == 9);
+}
+
 TEST_CASE("checkpoints fire when the crowd passes, however it was ordered") {
     for (const bool march : {false, true}) {
         WorldDef def;

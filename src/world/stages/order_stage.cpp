@@ -24,7 +24,8 @@ constexpr double kSoonDone = 5.0;    // Following ends so soon where another ord
 constexpr double kBeside = 0.1;      // Between bodies and walls of a passage [m].
 constexpr double kTight = 0.5;       // Passages narrower by so much are wide enough [m].
 constexpr double kLookAhead = 8.0;   // For passages [m].
-constexpr std::uint32_t kSqueezeEvery = 10;  // Steps between looks for passages.
+constexpr std::uint32_t kSqueezeEvery = 10;  // Steps between looks for passages,
+constexpr std::uint32_t kWidenEvery = 120;   // and between those that widen a formation again.
 
 /// True while fingers hold the mesh, or their ways are followed.
 bool isHandled(const Group& group) {
@@ -300,7 +301,7 @@ void OrderStage::squeeze(WorldState& state, Group& group, const FormationExtent&
     const auto fit = static_cast<std::int32_t>(std::floor(inner / spacing + 1e-9)) + 1;
     const std::int32_t files = room >= full - kTight ? most : std::clamp(fit, least, most);
     const std::int32_t now = queue.files > 0 ? queue.files : most;
-    if (files == now) return;
+    if (files == now || (files > now && state.stepCount % kWidenEvery != 0)) return;
     if (files == most) return restoreOwn(state, group, pool);
     FormationDef narrow = own;
     narrow.kind = FormationKind::Square;

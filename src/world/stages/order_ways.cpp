@@ -15,7 +15,7 @@ constexpr double kKeepUp = 0.97;        // Of the top speed of the slowest: so o
 constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
 constexpr double kNearTarget = 1.0;     // A target in an obstacle counts as reached so near to it at least [m].
 constexpr double kStep = 0.25;          // Of looks for walls [m].
-constexpr double kPost = 1.0;           // A wall is longer than this [m].
+constexpr double kPost = 2.0;           // A wall is longer than this [m].
 constexpr double kCentring = 1.0;       // Between points that are moved to the middle of a passage [m].
 constexpr std::int32_t kLegWork = 5;    // Cells for which a straight leg counts.
 
@@ -102,7 +102,10 @@ bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& ne
 bool WayFinder::isWall(Vec2 p, Vec2 along) const {
     const Box& box = ground_.environment().def().box;
     const auto blocked = [&](Vec2 q) { return !box.contains(q) || ground_.clearanceAt(q) < 0.5 * kStep; };
-    return blocked(p) && (blocked(p + along * kPost) || blocked(p - along * kPost));
+    if (!blocked(p)) return false;
+    for (const Vec2 direction : {along, -along, perpendicular(along), -perpendicular(along)})
+        if (blocked(p + direction * (0.5 * kPost)) && blocked(p + direction * kPost)) return true;
+    return false;
 }
 
 double WayFinder::roomBeside(Vec2 p, Vec2 side, double most) const {
