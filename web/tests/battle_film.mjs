@@ -1,5 +1,5 @@
 // A battle as the page shows it, one picture every few seconds: node tests/battle_film.mjs [--out FOLDER]
-// [--scenario FILE] [--seconds 60] [--every 5] [--size desktop] [--scheme dark]. Its orders come from its gestures file.
+// [--scenario FILE] [--seconds 60] [--every 5] [--size desktop] [--scheme dark] [--queues]. Its orders come from its gestures file.
 import { mkdirSync } from 'node:fs';
 import { chromium } from 'playwright-core';
 import { startStudio } from './support/server.mjs';
@@ -26,6 +26,18 @@ async function playTo(studio, time) {
   await studio.pictures(2);
 }
 
+/** In the page: brings all groups and their queues into view. */
+function lookAtQueues() {
+  const { frame, view } = globalThis.__muster;
+  const spots = frame.groups.flatMap((group) => [group, ...group.orders.filter((order) => order.kind === 0)]);
+  const range = (values) => [Math.min(...values), Math.max(...values)];
+  const [left, right] = range(spots.map(({ x }) => x));
+  const [low, high] = range(spots.map(({ y }) => y));
+  const { camera } = view;
+  const distance = (Math.max(right - left, high - low) + 30) / (2 * Math.tan(camera.fieldOfView / 2));
+  camera.setPose({ ...camera.pose, targetX: (left + right) / 2, targetY: (low + high) / 2, distance });
+}
+
 const server = await startStudio({ scenario: option('scenario', 'scenarios/battle.json'), port: 18380 });
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
 try {
@@ -37,6 +49,10 @@ try {
   await studio.page.keyboard.press('a');
   for (let time = 0; time <= seconds; time += every) {
     await playTo(studio, Math.max(0.2, time));
+    if (process.argv.includes('--queues')) {
+      await studio.page.evaluate(lookAtQueues);
+      await studio.pictures(3);
+    }
     const file = `battle-${size}-${colorScheme}-${String(time).padStart(2, '0')}s.png`;
     await studio.page.screenshot({ path: `${out}/${file}` });
     const { groups, x } = await studio.frame();
