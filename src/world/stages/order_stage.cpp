@@ -325,7 +325,7 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
     const Pose pose = group.mesh.pose();
     const double dt = state.parameters.stepTime;
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
-    const Vec2 goal = leading.apply(order.offset);
+    const Vec2 goal = state.environment.def().box.clamp(leading.apply(order.offset));
     const std::int32_t region = regionOf(state, group);
     const bool free = region < 0 || state.routesOf(group).region(goal) == region;
     if (free && state.environment.clearStaticLine(pose.position, goal, radius)) {
@@ -369,6 +369,7 @@ OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {
         centre += at.position;
         front = {cosine(facing + at.angle), sine(facing + at.angle)};
     }
+    centre = state.environment.def().box.clamp(centre);
     queue.target = centre;
     queue.march.phase = MarchPhase::Stand;
     queue.march.reversed = false;
