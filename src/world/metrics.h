@@ -25,7 +25,8 @@ struct RunFigures {
     double pathRatio = -1.0;
     std::int32_t overlapPairsMax = 0;  ///< Most pairs at once deeper than 10 % of the mean diameter.
     double worstPenetration = 0.0;     ///< Share of the mean diameter.
-    double topSpeedRatio = 0.0;  ///< Largest displacement of a step, in steps at own top speed on that ground.
+    double
+        topSpeedRatio = 0.0;  ///< Largest displacement of a step, in steps at own top speed on that ground.
     double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
     WalkTotals planned;                       ///< Paths to the places by the last plan, all groups.
     WalkTotals walked;                        ///< Paths walked by those still there.
