@@ -138,7 +138,8 @@ private:
         command.sequence = ++sequence_;
         command.body = SetPose{world.group(group).id, position, angle};
         if (def_.moves)
-            command.body = GiveOrder{world.group(group).id, QueueMode::Replace, 0, Order::move(position, angle)};
+            command.body = GiveOrder{world.group(group).id, QueueMode::Replace, 0,
+                                     Order::move(position, angle)};
         return world.submit(command);
     }
 

@@ -27,10 +27,10 @@ struct OrdersRow {
     std::int32_t worstStep = 0;  ///< Its number.
     double p50 = 0.0;            ///< Median [ms].
     double p95 = 0.0;            ///< 95th percentile [ms].
-    double above = 0.0;          ///< Most by which a step with an order exceeds the median of the 24 round it [ms].
-    double longestWait = 0.0;    ///< Longest that a character which is not arrived stood still [s].
-    std::uint64_t hash = 0;      ///< Of the last state, the same in all runs.
-    std::string worstStages;     ///< Stages of the slowest step that took 0.5 ms and more.
+    double above = 0.0;  ///< Most by which a step with an order exceeds the median of the 24 round it [ms].
+    double longestWait = 0.0;  ///< Longest that a character which is not arrived stood still [s].
+    std::uint64_t hash = 0;    ///< Of the last state, the same in all runs.
+    std::string worstStages;   ///< Stages of the slowest step that took 0.5 ms and more.
 };
 
 /// Runs the case. Fails where the world is refused or runs differ.

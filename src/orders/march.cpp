@@ -8,13 +8,13 @@
 namespace muster {
 namespace {
 
-constexpr double kBackwards = 0.5 * kPi;   // From here on the way leads back [rad].
-constexpr double kOnTheSpot = 1.3;         // From here on it only turns [rad].
-constexpr double kSpinGain = 2.5;          // Rate of turn per angle [1/s].
-constexpr double kWheelShare = 0.65;       // Of its speed that goes into turning while it goes on.
-constexpr double kTurned = 1e-4;           // A smaller angle is none [rad].
-constexpr double kLeastAim = 1.5;          // It heads for a point so far ahead on its way at least [m]...
-constexpr double kMostAim = 8.0;           // ... and at most [m].
+constexpr double kBackwards = 0.5 * kPi;  // From here on the way leads back [rad].
+constexpr double kOnTheSpot = 1.3;        // From here on it only turns [rad].
+constexpr double kSpinGain = 2.5;         // Rate of turn per angle [1/s].
+constexpr double kWheelShare = 0.65;      // Of its speed that goes into turning while it goes on.
+constexpr double kTurned = 1e-4;          // A smaller angle is none [rad].
+constexpr double kLeastAim = 1.5;         // It heads for a point so far ahead on its way at least [m]...
+constexpr double kMostAim = 8.0;          // ... and at most [m].
 
 Rotation turned(Rotation r, double angle) {
     const double c = cosine(angle), s = sine(angle);
@@ -132,8 +132,8 @@ Pose advanceMarch(const MarchDef& def, March& march, const Pose& pose, double dt
     return next;
 }
 
-Pose advanceTowards(const MarchDef& def, March& march, const Pose& pose, Vec2 goal, Vec2 velocity, Vec2 facing,
-                    double dt) {
+Pose advanceTowards(const MarchDef& def, March& march, const Pose& pose, Vec2 goal, Vec2 velocity,
+                    Vec2 facing, double dt) {
     constexpr double kGain = 1.5;  // Speed per distance [1/s].
     const double error = angleBetween(march.front(pose), facing);
     Pose next = turnBy(def, march, pose, error, kWheelShare, dt);

@@ -25,14 +25,15 @@ struct March {
     MarchPhase phase = MarchPhase::Idle;
     std::vector<Vec2> way;   ///< Corners of the way, where it began and its end included [m].
     std::uint32_t next = 0;  ///< Index of the corner that it heads for.
-    std::vector<Vec2> legs;  ///< While it is searched: points that it leads through and that are still ahead [m].
-    double speed = 0.0;      ///< Of the middle of the formation [m/s].
-    double spin = 0.0;       ///< Rate of turn, counter-clockwise [rad/s].
-    bool reversed = false;   ///< True: the rear of the formation is its front.
-    double facing = 0.0;     ///< Heading of the front at the end [rad].
-    bool turns = false;      ///< True where it turns to that; else it faces as it has come.
-    Pose last;               ///< Of the mesh, as it was last set.
-    WayQuery query;          ///< Of the present search.
+    std::vector<Vec2>
+        legs;            ///< While it is searched: points that it leads through and that are still ahead [m].
+    double speed = 0.0;  ///< Of the middle of the formation [m/s].
+    double spin = 0.0;   ///< Rate of turn, counter-clockwise [rad/s].
+    bool reversed = false;      ///< True: the rear of the formation is its front.
+    double facing = 0.0;        ///< Heading of the front at the end [rad].
+    bool turns = false;         ///< True where it turns to that; else it faces as it has come.
+    Pose last;                  ///< Of the mesh, as it was last set.
+    WayQuery query;             ///< Of the present search.
     std::int32_t searched = 0;  ///< Cells that the search has come to; 0 where it has not begun.
     std::uint32_t ground = 0;   ///< Version of the ground for which it began.
 
@@ -62,12 +63,12 @@ struct March {
 
 /// Bounds of a march.
 struct MarchDef {
-    Turn turn = Turn::Wheel;     ///< How it takes its turns.
-    double speed = 1.9;          ///< Top speed of every place [m/s], above 0.
-    double acceleration = 3.0;   ///< Top acceleration of every place [m/s^2], above 0.
-    double reach = 1.0;          ///< From the middle to the farthest place [m], above 0.
-    double depth = 1.0;          ///< Half the length of the formation [m].
-    double pace = 1.0;           ///< Share of its speed: less where somebody falls behind, [0, 1].
+    Turn turn = Turn::Wheel;    ///< How it takes its turns.
+    double speed = 1.9;         ///< Top speed of every place [m/s], above 0.
+    double acceleration = 3.0;  ///< Top acceleration of every place [m/s^2], above 0.
+    double reach = 1.0;         ///< From the middle to the farthest place [m], above 0.
+    double depth = 1.0;         ///< Half the length of the formation [m].
+    double pace = 1.0;          ///< Share of its speed: less where somebody falls behind, [0, 1].
 };
 
 /// One step of `dt` [s] along the way, or of the turn at its end: the next pose. Moves on to the next phases.
@@ -75,8 +76,8 @@ Pose advanceMarch(const MarchDef& def, March& march, const Pose& pose, double dt
 
 /// One step towards a pose that moves at `velocity` [m/s]: straight there, and turning on the way. The front
 /// takes the heading `facing`, a unit vector.
-Pose advanceTowards(const MarchDef& def, March& march, const Pose& pose, Vec2 goal, Vec2 velocity, Vec2 facing,
-                    double dt);
+Pose advanceTowards(const MarchDef& def, March& march, const Pose& pose, Vec2 goal, Vec2 velocity,
+                    Vec2 facing, double dt);
 
 /// Time that a march along a way takes from standing to standing, about [s].
 double marchTime(const MarchDef& def, std::span<const Vec2> way, Vec2 front, std::optional<double> facing);

@@ -9,7 +9,8 @@ namespace {
 /// The point at an arc length on the rim, from the middle of the front on counter-clockwise.
 Vec2 onRim(Vec2 half, double at) {
     const double sides[] = {half.y, 2.0 * half.x, 2.0 * half.y, 2.0 * half.x, half.y};
-    const Vec2 from[] = {{half.x, 0.0}, {half.x, half.y}, {-half.x, half.y}, {-half.x, -half.y}, {half.x, -half.y}};
+    const Vec2 from[] = {
+        {half.x, 0.0}, {half.x, half.y}, {-half.x, half.y}, {-half.x, -half.y}, {half.x, -half.y}};
     const Vec2 along[] = {{0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 1}};
     for (int k = 0; k < 4; ++k) {
         if (at <= sides[k]) return from[k] + along[k] * at;

@@ -6,12 +6,13 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastCell = 1.0;    // Edge of a coarse cell [m].
-constexpr double kMostCells = 64e3;   // Coarse cells, about.
-constexpr double kNear = 2.9;         // Nearer distances are those of the ground itself [m].
-constexpr float kFar = 1e6f;          // No distance [m].
-constexpr float kStraight = 0.955f;   // Two chamfer steps, scaled so that the error is below 5 % to both sides...
-constexpr float kDiagonal = 1.351f;   // ... (Borgefors 1986).
+constexpr double kLeastCell = 1.0;   // Edge of a coarse cell [m].
+constexpr double kMostCells = 64e3;  // Coarse cells, about.
+constexpr double kNear = 2.9;        // Nearer distances are those of the ground itself [m].
+constexpr float kFar = 1e6f;         // No distance [m].
+constexpr float
+    kStraight = 0.955f;  // Two chamfer steps, scaled so that the error is below 5 % to both sides...
+constexpr float kDiagonal = 1.351f;  // ... (Borgefors 1986).
 
 }  // namespace
 

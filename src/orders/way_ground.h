@@ -9,8 +9,8 @@
 
 namespace muster {
 
-/// The ground in coarse cells with the distance to what stands still: exact near obstacles, a lower bound in the
-/// open. A cache: it follows from the ground alone.
+/// The ground in coarse cells with the distance to what stands still: exact near obstacles, a lower bound in
+/// the open. A cache: it follows from the ground alone.
 class WayGround {
 public:
     /// Follows the environment, which must outlive it or the next update. Moving obstacles do not count.
@@ -31,10 +31,10 @@ private:
     const Environment* environment_ = nullptr;
     std::uint64_t instance_ = 0, version_ = 0;
     Grid fine_, grid_;
-    std::int32_t factor_ = 1;           // Fine cells along the edge of a coarse one.
-    std::vector<std::int32_t> point_;   // Fine cell with most room, per coarse cell.
-    std::vector<float> clearance_;      // There [m].
-    std::vector<float> distance_;       // From the centre of a coarse cell [m].
+    std::int32_t factor_ = 1;          // Fine cells along the edge of a coarse one.
+    std::vector<std::int32_t> point_;  // Fine cell with most room, per coarse cell.
+    std::vector<float> clearance_;     // There [m].
+    std::vector<float> distance_;      // From the centre of a coarse cell [m].
 };
 
 }  // namespace muster

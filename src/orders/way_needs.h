@@ -13,8 +13,8 @@ struct WayNeeds {
     static constexpr std::size_t kDirections = 8;  ///< Of travel, from +x counter-clockwise to half a turn.
 
     std::array<double, kDirections> half{};  ///< Half its width across each direction of travel [m].
-    double margin = 0.0;  ///< Keeps so much farther from obstacles where that costs little [m].
-    double least = 0.0;   ///< Share of its width below which it does not narrow, [0, 1].
+    double margin = 0.0;   ///< Keeps so much farther from obstacles where that costs little [m].
+    double least = 0.0;    ///< Share of its width below which it does not narrow, [0, 1].
     double radius = 0.25;  ///< Radius of bodies [m].
 
     /// Half its width across a direction, a vector of any length [m].

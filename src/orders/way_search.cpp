@@ -11,11 +11,11 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kSlack = 0.05;       // Narrower by so much is not felt [m].
-constexpr double kMarginCost = 0.35;  // More for a metre beside an obstacle, where it is wide enough.
-constexpr double kNarrowCost = 1.0;   // More for a metre that is narrower than the formation...
-constexpr double kNarrower = 3.0;     // ... and still more by the share that is missing.
-constexpr double kForbidden = 1000.0; // More for a metre where it may not narrow so far.
+constexpr double kSlack = 0.05;        // Narrower by so much is not felt [m].
+constexpr double kMarginCost = 0.35;   // More for a metre beside an obstacle, where it is wide enough.
+constexpr double kNarrowCost = 1.0;    // More for a metre that is narrower than the formation...
+constexpr double kNarrower = 3.0;      // ... and still more by the share that is missing.
+constexpr double kForbidden = 1000.0;  // More for a metre where it may not narrow so far.
 constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
 }  // namespace
@@ -56,13 +56,15 @@ double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 
 namespace {
 
 /// Leaves out corners where the straight stretch costs no more.
-void skip(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points, std::vector<double>& prefix) {
+void skip(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
+          std::vector<double>& prefix) {
     constexpr double kMore = 1.002;  // Costs that count as equal.
     prefix.assign(1, 0.0);
     for (std::size_t k = 1; k < points.size(); ++k)
         prefix.push_back(prefix.back() + stretchCost(ground, needs, points[k - 1], points[k]));
     const auto good = [&](std::size_t from, std::size_t to) {
-        return stretchCost(ground, needs, points[from], points[to]) <= kMore * (prefix[to] - prefix[from]) + 1e-9;
+        return stretchCost(ground, needs, points[from], points[to]) <=
+               kMore * (prefix[to] - prefix[from]) + 1e-9;
     };
     std::size_t kept = 0;
     for (std::size_t at = 0; at + 1 < points.size();) {
@@ -109,8 +111,8 @@ void cut(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& poin
 
 }  // namespace
 
-void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points, std::vector<Vec2>& scratch,
-             std::vector<double>& prefix) {
+void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
+             std::vector<Vec2>& scratch, std::vector<double>& prefix) {
     constexpr int kPasses = 3;
     if (points.size() < 3) return;
     skip(ground, needs, points, prefix);

@@ -1,5 +1,5 @@
-// A search for the way of a formation: A* (Hart, Nilsson and Raphael 1968) over coarse cells, whose cost rises
-// where there is less room than the formation needs; then the way is pulled taut at no higher cost.
+// A search for the way of a formation: A* (Hart, Nilsson and Raphael 1968) over coarse cells, whose cost
+// rises where there is less room than the formation needs; then the way is pulled taut at no higher cost.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ private:
 /// Cost of a straight stretch; infinite where bodies do not pass.
 double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 b);
 /// Leaves out corners, and cuts them, where that costs no more. `scratch` and `prefix` are working memory.
-void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points, std::vector<Vec2>& scratch,
-             std::vector<double>& prefix);
+void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
+             std::vector<Vec2>& scratch, std::vector<double>& prefix);
 
 }  // namespace muster

@@ -46,7 +46,8 @@ Course follow(const MarchDef& def, March& march, Pose pose, double most = 200.0)
         course.fastest = std::max(course.fastest, speed);
         for (int k = 0; k < 16; ++k) {
             const Vec2 rim = Vec2{cosine(k * kPi / 8), sine(k * kPi / 8)} * def.reach;
-            course.fastestRim = std::max(course.fastestRim, distance(next.apply(rim), pose.apply(rim)) / kStep);
+            course.fastestRim = std::max(course.fastestRim,
+                                         distance(next.apply(rim), pose.apply(rim)) / kStep);
         }
         course.jerk = std::max(course.jerk, std::fabs(speed - before) / kStep);
         before = speed;

@@ -43,7 +43,8 @@ double leastRoom(const Environment& environment, const std::vector<Vec2>& way) {
     double least = 1e9;
     for (std::size_t k = 1; k < way.size(); ++k)
         for (int s = 0; s <= 100; ++s)
-            least = std::min(least, environment.distanceToObstacle(lerp(way[k - 1], way[k], s / 100.0), 50.0));
+            least = std::min(least,
+                             environment.distanceToObstacle(lerp(way[k - 1], way[k], s / 100.0), 50.0));
     return least;
 }
 
@@ -60,7 +61,8 @@ std::vector<Vec2> search(const Environment& environment, Vec2 from, Vec2 to, con
 
 }  // namespace
 
-TEST_CASE("clearances are those of the geometry near obstacles, and lower bounds or nearly exact far from them") {
+TEST_CASE(
+    "clearances are those of the geometry near obstacles, and lower bounds or nearly exact far from them") {
     const Environment environment = ground({wall(-10, -10, 10, 10)});
     WayGround map;
     map.update(environment);

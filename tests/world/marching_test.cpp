@@ -1,4 +1,5 @@
-// Marches: a formation goes along its way in one piece, turns rigidly, and is about as fast as those who go freely.
+// Marches: a formation goes along its way in one piece, turns rigidly, and is about as fast as those who go
+// freely.
 #include <doctest.h>
 
 #include "formation/mesh/rigid_fit.h"
@@ -68,7 +69,8 @@ Run run(WorldDef def, const Order& order, double most) {
     while (world.time() - begun < most && !result.done) {
         world.step();
         result.worst = std::max(result.worst, rigidRms(world));
-        for (const Event& event : world.events()) result.done = result.done || event.kind == EventKind::OrderDone;
+        for (const Event& event : world.events())
+            result.done = result.done || event.kind == EventKind::OrderDone;
     }
     CHECK(arrived(world) >= 0.95);
     result.seconds = world.time() - begun;

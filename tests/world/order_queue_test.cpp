@@ -112,7 +112,8 @@ TEST_CASE("a forecast tells way and time, and changes nothing") {
     CHECK(forecast.end == Vec2{15, 0});
     REQUIRE(forecast.way.size() >= 3);
     double way = 0.0;
-    for (std::size_t k = 1; k < forecast.way.size(); ++k) way += distance(forecast.way[k - 1], forecast.way[k]);
+    for (std::size_t k = 1; k < forecast.way.size(); ++k)
+        way += distance(forecast.way[k - 1], forecast.way[k]);
     CHECK(way > 30.0);
     CHECK(way < 45.0);
     std::uint32_t n = 0;
@@ -195,9 +196,10 @@ TEST_CASE("one group follows another, and stops where that is gone") {
     std::uint32_t n = 0;
     Log log;
     REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({20, 15})}).ok());
-    REQUIRE(give(world, n,
-                 GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {-6, 0})})
-                .ok());
+    REQUIRE(
+        give(world, n,
+             GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {-6, 0})})
+            .ok());
     run(world, 40, log);
     const Pose lead = world.group(0).pose;
     CHECK(distance(centre(world, 1), lead.apply({-6, 0})) < 0.7);

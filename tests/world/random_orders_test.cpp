@@ -1,5 +1,5 @@
-// Property: whatever orders are given in whatever scene, no number breaks, nobody enters another or is lost, and a
-// world that is restored or rewound goes on bit for bit.
+// Property: whatever orders are given in whatever scene, no number breaks, nobody enters another or is lost,
+// and a world that is restored or rewound goes on bit for bit.
 #include <doctest.h>
 
 #include "environment/environment.h"
@@ -55,7 +55,8 @@ struct Commander {
         } else if (dice == 30 && !world.obstacleIds().empty()) {
             (void)give(world, sequence, RemoveObstacle{world.obstacleIds().back()});
         } else if (dice == 40) {
-            (void)give(world, sequence, AddObstacle{tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)});
+            (void)give(world, sequence,
+                       AddObstacle{tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)});
         } else if (dice == 50) {
             (void)give(world, sequence, SetPose{group, {random.uniform(-9, 9), random.uniform(-9, 9)}, 1.0});
         }
@@ -127,7 +128,8 @@ TEST_CASE("a snapshot in the midst of a search for a way goes on bit for bit") {
     def.cell = 0.5;
     Random random(4);
     for (int k = 0; k < 150; ++k)
-        def.obstacles.push_back(tree({random.uniform(-90, 90), random.uniform(-90, 90)}, random.uniform(1, 4)));
+        def.obstacles.push_back(
+            tree({random.uniform(-90, 90), random.uniform(-90, 90)}, random.uniform(1, 4)));
     GroupDef group;
     group.count = 40;
     group.position = {-95, -95};

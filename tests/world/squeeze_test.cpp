@@ -171,7 +171,8 @@ TEST_CASE("five orders over Berlin, one after the other") {
                     bool open = true;
                     for (int v = -3; v <= 3; ++v)
                         for (int u = -3; u <= 3; ++u)
-                            open = open && map->cells[(map->height - 1 - (y + v)) * map->width + x + u] == '.';
+                            open = open &&
+                                   map->cells[(map->height - 1 - (y + v)) * map->width + x + u] == '.';
                     if (open) return Vec2{x + 0.5, y + 0.5};
                 }
         return p;

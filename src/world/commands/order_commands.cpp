@@ -35,8 +35,8 @@ Status cancel(Group& group, std::uint32_t id) {
     const auto at = std::find_if(queue.orders.begin(), queue.orders.end(),
                                  [&](const QueuedOrder& order) { return order.id == id; });
     if (at == queue.orders.end())
-        return {StatusCode::NotFound, "group " + std::to_string(group.id.value) + " has no order of the id " +
-                                          std::to_string(id)};
+        return {StatusCode::NotFound,
+                "group " + std::to_string(group.id.value) + " has no order of the id " + std::to_string(id)};
     if (at == queue.orders.begin()) endFirst(group, queue.orders.size() == 1);
     queue.orders.erase(at);
     return {};

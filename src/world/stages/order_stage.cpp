@@ -15,17 +15,17 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kCellsPerStep = 1000;  // Of searches for ways.
-constexpr double kLagFree = 0.6;     // The mesh does not wait for lags below [m]...
-constexpr double kLagMost = 2.0;     // ... and stands for those above [m].
-constexpr double kLagShare = 0.95;   // Of the group, whose lag counts.
-constexpr double kPatience = 5.0;    // Who has not got on for so long is not waited for [s].
-constexpr double kLongest = 20.0;    // Nor who has moved to and fro on one spot for so long [s].
-constexpr double kSoonDone = 5.0;    // Following ends so soon where another order waits [s].
-constexpr double kBeside = 0.1;      // Between bodies and walls of a passage [m].
-constexpr double kTight = 0.5;       // Passages narrower by so much are wide enough [m].
-constexpr double kLookAhead = 8.0;   // For passages [m].
-constexpr std::uint32_t kSqueezeEvery = 10;  // Steps between looks for passages,
-constexpr std::uint32_t kWidenEvery = 120;   // and between those that widen a formation again.
+constexpr double kLagFree = 0.6;              // The mesh does not wait for lags below [m]...
+constexpr double kLagMost = 2.0;              // ... and stands for those above [m].
+constexpr double kLagShare = 0.95;            // Of the group, whose lag counts.
+constexpr double kPatience = 5.0;             // Who has not got on for so long is not waited for [s].
+constexpr double kLongest = 20.0;             // Nor who has moved to and fro on one spot for so long [s].
+constexpr double kSoonDone = 5.0;             // Following ends so soon where another order waits [s].
+constexpr double kBeside = 0.1;               // Between bodies and walls of a passage [m].
+constexpr double kTight = 0.5;                // Passages narrower by so much are wide enough [m].
+constexpr double kLookAhead = 8.0;            // For passages [m].
+constexpr std::uint32_t kSqueezeEvery = 10;   // Steps between looks for passages,
+constexpr std::uint32_t kWidenEvery = 120;    // and between those that widen a formation again.
 
 /// True while fingers hold the mesh, or their ways are followed.
 bool isHandled(const Group& group) {
@@ -49,7 +49,8 @@ void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::
 
 bool isSame(const FormationDef& a, const FormationDef& b) {
     return a.kind == b.kind && a.spacing == b.spacing && a.opening == b.opening && a.files == b.files &&
-           a.points == b.points && a.outline.outline == b.outline.outline && a.outline.holes == b.outline.holes;
+           a.points == b.points && a.outline.outline == b.outline.outline &&
+           a.outline.holes == b.outline.holes;
 }
 
 /// Square, line or column: how many stand abreast.
@@ -182,8 +183,8 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     group.order.begin(state.stepCount);
     raise(events, EventKind::OrderBegun, group, id);
     if (!queue.reachable)
-        events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count),
-                          order.target});
+        events.push_back(
+            {EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count), order.target});
     return Outcome::GoesOn;
 }
 
@@ -346,7 +347,8 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
         march.phase = MarchPhase::Search;
     }
     if (march.phase == MarchPhase::Search && budget_ > 0 &&
-        ways_.advance(state, state.routesOf(group), region, false, needsOf(state, group, order), march, budget_))
+        ways_.advance(state, state.routesOf(group), region, false, needsOf(state, group, order), march,
+                      budget_))
         march.phase = MarchPhase::Go;
     group.mesh.setPose(advanceMarch(def, march, pose, dt));
     march.last = group.mesh.pose();
@@ -407,7 +409,8 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
         }
         if (outcome == Outcome::GoesOn) return;
         const QueuedOrder done = queue.orders.front();
-        raise(events, outcome == Outcome::Done ? EventKind::OrderDone : EventKind::OrderSkipped, group, done.id);
+        raise(events, outcome == Outcome::Done ? EventKind::OrderDone : EventKind::OrderSkipped, group,
+              done.id);
         queue.end();
         queue.orders.erase(queue.orders.begin());
         if (queue.patrols) queue.orders.push_back(done);
@@ -450,7 +453,8 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     std::int32_t budget = state.environment.grid().count() + 1;
     // A search that is under way is run again up to where it was.
     RouteGraph& routes = state.refreshRoutes(group.groundClass);
-    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), march, budget))
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), march,
+                          budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
     forecast.arrives = goal.reachable;

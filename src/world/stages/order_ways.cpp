@@ -11,13 +11,13 @@
 namespace muster {
 namespace {
 
-constexpr double kKeepUp = 0.97;        // Of the top speed of the slowest: so others can catch up.
+constexpr double kKeepUp = 0.97;           // Of the top speed of the slowest: so others can catch up.
 constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
-constexpr double kNearTarget = 1.0;     // A target in an obstacle counts as reached so near to it at least [m].
-constexpr double kStep = 0.25;          // Of looks for walls [m].
-constexpr double kPost = 2.0;           // A wall is longer than this [m].
-constexpr double kCentring = 1.0;       // Between points that are moved to the middle of a passage [m].
-constexpr std::int32_t kLegWork = 5;    // Cells for which a straight leg counts.
+constexpr double kNearTarget = 1.0;   // A target in an obstacle counts as reached so near to it at least [m].
+constexpr double kStep = 0.25;        // Of looks for walls [m].
+constexpr double kPost = 2.0;         // A wall is longer than this [m].
+constexpr double kCentring = 1.0;     // Between points that are moved to the middle of a passage [m].
+constexpr std::int32_t kLegWork = 5;  // Cells for which a straight leg counts.
 
 }  // namespace
 
@@ -59,16 +59,19 @@ WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order
         }
         double half = 0.0;
         for (const MeshPoint& place : formation.places)
-            half = std::max(half, std::fabs(dot(across, place.position(formation.mesh.triangles,
-                                                                       formation.mesh.vertices))));
+            half = std::max(
+                half,
+                std::fabs(dot(across, place.position(formation.mesh.triangles, formation.mesh.vertices))));
         needs.half[k] = half + needs.radius;
     }
     return needs;
 }
 
-MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order, const FormationExtent& extent) {
+MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
+                    const FormationExtent& extent) {
     const Parameters::Character& character = state.parameters.character;
-    double slowest = placeDefOf(state, group, placeDef(state.parameters)).maxSpeed, least = character.acceleration;
+    double slowest = placeDefOf(state, group, placeDef(state.parameters)).maxSpeed,
+           least = character.acceleration;
     for (const std::int32_t i : group.members) {
         const Body& body = state.characters.body[i];
         slowest = std::min(slowest, body.maxSpeed > 0.0 ? body.maxSpeed : character.maxSpeed);
@@ -93,7 +96,8 @@ void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order,
 }
 
 // Of a drawn way what bodies can walk is walked; else it has to be as good as any other way.
-bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from, Vec2 to) const {
+bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from,
+                         Vec2 to) const {
     if (drawn) return state.environment.clearStaticLine(from, to, needs.radius);
     return stretchCost(ground_, needs, from, to) <= 1.001 * distance(from, to);
 }
@@ -120,7 +124,8 @@ double WayFinder::roomBeside(Vec2 p, Vec2 side, double most) const {
 }
 
 // Appends a path, in the middle of passages that are narrower than the formation.
-void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march, const std::vector<Vec2>& path) {
+void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march,
+                       const std::vector<Vec2>& path) {
     for (std::size_t k = 1; k < path.size(); ++k) {
         const Vec2 a = path[k - 1], b = path[k];
         const Vec2 side = perpendicular(normalized(b - a));
@@ -134,7 +139,8 @@ void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march, c
                 const double left = roomBeside(p, side, 2.0 * half), right = roomBeside(p, -side, 2.0 * half);
                 if (left + right < 2.0 * half) q = p + side * (0.5 * (left - right));
             }
-            const bool moved = !(q == p) && state.environment.clearStaticLine(march.way.back(), q, needs.radius);
+            const bool moved = !(q == p) &&
+                               state.environment.clearStaticLine(march.way.back(), q, needs.radius);
             if (moved)
                 march.way.push_back(q);
             else if (j == n)
@@ -143,8 +149,8 @@ void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march, c
     }
 }
 
-bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
-                        std::int32_t& budget) {
+bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
+                        const WayNeeds& needs, March& march, std::int32_t& budget) {
     while (!march.legs.empty() && budget > 0) {
         const Vec2 to = march.legs.front();
         Vec2 from = march.way.back();

@@ -33,9 +33,10 @@ OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 tar
 /// The room that a group needs on its way.
 WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
 /// The bounds of a group's march.
-MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order, const FormationExtent& extent);
-/// The points through which an order leads, from the first after the group's position to the end: those of a drawn
-/// way on which the group can stand, then the goal [m].
+MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
+                    const FormationExtent& extent);
+/// The points through which an order leads, from the first after the group's position to the end: those of a
+/// drawn way on which the group can stand, then the goal [m].
 void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order, const OrderGoal& goal,
               std::vector<Vec2>& legs);
 
@@ -45,11 +46,12 @@ public:
     /// Follows the ground.
     void update(const WorldState& state) { ground_.update(state.environment); }
     const WayGround& ground() const { return ground_; }  ///< As of the last update().
-    /// Goes on with the search for the legs of a march for `budget` cells, about, and takes what it used off it. True
-    /// once the whole way is known.
-    bool advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn, const WayNeeds& needs, March& march,
-                 std::int32_t& budget);
-    /// Length of way ahead, and some behind, whose narrowest width is asked for; the width [m], `most` where wider.
+    /// Goes on with the search for the legs of a march for `budget` cells, about, and takes what it used off
+    /// it. True once the whole way is known.
+    bool advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
+                 const WayNeeds& needs, March& march, std::int32_t& budget);
+    /// Length of way ahead, and some behind, whose narrowest width is asked for; the width [m], `most` where
+    /// wider.
     double narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const;
 
 private:

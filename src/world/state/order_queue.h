@@ -22,9 +22,10 @@ struct OrderQueue {
     std::int32_t arrived = 0;         ///< Most who have arrived so far.
     Vec2 target;                      ///< Where the formation goes [m].
     March march;                      ///< How it goes there.
-    std::optional<FormationDef> own;  ///< The formation to take up again, where it has another one for a while.
-    std::int32_t files = 0;           ///< Files to which it has narrowed; 0 where it has not.
-    double clearOf = 0.0;             ///< Length of way after which it may widen again [m].
+    std::optional<FormationDef>
+        own;                 ///< The formation to take up again, where it has another one for a while.
+    std::int32_t files = 0;  ///< Files to which it has narrowed; 0 where it has not.
+    double clearOf = 0.0;    ///< Length of way after which it may widen again [m].
 
     /// Forgets the order that is carried out, so that the next one can begin.
     void end() {
