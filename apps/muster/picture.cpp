@@ -1,5 +1,6 @@
 // muster picture
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,9 +62,13 @@ Status loadSource(const PictureOptions& options, WorldDef& def, std::vector<Comm
     return differentFiles({*gestures}, {options.output});
 }
 
-void addTrail(const World& world, std::vector<std::vector<Vec2>>& trails) {
-    trails.resize(world.characters().size());
-    for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(world.characters().position[i]);
+/// Where characters have been, by id: who leaves takes the trail along.
+using Trails = std::map<std::uint32_t, std::vector<Vec2>>;
+
+void addTrail(const World& world, Trails& trails) {
+    const CharactersView characters = world.characters();
+    for (std::size_t i = 0; i < characters.size(); ++i)
+        trails[characters.id[i]].push_back(characters.position[i]);
 }
 
 /// Fails where the requested group or place does not exist at that moment.
@@ -103,12 +108,14 @@ int picture(const PictureOptions& options) {
     const auto every = static_cast<std::uint32_t>(
         std::max(1.0, std::floor(kTrailPeriod / def.parameters.stepTime)));
     Progress progress("simulating");
-    addTrail(*world, picture.trails);
+    Trails trails;
+    addTrail(*world, trails);
     while (world->stepCount() < steps) {
         world->step();
-        if (world->stepCount() % every == 0 || world->stepCount() == steps) addTrail(*world, picture.trails);
+        if (world->stepCount() % every == 0 || world->stepCount() == steps) addTrail(*world, trails);
         progress.show(static_cast<double>(world->stepCount()) / steps);
     }
+    for (const std::uint32_t id : world->characters().id) picture.trails.push_back(std::move(trails[id]));
     if (Status s = placeExists(*world, picture); !s.ok()) return reportFailure(s);
     if (Status s = writePicture(*world, picture, options.output); !s.ok()) return reportFailure(s);
     if (options.json)
