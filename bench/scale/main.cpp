@@ -128,6 +128,16 @@ int runOrders(const OrdersDef& def) {
     return 0;
 }
 
+int runCommands(const CommandsDef& def) {
+    const auto rows = measureCommands(def);
+    if (!rows.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", rows.status().message().c_str());
+        return 1;
+    }
+    std::printf("%s", commandsText(def, *rows).c_str());
+    return 0;
+}
+
 int runRewind(const RewindDef& def) {
     const Result<RewindRow> row = measureRewind(def);
     if (!row.ok()) {
@@ -149,6 +159,7 @@ int main(int argc, char** argv) {
         if (code >= 0) return code;
         if (options.command == "ground")
             return options.lead ? runLed(options.ground) : runGround(options.ground.ground);
+        if (options.command == "commands") return runCommands(options.commands);
         if (options.command == "rewind") return runRewind(options.rewind);
         return options.command == "orders" ? runOrders(options.orders) : run(options);
     } catch (const std::exception& error) {

@@ -50,6 +50,16 @@ void describeGround(CLI::App& ground, Options& o) {
     ground.add_option("--seconds", o.ground.seconds, "World time, at most [s] (3600)");
 }
 
+void describeCommands(CLI::App& commands, CommandsDef& def) {
+    commands.add_option("--n", def.count, "Characters (360)")->check(CLI::Range(16, 20000));
+    commands.add_option("--obstacles", def.obstacles, "Discs of 0.5 m (100)")->check(CLI::Range(0, 20000));
+    commands.add_option("--side", def.side, "Side of the ground [m] (200)")->check(CLI::Range(50.0, 1000.0));
+    commands.add_option("--rounds", def.rounds, "Commands of each kind (6)")->check(CLI::Range(1, 100));
+    commands.add_option("--runs", def.runs, "Equal runs; a step's time is its least over them (5)")
+        ->check(CLI::Range(1, 50));
+    commands.add_flag("--free", def.free, "Each walks by the shortest way; else the formation marches");
+}
+
 void describeOrders(CLI::App& orders, OrdersDef& def) {
     orders.add_option("--groups", def.groups, "Groups (2)")->check(CLI::Range(1, 1000));
     orders.add_option("--n", def.count, "Characters of all groups (1500)")->check(CLI::Range(8, 100000));
@@ -130,6 +140,8 @@ int readOptions(int argc, const char* const* argv, Options& options) {
     describeOrders(
         *app.add_subcommand("orders", "Groups cross, one gets a new pose each 0.5 s: time of a step"),
         options.orders);
+    describeCommands(*app.add_subcommand("commands", "Orders, deaths, splits...: time above a plain step"),
+                     options.commands);
     describeRewind(*app.add_subcommand("rewind", "Eight steps, back, and the same again: time of both"),
                    options.rewind);
     try {

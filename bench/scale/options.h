@@ -6,6 +6,7 @@
 
 #include "scale/case.h"
 #include "scale/led_ground.h"
+#include "scale/commands.h"
 #include "scale/orders.h"
 #include "scale/rewind.h"
 
@@ -13,9 +14,10 @@ namespace muster::scale {
 
 /// Options of the program.
 struct Options {
-    std::string command;  ///< The subcommand: "scale", "ground", "orders" or "rewind".
+    std::string command;  ///< The subcommand: "scale", "ground", "orders", "commands" or "rewind".
     LedGroundDef ground;  ///< Of `muster-bench ground`; its first part where nobody is led.
     bool lead = false;    ///< `muster-bench ground --lead`.
+    CommandsDef commands;  ///< Of `muster-bench commands`.
     OrdersDef orders;     ///< Of `muster-bench orders`; the rest is of `muster-bench scale`.
     RewindDef rewind;     ///< Of `muster-bench rewind`.
     std::vector<std::string> scenes;

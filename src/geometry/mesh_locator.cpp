@@ -16,14 +16,15 @@ MeshLocator::MeshLocator(const std::vector<Triangle>& triangles, const std::vect
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const Triangle& triangle = triangles[t];
         const std::array<Vec2, 3> corner{vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
-        // A cell more on each side, so that rounding cannot lose a triangle.
+        // A little more on each side, so that rounding cannot lose a triangle.
         const Box bounds = boundsOf(corner);
-        const std::int32_t left = cellOf(bounds.min.x, low_.x, size_.x) - 1,
-                           right = cellOf(bounds.max.x, low_.x, size_.x) + 1,
-                           bottom = cellOf(bounds.min.y, low_.y, size_.y) - 1,
-                           top = cellOf(bounds.max.y, low_.y, size_.y) + 1;
-        for (std::int32_t j = std::max(0, bottom); j <= std::min(kCells - 1, top); ++j)
-            for (std::int32_t i = std::max(0, left); i <= std::min(kCells - 1, right); ++i)
+        const double margin = 1e-9 * (size_.x + size_.y);
+        const std::int32_t left = cellOf(bounds.min.x - margin, low_.x, size_.x),
+                           right = cellOf(bounds.max.x + margin, low_.x, size_.x),
+                           bottom = cellOf(bounds.min.y - margin, low_.y, size_.y),
+                           top = cellOf(bounds.max.y + margin, low_.y, size_.y);
+        for (std::int32_t j = bottom; j <= top; ++j)
+            for (std::int32_t i = left; i <= right; ++i)
                 inCell_[static_cast<std::size_t>(j) * kCells + i].push_back(static_cast<std::int32_t>(t));
     }
 }

@@ -132,7 +132,7 @@ TEST_CASE("one death among 60 on the way moves nobody but those behind in the fi
     CHECK(farthestMove(places, after) < 2.2);
     std::int32_t moved = 0;
     for (const auto& [who, place] : after) moved += distance(places.at(who), place) > 0.5 ? 1 : 0;
-    // 60 in 8 files: at most the file behind, of 8 ranks, and the last rank of 4, which is centred anew.
+    // 60 in 8 files: at most the file behind, of 8 ranks, and the last rank of 4, which is centred again.
     CHECK(moved <= 12);
     checkSnapshot(world, 1.0);
     checkSettled(world, 40.0);

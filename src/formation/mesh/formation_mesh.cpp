@@ -83,7 +83,9 @@ Status FormationMesh::changeFrom(const FormationMesh& other, const Formation& fo
     const std::vector<Vec2> oldDisplacement = other.displacement_;
     const Status status = reset(formation, other.pose_);
     if (!status.ok()) return status;
-    for (std::size_t v = 0; v < final_.size() && !oldFinal.empty(); ++v) {
+    const bool displaced = std::any_of(oldDisplacement.begin(), oldDisplacement.end(),
+                                       [](Vec2 d) { return !(d == Vec2{}); });
+    for (std::size_t v = 0; v < final_.size() && displaced; ++v) {
         std::size_t nearest = 0;
         for (std::size_t o = 1; o < oldFinal.size(); ++o)
             if (lengthSquared(oldFinal[o] - user_[v]) < lengthSquared(oldFinal[nearest] - user_[v]))

@@ -314,29 +314,40 @@ void PlaceTracker::reset(const PlaceDef& def, std::span<const Vec2> targets, con
     nextPathSearch_ = targets_.nextSearch = targets_.quiet = targets_.pause = 0;
 }
 
-void PlaceTracker::assemble(std::span<const Origin> origins, const Environment& environment) {
-    *this = {};
+void PlaceTracker::assemble(std::span<const Origin> origins) {
+    std::vector<Vec2> position, velocity;
+    ReachableTargets targets;
+    std::vector<Detour> detours;
     std::vector<const PlaceTracker*> sources;
     for (std::size_t k = 0; k < origins.size(); ++k) {
         const Origin& origin = origins[k];
         const PlaceTracker* const from = origin.tracker;
         const std::size_t place = from != nullptr ? static_cast<std::size_t>(origin.place) : 0;
-        position_.push_back(from != nullptr ? from->position_[place] : origin.position);
-        velocity_.push_back(from != nullptr ? from->velocity_[place] : Vec2{});
-        targets_.fit.push_back(from != nullptr ? from->targets_.fit[place] : 1);
-        targets_.reachable.push_back(from != nullptr ? from->targets_.reachable[place] : origin.position);
-        targets_.target.push_back(from != nullptr ? from->targets_.target[place] : origin.position);
+        position.push_back(from != nullptr ? from->position_[place] : origin.position);
+        velocity.push_back(from != nullptr ? from->velocity_[place] : Vec2{});
+        targets.fit.push_back(from != nullptr ? from->targets_.fit[place] : 1);
+        targets.reachable.push_back(from != nullptr ? from->targets_.reachable[place] : origin.position);
+        targets.target.push_back(from != nullptr ? from->targets_.target[place] : origin.position);
         if (from == nullptr) continue;
         if (std::find(sources.begin(), sources.end(), from) == sources.end()) sources.push_back(from);
         const auto detour = std::lower_bound(from->detours_.begin(), from->detours_.end(), origin.place,
                                              [](const Detour& d, std::int32_t p) { return d.place < p; });
         if (detour == from->detours_.end() || detour->place != origin.place) continue;
-        detours_.push_back(*detour);
-        detours_.back().place = static_cast<std::int32_t>(k);
+        detours.push_back(*detour);
+        detours.back().place = static_cast<std::int32_t>(k);
     }
+    for (const PlaceTracker* const from : sources)
+        if (from != this) ways_.add(from->ways_);
+    position_ = std::move(position);
+    velocity_ = std::move(velocity);
+    targets_ = std::move(targets);
+    detours_ = std::move(detours);
     asked_ = targets_.target;
-    for (const PlaceTracker* const from : sources) ways_.add(from->ways_);
-    reserve(environment);
+    nextPathSearch_ = 0;
+    reachRegion_ = -1;
+    reach_.clear();
+    updateMemory_.resting.region = -1;
+    updateMemory_.resting.proposals.clear();
 }
 
 namespace {

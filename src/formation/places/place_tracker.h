@@ -35,9 +35,9 @@ public:
         std::int32_t place = -1;                ///< Its index there.
         Vec2 position;                          ///< Where a new one begins [m].
     };
-    /// Takes over places from other trackers, which go on from where they are, and new ones. The reachable
-    /// targets of all stay until the next advance(). None of the trackers may be this one.
-    void assemble(std::span<const Origin> origins, const Environment& environment);
+    /// Takes over places from trackers, of which this may be one, and new ones. They go on from where they are;
+    /// reachable targets stay until the next advance().
+    void assemble(std::span<const Origin> origins);
 
     const std::vector<Vec2>& positions() const { return position_; }   ///< [m]
     const std::vector<Vec2>& velocities() const { return velocity_; }  ///< [m/s]

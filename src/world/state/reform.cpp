@@ -18,7 +18,7 @@ constexpr double kSamePlace = 0.6;    // Places nearer than so many spacings are
 constexpr double kFileReach = 2.2;    // Who moves up comes from at most so many spacings behind,
 constexpr double kFileWidth = 0.8;    // and so many beside,
 constexpr double kLeastRank = 0.3;    // and at least so many behind.
-constexpr std::size_t kMostHoles = 64;  // So many places are closed up at most, else all are matched anew.
+constexpr std::size_t kMostHoles = 64;  // So many places are closed up at most, else all are matched again.
 constexpr std::int32_t kRank = 10;      // Points that are added come in ranks of so many.
 constexpr double kClearlyBetter = 0.5;  // Of the misfit of another way to fit it.
 constexpr double kCentred = 1e-9;       // A formation nearer to its origin is not moved [m].
@@ -111,7 +111,7 @@ std::vector<Newcomer> newcomersTo(const WorldState& state, const Group& frame, c
 }
 
 // Gives empty places to those who have none.
-void seatNewcomers(std::span<const Vec2> rest, std::span<const Newcomer> newcomers, Reform& reform) {
+void placeNewcomers(std::span<const Vec2> rest, std::span<const Newcomer> newcomers, Reform& reform) {
     std::vector<std::int32_t> empty;
     std::vector<Vec2> to, from;
     for (std::int32_t k = 0; std::cmp_less(k, rest.size()); ++k) {
@@ -285,7 +285,7 @@ Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlac
         reform.origins.assign(rest.size(), {});
         newcomers = newcomersTo(state, frame, now, reform.occupants, characters);
     }
-    seatNewcomers(rest, newcomers, reform);
+    placeNewcomers(rest, newcomers, reform);
     for (std::size_t k = 0; k < rest.size(); ++k)
         if (reform.origins[k].tracker == nullptr && reform.origins[k].place < 0 && reform.occupants[k] == 0)
             reform.origins[k].position = frame.mesh.pose().apply(rest[k]);
@@ -320,8 +320,7 @@ Result<Reform> asHeld(const WorldState& state, const Group& frame, const HeldPla
 
 void applyReform(WorldState& state, Group& group, Reform reform, const FormationMesh& mesh) {
     if (state.parameters.plan.mode == PlanMode::Fixed) orderByMembers(state, group, reform);
-    PlaceTracker places;
-    places.assemble(reform.origins, state.environment);
+    group.places.assemble(reform.origins);
     group.def.count = static_cast<std::int32_t>(group.members.size());
     if (group.def.bodies.size() > 1) {
         group.def.bodies.clear();
@@ -337,10 +336,10 @@ void applyReform(WorldState& state, Group& group, Reform reform, const Formation
         group.controls.rebind(controlDef(state.parameters), group.mesh.formation().mesh,
                               group.mesh.userMesh());
     }
-    group.places = std::move(places);
     takePlaces(state, group, reform);
     group.plan->forget();
-    group.planNow = !group.members.empty();
+    // The fast plan goes on from the places that all have; the exact one has no fields to lead anybody.
+    group.planNow = !group.members.empty() && state.parameters.plan.solver == PlanSolver::Exact;
     group.provisional = false;
     group.slice = 0;
     group.slices = 1;

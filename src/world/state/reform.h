@@ -47,7 +47,7 @@ Result<Reform> asHeld(const WorldState& state, const Group& frame, const HeldPla
                       std::span<const std::uint32_t> characters);
 
 /// Gives a group a new formation at the pose of `mesh`, mostly its own. Its members must be those of the reform. They
-/// are planned anew at once. No background work may be running.
+/// are planned again. No background work may be running.
 void applyReform(WorldState& state, Group& group, Reform reform, const FormationMesh& mesh);
 
 /// Closes the ranks: where a place has no character, those behind it in its file move up, one after the other.
