@@ -35,7 +35,7 @@ std::vector<Kind> kindsOf(const CommandsDef& def) {
         const Vec2 corners[] = {{reach, reach}, {-reach, reach}, {-reach, -reach}, {reach, -reach}};
         Order order = Order::move(corners[round % 4]);
         if (def.free) order.manner = Manner::Free;
-        return SetPose{first(world), order.target, 0.0};
+        return GiveOrder{first(world), QueueMode::Replace, 0, order};
     };
     const auto death = [](const World& world, std::int32_t round) -> CommandBody {
         const auto ids = world.characters().id;
