@@ -47,8 +47,8 @@ std::vector<Kind> kindsOf(const CommandsDef& def) {
     const auto split = [first](const World& world, std::int32_t) -> CommandBody {
         const Vec2 middle = middleOf(world.group(0));
         const Vec2 along = world.group(0).pose.rotation.apply({1.0, 0.0});
-        return SplitGroup{first(world), SplitBy::Line, {}, {middle - along, middle + along}, {}, false,
-                          PartShape::AsHeld};
+        return SplitGroup{first(world), SplitBy::Line,    {}, {middle - along, middle + along}, {},
+                          false,        PartShape::AsHeld};
     };
     const auto merge = [](const World& world, std::int32_t) -> CommandBody {
         return MergeGroups{{world.group(0).id, world.group(1).id}, PartShape::AsHeld};
@@ -81,8 +81,8 @@ std::string stagesOf(const World& world) {
     char part[80];
     for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
         if (times.milliseconds[k] < kLong) continue;
-        std::snprintf(part, sizeof part, "%s%s %.2f", text.empty() ? "" : ", ", stageName(static_cast<Stage>(k)),
-                      times.milliseconds[k]);
+        std::snprintf(part, sizeof part, "%s%s %.2f", text.empty() ? "" : ", ",
+                      stageName(static_cast<Stage>(k)), times.milliseconds[k]);
         text += part;
     }
     return text;
@@ -134,7 +134,8 @@ Result<std::vector<CommandRow>> measureCommands(const CommandsDef& def) {
         for (std::int32_t round = 0; round < def.rounds; ++round) {
             const auto at = times.begin() + kUnmeasured +
                             (round * static_cast<std::int32_t>(kinds.size()) +
-                             static_cast<std::int32_t>(kind)) * kPeriod;
+                             static_cast<std::int32_t>(kind)) *
+                                kPeriod;
             const double plain = quantile({at - kBefore, at}, 0.5);
             over.push_back(*std::max_element(at, at + kAfter) - plain);
             row.first = std::max(row.first, *at - plain);
@@ -147,11 +148,12 @@ Result<std::vector<CommandRow>> measureCommands(const CommandsDef& def) {
 
 std::string commandsText(const CommandsDef& def, const std::vector<CommandRow>& rows) {
     char line[200];
-    std::snprintf(line, sizeof line, "%d characters, %d discs, %.0f m: time above a plain step [ms]\n", def.count,
-                  def.obstacles, def.side);
+    std::snprintf(line, sizeof line, "%d characters, %d discs, %.0f m: time above a plain step [ms]\n",
+                  def.count, def.obstacles, def.side);
     std::string text = line;
     for (const CommandRow& row : rows) {
-        std::snprintf(line, sizeof line, "%-6s in its step at most %5.2f; within 15 steps median %5.2f, worst %5.2f (",
+        std::snprintf(line, sizeof line,
+                      "%-6s in its step at most %5.2f; within 15 steps median %5.2f, worst %5.2f (",
                       row.name.c_str(), row.first, row.median, row.worst);
         text += line + row.stages + ")\n";
     }

@@ -19,14 +19,14 @@ struct CommandsDef {
     bool free = false;             ///< True: each walks by the shortest way; false: the formation marches.
 };
 
-/// What one kind of command costs: the largest of the steps from the command on, for a quarter of a second, above the
-/// median of the steps before it.
+/// What one kind of command costs: the largest of the steps from the command on, for a quarter of a second,
+/// above the median of the steps before it.
 struct CommandRow {
-    std::string name;       ///< "move", "split", "merge", "death", "join"...
-    double median = 0.0;    ///< Over the rounds [ms].
-    double worst = 0.0;     ///< Over the rounds [ms].
-    double first = 0.0;     ///< The worst of the steps with the command alone [ms].
-    std::string stages;     ///< Stages of one such step that took 0.2 ms and more.
+    std::string name;     ///< "move", "split", "merge", "death", "join"...
+    double median = 0.0;  ///< Over the rounds [ms].
+    double worst = 0.0;   ///< Over the rounds [ms].
+    double first = 0.0;   ///< The worst of the steps with the command alone [ms].
+    std::string stages;   ///< Stages of one such step that took 0.2 ms and more.
 };
 
 /// Runs the case. Fails where the world is refused, a command is rejected, or runs differ.

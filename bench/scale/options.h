@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "scale/case.h"
-#include "scale/led_ground.h"
 #include "scale/commands.h"
+#include "scale/led_ground.h"
 #include "scale/orders.h"
 #include "scale/rewind.h"
 
@@ -14,12 +14,12 @@ namespace muster::scale {
 
 /// Options of the program.
 struct Options {
-    std::string command;  ///< The subcommand: "scale", "ground", "orders", "commands" or "rewind".
-    LedGroundDef ground;  ///< Of `muster-bench ground`; its first part where nobody is led.
-    bool lead = false;    ///< `muster-bench ground --lead`.
+    std::string command;   ///< The subcommand: "scale", "ground", "orders", "commands" or "rewind".
+    LedGroundDef ground;   ///< Of `muster-bench ground`; its first part where nobody is led.
+    bool lead = false;     ///< `muster-bench ground --lead`.
     CommandsDef commands;  ///< Of `muster-bench commands`.
-    OrdersDef orders;     ///< Of `muster-bench orders`; the rest is of `muster-bench scale`.
-    RewindDef rewind;     ///< Of `muster-bench rewind`.
+    OrdersDef orders;      ///< Of `muster-bench orders`; the rest is of `muster-bench scale`.
+    RewindDef rewind;      ///< Of `muster-bench rewind`.
     std::vector<std::string> scenes;
     std::vector<std::string> regimes;
     std::vector<std::int32_t> counts;

@@ -242,8 +242,8 @@ using CommandBody = std::variant<TouchDown, TouchMove, TouchUp, TouchCancel, Add
                                  RemoveControl, ReleaseClient, SetFormation, SetCount, SetPose, AddGroup,
                                  RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch,
                                  ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct,
-                                 AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup,
-                                 MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion>;
+                                 AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups,
+                                 SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion>;
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).
 struct Command {

@@ -7,9 +7,9 @@
 
 namespace muster {
 
-/// Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to Partial
-/// comes once per order and version of the ground. An order is a pose, a formation, a count or a drawn way; the ground changes with every command
-/// that changes obstacles or patches.
+/// Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to
+/// Partial comes once per order and version of the ground. An order is a pose, a formation, a count or a
+/// drawn way; the ground changes with every command that changes obstacles or patches.
 enum class EventKind : std::uint8_t {
     EnterPatch,       ///< `value` is the id of the patch.
     LeavePatch,       ///< `value` is the id of the patch.
@@ -28,9 +28,9 @@ enum class EventKind : std::uint8_t {
     /// The ground cut off the way of `value` characters of a group, or for 2 s a moving obstacle did, as a
     /// gate that closes. One that only passes gives no event.
     Blocked,
-    Free,     ///< All of a group have their way again; `value` is how many had none.
-    NoPath,   ///< No place of the group's order can be reached; `value` is their number.
-    Partial,  ///< `value` places of the group's order cannot be reached; the others can.
+    Free,          ///< All of a group have their way again; `value` is how many had none.
+    NoPath,        ///< No place of the group's order can be reached; `value` is their number.
+    Partial,       ///< `value` places of the group's order cannot be reached; the others can.
     OrderGiven,    ///< A group was given the order of id `value`.
     OrderBegun,    ///< It begins the order of id `value`.
     OrderDone,     ///< It has carried out the order of id `value`.

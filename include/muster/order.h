@@ -1,4 +1,5 @@
-// Orders: what groups are to do, one after the other, and how they behave meanwhile (SPEC B3, B11, B12, B14, B15).
+// Orders: what groups are to do, one after the other, and how they behave meanwhile (SPEC B3, B11, B12, B14,
+// B15).
 #pragma once
 
 #include <cstdint>
@@ -29,23 +30,24 @@ enum class Manner : std::uint8_t {
 /// How a marching formation takes its turns.
 enum class Turn : std::uint8_t {
     Wheel,    ///< It faces along its way, and turns at a bounded rate.
-    Reverse,  ///< As Wheel, but where the way leads back its rear becomes its front, and nobody changes files.
+    Reverse,  ///< As Wheel, but where the way leads back its rear becomes its front, and nobody changes
+              ///< files.
     Keep,     ///< It faces one way until it has arrived, and then turns to `facing`.
 };
 
 /// One order of a group.
 struct Order {
     OrderKind kind = OrderKind::Move;  ///< What it asks for.
-    Vec2 target;                       ///< Centre of the formation at the end; of the rectangle for Guard [m].
-    std::optional<double> facing;      ///< Heading at the end [rad]; none for that of the last stretch.
-    double width = 0.0;                ///< Width of the front [m]; 0 for that of the formation.
-    std::vector<Vec2> route;           ///< Drawn way to the target [m]; followed as drawn, round obstacles.
+    Vec2 target;                   ///< Centre of the formation at the end; of the rectangle for Guard [m].
+    std::optional<double> facing;  ///< Heading at the end [rad]; none for that of the last stretch.
+    double width = 0.0;            ///< Width of the front [m]; 0 for that of the formation.
+    std::vector<Vec2> route;       ///< Drawn way to the target [m]; followed as drawn, round obstacles.
     std::optional<FormationDef> formation;  ///< New formation, which is taken up on the way; none to keep it.
     Manner manner = Manner::March;          ///< How it goes.
     Turn turn = Turn::Wheel;                ///< How it turns on a march.
     double pace = 0.0;    ///< Speed of a march [m/s]; 0 for as fast as all can keep up with.
     double share = 0.95;  ///< Share of the group that must have arrived before the next order begins, (0, 1].
-    GroupId group;                ///< For Follow and Guard: the group to stay with; none for a character or a place.
+    GroupId group;        ///< For Follow and Guard: the group to stay with; none for a character or a place.
     std::uint32_t character = 0;  ///< For Follow and Guard: id of the character to stay with; 0 for none.
     Vec2 offset;                  ///< For Follow: from its centre to the formation's, in its axes [m].
     Vec2 halfSize;                ///< For Guard: half the length and half the width of the rectangle [m].
@@ -145,8 +147,8 @@ enum class Stance : std::uint8_t {
 struct Conduct {
     Stance stance = Stance::Normal;  ///< Who makes room.
     double cohesion = 0.0;  ///< 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1].
-    double squeeze = 1.0;   ///< Share of its width that it may give up in narrow passages, [0, 1]; 0 for none.
-    bool avoids = false;    ///< True: its mesh gives way to other meshes and to moving obstacles (SPEC B3).
+    double squeeze = 1.0;  ///< Share of its width that it may give up in narrow passages, [0, 1]; 0 for none.
+    bool avoids = false;   ///< True: its mesh gives way to other meshes and to moving obstacles (SPEC B3).
 
     /// Lets an archive read or write it.
     template <class Archive>

@@ -1,5 +1,5 @@
-// Units: what single characters are, what they are in their formation, and how groups are divided (SPEC B2, B10,
-// B13, B15).
+// Units: what single characters are, what they are in their formation, and how groups are divided (SPEC B2,
+// B10, B13, B15).
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@ namespace muster {
 
 /// The body of a character. A number of 0 stands for the parameter of that name.
 struct Body {
-    double radius = 0.0;          ///< Radius [m], 0 or 0.05 to 1.5.
-    double maxSpeed = 0.0;        ///< Top speed in the open [m/s], 0 or 0.01 to 50.
-    double acceleration = 0.0;    ///< Top acceleration [m/s^2], 0 or 0.01 to 1000.
-    double mass = 1.0;            ///< Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less.
-    double supply = 1.0;          ///< Units that it supplies to places (SPEC A1), above 0 and at most 1000.
-    std::uint8_t unitClass = 0;   ///< Class, for roles; 0 for none.
+    double radius = 0.0;        ///< Radius [m], 0 or 0.05 to 1.5.
+    double maxSpeed = 0.0;      ///< Top speed in the open [m/s], 0 or 0.01 to 50.
+    double acceleration = 0.0;  ///< Top acceleration [m/s^2], 0 or 0.01 to 1000.
+    double mass = 1.0;    ///< Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less.
+    double supply = 1.0;  ///< Units that it supplies to places (SPEC A1), above 0 and at most 1000.
+    std::uint8_t unitClass = 0;  ///< Class, for roles; 0 for none.
 
     /// Lets an archive read or write it.
     template <class Archive>
@@ -37,8 +37,9 @@ enum class RoleArea : std::uint8_t {
     Flanks,      ///< Those farthest from the middle line.
 };
 
-/// Characters of a class take their places in a part of the formation: as many as there are such characters. Roles
-/// choose in their order; who is of no role takes what is left. (Ranks by class: several roles in front.)
+/// Characters of a class take their places in a part of the formation: as many as there are such characters.
+/// Roles choose in their order; who is of no role takes what is left. (Ranks by class: several roles in
+/// front.)
 struct RoleDef {
     RoleArea area = RoleArea::Front;  ///< Where.
     std::uint8_t unitClass = 1;       ///< Who, 1 or more.

@@ -43,16 +43,16 @@ struct TransferCharacters {
         archive(ids, group);
     }
 };
-/// Divides a group. The part that leaves is a new group, whose id the event GroupAdded tells; nobody stops, and
-/// all parts go on with the orders of the whole.
+/// Divides a group. The part that leaves is a new group, whose id the event GroupAdded tells; nobody stops,
+/// and all parts go on with the orders of the whole.
 struct SplitGroup {
-    GroupId group;                            ///< Which.
-    SplitBy by = SplitBy::Ids;                ///< How.
-    std::vector<std::uint32_t> ids;           ///< For Ids: who leaves.
-    std::vector<Vec2> points;                 ///< For Line: two points; for Lasso: the corners of the polygon [m].
-    std::vector<double> shares;               ///< For Shares: of all parts, above 0; their sum counts as the whole.
-    bool abreast = false;                     ///< For Shares: parts lie side by side, not one behind the other.
-    PartShape shape = PartShape::AsHeld;      ///< Formation of the parts.
+    GroupId group;                   ///< Which.
+    SplitBy by = SplitBy::Ids;       ///< How.
+    std::vector<std::uint32_t> ids;  ///< For Ids: who leaves.
+    std::vector<Vec2> points;        ///< For Line: two points; for Lasso: the corners of the polygon [m].
+    std::vector<double> shares;      ///< For Shares: of all parts, above 0; their sum counts as the whole.
+    bool abreast = false;            ///< For Shares: parts lie side by side, not one behind the other.
+    PartShape shape = PartShape::AsHeld;  ///< Formation of the parts.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -62,8 +62,9 @@ struct SplitGroup {
 };
 /// Joins groups to the first of them; the others end.
 struct MergeGroups {
-    std::vector<GroupId> groups;             ///< Two or more.
-    PartShape shape = PartShape::Smaller;    ///< Smaller: the formation of the first for all; AsHeld: all places stay.
+    std::vector<GroupId> groups;           ///< Two or more.
+    PartShape shape = PartShape::Smaller;  ///< Smaller: the formation of the first for all; AsHeld: all
+                                           ///< places stay.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -107,7 +108,7 @@ struct SetDemands {
 /// Says who moves characters.
 struct SetDriver {
     std::vector<std::uint32_t> ids;  ///< Whom.
-    Driver driver = Driver::Muster;     ///< Who moves them.
+    Driver driver = Driver::Muster;  ///< Who moves them.
 
     /// Lets an archive read or write the command.
     template <class Archive>

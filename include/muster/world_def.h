@@ -21,11 +21,11 @@ struct GroupDef {
     std::string name = "Group";  ///< Name for display.
     /// Number of characters, 1 to 200,000; at most 5,000 in all groups with exact plans.
     std::int32_t count = 36;
-    FormationDef formation;    ///< Shape and spacing of the places.
-    Vec2 position;             ///< Centre of the formation [m].
-    double angle = 0.0;        ///< Heading, counter-clockwise from +x [rad].
-    std::vector<Vec2> starts;  ///< Initial positions of characters [m]; empty to start on their places.
-    double jitter = 0.0;       ///< Largest random displacement of initial positions [m], 0 or more.
+    FormationDef formation;       ///< Shape and spacing of the places.
+    Vec2 position;                ///< Centre of the formation [m].
+    double angle = 0.0;           ///< Heading, counter-clockwise from +x [rad].
+    std::vector<Vec2> starts;     ///< Initial positions of characters [m]; empty to start on their places.
+    double jitter = 0.0;          ///< Largest random displacement of initial positions [m], 0 or more.
     std::vector<Body> bodies;     ///< One for all, or one for each character; empty for the parameters'.
     std::vector<RoleDef> roles;   ///< Which class stands where; empty for none.
     std::vector<double> demands;  ///< Units of supply that each place demands; empty for 1 each.

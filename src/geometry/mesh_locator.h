@@ -24,7 +24,7 @@ private:
 
     const std::vector<Triangle>& triangles_;
     const std::vector<Vec2>& vertices_;
-    Vec2 low_, size_;                                   // Of the box of all vertices [m].
+    Vec2 low_, size_;                                // Of the box of all vertices [m].
     std::vector<std::vector<std::int32_t>> inCell_;  // Per cell, ascending.
 };
 

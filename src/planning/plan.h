@@ -19,8 +19,8 @@ public:
     /// first start(); changes no result.
     virtual void reserve(std::size_t /*characters*/, std::size_t /*places*/, PlanCosts&) {}
 
-    /// Forgets pending and finished assignments, because characters or places have other numbers now. What was
-    /// computed of the ground stays.
+    /// Forgets pending and finished assignments, because characters or places have other numbers now. What
+    /// was computed of the ground stays.
     virtual void forget() = 0;
 
     /// Writes all that can influence later results: frozen inputs and progress, never the cost fields.

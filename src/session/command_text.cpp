@@ -17,19 +17,20 @@ bool isOneOf(const CommandBody& body) {
 }
 
 bool allowed(const CommandBody& body) {
-    return isOneOf<GiveOrder, EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup,
-                   MergeGroups, SetBodies, SetRoles, SetDemands, SetFormation, SetPose>(body);
+    return isOneOf<GiveOrder, EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters,
+                   SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetFormation, SetPose>(body);
 }
 
 Status beyondLimit(const char* what, std::size_t found, std::size_t most) {
-    return {StatusCode::LimitExceeded, "found " + std::to_string(found) + " " + what + ", expected at most " +
-                                           std::to_string(most)};
+    return {StatusCode::LimitExceeded,
+            "found " + std::to_string(found) + " " + what + ", expected at most " + std::to_string(most)};
 }
 
 }  // namespace
 
 Result<std::vector<CommandBody>> parseCommandText(std::string_view text, const SessionLimits& limits) {
-    if (text.size() > limits.commandBytes) return beyondLimit("bytes of commands", text.size(), limits.commandBytes);
+    if (text.size() > limits.commandBytes)
+        return beyondLimit("bytes of commands", text.size(), limits.commandBytes);
     auto commands = parseCommands(text, kSource, 1.0);
     if (!commands.ok()) return commands.status();
     if (commands->size() > limits.commandsPerMessage)

@@ -9,9 +9,9 @@
 
 namespace muster {
 
-/// Reads events; the session sets time, step and client. Only orders, changes of units, formations and poses are
-/// allowed: fingers come in messages of their own, and nobody builds walls from a page. Fails with one sentence that
-/// names the event.
+/// Reads events; the session sets time, step and client. Only orders, changes of units, formations and poses
+/// are allowed: fingers come in messages of their own, and nobody builds walls from a page. Fails with one
+/// sentence that names the event.
 Result<std::vector<CommandBody>> parseCommandText(std::string_view text, const SessionLimits& limits);
 
 }  // namespace muster

@@ -57,8 +57,7 @@ void appendNotices(const World& world, std::vector<EventNotice>& notices) {
         const std::string what = sentence(kind, group, number);
         if (what.empty()) return;
         const auto level = isGood(kind) ? protocol::NoticeLevel::Info : protocol::NoticeLevel::Warning;
-        notices.push_back(
-            {level, eventKindName(kind), nameOf(group) + ": " + what, position});
+        notices.push_back({level, eventKindName(kind), nameOf(group) + ": " + what, position});
     };
     for (const Event& event : world.events()) {
         if (!isOrderEvent(event.kind)) continue;

@@ -87,8 +87,8 @@ struct Frame {
     std::uint32_t sceneRevision = 0;
     std::vector<std::uint32_t> ids;  ///< of characters; empty where unchanged since the last frame sent
     std::vector<std::uint8_t> group;  ///< index into groups
-    std::vector<std::uint8_t> unitClass;  ///< of characters, where ids are told; empty: all are of none
-    std::vector<std::uint8_t> radius;  ///< of characters, where ids are told [cm]; empty: all have the usual one
+    std::vector<std::uint8_t> unitClass;  ///< of characters, where ids are known; empty: all are of none
+    std::vector<std::uint8_t> radius;  ///< of characters, where ids are known [cm]; empty: all have the usual one
     CrowdFrame crowd;
     std::vector<GroupFrame> groups;
     std::vector<MovingFrame> moving;

@@ -114,13 +114,11 @@ Status validateParameters(const Parameters& parameters, const Box& box) {
 }
 
 Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t groups) {
-    return first({isPlace("position", checkpoint.position), inRange("radius", checkpoint.radius, 0.01, 1e4),
-                  inRange("group", checkpoint.group, -1, static_cast<double>(groups) - 1),
-                  checkpoint.trigger <= CheckpointTrigger::Mesh
-                      ? Status()
-                      : invalidArgument("trigger is not known"),
-                  inRange("share", checkpoint.share, 1e-6, 1.0),
-                  validateFormation(checkpoint.formation)});
+    return first(
+        {isPlace("position", checkpoint.position), inRange("radius", checkpoint.radius, 0.01, 1e4),
+         inRange("group", checkpoint.group, -1, static_cast<double>(groups) - 1),
+         checkpoint.trigger <= CheckpointTrigger::Mesh ? Status() : invalidArgument("trigger is not known"),
+         inRange("share", checkpoint.share, 1e-6, 1.0), validateFormation(checkpoint.formation)});
 }
 
 Status validateItem(const ItemDef& item) {

@@ -38,8 +38,8 @@ Status validateGroup(const GroupDef& group);
 Status validateOrder(const Order& order);
 /// InvalidArgument where a number of a conduct is out of its range.
 Status validateConduct(const Conduct& conduct);
-/// InvalidArgument where a body is bad, or there is neither one for each of `count` nor one for all (nor, where
-/// `optional`, none).
+/// InvalidArgument where a body is bad, or there is neither one for each of `count` nor one for all (nor,
+/// where `optional`, none).
 Status validateBodies(const std::vector<Body>& bodies, std::size_t count, bool optional);
 /// InvalidArgument where a role is bad.
 Status validateRoles(const std::vector<RoleDef>& roles);

@@ -44,8 +44,8 @@ Status validateOrder(const Order& order) {
 
 Status validateConduct(const Conduct& conduct) {
     if (conduct.stance > Stance::Yield) return invalidArgument("stance is not known");
-    return first({inRange("cohesion", conduct.cohesion, 0.0, 1.0),
-                  inRange("squeeze", conduct.squeeze, 0.0, 1.0)});
+    return first(
+        {inRange("cohesion", conduct.cohesion, 0.0, 1.0), inRange("squeeze", conduct.squeeze, 0.0, 1.0)});
 }
 
 Status validateBodies(const std::vector<Body>& bodies, std::size_t count, bool optional) {
@@ -54,8 +54,7 @@ Status validateBodies(const std::vector<Body>& bodies, std::size_t count, bool o
         return invalidArgument("found " + std::to_string(bodies.size()) + " bodies, expected 1 or " +
                                std::to_string(count));
     for (std::size_t k = 0; k < bodies.size(); ++k)
-        if (Status s = validateBody(bodies[k]); !s.ok())
-            return s.within("bodies[" + std::to_string(k) + "]");
+        if (Status s = validateBody(bodies[k]); !s.ok()) return s.within("bodies[" + std::to_string(k) + "]");
     return {};
 }
 

@@ -15,9 +15,9 @@
 namespace muster {
 
 const char* stageName(Stage stage) {
-    constexpr const char* kStageNames[] = {"commands", "orders", "controls", "user mesh",
-                                           "final mesh", "places", "density and cost", "plan",
-                                           "steering", "contacts", "patches", "events"};
+    constexpr const char* kStageNames[] = {"commands",   "orders",   "controls",         "user mesh",
+                                           "final mesh", "places",   "density and cost", "plan",
+                                           "steering",   "contacts", "patches",          "events"};
     return stage < Stage::Count ? kStageNames[static_cast<std::size_t>(stage)] : "none";
 }
 

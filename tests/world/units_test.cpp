@@ -1,5 +1,5 @@
-// Characters join, leave and change groups; groups split and merge: ids, positions, velocities and places of all others
-// stay.
+// Characters join, leave and change groups; groups split and merge: ids, positions, velocities and places of
+// all others stay.
 #include <doctest.h>
 
 #include <algorithm>
@@ -43,7 +43,8 @@ std::map<std::uint32_t, double> speedsOf(const World& world) {
 double farthestMove(const std::map<std::uint32_t, Vec2>& before, const std::map<std::uint32_t, Vec2>& after) {
     double most = 0.0;
     for (const auto& [id, p] : after)
-        if (const auto at = before.find(id); at != before.end()) most = std::max(most, distance(at->second, p));
+        if (const auto at = before.find(id); at != before.end())
+            most = std::max(most, distance(at->second, p));
     return most;
 }
 
@@ -238,7 +239,8 @@ TEST_CASE("a split stops nobody, and each part keeps the places that it held") {
         const GroupView group = world.group(0);
         Vec2 middle;
         for (const Vec2 v : group.finalMesh) middle += v / static_cast<double>(group.finalMesh.size());
-        SplitGroup split{group.id, SplitBy::Line, {}, {middle - Vec2{9, 0}, middle + Vec2{9, 0}}, {}, false, shape};
+        SplitGroup split{group.id, SplitBy::Line, {},   {middle - Vec2{9, 0}, middle + Vec2{9, 0}},
+                         {},       false,         shape};
         REQUIRE(give(world, sequence, split).ok());
         world.step();
         REQUIRE(world.rejections().empty());
@@ -262,7 +264,8 @@ TEST_CASE("the sides of a line, a lasso, ids and shares say who leaves") {
     run(world, 0.2);
     const GroupId whole = world.group(0).id;
     // The six files of the square lie at y = -2.5 to 2.5: three lie to the left of the axis.
-    REQUIRE(give(world, sequence, SplitGroup{whole, SplitBy::Line, {}, {{-9, 0}, {9, 0}}, {}, false, {}}).ok());
+    REQUIRE(
+        give(world, sequence, SplitGroup{whole, SplitBy::Line, {}, {{-9, 0}, {9, 0}}, {}, false, {}}).ok());
     world.step();
     REQUIRE(world.groupCount() == 2);
     CHECK(world.group(1).count == 18);
@@ -315,7 +318,8 @@ TEST_CASE("a merge joins all to the first, and stops nobody") {
         CHECK(farthestMove(positions, positionsOf(world)) < 0.05);
         checkSnapshot(world, 0.5);
         std::int32_t slowed = 0;
-        for (const auto& [who, speed] : speedsOf(world)) slowed += speeds.at(who) > 1.5 && speed < 1.0 ? 1 : 0;
+        for (const auto& [who, speed] : speedsOf(world))
+            slowed += speeds.at(who) > 1.5 && speed < 1.0 ? 1 : 0;
         CHECK(slowed == 0);
         checkSettled(world, 45.0);
     }

@@ -21,24 +21,12 @@ constexpr std::size_t kExpensiveCompared = 200;
 // The last slot joins dummy nodes and free places with the matched ones.
 constexpr std::int32_t kLastSlot = ExchangeArcs::kArcsPerNode - 1;
 
-// Edge of cells that hold about one and a half points each [m].
-double cellEdge(std::span<const Vec2> points) {
-    if (points.empty()) return 1.0;
-    Box box{points[0], points[0]};
-    for (const Vec2 p : points) {
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-    }
-    const double area = std::max(box.width(), 0.1) * std::max(box.height(), 0.1);
-    return std::max(0.1, std::sqrt(1.5 * area / static_cast<double>(points.size())));
-}
-
 }  // namespace
 
 void ArcCandidates::prepare(const AssignmentStep& step, const AssignmentNodes& nodes,
                             std::span<const double> dual, std::span<const float> matchedCost) {
-    placeCells_.sort(step.input.places, cellEdge(step.input.places));
-    characterCells_.sort(step.input.characters, cellEdge(step.input.characters));
+    placeCells_.sort(step.input.places, NearestPoints::cellEdge(step.input.places));
+    characterCells_.sort(step.input.characters, NearestPoints::cellEdge(step.input.characters));
     double sum = 0.0;
     std::int32_t matched = 0;
     highestMatched_ = highestUnmatched_ = -1;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -17,6 +18,17 @@ class NearestPoints {
 public:
     static constexpr std::int32_t kCapacity = 16;  ///< Points that a search can find.
 
+    /// Edge of cells that hold about one and a half points each [m].
+    static double cellEdge(std::span<const Vec2> points) {
+        if (points.empty()) return 1.0;
+        Box box{points[0], points[0]};
+        for (const Vec2 p : points) {
+            box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+            box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+        }
+        const double area = std::max(box.width(), 0.1) * std::max(box.height(), 0.1);
+        return std::max(0.1, std::sqrt(1.5 * area / static_cast<double>(points.size())));
+    }
     /// Finds the `count` (at most kCapacity) points nearest to `centre` [m] that `accept(point)`.
     template <class Accept>
     void find(const CellList& cells, std::span<const Vec2> points, Vec2 centre, std::int32_t count,

@@ -128,7 +128,8 @@ Course climbCourse() {
     Course course;
     course.travel = straight([](double time) { return travelCurve().at(time); });
     course.body = [jogs](double time) {
-        const ChannelValues body = blend(jogs.before.body(time), bodyKeys().at(time, {}), rise(0.0, 0.35, time));
+        const ChannelValues body = blend(jogs.before.body(time), bodyKeys().at(time, {}),
+                                         rise(0.0, 0.35, time));
         return blend(body, jogs.after.body(time), rise(kClimbEnd - 0.32, kClimbEnd, time));
     };
     return course;

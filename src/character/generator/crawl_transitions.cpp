@@ -118,7 +118,8 @@ Course courseOf(const GaitTrack& jog, const CrawlTrack& crawl) {
     Course course;
     course.travel = straight(changingSpeed(CrawlTrack::kSpeed, jog.gait().speed, 0.25, kCrawlEnd));
     course.body = [=](double time) {
-        ChannelValues body = blend(crawl.figure(time).body, jog.body(time), rise(kUp - 0.02, kCrawlEnd, time));
+        ChannelValues body = blend(crawl.figure(time).body, jog.body(time),
+                                   rise(kUp - 0.02, kCrawlEnd, time));
         body[Channel::ChestPitch] += degrees(6) * hump(kUp, kCrawlEnd, time);
         return body;
     };

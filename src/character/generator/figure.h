@@ -38,7 +38,7 @@ struct Reach {
 
 /// All inputs of a pose, in one frame: the travelling frame or the ground frame.
 struct Figure {
-    ChannelValues body;                   ///< Trunk, head and free arms.
+    ChannelValues body;          ///< Trunk, head and free arms.
     std::array<Leg, 2> legs;     ///< Left, right.
     std::array<Reach, 2> reach;  ///< Left, right.
 };

@@ -87,7 +87,8 @@ Transition jumpOf(const JumpShape& shape) {
     });
     const Arc arc(shape, before, after);
     transition.course.body = [=](double time) {
-        ChannelValues body = blend(before.body(time), after.body(time), rise(shape.off - 0.05, shape.land, time));
+        ChannelValues body = blend(before.body(time), after.body(time),
+                                   rise(shape.off - 0.05, shape.land, time));
         if (time > 0.0 && time < kJumpEnd) body[Channel::HipsZ] = arc.at(time);
         return time > 0.0 && time < kJumpEnd ? heldInJump(shape, body, time) : body;
     };

@@ -105,7 +105,9 @@ Figure swimming(double time) {
 /// Keys of the body that rises out of the water, from swimming to jogging.
 BodyKeys riseOf(const ChannelValues& wet, const ChannelValues& dry) {
     using enum Channel;
-    const auto angle = [](const ChannelValues& body, Channel channel) { return body[channel] / degrees(1.0); };
+    const auto angle = [](const ChannelValues& body, Channel channel) {
+        return body[channel] / degrees(1.0);
+    };
     return BodyKeys({
         {HipsZ,
          {{0.0, wet[HipsZ]},

@@ -30,7 +30,7 @@ struct CrowdMotion::Impl {
     bool named = false;                  ///< True after setNear().
     std::vector<std::uint32_t> near;     ///< Indices, ascending.
     std::vector<std::uint32_t> nearIds;  ///< Their ids.
-    std::vector<PosedBody> bodies;            ///< One per entry of `near`.
+    std::vector<PosedBody> bodies;       ///< One per entry of `near`.
     std::vector<PosedBody> spare;
     std::vector<PlacesView> places;  ///< By group.
 };

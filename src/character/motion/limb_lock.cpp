@@ -40,7 +40,8 @@ struct JointTarget {
 /// The update of one limb in one step.
 class LimbStep {
 public:
-    LimbStep(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t number, PosedBody& body)
+    LimbStep(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t number,
+             PosedBody& body)
         : table_(table),
           mover_(mover),
           axes_(axes),

@@ -35,8 +35,8 @@ public:
         std::int32_t place = -1;                ///< Its index there.
         Vec2 position;                          ///< Where a new one begins [m].
     };
-    /// Takes over places from trackers, of which this may be one, and new ones. They go on from where they are;
-    /// reachable targets stay until the next advance().
+    /// Takes over places from trackers, of which this may be one, and new ones. They go on from where they
+    /// are; reachable targets stay until the next advance().
     void assemble(std::span<const Origin> origins);
 
     const std::vector<Vec2>& positions() const { return position_; }   ///< [m]

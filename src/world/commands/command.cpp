@@ -15,12 +15,15 @@ constexpr std::size_t kMaxTouches = 64;    // Of one control.
 constexpr std::int32_t kAnyMotion = 1000;  // Whether the world knows the motion shows when it is applied.
 
 constexpr auto kNames = std::to_array<const char*>(
-    {"TouchDown",      "TouchMove",     "TouchUp",       "TouchCancel",  "AddControl",
-     "PinControl",     "RemoveControl", "ReleaseClient", "SetFormation", "SetCount",
-     "SetPose",        "AddGroup",      "RemoveGroup",   "AddObstacle",  "ChangeObstacle",
-     "RemoveObstacle", "AddPatch",      "ChangePatch",   "RemovePatch",  "SetParameter", "GiveOrder", "EditQueue",
-     "SetConduct", "AddCharacters", "RemoveCharacters", "TransferCharacters", "SplitGroup", "MergeGroups",
-     "SetBodies", "SetRoles", "SetDemands", "SetDriver", "WriteMotion"});
+    {"TouchDown",        "TouchMove",          "TouchUp",        "TouchCancel",
+     "AddControl",       "PinControl",         "RemoveControl",  "ReleaseClient",
+     "SetFormation",     "SetCount",           "SetPose",        "AddGroup",
+     "RemoveGroup",      "AddObstacle",        "ChangeObstacle", "RemoveObstacle",
+     "AddPatch",         "ChangePatch",        "RemovePatch",    "SetParameter",
+     "GiveOrder",        "EditQueue",          "SetConduct",     "AddCharacters",
+     "RemoveCharacters", "TransferCharacters", "SplitGroup",     "MergeGroups",
+     "SetBodies",        "SetRoles",           "SetDemands",     "SetDriver",
+     "WriteMotion"});
 static_assert(kNames.size() == std::variant_size_v<CommandBody>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -141,8 +144,8 @@ struct Validator {
 private:
     static Status places(const char* what, const std::vector<Vec2>& points) {
         if (points.size() > static_cast<std::size_t>(kMaxCharacters))
-            return {StatusCode::LimitExceeded, std::string(what) + " are more than " +
-                                                   std::to_string(kMaxCharacters)};
+            return {StatusCode::LimitExceeded,
+                    std::string(what) + " are more than " + std::to_string(kMaxCharacters)};
         for (const Vec2 p : points)
             if (Status s = place(p); !s.ok()) return s.within(what);
         return {};

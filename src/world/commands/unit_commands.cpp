@@ -52,7 +52,8 @@ Result<Shrinking> shrink(const WorldState& state, std::span<const std::int32_t> 
         const Group& group = state.groups[g];
         std::vector<std::uint32_t> stay;
         for (const std::int32_t i : group.members)
-            if (!std::binary_search(leaving.begin(), leaving.end(), i)) stay.push_back(state.characters.id[i]);
+            if (!std::binary_search(leaving.begin(), leaving.end(), i))
+                stay.push_back(state.characters.id[i]);
         if (stay.size() == group.members.size()) continue;
         HeldPlaces held;
         held.add(state, group, group);
@@ -147,8 +148,8 @@ Status transferCharacters(WorldState& state, const TransferCharacters& command, 
     }
     apply(state, *shrinking);
     for (const std::int32_t i : *leaving)
-        events.push_back({EventKind::Transferred, state.characters.id[i], group->id.value,
-                          state.characters.position[i]});
+        events.push_back(
+            {EventKind::Transferred, state.characters.id[i], group->id.value, state.characters.position[i]});
     return {};
 }
 

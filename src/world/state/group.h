@@ -44,13 +44,13 @@ struct Group {
     OrderQueue orders;                         ///< What it is to do.
     /// By checkpoint, the ids of those who have been in it since it was last left, ascending.
     std::vector<std::vector<std::uint32_t>> visitors;
-    Settling settling;                         ///< Where it settles.
-    Vec2 surveyFrom;                           ///< Where passages were last looked for from [m]...
-    Vec2 surveyTo;                             ///< ... and where to [m].
-    Vec2 waysFor;                              ///< Mean goal for which ways were last chosen [m].
-    Vec2 goalDrift;                            ///< Velocity of the mean goal before that [m/s].
-    Vec2 foreseen;                             ///< How far goals will have moved soon [m].
-    std::int32_t groundClass = 0;              ///< Of the ground that it plans on (ground_class.h).
+    Settling settling;             ///< Where it settles.
+    Vec2 surveyFrom;               ///< Where passages were last looked for from [m]...
+    Vec2 surveyTo;                 ///< ... and where to [m].
+    Vec2 waysFor;                  ///< Mean goal for which ways were last chosen [m].
+    Vec2 goalDrift;                ///< Velocity of the mean goal before that [m/s].
+    Vec2 foreseen;                 ///< How far goals will have moved soon [m].
+    std::int32_t groundClass = 0;  ///< Of the ground that it plans on (ground_class.h).
 
     PlaceClasses placeClasses;  ///< Finds placeClass; a cache.
     // Caches of a step.

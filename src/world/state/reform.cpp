@@ -13,11 +13,11 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kSamples = 64;  // Places by which a formation is fitted.
-constexpr double kSamePlace = 0.6;    // Places nearer than so many spacings are the same.
-constexpr double kFileReach = 2.2;    // Who moves up comes from at most so many spacings behind,
-constexpr double kFileWidth = 0.8;    // and so many beside,
-constexpr double kLeastRank = 0.3;    // and at least so many behind.
+constexpr std::size_t kSamples = 64;    // Places by which a formation is fitted.
+constexpr double kSamePlace = 0.6;      // Places nearer than so many spacings are the same.
+constexpr double kFileReach = 2.2;      // Who moves up comes from at most so many spacings behind,
+constexpr double kFileWidth = 0.8;      // and so many beside,
+constexpr double kLeastRank = 0.3;      // and at least so many behind.
 constexpr std::size_t kMostHoles = 64;  // So many places are closed up at most, else all are matched again.
 constexpr std::int32_t kRank = 10;      // Points that are added come in ranks of so many.
 constexpr double kClearlyBetter = 0.5;  // Of the misfit of another way to fit it.
@@ -42,8 +42,8 @@ double misfit(std::span<const Vec2> places, Vec2 shift, std::span<const Vec2> he
     return sum;
 }
 
-// How far a formation is moved to fit what is held: front on front, unless origin on origin, middle on middle, or rear
-// on rear fit clearly better.
+// How far a formation is moved to fit what is held: front on front, unless origin on origin, middle on
+// middle, or rear on rear fit clearly better.
 Vec2 bestShift(std::span<const Vec2> places, std::span<const Vec2> held) {
     if (held.empty()) return {};
     const Box now = boundsOf(held), next = boundsOf(places);
@@ -80,8 +80,8 @@ std::int32_t nextInFile(std::span<const Vec2> rest, double spacing, std::span<co
 }
 
 std::size_t indexOf(const Characters& characters, std::uint32_t id) {
-    return static_cast<std::size_t>(
-        std::lower_bound(characters.id.begin(), characters.id.end(), id) - characters.id.begin());
+    return static_cast<std::size_t>(std::lower_bound(characters.id.begin(), characters.id.end(), id) -
+                                    characters.id.begin());
 }
 
 // A character without a place in a new formation, and where it would come from.
@@ -152,8 +152,8 @@ std::vector<Vec2> pointsFor(const HeldPlaces& held, double spacing, std::size_t 
     const Box box = points.empty() ? Box{} : boundsOf(points);
     const double middle = 0.5 * (box.min.y + box.max.y);
     for (std::int32_t k = 0; points.size() < count; ++k)
-        points.push_back({box.min.x - spacing * (1 + k / kRank),
-                          middle + spacing * (k % kRank - 0.5 * (kRank - 1))});
+        points.push_back(
+            {box.min.x - spacing * (1 + k / kRank), middle + spacing * (k % kRank - 0.5 * (kRank - 1))});
     return points;
 }
 
@@ -211,9 +211,8 @@ void HeldPlaces::add(const WorldState& state, const Group& group, const Group& f
     group.mesh.heldPlaces(places);
     const std::size_t first = rest.size();
     for (std::size_t k = 0; k < places.size(); ++k) {
-        rest.push_back(&group == &frame
-                           ? places[k]
-                           : frame.mesh.pose().applyInverse(group.mesh.pose().apply(places[k])));
+        rest.push_back(&group == &frame ? places[k]
+                                        : frame.mesh.pose().applyInverse(group.mesh.pose().apply(places[k])));
         origins.push_back({&group.places, static_cast<std::int32_t>(k), {}});
     }
     occupants.resize(rest.size(), 0);
@@ -254,8 +253,8 @@ FormationDef resized(const Group& group, const HeldPlaces& held, std::span<const
     return def;
 }
 
-Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlaces& held, const FormationDef& def,
-                     std::span<const std::uint32_t> characters) {
+Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlaces& held,
+                     const FormationDef& def, std::span<const std::uint32_t> characters) {
     Reform reform;
     reform.def = def;
     if (characters.empty()) return reform;

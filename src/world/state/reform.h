@@ -31,27 +31,28 @@ struct Reform {
     std::vector<PlaceTracker::Origin> origins;  ///< Where each place begins.
 };
 
-/// The definition of a group's formation for other characters, whose ids ascend. A square keeps its files, or has them
-/// in proportion to its size where `scaled`. Points are those held, of which the hindmost are dropped, or to which
-/// ranks are added behind.
+/// The definition of a group's formation for other characters, whose ids ascend. A square keeps its files, or
+/// has them in proportion to its size where `scaled`. Points are those held, of which the hindmost are
+/// dropped, or to which ranks are added behind.
 FormationDef resized(const Group& group, const HeldPlaces& held, std::span<const std::uint32_t> characters,
                      bool scaled);
 
-/// A formation by `def` for characters, whose ids ascend, from the places that are held. Unless it is one of points, it
-/// is moved in the axes of the mesh to where it fits these best; who has a place keeps it, ranks close up, and
-/// newcomers take what is left. Fails as makeFormation().
-Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlaces& held, const FormationDef& def,
-                     std::span<const std::uint32_t> characters);
+/// A formation by `def` for characters, whose ids ascend, from the places that are held. Unless it is one of
+/// points, it is moved in the axes of the mesh to where it fits these best; who has a place keeps it, ranks
+/// close up, and newcomers take what is left. Fails as makeFormation().
+Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlaces& held,
+                     const FormationDef& def, std::span<const std::uint32_t> characters);
 /// Each of the characters, whose ids ascend, keeps the place that it holds, or where it stands.
 Result<Reform> asHeld(const WorldState& state, const Group& frame, const HeldPlaces& held,
                       std::span<const std::uint32_t> characters);
 
-/// Gives a group a new formation at the pose of `mesh`, mostly its own. Its members must be those of the reform. They
-/// are planned again. No background work may be running.
+/// Gives a group a new formation at the pose of `mesh`, mostly its own. Its members must be those of the
+/// reform. They are planned again. No background work may be running.
 void applyReform(WorldState& state, Group& group, Reform reform, const FormationMesh& mesh);
 
-/// Closes the ranks: where a place has no character, those behind it in its file move up, one after the other.
-/// `rest` are the places [m], front towards +x. Places that stay empty are the hindmost of their files.
+/// Closes the ranks: where a place has no character, those behind it in its file move up, one after the
+/// other. `rest` are the places [m], front towards +x. Places that stay empty are the hindmost of their
+/// files.
 void closeRanks(std::span<const Vec2> rest, double spacing, std::span<std::uint32_t> occupants);
 
 /// Makes the middle of a formation that was fitted the origin of its mesh; nothing moves.

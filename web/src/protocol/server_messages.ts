@@ -162,9 +162,9 @@ export interface Frame {
   ids: Uint32Array;
   /** index into groups */
   group: Uint8Array;
-  /** of characters, where ids are told; empty: all are of none */
+  /** of characters, where ids are known; empty: all are of none */
   unitClass: Uint8Array;
-  /** of characters, where ids are told [cm]; empty: all have the usual one */
+  /** of characters, where ids are known [cm]; empty: all have the usual one */
   radius: Uint8Array;
   crowd: CrowdFrame;
   groups: GroupFrame[];
