@@ -201,7 +201,7 @@ std::int32_t TransportTree::push(std::int32_t tail, std::int32_t head, std::int6
     return leaving;
 }
 
-// Turns the path from `node` up to `top` over, and hangs it on `parent`.
+// Reverses the path from `node` up to `top`, and hangs it on `parent`.
 void TransportTree::reroot(std::int32_t node, std::int32_t top, std::int32_t parent, LevelCost cost,
                            std::int64_t flow, std::int64_t& work) {
     std::int32_t next = node;
