@@ -171,7 +171,7 @@ TEST_CASE("play reports every result by name, records a take that replays, and w
     CHECK(figures["planned"]["squares_m2"].get<double>() >= 0.0);
     CHECK(figures["steps"] == 480);
     CHECK(figures["path_ratio"].is_null());
-    CHECK(figures["step_ms"]["stages"].size() == 11);
+    CHECK(figures["step_ms"]["stages"].size() == 12);
     CHECK(figures["events"]["arrived"] == 1);
     CHECK(figures["events"]["stuck"] == 0);
     CHECK(figures["events"]["noPath"] == 0);
