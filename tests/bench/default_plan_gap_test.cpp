@@ -126,7 +126,8 @@ TEST_CASE("gap of the default plan among cars") {
     WorldDef def = floorWithCrowd(3);
     Random random(3);
     addCars(def, random);
-    checkGaps("cars", def, 3.3, 1.4);  // 3.0 and 1.24 (other roundings: 2.3 and 0.95); 25 and 4.1 without discomfort.
+    checkGaps("cars", def, 3.3,
+              1.4);  // 3.0 and 1.24 (other roundings: 2.3 and 0.95); 25 and 4.1 without discomfort.
 }
 
 TEST_CASE("gap of the default plan among a standing crowd") {
