@@ -43,7 +43,7 @@ struct GroupDef {
 
 /// What passes a checkpoint.
 enum class CheckpointTrigger : std::uint8_t {
-    Crowd,  ///< A share of the group's characters has been in it.
+    Crowd,  ///< A share of the characters has been in it, or, up to a half, their middle is.
     Mesh,   ///< The centre of the group's mesh is in it.
 };
 

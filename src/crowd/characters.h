@@ -1,6 +1,7 @@
 // The state of all characters of a world, as a structure of arrays.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -52,6 +53,11 @@ struct Characters {
 
     /// Number of characters.
     std::size_t size() const { return id.size(); }
+    /// Index of the character with an id; -1 for none.
+    std::int32_t indexOf(std::uint32_t wantedId) const {
+        const auto at = std::lower_bound(id.begin(), id.end(), wantedId);
+        return at != id.end() && *at == wantedId ? static_cast<std::int32_t>(at - id.begin()) : -1;
+    }
     /// The same for reading.
     CharactersView view() const {
         return {id,     group, position,   velocity, heading, place,  direction, cost,

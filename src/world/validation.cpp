@@ -78,11 +78,11 @@ Status each(const char* name, const List& list, std::size_t most, Check check) {
 /// Costs of a metre that fast marching is made for; patches and clips may be 0.01 to 100 times as fast as
 /// running.
 Status isCost(const Parameters& p) {
-    constexpr double kLeastCost = 0.01, kMostCost = 1e8, kSlowest = 0.01;
-    if (p.cost.alpha + p.cost.beta < kLeastCost) {
+    constexpr double kCheapestGround = 0.01, kMostCost = 1e8, kSlowest = 0.01;
+    if (p.cost.alpha + p.cost.beta < kCheapestGround) {
         return invalidArgument("parameters cost.alpha and cost.beta add up to " +
                                numberText(p.cost.alpha + p.cost.beta) + ", expected at least " +
-                               numberText(kLeastCost));
+                               numberText(kCheapestGround));
     }
     const double most = (p.cost.alpha + p.cost.beta + p.cost.gamma * p.discomfort.gain) /
                         (p.cost.minSpeed * kSlowest);

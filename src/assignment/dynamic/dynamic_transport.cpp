@@ -10,8 +10,8 @@ namespace muster {
 namespace {
 
 constexpr double kMostUnits = 1125899906842624.0;  // 2^50: sums of units are exact.
-constexpr std::int32_t kNearPlaces = 6;            // Of a character, and of its main place.
-constexpr std::int32_t kNearCharacters = 6;
+constexpr std::int32_t kTransportNearPlaces = 6;   // Of a character, and of its main place.
+constexpr std::int32_t kTransportNearCharacters = 6;
 constexpr std::int32_t kCharactersPerStep = 300;  // Whose near places are looked at in a step, about.
 constexpr std::int32_t kScannedPairs = 24000;  // Pairs of whole rows and columns that are bounded in a step.
 constexpr std::size_t kKeptPerScan = 8;        // Of these, pairs of a row or column that are evaluated.
@@ -88,13 +88,13 @@ void DynamicTransport::collectNearOf(const TransportInput& input, std::int32_t i
         return demand_[j] > 0 && (!settled || levelOf(input, i, j) == 0);
     };
     NearestPoints near;
-    near.find(placeCells_, positions.places, positions.characters[i], kNearPlaces, suits);
+    near.find(placeCells_, positions.places, positions.characters[i], kTransportNearPlaces, suits);
     for (std::int32_t k = 0; k < near.size(); ++k) add(i, near[k]);
     if (main >= 0) {
-        near.find(placeCells_, positions.places, positions.places[main], kNearPlaces + 1, suits);
+        near.find(placeCells_, positions.places, positions.places[main], kTransportNearPlaces + 1, suits);
         for (std::int32_t k = 0; k < near.size(); ++k) add(i, near[k]);
     }
-    near.find(characterCells_, positions.characters, positions.characters[i], kNearCharacters,
+    near.find(characterCells_, positions.characters, positions.characters[i], kTransportNearCharacters,
               [&](std::int32_t other) { return other != i && supply_[other] > 0; });
     for (std::int32_t k = 0; k < near.size(); ++k)
         tree_.forPlacesOf(near[k], [&](std::int32_t j) {

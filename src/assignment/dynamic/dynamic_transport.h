@@ -29,8 +29,8 @@ class DynamicTransport {
 public:
     /// Forgets everything.
     void clear() { *this = DynamicTransport(); }
-    /// One step, of `effort` times the usual work. Starts again where the numbers of characters and places are
-    /// not those of the last call.
+    /// One step, of `effort` times the usual work. Starts again where the numbers of characters and places
+    /// are not those of the last call.
     void update(const TransportInput& input, CostOracle& costs, ThreadPool& pool, std::int32_t effort = 1);
 
     const std::vector<Flow>& flows() const { return flows_; }  ///< Ordered by character, then place.

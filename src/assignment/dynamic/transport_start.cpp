@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kClasses = 256;
+constexpr std::int32_t kTransportClasses = 256;
 
 void sortAlong(std::span<const Vec2> points, std::span<std::int32_t> indices, bool alongX) {
     std::sort(indices.begin(), indices.end(), [&](std::int32_t a, std::int32_t b) {
@@ -35,7 +35,7 @@ void TransportStart::run(const AssignmentInput& input, const AssignmentClasses& 
     toPlace_.clear();
     hook_.clear();
     const bool classed = !classes.character.empty();
-    for (std::int32_t c = 0; c < (classed ? kClasses : 1); ++c) {
+    for (std::int32_t c = 0; c < (classed ? kTransportClasses : 1); ++c) {
         characters_.clear();
         places_.clear();
         for (std::int32_t i = 0; std::cmp_less(i, supply.size()); ++i)

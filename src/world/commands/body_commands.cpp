@@ -4,22 +4,16 @@
 #include <string>
 
 #include "crowd/crowd_bodies.h"
+#include "world/commands/not_found.h"
 
 namespace muster {
 namespace {
 
-constexpr double kFastest = 1e5;  // Of who is moved from outside [m/s].
-
-/// Index of the character with an id; -1 for none.
-std::ptrdiff_t indexOf(const Characters& characters, std::uint32_t id) {
-    const auto at = std::lower_bound(characters.id.begin(), characters.id.end(), id);
-    return at != characters.id.end() && *at == id ? at - characters.id.begin() : -1;
-}
+constexpr double kFastestOutside = 1e5;  // Of who is moved from outside [m/s].
 
 Status allExist(const Characters& characters, const std::vector<std::uint32_t>& ids) {
     for (const std::uint32_t id : ids)
-        if (indexOf(characters, id) < 0)
-            return {StatusCode::NotFound, "no character has the id " + std::to_string(id)};
+        if (characters.indexOf(id) < 0) return noCharacter(id);
     return {};
 }
 
@@ -29,14 +23,14 @@ Status setBodies(WorldState& state, const SetBodies& command) {
     Characters& c = state.characters;
     if (Status s = allExist(c, command.ids); !s.ok()) return s;
     for (std::size_t k = 0; k < command.ids.size(); ++k)
-        c.body[indexOf(c, command.ids[k])] = command.bodies[std::min(k, command.bodies.size() - 1)];
+        c.body[c.indexOf(command.ids[k])] = command.bodies[std::min(k, command.bodies.size() - 1)];
     return {};
 }
 
 Status setDriver(WorldState& state, const SetDriver& command) {
     Characters& c = state.characters;
     if (Status s = allExist(c, command.ids); !s.ok()) return s;
-    for (const std::uint32_t id : command.ids) c.driver[indexOf(c, id)] = command.driver;
+    for (const std::uint32_t id : command.ids) c.driver[c.indexOf(id)] = command.driver;
     return {};
 }
 
@@ -44,19 +38,19 @@ Status writeMotion(WorldState& state, const WriteMotion& command) {
     Characters& c = state.characters;
     if (Status s = allExist(c, command.ids); !s.ok()) return s;
     for (const std::uint32_t id : command.ids)
-        if (c.driver[indexOf(c, id)] != Driver::Outside)
+        if (c.driver[c.indexOf(id)] != Driver::Outside)
             return invalidArgument("character " + std::to_string(id) +
                                    " is moved by Muster, not from outside");
     const Box& box = state.environment.def().box;
     for (std::size_t k = 0; k < command.ids.size(); ++k) {
-        const std::ptrdiff_t i = indexOf(c, command.ids[k]);
+        const std::int32_t i = c.indexOf(command.ids[k]);
         const double radius = radiusOf(state.parameters.character, c.body[i]);
         const Vec2 to = box.grown(-std::min({radius, 0.5 * box.width(), 0.5 * box.height()}))
                             .clamp(command.positions[k]);
         const Vec2 by = command.velocities.empty() ? (to - c.position[i]) / state.parameters.stepTime
                                                    : command.velocities[k];
         c.position[i] = to;
-        c.velocity[i] = clampLength(by, kFastest);
+        c.velocity[i] = clampLength(by, kFastestOutside);
     }
     return {};
 }

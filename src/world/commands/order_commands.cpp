@@ -4,14 +4,11 @@
 #include <string>
 
 #include "formation/mesh/rigid_fit.h"
+#include "world/commands/not_found.h"
 #include "world/validation.h"
 
 namespace muster {
 namespace {
-
-Status noGroup(GroupId id) {
-    return {StatusCode::NotFound, "no group has the id " + std::to_string(id.value)};
-}
 
 bool isFree(const OrderQueue& queue) {
     return queue.begun && queue.orders.front().order.kind == OrderKind::Move &&
@@ -112,9 +109,8 @@ Status giveOrder(WorldState& state, const GiveOrder& command, std::vector<Event>
     const Order& order = command.order;
     if (order.group && state.findGroup(order.group) == nullptr) return noGroup(order.group);
     if (order.group == command.group) return invalidArgument("a group cannot follow or guard itself");
-    const auto& ids = state.characters.id;
-    if (order.character != 0 && !std::binary_search(ids.begin(), ids.end(), order.character))
-        return {StatusCode::NotFound, "no character has the id " + std::to_string(order.character)};
+    if (order.character != 0 && state.characters.indexOf(order.character) < 0)
+        return noCharacter(order.character);
     std::vector<QueuedOrder>& orders = group->orders.orders;
     if (command.mode != QueueMode::Replace && orders.size() >= kMaxOrders)
         return {StatusCode::LimitExceeded, "a queue holds at most " + std::to_string(kMaxOrders) + " orders"};

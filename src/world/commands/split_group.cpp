@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/polygon.h"
+#include "world/commands/not_found.h"
 #include "world/commands/order_commands.h"
 #include "world/commands/unit_commands.h"
 #include "world/state/group_edits.h"
@@ -74,9 +75,8 @@ Result<Parts> partsOf(const WorldState& state, const Group& group, const SplitGr
             std::vector<std::uint32_t> ids = command.ids;
             std::sort(ids.begin(), ids.end());
             for (const std::uint32_t id : ids) {
-                const auto at = std::lower_bound(state.characters.id.begin(), state.characters.id.end(), id);
-                if (at == state.characters.id.end() || *at != id ||
-                    state.characters.group[at - state.characters.id.begin()] != index)
+                const std::int32_t i = state.characters.indexOf(id);
+                if (i < 0 || state.characters.group[i] != index)
                     return Status(StatusCode::NotFound,
                                   "no character of the group has the id " + std::to_string(id));
             }
@@ -157,10 +157,7 @@ void addParts(WorldState& state, std::uint32_t whole, const Parts& parts) {
         Group part = partOf(state, state.groups[whole], p);
         part.id = GroupId{state.nextGroup++};
         const auto index = static_cast<std::uint32_t>(state.groups.size());
-        for (const std::uint32_t id : parts[p]) {
-            const auto at = std::lower_bound(state.characters.id.begin(), state.characters.id.end(), id);
-            state.characters.group[at - state.characters.id.begin()] = index;
-        }
+        for (const std::uint32_t id : parts[p]) state.characters.group[state.characters.indexOf(id)] = index;
         state.groups.push_back(std::move(part));
         for (std::size_t c = 0; c < marks; ++c)
             state.checkpointState.push_back(state.checkpointState[whole * marks + c]);
@@ -172,8 +169,7 @@ void addParts(WorldState& state, std::uint32_t whole, const Parts& parts) {
 
 Status splitGroup(WorldState& state, const SplitGroup& command, std::vector<Event>& events) {
     Group* const group = state.findGroup(command.group);
-    if (group == nullptr)
-        return {StatusCode::NotFound, "no group has the id " + std::to_string(command.group.value)};
+    if (group == nullptr) return noGroup(command.group);
     const Result<Parts> parts = partsOf(state, *group, command);
     if (!parts.ok()) return parts.status();
     for (const auto& part : *parts)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "world/commands/not_found.h"
 #include "world/state/group_edits.h"
 #include "world/state/reform.h"
 #include "world/state/standing_room.h"
@@ -11,23 +12,17 @@
 namespace muster {
 namespace {
 
-Status noGroup(GroupId id) {
-    return {StatusCode::NotFound, "no group has the id " + std::to_string(id.value)};
-}
-
 std::uint32_t indexOf(const WorldState& state, const Group& group) {
     return static_cast<std::uint32_t>(&group - state.groups.data());
 }
 
 /// Indices of the characters with these ids, in ascending order.
 Result<std::vector<std::int32_t>> charactersOf(const WorldState& state, std::span<const std::uint32_t> ids) {
-    const std::vector<std::uint32_t>& all = state.characters.id;
     std::vector<std::int32_t> indices;
     for (const std::uint32_t id : ids) {
-        const auto at = std::lower_bound(all.begin(), all.end(), id);
-        if (at == all.end() || *at != id)
-            return Status(StatusCode::NotFound, "no character has the id " + std::to_string(id));
-        indices.push_back(static_cast<std::int32_t>(at - all.begin()));
+        const std::int32_t i = state.characters.indexOf(id);
+        if (i < 0) return noCharacter(id);
+        indices.push_back(i);
     }
     std::sort(indices.begin(), indices.end());
     return indices;

@@ -28,22 +28,29 @@ void collectItems(WorldState& state, std::vector<Event>& events) {
     }
 }
 
-/// Notes who of a group is in a checkpoint. True once the share of it has been there since it was last left.
+/// Notes who of a group is in a checkpoint. True once the share of it has been there since it was last left,
+/// and where the middle of the group is in it and the share is at most a half.
 bool crowdPasses(const WorldState& state, const Group& group, const FormationCheckpointDef& checkpoint,
                  std::vector<std::uint32_t>& visitors, bool& anyInside) {
     std::int32_t been = 0;
+    Vec2 sum;
     anyInside = false;
     for (const std::int32_t i : group.members) {
         const std::uint32_t id = state.characters.id[i];
         const auto at = std::lower_bound(visitors.begin(), visitors.end(), id);
         const bool known = at != visitors.end() && *at == id;
         const bool inside = distance(state.characters.position[i], checkpoint.position) <= checkpoint.radius;
+        sum += state.characters.position[i];
         anyInside = anyInside || inside;
         been += known || inside ? 1 : 0;
         if (inside && !known) visitors.insert(at, id);
     }
     const auto count = static_cast<double>(group.members.size());
-    return been > 0 && been >= std::ceil(checkpoint.share * count - 1e-9);
+    // The middle of a crowd that is wider than the checkpoint counts for half of it.
+    const bool middle = checkpoint.share <= 0.5 && count > 0.0 &&
+                        distance(sum / count, checkpoint.position) <= checkpoint.radius;
+    anyInside = anyInside || middle;
+    return middle || (been > 0 && been >= std::ceil(checkpoint.share * count - 1e-9));
 }
 
 /// True where a group passes a checkpoint in this step.

@@ -18,12 +18,12 @@ constexpr std::int32_t kCellsPerStep = 1000;  // Of searches for ways.
 constexpr double kLagFree = 0.6;              // The mesh does not wait for lags below [m]...
 constexpr double kLagMost = 2.0;              // ... and stands for those above [m].
 constexpr double kLagShare = 0.95;            // Of the group, whose lag counts.
-constexpr double kPatience = 5.0;             // Who has not got on for so long is not waited for [s].
+constexpr double kWaitedFor = 5.0;            // Who has not got on for so long is not waited for [s].
 constexpr double kLongest = 20.0;             // Nor who has moved to and fro on one spot for so long [s].
 constexpr double kSoonDone = 5.0;             // Following ends so soon where another order waits [s].
 constexpr double kBeside = 0.1;               // Between bodies and walls of a passage [m].
 constexpr double kTight = 0.5;                // Passages narrower by so much are wide enough [m].
-constexpr double kLookAhead = 8.0;            // For passages [m].
+constexpr double kPassagesAhead = 8.0;        // For passages [m].
 constexpr std::uint32_t kSqueezeEvery = 10;   // Steps between looks for passages,
 constexpr std::uint32_t kWidenEvery = 120;    // and between those that widen a formation again.
 
@@ -102,9 +102,8 @@ OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order)
     Lead lead;
     if (order.character != 0) {
         const Characters& c = state.characters;
-        const auto at = std::lower_bound(c.id.begin(), c.id.end(), order.character);
-        if (at == c.id.end() || *at != order.character) return lead;
-        const auto i = static_cast<std::size_t>(at - c.id.begin());
+        const std::int32_t i = c.indexOf(order.character);
+        if (i < 0) return lead;
         return {true, c.position[i], normalized(c.heading[i], {1.0, 0.0}), c.velocity[i]};
     }
     for (const Group& group : state.groups) {
@@ -121,7 +120,7 @@ OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order)
 double OrderStage::paceOf(const WorldState& state, const Group& group) {
     if (!state.parameters.opposing.enabled) return 1.0;
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kPatience);
+    const std::uint32_t patience = stepsIn(state, kWaitedFor);
     lags_.clear();
     for (const std::int32_t i : group.members) {
         if (c.place[i] < 0 || c.driver[i] != Driver::Muster) continue;
@@ -254,7 +253,7 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
         return false;
     }
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kPatience);
+    const std::uint32_t patience = stepsIn(state, kWaitedFor);
     const std::uint32_t longest = stepsIn(state, kLongest);
     std::int32_t arrived = 0;
     bool stuck = true;
@@ -295,7 +294,7 @@ void OrderStage::squeeze(WorldState& state, Group& group, const FormationExtent&
     if (queue.files == 0) queue.clearOf = extent.width;
     const double full = 2.0 * (queue.clearOf + radius + kBeside);
     const double room = ways_.narrowest(march, group.mesh.pose().position, extent.depth + 1.0,
-                                        extent.depth + kLookAhead, full);
+                                        extent.depth + kPassagesAhead, full);
     const std::int32_t most = filesOf(own, group.def.count, queue.clearOf);
     const auto least = std::clamp(static_cast<std::int32_t>(std::ceil(most * (1.0 - share) - 1e-9)), 1, most);
     const double inner = std::max(0.0, room - 2.0 * (radius + kBeside));

@@ -86,9 +86,8 @@ void OwnRoutes::dropEnded(WorldState& state) {
     index_.clear();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < routes.size(); ++k) {
-        const auto at = std::lower_bound(c.id.begin(), c.id.end(), routes[k].character);
-        const auto i = static_cast<std::int32_t>(at - c.id.begin());
-        const bool known = at != c.id.end() && *at == routes[k].character;
+        const std::int32_t i = c.indexOf(routes[k].character);
+        const bool known = i >= 0;
         const bool arrived = known && c.walk[i].within &&
                              (state.stepCount - c.walk[i].since) * state.parameters.stepTime >= kStayedFor;
         const bool late = (state.stepCount - routes[k].since) * state.parameters.stepTime > kRouteFor;

@@ -18,7 +18,7 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kStartIterations = 64;  // Rounds of contacts that part characters at their starts.
-constexpr std::int32_t kRank = 10;             // Characters that join come in ranks of so many.
+constexpr std::int32_t kJoiningRank = 10;      // Characters that join come in ranks of so many.
 
 Pose poseOf(Vec2 position, double angle) {
     return {position, {cosine(angle), sine(angle)}};
@@ -292,8 +292,8 @@ void setCount(WorldState& state, Group& group, std::int32_t count) {
         for (const Vec2 p : state.characters.position) room.occupy(p);
     for (std::int32_t k = now; k < count; ++k) {
         const std::int32_t n = k - now;
-        const std::int32_t rank = 1 + n / kRank;
-        const Vec2 local{-(reach + spacing * rank), spacing * (n % kRank - 4.5)};
+        const std::int32_t rank = 1 + n / kJoiningRank;
+        const Vec2 local{-(reach + spacing * rank), spacing * (n % kJoiningRank - 4.5)};
         addCharacter(state, group, index, room.take(pose.apply(local)), bodyOf(group.def, k));
     }
     if (count < now) {

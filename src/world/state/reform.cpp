@@ -13,15 +13,15 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kSamples = 64;    // Places by which a formation is fitted.
-constexpr double kSamePlace = 0.6;      // Places nearer than so many spacings are the same.
-constexpr double kFileReach = 2.2;      // Who moves up comes from at most so many spacings behind,
-constexpr double kFileWidth = 0.8;      // and so many beside,
-constexpr double kLeastRank = 0.3;      // and at least so many behind.
-constexpr std::size_t kMostHoles = 64;  // So many places are closed up at most, else all are matched again.
-constexpr std::int32_t kRank = 10;      // Points that are added come in ranks of so many.
-constexpr double kClearlyBetter = 0.5;  // Of the misfit of another way to fit it.
-constexpr double kCentred = 1e-9;       // A formation nearer to its origin is not moved [m].
+constexpr std::size_t kSamples = 64;     // Places by which a formation is fitted.
+constexpr double kSamePlace = 0.6;       // Places nearer than so many spacings are the same.
+constexpr double kFileReach = 2.2;       // Who moves up comes from at most so many spacings behind,
+constexpr double kFileWidth = 0.8;       // and so many beside,
+constexpr double kLeastRank = 0.3;       // and at least so many behind.
+constexpr std::size_t kMostHoles = 64;   // So many places are closed up at most, else all are matched again.
+constexpr std::int32_t kAddedRank = 10;  // Points that are added come in ranks of so many.
+constexpr double kClearlyBetter = 0.5;   // Of the misfit of another way to fit it.
+constexpr double kCentred = 1e-9;        // A formation nearer to its origin is not moved [m].
 
 std::vector<Vec2> restPlacesOf(const Formation& formation) {
     std::vector<Vec2> places;
@@ -79,11 +79,6 @@ std::int32_t nextInFile(std::span<const Vec2> rest, double spacing, std::span<co
     return best;
 }
 
-std::size_t indexOf(const Characters& characters, std::uint32_t id) {
-    return static_cast<std::size_t>(std::lower_bound(characters.id.begin(), characters.id.end(), id) -
-                                    characters.id.begin());
-}
-
 // A character without a place in a new formation, and where it would come from.
 struct Newcomer {
     std::uint32_t id = 0;
@@ -100,7 +95,7 @@ std::vector<Newcomer> newcomersTo(const WorldState& state, const Group& frame, c
     std::vector<Newcomer> newcomers;
     for (const std::uint32_t id : characters) {
         if (std::binary_search(placed.begin(), placed.end(), id)) continue;
-        const Vec2 stands = state.characters.position[indexOf(state.characters, id)];
+        const Vec2 stands = state.characters.position[state.characters.indexOf(id)];
         newcomers.push_back({id, frame.mesh.pose().applyInverse(stands), {nullptr, -1, stands}});
         const auto at = std::find(held.occupants.begin(), held.occupants.end(), id);
         if (at == held.occupants.end()) continue;
@@ -152,8 +147,8 @@ std::vector<Vec2> pointsFor(const HeldPlaces& held, double spacing, std::size_t 
     const Box box = points.empty() ? Box{} : boundsOf(points);
     const double middle = 0.5 * (box.min.y + box.max.y);
     for (std::int32_t k = 0; points.size() < count; ++k)
-        points.push_back(
-            {box.min.x - spacing * (1 + k / kRank), middle + spacing * (k % kRank - 0.5 * (kRank - 1))});
+        points.push_back({box.min.x - spacing * (1 + k / kAddedRank),
+                          middle + spacing * (k % kAddedRank - 0.5 * (kAddedRank - 1))});
     return points;
 }
 
@@ -194,11 +189,10 @@ void takePlaces(WorldState& state, Group& group, const Reform& reform) {
     }
     for (std::size_t k = 0; k < reform.occupants.size(); ++k)
         if (reform.occupants[k] != 0)
-            characters.place[indexOf(characters, reform.occupants[k])] = static_cast<std::int32_t>(k);
+            characters.place[characters.indexOf(reform.occupants[k])] = static_cast<std::int32_t>(k);
     std::erase_if(state.ownRoutes, [&](const OwnRoute& route) {
-        const std::size_t i = indexOf(characters, route.character);
-        return i == characters.size() || characters.id[i] != route.character ||
-               &state.groups[characters.group[i]] == &group;
+        const std::int32_t i = characters.indexOf(route.character);
+        return i < 0 || &state.groups[characters.group[i]] == &group;
     });
     group.lastAssignment.clear();
     for (const std::int32_t i : group.members) group.lastAssignment.push_back(characters.place[i]);
