@@ -142,11 +142,11 @@ void CongestionExperiment::judge(const Samples& samples, Judge& judge) const {
         judge.require("with density all 36 pass in every seed", preset,
                       samples.values("density", preset, "through"), Aggregate::Lowest, Comparison::AtLeast,
                       36.0);
-        // Earlier by at least one percent in every seed.
+        // Of pairs of runs with the same seed. Single ones may end later: how a queue arches is chance.
         judge.require(
-            "last arrival with density over that without, in every seed", preset,
+            "last arrival with density over that without, median", preset,
             ratios(samples.values("density", preset, "last"), samples.values("blind", preset, "last")),
-            Aggregate::Highest, Comparison::AtMost, 0.99);
+            Aggregate::Median, Comparison::AtMost, 0.95);
     }
 }
 
