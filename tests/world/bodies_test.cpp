@@ -143,6 +143,42 @@ TEST_CASE("orders lead large bodies round a gap that is too narrow for them") {
     }
 }
 
+TEST_CASE("large bodies among small ones come to rest: places make room for them") {
+    for (const std::int32_t giants : {1, 4, 20}) {
+        for (const double radius : {0.6, 1.0, 1.5}) {
+            CAPTURE(giants);
+            CAPTURE(radius);
+            WorldDef def;
+            def.box = {{-40, -30}, {40, 30}};
+            GroupDef group;
+            group.count = 60;
+            group.position = {-15, 0};
+            group.bodies.assign(60, Body{});
+            for (std::int32_t k = 0; k < giants; ++k) group.bodies[k * 3] = ofRadius(radius);
+            def.groups.push_back(group);
+            Played played(def);
+            played.run(10.0);
+            played.give(GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({15, 0}, 0.0)});
+            played.run(20.0);
+            World copy = World::restore(played.world.snapshot()).value();
+            played.run(40.0);
+            for (std::uint64_t s = copy.stepCount(); s < played.world.stepCount(); ++s) copy.step();
+            CHECK(copy.hash() == played.world.hash());
+            CHECK(played.farthest(0) < 0.5);
+            const CharactersView c = played.world.characters();
+            double fastest = 0.0, gap = 1.0;
+            for (std::size_t a = 0; a < c.size(); ++a) {
+                fastest = std::max(fastest, length(c.velocity[a]));
+                for (std::size_t b = 0; b < a; ++b)
+                    gap = std::min(
+                        gap, distance(c.position[a], c.position[b]) - played.radius(a) - played.radius(b));
+            }
+            CHECK(fastest < 0.05);
+            CHECK(gap > -0.01);
+        }
+    }
+}
+
 TEST_CASE("mixed crowds cross without overlap, walls or loss, and snapshots and rewinds change no bit") {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         CAPTURE(seed);

@@ -15,6 +15,7 @@ void PlaceStage::run(WorldState& state, ThreadPool& pool) {
         RouteGraph& routes = state.refreshRoutes(group.groundClass);
         const PlaceDef def = placeDefOf(state, group, usual);
         group.mesh.placePositions(targets_);
+        room_.run(state, group, targets_);
         spacing_.settle(state, g, targets_);
         group.region = mainRegion(state, group, regionCounts_);
         const auto isUsed = [](std::int32_t count) { return count > 0; };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "world/stages/body_room.h"
 #include "world/stages/group_spacing.h"
 #include "world/state/world_state.h"
 
@@ -17,6 +18,7 @@ public:
     void run(WorldState& state, ThreadPool& pool);
 
 private:
+    BodyRoom room_;
     GroupSpacing spacing_;
     std::vector<Vec2> targets_;               // Points of one group's final mesh [m].
     std::vector<std::int32_t> regionCounts_;  // Members of one group by region.

@@ -172,6 +172,9 @@ Status checkGroup(const Group& group, const Grid& grid) {
         return wrong("a lag out of range");
     if (!isPlace(group.settling.centre) || !isPlace(group.settling.shift))
         return wrong("a group with a number out of range");
+    if (group.room.wanted.size() != group.room.given.size() || !arePlaces(group.room.wanted) ||
+        !arePlaces(group.room.given))
+        return wrong("room of places out of range");
     if (group.order.arrival > ArrivalWatch::Awaited || group.order.withoutWay < 0 ||
         group.order.behindMoving < 0)
         return wrong("progress out of range");

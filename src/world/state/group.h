@@ -14,6 +14,7 @@
 #include "world/state/order_progress.h"
 #include "world/state/order_queue.h"
 #include "world/state/place_classes.h"
+#include "world/state/place_room.h"
 #include "world/state/settling.h"
 
 namespace muster {
@@ -45,6 +46,7 @@ struct Group {
     /// By checkpoint, the ids of those who have been in it since it was last left, ascending.
     std::vector<std::vector<std::uint32_t>> visitors;
     Settling settling;             ///< Where it settles.
+    PlaceRoom room;                ///< What its places make for large bodies.
     Vec2 surveyFrom;               ///< Where passages were last looked for from [m]...
     Vec2 surveyTo;                 ///< ... and where to [m].
     Vec2 waysFor;                  ///< Mean goal for which ways were last chosen [m].
@@ -64,7 +66,7 @@ struct Group {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
                 planNow, provisional, assigned, reassigns, lastAssignment, placeClass, slice, slices, order,
                 orders, visitors, settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted,
-                groundClass);
+                groundClass, room);
     }
 };
 
