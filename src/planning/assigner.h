@@ -52,7 +52,7 @@ struct PlanResult {
     bool provisional = false;
     /// True where it was made from nothing, so that its changes of places are no exchanges.
     bool first = false;
-    /// Number of characters whose place (that of the largest flow) differs from the incumbent.
+    /// Number of characters whose place (planning/main_places.h) differs from the incumbent.
     std::int32_t reassigned = 0;
 };
 

@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace muster {
+namespace {
+
+constexpr double kNegligible = 1e-7;  // Share of the largest flow up to which amounts count as rounding.
+
+}  // namespace
 
 // With path halving.
 std::int32_t CommitRule::find(std::int32_t node) {
@@ -61,7 +66,7 @@ void CommitRule::choose(const PlanDef& def, std::int32_t characters, std::int32_
     for (std::int32_t k = 0; k < nodes; ++k) parent_[k] = k;
     exchanges_.assign(nodes, {});
     tolerance_ = 0.0;
-    for (const Flow& flow : optimal) tolerance_ = std::max(tolerance_, 1e-9 * flow.amount);
+    for (const Flow& flow : optimal) tolerance_ = std::max(tolerance_, kNegligible * flow.amount);
     const auto differ = [this](double before, double after) { return std::abs(after - before) > tolerance_; };
 
     forEachPair(incumbent, optimal, [&](const Flow& flow, double before, double after) {

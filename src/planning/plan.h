@@ -45,8 +45,8 @@ public:
 std::unique_ptr<Plan> makeExactPlan();
 /// The same objective within a fraction of a percent, at a cost that grows about linearly with the crowd:
 /// geodesics interpolated between landmark fields, and dynamic assignment on a sparse graph
-/// (docs/method/fast-plan.md). Supplies and demands are one unit each: start() fails with InvalidArgument on
-/// other amounts.
+/// (docs/method/fast-plan.md). Supplies and demands other than one unit each are solved by a network simplex
+/// whose tree stays from step to step (docs/method/roles.md).
 std::unique_ptr<Plan> makeFastPlan();
 
 }  // namespace muster

@@ -217,9 +217,10 @@ TEST_CASE("inputs that a fast plan cannot serve are refused") {
     const Walk scene(20, {-12, 0}, {10, 3}, 10);
     const auto plan = makeFastPlan();
     PlanInput input = scene.input();
-    const std::vector<double> amounts(20, 1.5);
+    std::vector<double> amounts(20, 1.5);
+    amounts[3] = -1.0;
     input.supply = amounts;
-    CHECK(plan->start(scene.def, input).message().find("one unit") != std::string::npos);
+    CHECK(plan->start(scene.def, input).message().find("supply 3") != std::string::npos);
     input = scene.input();
     input.costs = nullptr;
     CHECK_FALSE(plan->start(scene.def, input).ok());

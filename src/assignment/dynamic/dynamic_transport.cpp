@@ -126,7 +126,7 @@ void DynamicTransport::consider(const TransportInput& input, CostOracle& costs, 
     if (reduced < limit) bounds_.push_back({reduced, {i, j}});
 }
 
-// The pairs of least bounds, and some of the others in turn, since a bound may stay below the cost for ever.
+// Some pairs in turn, since a bound may stay below the cost for ever, and those of least bounds.
 void DynamicTransport::keepBest() {
     const auto before = [](const Bound& a, const Bound& b) {
         if (a.reduced < b.reduced || b.reduced < a.reduced) return a.reduced < b.reduced;
@@ -135,11 +135,10 @@ void DynamicTransport::keepBest() {
     };
     if (bounds_.size() > kKeptPerScan) {
         const std::size_t best = kKeptPerScan / 2;
+        for (std::size_t k = 0; k < kKeptPerScan - best; ++k)
+            pairs_.push_back(bounds_[(std::size_t{pass_} + k * bounds_.size() / best) % bounds_.size()].pair);
         std::nth_element(bounds_.begin(), bounds_.begin() + best, bounds_.end(), before);
-        const std::size_t rest = bounds_.size() - best;
-        for (std::size_t k = best; k < kKeptPerScan; ++k)
-            std::swap(bounds_[k], bounds_[k + (pass_ * 7 + k) % (rest - (k - best))]);
-        bounds_.resize(kKeptPerScan);
+        bounds_.resize(best);
         std::sort(bounds_.begin(), bounds_.end(), before);
     }
     for (const Bound& bound : bounds_) pairs_.push_back(bound.pair);
@@ -234,6 +233,14 @@ void DynamicTransport::publish() {
     gap_ *= power_.units();
 }
 
+void DynamicTransport::plant(const TransportInput& input) {
+    const auto isPlaced = [](std::int32_t j) { return j >= 0; };
+    if (std::any_of(input.incumbent.begin(), input.incumbent.end(), isPlaced))
+        start_.keep(input.incumbent, supply_, demand_, tree_);
+    else
+        start_.run(input.positions, input.classes, supply_, demand_, tree_);
+}
+
 void DynamicTransport::update(const TransportInput& input, CostOracle& costs, ThreadPool& pool,
                               std::int32_t effort) {
     const auto characters = static_cast<std::int32_t>(input.positions.characters.size());
@@ -242,7 +249,7 @@ void DynamicTransport::update(const TransportInput& input, CostOracle& costs, Th
     if (fresh) tree_.reset(characters, places);
     power_ = CostPower(input.exponent);
     countUnits(input);
-    if (fresh) start_.run(input.positions, input.classes, supply_, demand_, tree_);
+    if (fresh) plant(input);
     tree_.balance(supply_, demand_);
     evaluateTree(input, costs, pool);
     ++round_;

@@ -20,6 +20,8 @@ struct TransportInput {
     std::span<const double> demand;    ///< Units of each place >= 0; empty for 1 each.
     AssignmentClasses classes;         ///< Empty spans for none.
     double exponent = 2.0;             ///< p of the objective sum c^p f, 1 to 16.
+    /// Place of each character, -1 for none, from which a new tree starts; empty for none.
+    std::span<const std::int32_t> incumbent = {};
 };
 
 /// Sends as many units as possible, of these as many as possible within their classes, at a near-least sum of
@@ -29,8 +31,8 @@ class DynamicTransport {
 public:
     /// Forgets everything.
     void clear() { *this = DynamicTransport(); }
-    /// One step, of `effort` times the usual work. Starts again where the numbers of characters and places
-    /// are not those of the last call.
+    /// One step, of `effort` times the usual work. Starts again, from the incumbents if there are any, where
+    /// the numbers of characters and places are not those of the last call.
     void update(const TransportInput& input, CostOracle& costs, ThreadPool& pool, std::int32_t effort = 1);
 
     const std::vector<Flow>& flows() const { return flows_; }  ///< Ordered by character, then place.
@@ -72,6 +74,7 @@ private:
     void evaluateCandidates(const TransportInput& input, CostOracle& costs, ThreadPool& pool);
     void exchange(std::int64_t budget);
     bool exchangeBest(std::size_t first, std::size_t end, std::int64_t& work);
+    void plant(const TransportInput& input);
     void publish();
 
     TransportTree tree_;

@@ -48,6 +48,27 @@ void TransportStart::run(const AssignmentInput& input, const AssignmentClasses& 
     tree.plant(fromCharacter_, toPlace_, hook_);
 }
 
+// A place that is not full hangs on the root, else on its last character, some of whose supply may be left.
+void TransportStart::keep(std::span<const std::int32_t> incumbent, std::span<const std::int64_t> supply,
+                          std::span<const std::int64_t> demand, TransportTree& tree) {
+    open_.assign(demand.begin(), demand.end());
+    last_.assign(demand.size(), -1);
+    fromCharacter_.clear();
+    toPlace_.clear();
+    hook_.clear();
+    for (std::int32_t i = 0; std::cmp_less(i, incumbent.size()); ++i) {
+        const std::int32_t j = incumbent[i];
+        if (j < 0 || std::cmp_greater_equal(j, demand.size()) || supply[i] == 0 || open_[j] == 0) continue;
+        open_[j] -= std::min(open_[j], supply[i]);
+        last_[j] = i;
+        fromCharacter_.push_back(i);
+        toPlace_.push_back(j);
+    }
+    for (std::int32_t j = 0; std::cmp_less(j, demand.size()); ++j)
+        if (last_[j] >= 0) hook_.push_back(open_[j] > 0 ? tree.nodeOfPlace(j) : last_[j]);
+    tree.plant(fromCharacter_, toPlace_, hook_);
+}
+
 // Of each half of the places' demand the same share of the supply is in the same half of the characters.
 void TransportStart::order(const AssignmentInput& input, std::span<std::int32_t> characters,
                            std::span<std::int32_t> places) {

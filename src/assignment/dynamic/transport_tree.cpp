@@ -50,7 +50,8 @@ void TransportTree::plant(std::span<const std::int32_t> character, std::span<con
 }
 
 bool TransportTree::consistent() {
-    if (characters_ < 0 || places_ < 0 || std::ssize(parent_) != root()) return false;
+    if (characters_ < 0 || places_ < 0 || std::ssize(parent_) != std::int64_t{characters_} + places_)
+        return false;
     for (std::int32_t v = 0; v < root(); ++v) {
         const std::int32_t p = parent_[v];
         if (p < 0 || p > root() || (p < root() && isCharacter(p) == isCharacter(v))) return false;

@@ -5,6 +5,7 @@
 
 #include "base/infinite_cost.h"
 #include "base/maths.h"
+#include "planning/main_places.h"
 #include "planning/plan_validation.h"
 
 namespace muster {
@@ -161,18 +162,13 @@ void ExactPlan::report(PlanResult& result) {
     result.objective = 0.0;
     result.provisional = result.first = false;
     result.reassigned = 0;
-    std::size_t k = 0;
+    for (const Flow& flow : result.flows) {
+        const double c = powered_[pairIndex(flow.character, flow.place)];
+        if (c < kInfiniteCost) result.objective += c * flow.amount;
+    }
+    findMainPlaces(result.flows, pending_.incumbents(), mainPlace_);
     for (std::int32_t i = 0; i < pending_.characters(); ++i) {
-        std::int32_t place = -1;
-        double most = 0.0;
-        for (; k < result.flows.size() && result.flows[k].character == i; ++k) {
-            const Flow& flow = result.flows[k];
-            const double c = powered_[pairIndex(i, flow.place)];
-            if (c < kInfiniteCost) result.objective += c * flow.amount;
-            if (flow.amount <= most) continue;
-            most = flow.amount;
-            place = flow.place;
-        }
+        const std::int32_t place = mainPlace_[i];
         if (place >= 0) result.cost[i] = cost_[pairIndex(i, place)];
         if (place != pending_.incumbent(i)) ++result.reassigned;
     }

@@ -79,6 +79,7 @@ private:
     std::vector<double> demand_;           // Per place.
     std::vector<double> unclaimedDemand_;  // Per place: what incumbents do not claim.
     std::vector<Flow> incumbents_;         // What the incumbents hold, ordered by character.
+    std::vector<std::int32_t> mainPlace_;  // Per character, -1 for none.
     // Places whose optimal flow uses a pair of which only a bound is known.
     std::vector<std::int32_t> unproven_;
 };

@@ -57,6 +57,7 @@ public:
     /// True where somebody may take the place.
     bool usable(std::int32_t place) const { return usable_.empty() || usable_[place] != 0; }
     std::int32_t incumbent(std::int32_t character) const { return incumbent_[character]; }  ///< -1 for none.
+    std::span<const std::int32_t> incumbents() const { return incumbent_; }  ///< The same of all.
     /// The cost field of a place, or null where none was needed or it is not solved yet.
     const CostField* field(std::int32_t place) const;
     /// The nearest usable place in the region of a character without a place, near which it waits while it

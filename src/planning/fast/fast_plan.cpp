@@ -42,8 +42,6 @@ void FastPlan::reserve(std::size_t characters, std::size_t places, PlanCosts& co
 Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = validatePlan(def, input); !status.ok()) return status;
     if (input.costs == nullptr) return invalidArgument("plan has no costs");
-    if (!input.supply.empty() || !input.demand.empty())
-        return invalidArgument("a fast plan takes one unit of supply and demand each");
     def_ = def;
     copySpan(input.characters, characters_);
     copySpan(input.places, places_);
@@ -58,11 +56,33 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copySpan(input.ways.way, way_);
     copySpan(input.ways.reach, reach_);
     copySpan(input.ways.onward, onward_);
+    takeAmounts(input);
     ground_ = &input.costs->staticGround();
     planCosts_ = input.costs;
     pending_ = true;
     guided_ = assigned_ = false;
     return {};
+}
+
+// Nobody may take a place that demands nothing. Where all others, and everybody, count for one unit, it is an
+// assignment.
+void FastPlan::takeAmounts(const PlanInput& input) {
+    supply_.clear();
+    demand_.clear();
+    for (std::size_t j = 0; def_.reassign && j < input.demand.size(); ++j) {
+        if (input.demand[j] > 0.0) continue;
+        if (usable_.empty()) usable_.assign(places_.size(), 1);
+        usable_[j] = 0;
+    }
+    const auto isOne = [](double amount) { return amount == 1.0; };
+    const auto isOneOrNone = [](double amount) { return amount == 1.0 || amount == 0.0; };
+    if (std::all_of(input.supply.begin(), input.supply.end(), isOne) &&
+        std::all_of(input.demand.begin(), input.demand.end(), isOneOrNone))
+        return;
+    copySpan(input.supply, supply_);
+    copySpan(input.demand, demand_);
+    if (supply_.empty()) supply_.assign(characters_.size(), 1.0);
+    if (demand_.empty()) demand_.assign(places_.size(), 1.0);
 }
 
 // Local fields are retained here, when no query reads them.
@@ -86,7 +106,10 @@ void FastPlan::assign(ThreadPool& pool) {
     if (!guided_ || assigned_) return;
     costs_.set(geodesics_, ways(), def_.geodesic, characters_, places_, guidedPlace_, incumbentCost_, barred_,
                wait_, slowness_);
-    if (def_.reassign) updateAssignment(pool);
+    if (def_.reassign)
+        updateAssignment(pool);
+    else
+        assignment_.hold(problemOf({}, {characters_, places_, usable_, connected_}), incumbentCost_);
     assigned_ = true;
 }
 
@@ -166,13 +189,17 @@ void FastPlan::prepareFirst(ThreadPool& pool) {
     first_.decide(def_, whole, characters_.size());
 }
 
+MatchingProblem FastPlan::problemOf(const DynamicAssignmentDef& def, const AssignmentInput& input) const {
+    return {def, input, {characterClass_, placeClass_}, incumbent_, supply_, demand_};
+}
+
 // Until the first plan is made nobody has a place worth keeping, so every gain is committed.
 void FastPlan::updateAssignment(ThreadPool& pool) {
     const AssignmentInput input{characters_, places_, usable_, connected_};
     DynamicAssignmentDef def = assignmentDef(characters_.size());
     if (first_.unfinished()) def.threshold = def.thresholdShare = 0.0;
     def.initialRounds = FirstPlan::roundsAtOnce(characters_.size());
-    const MatchingProblem problem{def, input, {characterClass_, placeClass_}, incumbent_};
+    const MatchingProblem problem = problemOf(def, input);
     switch (first_.action()) {
         case FirstPlan::Action::Start:
             return assignment_.coldStart(problem, costs_, pool);
@@ -217,6 +244,10 @@ void FastPlan::report(PlanResult& result) const {
         result.flows.push_back({i, j, 1.0});
         result.cost[i] = cost[i];
         result.objective += power(cost[i], def_.exponent);
+    }
+    if (const WeightedMatching* const weighted = assignment_.weighted()) {
+        result.flows.assign(weighted->flows().begin(), weighted->flows().end());
+        result.objective = weighted->objective(def_.exponent);
     }
     result.gapBound = def_.reassign && !def_.bottleneck ? assignment_.dualityGap() : result.objective;
 }
@@ -297,6 +328,7 @@ void FastPlan::forget() {
     for (auto* numbers : {&wait_, &reach_, &onward_, &incumbentCost_}) numbers->clear();
     for (auto* flags : {&usable_, &connected_, &characterClass_, &placeClass_}) flags->clear();
     slowness_.clear();
+    for (auto* amounts : {&supply_, &demand_}) amounts->clear();
     guidance_.clear();
     targets_.clear();
     assignment_.clear();
@@ -342,9 +374,18 @@ bool FastPlan::consistent() const {
            std::all_of(assigned.begin(), assigned.end(), inRange) &&
            std::none_of(incumbentCost_.begin(), incumbentCost_.end(),
                         [](float c) { return std::isnan(c); }) &&
-           guidanceConsistent() && std::all_of(waitingPlace_.begin(), waitingPlace_.end(), inRange) &&
+           guidanceConsistent() && flowsConsistent() &&
+           std::all_of(waitingPlace_.begin(), waitingPlace_.end(), inRange) &&
            std::all_of(characters_.begin(), characters_.end(), isFinite) &&
            std::all_of(places_.begin(), places_.end(), isFinite);
+}
+
+bool FastPlan::flowsConsistent() const {
+    const WeightedMatching* const weighted = assignment_.weighted();
+    return weighted == nullptr ||
+           (weighted->placeOf().size() == characters_.size() &&
+            std::all_of(weighted->flows().begin(), weighted->flows().end(),
+                        [&](const Flow& flow) { return std::cmp_less(flow.place, places_.size()); }));
 }
 
 bool FastPlan::guidanceConsistent() const {

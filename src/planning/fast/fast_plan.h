@@ -50,6 +50,7 @@ private:
     }
     bool consistent() const;
     PlannedWays ways() const { return {way_, reach_, onward_}; }
+    bool flowsConsistent() const;
     bool guidanceConsistent() const;
     void updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<const Vec2> characters,
                          std::span<const Vec2> places);
@@ -58,6 +59,8 @@ private:
     void assign(ThreadPool& pool);
     void prepareFirst(ThreadPool& pool);
     void updateAssignment(ThreadPool& pool);
+    void takeAmounts(const PlanInput& input);
+    MatchingProblem problemOf(const DynamicAssignmentDef& def, const AssignmentInput& input) const;
     std::span<const std::int32_t> placeOf() const;
     void report(PlanResult& result) const;
     void findWaitingPlaces();
@@ -78,6 +81,8 @@ private:
     std::vector<std::uint8_t> characterClass_, placeClass_;
     std::vector<std::int32_t> way_;  // The ways of PlannedWays, of this step only.
     std::vector<float> reach_, onward_;
+    // As in PlanInput, of this step only; both empty where all flows are of one unit.
+    std::vector<double> supply_, demand_;
     std::vector<float> incumbentCost_;       // Per character: cost to its incumbent place [m].
     std::vector<Guidance> guidance_;         // Per character, to guidedPlace_.
     std::vector<std::int32_t> guidedPlace_;  // Per character: its incumbent when its guidance was evaluated.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "planning/main_places.h"
 #include "world/stages/own_routes.h"
 #include "world/state/layer_defs.h"
 
@@ -97,7 +98,7 @@ void PlanStage::gatherAmounts(const WorldState& state, const Group& group) {
         demand_.push_back(j < demands.size() ? demands[j] : 1.0);
         unequal = unequal || demand_.back() != 1.0;
     }
-    if (unequal && state.parameters.plan.solver == PlanSolver::Exact) return;
+    if (unequal) return;
     supply_.clear();
     demand_.clear();
 }
@@ -154,16 +155,12 @@ void PlanStage::finish(WorldState& state, Group& group, ThreadPool& pool, std::v
     group.gapBound = result_.gapBound;
     group.walk = {};
     for (const double cost : result_.cost) group.walk.add(cost);
-    std::vector<std::int32_t>& places = members_.places();
-    places.assign(group.members.size(), -1);
-    largest_.assign(group.members.size(), 0.0);
-    for (const Flow& flow : result_.flows) {
-        if (flow.amount <= largest_[flow.character]) continue;
-        largest_[flow.character] = flow.amount;
-        places[flow.character] = flow.place;
-    }
-    if (group.reassigns) group.lastAssignment = places;
     Characters& characters = state.characters;
+    incumbent_.clear();
+    for (const std::int32_t i : group.members) incumbent_.push_back(characters.place[i]);
+    std::vector<std::int32_t>& places = members_.places();
+    findMainPlaces(result_.flows, incumbent_, places);
+    if (group.reassigns) group.lastAssignment = places;
     for (std::size_t k = 0; k < group.members.size(); ++k) {
         const std::int32_t i = group.members[k];
         const std::int32_t place = places[k];

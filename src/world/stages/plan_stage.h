@@ -48,7 +48,7 @@ private:
     std::vector<float> slowness_;
     std::vector<std::uint8_t> class_;      // Of one group's members; empty without roles.
     std::vector<double> supply_, demand_;  // Of one group; both empty where all are 1.
-    std::vector<double> largest_;          // Of each member's flows.
+    std::vector<std::int32_t> incumbent_;  // Of one group's members, -1 for none.
     PlanResult result_;
 };
 
