@@ -40,8 +40,10 @@ struct Order {
     OrderKind kind = OrderKind::Move;  ///< What it asks for.
     Vec2 target;                   ///< Centre of the formation at the end; of the rectangle for Guard [m].
     std::optional<double> facing;  ///< Heading at the end [rad]; none for that of the last stretch.
-    double width = 0.0;            ///< Width of the front [m]; 0 for that of the formation.
-    std::vector<Vec2> route;       ///< Drawn way to the target [m]; followed as drawn, round obstacles.
+    /// Width of the front of a formation in ranks (square, line, column) [m], which becomes a square of so
+    /// many files; 0 for its own. Other shapes keep theirs.
+    double width = 0.0;
+    std::vector<Vec2> route;  ///< Drawn way to the target [m]; followed as drawn, round obstacles.
     std::optional<FormationDef> formation;  ///< New formation, which is taken up on the way; none to keep it.
     Manner manner = Manner::March;          ///< How it goes.
     Turn turn = Turn::Wheel;                ///< How it turns on a march.

@@ -145,6 +145,69 @@ TEST_CASE("checkpoints fire when the crowd passes, however it was ordered") {
     }
 }
 
+TEST_CASE("a checkpoint smaller than the crowd fires when the middle of the crowd is in it") {
+    WorldDef def;
+    def.box = {{-25, -12}, {25, 12}};
+    GroupDef group;
+    group.count = 100;
+    group.position = {-12, 0};
+    group.orders = {Order::move({14, 0})};
+    def.groups.push_back(group);
+    FormationCheckpointDef small;
+    small.radius = 0.8;
+    small.formation.kind = FormationKind::Line;
+    FormationCheckpointDef aside = small;
+    aside.position = {0, 3};
+    FormationCheckpointDef most = small;
+    most.position = {6, 0};
+    most.share = 0.6;
+    def.checkpoints = {small, aside, most};
+    World world = World::create(def).value();
+    std::vector<std::uint32_t> passed;
+    for (int s = 0; s < 30 * 60; ++s) {
+        world.step();
+        for (const Event& e : world.events()) {
+            if (e.kind != EventKind::Passed) continue;
+            passed.push_back(e.value);
+            Vec2 sum;
+            for (const Vec2 p : world.characters().position) sum += p;
+            CHECK(length(sum / 100.0) <= 0.8);
+        }
+    }
+    CHECK(passed == std::vector<std::uint32_t>{0});
+}
+
+TEST_CASE("a front of a given width: ranks and files take it up, other shapes keep theirs") {
+    for (const FormationKind kind :
+         {FormationKind::Square, FormationKind::Line, FormationKind::Column, FormationKind::Wedge}) {
+        CAPTURE(formationName(kind));
+        WorldDef def;
+        def.box = {{-25, -25}, {25, 25}};
+        GroupDef group;
+        group.count = 24;
+        group.formation.kind = kind;
+        group.position = {-10, 0};
+        group.orders = {Order::moveToLine({8, 4.5}, {8, -4.5})};
+        def.groups.push_back(group);
+        World world = World::create(def).value();
+        for (int s = 0; s < 40 * 60; ++s) world.step();
+        double low = 0.0, high = 0.0, foremost = -99.0;
+        for (const Vec2 p : world.characters().position) {
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
+            foremost = std::max(foremost, p.x);
+        }
+        if (kind == FormationKind::Wedge) {
+            CHECK(world.groupDef(0).formation.kind == kind);
+            continue;
+        }
+        // Nine metres hold ten files a metre apart.
+        CHECK(world.groupDef(0).formation.files == 10);
+        CHECK(high == doctest::Approx(4.5).epsilon(0.05));
+        CHECK(low == doctest::Approx(-4.5).epsilon(0.05));
+    }
+}
+
 TEST_CASE("five orders over Berlin, one after the other") {
     std::ifstream file(sourceFolder() + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
     std::stringstream text;

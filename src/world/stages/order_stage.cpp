@@ -59,6 +59,16 @@ std::int32_t filesOf(const FormationDef& def, std::int32_t count, double width) 
     return std::clamp(static_cast<std::int32_t>(std::floor(2.0 * width / def.spacing + 0.5)) + 1, 1, count);
 }
 
+/// Formations of ranks and files take up a front of any width; other shapes keep theirs.
+void takeWidth(FormationDef& def, double width, std::int32_t count) {
+    if (def.kind != FormationKind::Square && def.kind != FormationKind::Line &&
+        def.kind != FormationKind::Column)
+        return;
+    const double files = std::min(1e6, std::floor(width / def.spacing + 1e-9)) + 1.0;
+    def.kind = FormationKind::Square;
+    def.files = std::clamp(static_cast<std::int32_t>(files), 1, count);
+}
+
 /// Gives a group another formation where it stands; it goes on with its order.
 void exchangeFormation(WorldState& state, Group& group, const FormationDef& def, ThreadPool& pool) {
     pool.wait();  // Background work reads the plan.
@@ -149,10 +159,7 @@ void OrderStage::takeUpFormation(WorldState& state, Group& group, const Order& o
     const bool asked = order.formation || order.width > 0.0;
     if (!asked) return restoreOwn(state, group, pool);
     FormationDef wanted = order.formation ? *order.formation : queue.own ? *queue.own : group.def.formation;
-    if (order.width > 0.0 && wanted.kind == FormationKind::Square)
-        wanted.files = std::clamp(
-            static_cast<std::int32_t>(std::min(1e6, std::floor(order.width / wanted.spacing + 1e-9))) + 1, 1,
-            group.def.count);
+    if (order.width > 0.0) takeWidth(wanted, order.width, group.def.count);
     queue.own.reset();
     queue.files = 0;
     if (!isSame(wanted, group.def.formation)) exchangeFormation(state, group, wanted, pool);
