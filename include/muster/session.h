@@ -30,6 +30,8 @@ struct SessionLimits {
     std::int32_t charactersPerGroup = 20000;  ///< Characters that SetCount may ask for.
     std::size_t commandsPerMessage = 256;     ///< Events of one Commands message.
     std::size_t commandBytes = std::size_t{1} << 18;  ///< Text of one Commands message.
+    std::size_t forecastsPerMessage = 16;             ///< Orders of one AskForecasts message.
+    double forecastsPerSecond = 60.0;                 ///< Forecasts to one client.
     std::size_t takeBytes = std::size_t{64} << 20;  ///< Size of the log since the world began; it ends there.
     std::size_t openTakeBytes = std::size_t{64} << 20;  ///< Size of a take to open.
     std::size_t wholePoses = 500;                       ///< Whole poses that one client gets.

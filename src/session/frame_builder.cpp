@@ -8,6 +8,7 @@
 #include "formation/places/place_tracker.h"
 #include "muster/control.h"
 #include "muster/formation.h"
+#include "muster/scenario.h"
 #include "world/inspect.h"
 
 namespace muster {
@@ -52,6 +53,18 @@ protocol::ControlFrame controlFrame(const Control& control, const FormationMesh&
 
 static_assert(static_cast<int>(EventKind::Count) == static_cast<int>(protocol::EventKind::Transferred) + 1);
 
+/// True where an order says more than the fields of a frame do.
+bool saysMore(const Order& order) {
+    return order.pace > 0.0 || order.share != Order{}.share || order.formation || !order.path.still() ||
+           !(order.offset == Vec2{});
+}
+
+/// The order as a gestures file with it alone.
+std::string eventText(const Order& order) {
+    const Command command{0, 1, 0, GiveOrder{GroupId{1}, QueueMode::Append, 0, order}};
+    return writeGestures(std::span(&command, 1), 1.0);
+}
+
 protocol::OrderFrame orderFrame(const QueuedOrder& queued) {
     const Order& order = queued.order;
     protocol::OrderFrame frame;
@@ -69,6 +82,7 @@ protocol::OrderFrame orderFrame(const QueuedOrder& queued) {
     frame.halfX = narrow(order.halfSize.x);
     frame.halfY = narrow(order.halfSize.y);
     fillPoints(frame.route, order.route);
+    if (saysMore(order)) frame.event = eventText(order);
     return frame;
 }
 

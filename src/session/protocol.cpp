@@ -10,9 +10,9 @@ namespace {
 constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
     "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
-    "Attend", "FrameAck", "Ping"};
+    "Attend", "FrameAck", "Ping", "AskForecasts"};
 constexpr const char* kServerNames[] = {
-    "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong"};
+    "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "Forecasts"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -61,6 +61,7 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 14: return decodeAs<Any, Attend>(bytes);
         case 15: return decodeAs<Any, FrameAck>(bytes);
         case 16: return decodeAs<Any, Ping>(bytes);
+        case 17: return decodeAs<Any, AskForecasts>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -76,6 +77,7 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
         case 5: return decodeAs<Any, Overlay>(bytes);
         case 6: return decodeAs<Any, Notice>(bytes);
         case 7: return decodeAs<Any, Pong>(bytes);
+        case 8: return decodeAs<Any, Forecasts>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

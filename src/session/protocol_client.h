@@ -232,9 +232,22 @@ struct Ping {
     }
 };
 
+/// Would these orders arrive, by which way, when? Nothing changes.
+struct AskForecasts {
+    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    std::uint32_t number = 0;  ///< comes back with the answer
+    std::vector<ForecastAsk> asks;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, asks);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping>;
+    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, AskForecasts>;
 
 }  // namespace muster::protocol

@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 6;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v6";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 7;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v7";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -122,15 +122,50 @@ struct OrderFrame {
     float halfX = 0.0f;  ///< of the guarded rectangle [m]
     float halfY = 0.0f;
     std::vector<float> route;  ///< x, y of the drawn way
+    std::string event;  ///< a gestures file with this order alone, where it says more than these fields; else empty
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, kind, x, y, hasFacing, facing, width, manner, turn, group, character, halfX, halfY,
-                route);
+                route, event);
         checkEnum(archive, kind, 4);
         checkEnum(archive, manner, 2);
         checkEnum(archive, turn, 3);
+    }
+};
+
+/// An order that a group might get, or has in its queue, and where the group would begin it.
+struct ForecastAsk {
+    std::uint32_t group = 0;
+    std::uint32_t order = 0;  ///< id of an order in its queue; 0: that of event
+    std::string event;  ///< one order in the words of gesture files; empty where order is not 0
+    bool placed = false;  ///< it would begin at x, y, facing; else where the formation is
+    double x = 0.0;  ///< [m]
+    double y = 0.0;
+    double facing = 0.0;  ///< [rad]
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, order, event, placed, x, y, facing);
+    }
+};
+
+/// What would come of an order.
+struct ForecastFrame {
+    std::uint32_t group = 0;
+    std::uint32_t order = 0;  ///< as asked
+    bool arrives = false;
+    float seconds = 0.0f;  ///< infinite where it never arrives [s]
+    float x = 0.0f;  ///< where the formation would stand: the target, or the nearest ground to it [m]
+    float y = 0.0f;
+    std::vector<float> way;  ///< x, y of its centre, both ends included
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, order, arrives, seconds, x, y, way);
     }
 };
 

@@ -161,8 +161,21 @@ struct Pong {
     }
 };
 
+/// The answers, as far as group and order are still there.
+struct Forecasts {
+    static constexpr std::uint8_t kNumber = 8;  ///< First byte of the message.
+    std::uint32_t number = 0;
+    std::vector<ForecastFrame> answers;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, answers);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
-    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong>;
+    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts>;
 
 }  // namespace muster::protocol

@@ -5,6 +5,7 @@
 #include "environment/environment.h"
 #include "muster/parameter_table.h"
 #include "session/command_text.h"
+#include "session/forecasts.h"
 #include "session/notice_position.h"
 #include "session/session_state.h"
 #include "world/inspect.h"
@@ -228,6 +229,20 @@ public:
         protocol::Pong pong;
         pong.time = message.time;
         client_.outbox.push_back(protocol::encode(pong));
+        return {};
+    }
+
+    Status operator()(const protocol::AskForecasts& message) {
+        if (!session_.world) return noWorld();
+        const SessionLimits& limits = session_.def.limits;
+        if (!client_.forecasts.take(session_.realTime, static_cast<double>(message.asks.size()))) {
+            return {StatusCode::LimitExceeded, "more than " +
+                                                   std::to_string(static_cast<int>(limits.forecastsPerSecond)) +
+                                                   " forecasts a second"};
+        }
+        const auto answer = answerForecasts(*session_.world, message, limits);
+        if (!answer.ok()) return answer.status();
+        client_.outbox.push_back(protocol::encode(answer.value()));
         return {};
     }
 

@@ -25,7 +25,8 @@ namespace muster {
 struct SessionClient {
     explicit SessionClient(const SessionLimits& limits)
         : notices(limits.noticesPerSecond, limits.noticesPerSecond),
-          touches(limits.touchesPerSecond, limits.touchesPerSecond) {}
+          touches(limits.touchesPerSecond, limits.touchesPerSecond),
+          forecasts(limits.forecastsPerSecond, limits.forecastsPerSecond) {}
 
     bool greeted = false;        ///< True after its Hello message.
     bool steers = false;         ///< True after it has given commands to this world.
@@ -33,6 +34,7 @@ struct SessionClient {
     TouchClock clock;
     TokenBucket notices;
     TokenBucket touches;
+    TokenBucket forecasts;
     /// Messages other than frames. The client's requests bound their number.
     std::vector<MessageBytes> outbox;
 

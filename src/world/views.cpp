@@ -8,11 +8,27 @@
 
 #include "muster/world.h"
 #include "routes/route_search.h"
+#include "world/forecast_from.h"
 #include "world/inspect.h"
 #include "world/validation.h"
 #include "world/world_engine.h"
 
 namespace muster {
+namespace {
+
+OrderForecast forecastOf(WorldEngine& engine, GroupId group, const Order& order, const Pose* from) {
+    engine.finishBackgroundWork();
+    const Group* const found = engine.state.findGroup(group);
+    if (found == nullptr || !validateOrder(order).ok()) {
+        OrderForecast none;
+        none.end = order.target;
+        none.seconds = std::numeric_limits<double>::infinity();
+        return none;
+    }
+    return engine.orders.forecast(engine.state, *found, order, from);
+}
+
+}  // namespace
 
 const char* stageName(Stage stage) {
     constexpr const char* kStageNames[] = {"commands",   "orders",   "controls",         "user mesh",
@@ -103,15 +119,7 @@ GroupDef World::groupDef(std::size_t index) const {
 }
 
 OrderForecast World::forecast(GroupId group, const Order& order) const {
-    engine_->finishBackgroundWork();
-    const Group* const found = engine_->state.findGroup(group);
-    if (found == nullptr || !validateOrder(order).ok()) {
-        OrderForecast none;
-        none.end = order.target;
-        none.seconds = std::numeric_limits<double>::infinity();
-        return none;
-    }
-    return engine_->orders.forecast(engine_->state, *found, order);
+    return forecastOf(*engine_, group, order, nullptr);
 }
 
 std::span<const ObstacleId> World::obstacleIds() const {
@@ -158,6 +166,12 @@ ContactReport World::contacts() const {
 }
 std::uint32_t World::lastCommandStep() const {
     return engine_->state.lastCommandStep;
+}
+
+OrderForecast forecastFrom(const World& world, GroupId group, const Order& order, const Pose& from) {
+    WorldEngine& engine = WorldAccess::of(world);
+    const Pose inside{engine.state.environment.def().box.clamp(from.position), from.rotation};
+    return forecastOf(engine, group, order, &inside);
 }
 
 namespace inspect {

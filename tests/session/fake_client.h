@@ -91,6 +91,7 @@ private:
         }
         if (const auto* m = std::get_if<protocol::Overlay>(&message)) overlays.push_back(*m);
         if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
             frames.push_back(*m);
@@ -113,6 +114,7 @@ public:
     std::size_t framesBeforeMotions = 0;
     std::vector<protocol::Overlay> overlays;
     std::vector<protocol::Notice> notices;
+    std::vector<protocol::Forecasts> forecasts;
     std::vector<protocol::Pong> pongs;
 };
 

@@ -442,18 +442,19 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
     }
 }
 
-OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const Order& order) {
+OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const Order& order,
+                                   const Pose* from) {
     ways_.update(state);
     OrderForecast forecast;
     Order asked = order;
     if (order.group || order.character != 0) asked.target = leadOf(state, order).position;
-    const Pose pose = group.mesh.pose();
+    const Pose pose = from != nullptr ? *from : group.mesh.pose();
     const std::int32_t region = regionOf(state, group);
     const FormationExtent extent = extentOf(group);
     if (asked.kind == OrderKind::Face) asked.target = pose.position;
     const OrderGoal goal = goalOf(state.refreshRoutes(group.groundClass), region, extent.width, asked.target);
     March march;
-    march.reversed = group.orders.march.reversed;
+    march.reversed = from == nullptr && group.orders.march.reversed;
     march.way.assign(1, pose.position);
     listLegs(state.routesOf(group), region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;

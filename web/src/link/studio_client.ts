@@ -2,6 +2,7 @@
 
 import type {
   ClientMessage,
+  Forecasts,
   Frame,
   GroupMesh,
   Motions,
@@ -26,6 +27,7 @@ export interface StudioEvents {
   frame: { readonly frame: StudioFrame; readonly receivedAt: number };
   overlay: Overlay;
   notice: Notice;
+  forecasts: Forecasts;
 }
 
 /** What the client needs of a Worker. */
@@ -102,6 +104,9 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
         break;
       case 'Notice':
         this.emit('notice', message);
+        break;
+      case 'Forecasts':
+        this.emit('forecasts', message);
         break;
       case 'Pong':
         break;

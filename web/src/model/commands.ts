@@ -6,6 +6,9 @@ export type MannerWord = 'march' | 'free';
 export type TurnWord = 'wheel' | 'reverse' | 'keep';
 export type StanceWord = 'normal' | 'hold' | 'yield';
 export type QueueModeWord = 'replace' | 'append';
+/** Where a new order stands in a queue; an index counts from 0. */
+export type QueueSpot =
+  { readonly mode: 'replace' } | { readonly mode: 'append' } | { readonly mode: 'insert'; readonly index: number };
 export type QueueEditWord = 'cancel' | 'hold' | 'resume' | 'patrol' | 'endPatrol' | 'stop';
 export type PartShapeWord = 'asHeld' | 'smaller';
 type Pair = readonly [number, number];
@@ -43,6 +46,8 @@ export interface MoveTarget {
 
 /** One event of a gesture file. */
 export type CommandEvent = Readonly<Record<string, unknown>> & { readonly kind: string };
+/** One that is about a group. */
+export type GroupEvent = CommandEvent & { readonly group: number };
 
 function rounded(value: number): number {
   return Math.round(value * 1000) / 1000;
@@ -52,12 +57,17 @@ function pair({ x, y }: GroundPoint): Pair {
   return [rounded(x), rounded(y)];
 }
 
-export function moveEvent(group: number, to: MoveTarget, style: OrderStyle): CommandEvent {
+export function moveEvent(
+  group: number,
+  to: MoveTarget,
+  style: OrderStyle,
+  spot: QueueSpot = { mode: style.mode },
+): GroupEvent {
   const [x, y] = pair(to.target);
   return {
     kind: 'move',
     group,
-    mode: style.mode,
+    ...spot,
     x,
     y,
     ...(to.facing === null ? {} : { facing: rounded(to.facing) }),
@@ -69,8 +79,8 @@ export function moveEvent(group: number, to: MoveTarget, style: OrderStyle): Com
   };
 }
 
-export function followEvent(group: number, leader: number, offset: GroundPoint, mode: QueueModeWord): CommandEvent {
-  return { kind: 'follow', group, mode, leader, offset: pair(offset) };
+export function followEvent(group: number, leader: number, offset: GroundPoint, spot: QueueSpot): GroupEvent {
+  return { kind: 'follow', group, ...spot, leader, offset: pair(offset) };
 }
 
 export function guardEvent(
@@ -78,10 +88,10 @@ export function guardEvent(
   centre: GroundPoint,
   halfSize: GroundPoint,
   facing: number,
-  mode: QueueModeWord,
-): CommandEvent {
+  spot: QueueSpot,
+): GroupEvent {
   const [x, y] = pair(centre);
-  return { kind: 'guard', group, mode, x, y, facing: rounded(facing), halfSize: pair(halfSize) };
+  return { kind: 'guard', group, ...spot, x, y, facing: rounded(facing), halfSize: pair(halfSize) };
 }
 
 export function queueEvent(group: number, edit: QueueEditWord, order = 0): CommandEvent {

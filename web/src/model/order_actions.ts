@@ -14,6 +14,14 @@ export interface OrderActions {
   stop(): void;
   toggleHold(): void;
   togglePatrol(): void;
+  /** Chooses an order in the active group's queue, or lets go of it. */
+  pickOrder(order: number): void;
+  /** The next order comes before this one; again: it does not. */
+  insertBefore(order: number): void;
+  /** Puts an order at an index of the active group's queue. */
+  moveOrder(order: number, index: number): void;
+  /** Goes on to the next order. */
+  skipOrder(): void;
   /** Takes an order out of the active group's queue. */
   cancelOrder(order: number): void;
   setConduct(conduct: Partial<ConductFacts>): void;

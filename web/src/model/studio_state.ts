@@ -29,6 +29,15 @@ export interface OrderInfo {
   readonly kind: number;
 }
 
+/** An order in the list of the active group's queue. */
+export interface QueueItem extends OrderInfo {
+  readonly word: string;
+  /** False where it cannot be reached. */
+  readonly arrives: boolean;
+  /** Until it is done, as 0:42; empty where that is not known. */
+  readonly span: string;
+}
+
 /** A group's queue, conduct and classes; parallel to `groups`. */
 export interface UnitInfo {
   readonly id: number;
@@ -64,7 +73,13 @@ export interface StudioState {
   readonly units: readonly UnitInfo[];
   readonly tool: ToolName;
   readonly style: OrderStyle;
-  /** A split or merge can be undone. */
+  /** Of the active group. */
+  readonly queue: readonly QueueItem[];
+  /** The order that is chosen in that list; 0 for none. */
+  readonly picked: number;
+  /** The order before which the next one comes; 0 for none. */
+  readonly insertBefore: number;
+  /** A split, a merge or an order can be undone. */
   readonly canUndo: boolean;
   readonly layers: Layers;
   readonly overlay: OverlayKind;
@@ -115,6 +130,9 @@ export const kInitialState: StudioState = {
   units: [],
   tool: 'steer',
   style: { manner: 'march', turn: 'wheel', mode: 'replace' },
+  queue: [],
+  picked: 0,
+  insertBefore: 0,
   canUndo: false,
   layers: { mesh: true, places: true, paths: true },
   overlay: OverlayKind.None,

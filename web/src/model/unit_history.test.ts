@@ -1,12 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { EventKind, type EventFrame } from '../protocol/messages';
-import { UnitHistory } from './unit_history';
+import type { QueueState } from './queue_edit';
+import { UnitHistory, type Units } from './unit_history';
 
 function added(id: number, from: number): EventFrame {
   return { kind: EventKind.GroupAdded, subject: id, value: from, x: 0, y: 0 };
 }
 
-const nobody = (): number[] => [];
+function units(groups: readonly number[], members: readonly number[] = [], queue?: QueueState): Units {
+  return { groups, members: () => members, queue: () => queue };
+}
 
 describe('UnitHistory', () => {
   it('undoes a split by a merge of its parts, once frames have told of them', () => {
@@ -15,14 +18,14 @@ describe('UnitHistory', () => {
     expect(history.canUndo).toBe(false);
     expect(history.observe([added(8, 3), added(9, 7)])).toEqual([8]);
     expect(history.canUndo).toBe(true);
-    expect(history.undo([3, 8], nobody)).toEqual([{ kind: 'merge', groups: [3, 8], shape: 'asHeld' }]);
+    expect(history.undo(units([3, 8]))).toEqual([{ kind: 'merge', groups: [3, 8], shape: 'asHeld' }]);
     expect(history.canUndo).toBe(false);
   });
 
   it('undoes a merge by a split with the ids that the parts had, of those who live', () => {
     const history = new UnitHistory();
     history.mergeAsked(3, 8, [10, 11, 12]);
-    const events = history.undo([3], () => [1, 2, 10, 12]);
+    const events = history.undo(units([3], [1, 2, 10, 12]));
     expect(events).toEqual([{ kind: 'split', group: 3, by: 'ids', ids: [10, 12], shape: 'asHeld' }]);
   });
 
@@ -32,8 +35,8 @@ describe('UnitHistory', () => {
     history.splitAsked(5);
     history.observe([added(8, 5)]);
     // Group 8 has ended.
-    expect(history.undo([3, 5], () => [10])).toMatchObject([{ kind: 'split', ids: [10] }]);
-    expect(history.undo([3, 5], () => [10])).toEqual([]);
+    expect(history.undo(units([3, 5], [10]))).toMatchObject([{ kind: 'split', ids: [10] }]);
+    expect(history.undo(units([3, 5], [10]))).toEqual([]);
   });
 
   it('undoes a split after the merge of its parts was undone, though the part has a new id', () => {
@@ -41,9 +44,9 @@ describe('UnitHistory', () => {
     history.splitAsked(3);
     history.observe([added(8, 3)]);
     history.mergeAsked(3, 8, [10, 11]);
-    history.undo([3], () => [1, 10, 11]);
+    history.undo(units([3], [1, 10, 11]));
     expect(history.observe([added(9, 3)])).toEqual([9]);
-    expect(history.undo([3, 9], nobody)).toEqual([{ kind: 'merge', groups: [3, 9], shape: 'asHeld' }]);
+    expect(history.undo(units([3, 9]))).toEqual([{ kind: 'merge', groups: [3, 9], shape: 'asHeld' }]);
   });
 
   it('forgets a split that the server refused, and keeps those that happened', () => {

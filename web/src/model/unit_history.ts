@@ -1,8 +1,9 @@
-// Splits and merges of ours that can be undone. The undo of a split is a merge, that of a merge a split by the ids that
-// the parts had.
+// Splits, merges and orders of ours that can be undone. The undo of a split is a merge, that of a merge a split by the ids
+// that the parts had, that of an order the queue as it was, without what has been done since.
 
 import { EventKind, type EventFrame } from '../protocol/messages';
 import { mergeEvent, splitByIdsEvent, type CommandEvent } from './commands';
+import { queueChange, type QueueState } from './queue_edit';
 
 interface Split {
   readonly kind: 'split';
@@ -19,7 +20,20 @@ interface Merge {
   readonly ids: readonly number[];
 }
 
-type Done = Split | Merge;
+/** Orders were given, or queues changed. */
+interface Queues {
+  readonly kind: 'queues';
+  before: readonly QueueState[];
+}
+
+type Done = Split | Merge | Queues;
+
+/** What an undo needs to know of the world. */
+export interface Units {
+  readonly groups: readonly number[];
+  members(group: number): readonly number[];
+  queue(group: number): QueueState | undefined;
+}
 
 /** What may be undone, at most. */
 const kMost = 50;
@@ -28,14 +42,33 @@ export class UnitHistory {
   private done_: Done[] = [];
   /** Groups that the undo of a merge brings back under a new id. */
   private coming_: { readonly from: number; readonly was: number }[] = [];
+  /** Orders that come back, or stand elsewhere, under new ids. */
+  private copies_: { readonly group: number; readonly was: number }[] = [];
+  /** Orders that are done. */
+  private readonly finished_ = new Set<number>();
+
+  /** `copied`: an order goes on under another id. */
+  constructor(private readonly copied_: (was: number, now: number) => void = () => undefined) {}
 
   get canUndo(): boolean {
-    return this.done_.some((one) => one.kind === 'merge' || one.parts.length > 0);
+    return this.done_.some((one) => one.kind !== 'split' || one.parts.length > 0);
   }
 
   clear(): void {
     this.done_ = [];
     this.coming_ = [];
+    this.copies_ = [];
+    this.finished_.clear();
+  }
+
+  /** Queues are about to change; `before`: as they are. */
+  queuesAsked(before: readonly QueueState[]): void {
+    if (before.length > 0) this.push({ kind: 'queues', before });
+  }
+
+  /** Copies of these orders were asked for. */
+  copiesAsked(group: number, ids: readonly number[]): void {
+    for (const was of ids) this.copies_.push({ group, was });
   }
 
   /** A split was asked for; frames tell what came of it. */
@@ -58,6 +91,8 @@ export class UnitHistory {
   observe(events: readonly EventFrame[]): number[] {
     const made: number[] = [];
     for (const { kind, subject, value } of events) {
+      if (kind === EventKind.OrderGiven) this.orderGiven(subject, value);
+      if (kind === EventKind.OrderDone || kind === EventKind.OrderSkipped) this.finished_.add(value);
       if (kind !== EventKind.GroupAdded) continue;
       const back = this.coming_.findIndex(({ from }) => from === value);
       if (back >= 0) {
@@ -76,19 +111,29 @@ export class UnitHistory {
   }
 
   /** The commands that undo the last one, which is forgotten; none where there is nothing left to undo. */
-  undo(groups: readonly number[], members: (group: number) => readonly number[]): CommandEvent[] {
+  undo(units: Units): CommandEvent[] {
     for (let last = this.done_.pop(); last; last = this.done_.pop()) {
-      const events = this.reversed(last, new Set(groups), members);
+      const events = last.kind === 'queues' ? this.restored(last, units) : this.reversed(last, units);
       if (events.length > 0) return events;
     }
     return [];
   }
 
-  private reversed(
-    done: Done,
-    alive: ReadonlySet<number>,
-    members: (group: number) => readonly number[],
-  ): CommandEvent[] {
+  private restored({ before }: Queues, units: Units): CommandEvent[] {
+    return before.flatMap((queue) => {
+      const now = units.queue(queue.group);
+      if (!now) return [];
+      const there = new Set(now.orders.map(({ id }) => id));
+      // In a patrol an order that was done is still there.
+      const orders = queue.orders.filter(({ id }) => there.has(id) || !this.finished_.has(id));
+      const { events, copied } = queueChange(now, { ...queue, orders });
+      this.copiesAsked(queue.group, copied);
+      return events;
+    });
+  }
+
+  private reversed(done: Split | Merge, { groups, members }: Units): CommandEvent[] {
+    const alive = new Set(groups);
     if (done.kind === 'split') {
       const parts = [done.group, ...done.parts].filter((id) => alive.has(id));
       return parts.length > 1 ? [mergeEvent(parts, 'asHeld')] : [];
@@ -105,9 +150,24 @@ export class UnitHistory {
   private rename(was: number, now: number): void {
     const renamed = (id: number): number => (id === was ? now : id);
     for (const one of this.done_) {
-      if (one.kind === 'merge') one.into = renamed(one.into);
+      if (one.kind === 'queues') one.before = one.before.map((queue) => ({ ...queue, group: renamed(queue.group) }));
+      else if (one.kind === 'merge') one.into = renamed(one.into);
       else [one.group, one.parts] = [renamed(one.group), one.parts.map(renamed)];
     }
+  }
+
+  private orderGiven(group: number, now: number): void {
+    const index = this.copies_.findIndex((copy) => copy.group === group);
+    if (index < 0) return;
+    const { was } = this.copies_.splice(index, 1)[0]!;
+    for (const one of this.done_) {
+      if (one.kind !== 'queues') continue;
+      one.before = one.before.map((queue) => ({
+        ...queue,
+        orders: queue.orders.map((order) => (order.id === was ? { ...order, id: now } : order)),
+      }));
+    }
+    this.copied_(was, now);
   }
 
   private push(done: Done): void {

@@ -6,8 +6,11 @@ import {
   type PlaybackAction,
 } from './enums';
 import {
+  type ForecastAsk,
+  readForecastAsk,
   readTouchEvent,
   type TouchEvent,
+  writeForecastAsk,
   writeTouchEvent,
 } from './parts';
 
@@ -363,4 +366,26 @@ export function readPing(r: ByteReader): Ping {
 export function writePing(w: ByteWriter, m: Ping): void {
   w.u8(16);
   w.f64(m.time);
+}
+
+/** Would these orders arrive, by which way, when? Nothing changes. */
+export interface AskForecasts {
+  type: 'AskForecasts';
+  /** comes back with the answer */
+  number: number;
+  asks: ForecastAsk[];
+}
+
+export function readAskForecasts(r: ByteReader): AskForecasts {
+  return {
+    type: 'AskForecasts',
+    number: r.u32(),
+    asks: r.list(readForecastAsk),
+  };
+}
+
+export function writeAskForecasts(w: ByteWriter, m: AskForecasts): void {
+  w.u8(17);
+  w.u32(m.number);
+  w.list(m.asks, writeForecastAsk);
 }

@@ -2,6 +2,7 @@
 import { ByteReader, ByteWriter } from './bytes';
 import {
   type AddControl,
+  type AskForecasts,
   type Attend,
   type Commands,
   type FrameAck,
@@ -11,6 +12,7 @@ import {
   type Ping,
   type Playback,
   readAddControl,
+  readAskForecasts,
   readAttend,
   readCommands,
   readFrameAck,
@@ -36,6 +38,7 @@ import {
   type SetSpeed,
   type Touches,
   writeAddControl,
+  writeAskForecasts,
   writeAttend,
   writeCommands,
   writeFrameAck,
@@ -54,12 +57,14 @@ import {
   writeTouches,
 } from './client_messages';
 import {
+  type Forecasts,
   type Frame,
   type GroupMesh,
   type Motions,
   type Notice,
   type Overlay,
   type Pong,
+  readForecasts,
   readFrame,
   readGroupMesh,
   readMotions,
@@ -70,6 +75,7 @@ import {
   readWelcome,
   type Scene,
   type Welcome,
+  writeForecasts,
   writeFrame,
   writeGroupMesh,
   writeMotions,
@@ -102,7 +108,8 @@ export type ClientMessage =
   | Commands
   | Attend
   | FrameAck
-  | Ping;
+  | Ping
+  | AskForecasts;
 
 const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readHello,
@@ -122,6 +129,7 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readAttend,
   readFrameAck,
   readPing,
+  readAskForecasts,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -187,6 +195,9 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'Ping':
       writePing(w, message);
       break;
+    case 'AskForecasts':
+      writeAskForecasts(w, message);
+      break;
   }
   return w.bytes();
 }
@@ -199,7 +210,8 @@ export type ServerMessage =
   | Frame
   | Overlay
   | Notice
-  | Pong;
+  | Pong
+  | Forecasts;
 
 const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readWelcome,
@@ -210,6 +222,7 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readOverlay,
   readNotice,
   readPong,
+  readForecasts,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -247,6 +260,9 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Pong':
       writePong(w, message);
+      break;
+    case 'Forecasts':
+      writeForecasts(w, message);
       break;
   }
   return w.bytes();

@@ -152,6 +152,8 @@ export interface OrderFrame {
   halfY: number;
   /** x, y of the drawn way */
   route: Float32Array;
+  /** a gestures file with this order alone, where it says more than these fields; else empty */
+  event: string;
 }
 
 export function readOrderFrame(r: ByteReader): OrderFrame {
@@ -170,6 +172,7 @@ export function readOrderFrame(r: ByteReader): OrderFrame {
     halfX: r.f32(),
     halfY: r.f32(),
     route: r.f32s(),
+    event: r.string(),
   };
 }
 
@@ -188,6 +191,82 @@ export function writeOrderFrame(w: ByteWriter, m: OrderFrame): void {
   w.f32(m.halfX);
   w.f32(m.halfY);
   w.f32s(m.route);
+  w.string(m.event);
+}
+
+/** An order that a group might get, or has in its queue, and where the group would begin it. */
+export interface ForecastAsk {
+  group: number;
+  /** id of an order in its queue; 0: that of event */
+  order: number;
+  /** one order in the words of gesture files; empty where order is not 0 */
+  event: string;
+  /** it would begin at x, y, facing; else where the formation is */
+  placed: boolean;
+  /** [m] */
+  x: number;
+  y: number;
+  /** [rad] */
+  facing: number;
+}
+
+export function readForecastAsk(r: ByteReader): ForecastAsk {
+  return {
+    group: r.u32(),
+    order: r.u32(),
+    event: r.string(),
+    placed: r.bool(),
+    x: r.f64(),
+    y: r.f64(),
+    facing: r.f64(),
+  };
+}
+
+export function writeForecastAsk(w: ByteWriter, m: ForecastAsk): void {
+  w.u32(m.group);
+  w.u32(m.order);
+  w.string(m.event);
+  w.bool(m.placed);
+  w.f64(m.x);
+  w.f64(m.y);
+  w.f64(m.facing);
+}
+
+/** What would come of an order. */
+export interface ForecastFrame {
+  group: number;
+  /** as asked */
+  order: number;
+  arrives: boolean;
+  /** infinite where it never arrives [s] */
+  seconds: number;
+  /** where the formation would stand: the target, or the nearest ground to it [m] */
+  x: number;
+  y: number;
+  /** x, y of its centre, both ends included */
+  way: Float32Array;
+}
+
+export function readForecastFrame(r: ByteReader): ForecastFrame {
+  return {
+    group: r.u32(),
+    order: r.u32(),
+    arrives: r.bool(),
+    seconds: r.f32(),
+    x: r.f32(),
+    y: r.f32(),
+    way: r.f32s(),
+  };
+}
+
+export function writeForecastFrame(w: ByteWriter, m: ForecastFrame): void {
+  w.u32(m.group);
+  w.u32(m.order);
+  w.bool(m.arrives);
+  w.f32(m.seconds);
+  w.f32(m.x);
+  w.f32(m.y);
+  w.f32s(m.way);
 }
 
 /** A group's mesh, places and controls [m]. */

@@ -8,12 +8,14 @@ import {
   type ClipFrames,
   type CrowdFrame,
   type EventFrame,
+  type ForecastFrame,
   type GroupFrame,
   type JointFrame,
   type MovingFrame,
   readClipFrames,
   readCrowdFrame,
   readEventFrame,
+  readForecastFrame,
   readGroupFrame,
   readJointFrame,
   readMovingFrame,
@@ -22,6 +24,7 @@ import {
   writeClipFrames,
   writeCrowdFrame,
   writeEventFrame,
+  writeForecastFrame,
   writeGroupFrame,
   writeJointFrame,
   writeMovingFrame,
@@ -341,4 +344,25 @@ export function readPong(r: ByteReader): Pong {
 export function writePong(w: ByteWriter, m: Pong): void {
   w.u8(7);
   w.f64(m.time);
+}
+
+/** The answers, as far as group and order are still there. */
+export interface Forecasts {
+  type: 'Forecasts';
+  number: number;
+  answers: ForecastFrame[];
+}
+
+export function readForecasts(r: ByteReader): Forecasts {
+  return {
+    type: 'Forecasts',
+    number: r.u32(),
+    answers: r.list(readForecastFrame),
+  };
+}
+
+export function writeForecasts(w: ByteWriter, m: Forecasts): void {
+  w.u8(8);
+  w.u32(m.number);
+  w.list(m.answers, writeForecastFrame);
 }

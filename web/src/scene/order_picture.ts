@@ -2,14 +2,18 @@
 
 import { GroupShapes } from '../model/group_shapes';
 import type { GroupView, ShapeMeshView } from '../model/frame_view';
+import type { GroundPoint } from '../model/plane';
 import type { SceneGroup } from '../protocol/scene';
-import type { DrawnCut, DrawnOrder, OrderScene } from './marks/order_marks';
+import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
 
 export class OrderPicture {
   private readonly shapes_ = new GroupShapes();
   private byId_ = new Map<number, number>();
   private selected_: ReadonlySet<number> = new Set();
   private drawn_: DrawnOrder | null = null;
+  private forecasts_: readonly DrawnForecast[] = [];
+  private ways_: ReadonlyMap<number, readonly GroundPoint[]> = new Map();
+  private picked_ = 0;
   private cut_: DrawnCut | null = null;
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
@@ -49,6 +53,24 @@ export class OrderPicture {
     this.changed_();
   }
 
+  /** What would come of the order that is being drawn. */
+  previewForecasts(forecasts: readonly DrawnForecast[]): void {
+    this.forecasts_ = forecasts;
+    this.changed_();
+  }
+
+  /** The ways of orders that wait, by their ids. */
+  setWays(ways: ReadonlyMap<number, readonly GroundPoint[]>): void {
+    this.ways_ = ways;
+    this.changed_();
+  }
+
+  /** The order that is chosen in the list of the queue; 0 for none. */
+  setPicked(order: number): void {
+    this.picked_ = order;
+    this.changed_();
+  }
+
   /** A stroke of the cutting tool; null takes it away. */
   previewCut(cut: DrawnCut | null): void {
     this.cut_ = cut;
@@ -65,13 +87,16 @@ export class OrderPicture {
   }
 
   /** For the marks. */
-  scene(queues: boolean): Pick<OrderScene, 'groups' | 'shapes' | 'selected' | 'queues' | 'drawn' | 'cut'> {
+  scene(queues: boolean): Omit<OrderScene, 'camera' | 'palette' | 'colours' | 'greyed'> {
     return {
       groups: this.groups_,
       shapes: this.shapes_,
       selected: this.selected_,
       queues,
       drawn: this.drawn_,
+      forecasts: this.forecasts_,
+      ways: this.ways_,
+      picked: this.picked_,
       cut: this.cut_,
     };
   }

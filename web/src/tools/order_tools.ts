@@ -18,7 +18,8 @@ export interface OrderPreview {
 export interface OrderSink {
   /** The groups that get orders. */
   groups(): readonly OrderedGroup[];
-  previewOrder(preview: OrderPreview | null): void;
+  /** `contact`: with its keys; left out where nothing is drawn. */
+  previewOrder(preview: OrderPreview | null, contact?: Contact): void;
   /** `contact`: with its keys. */
   move(moves: readonly PlannedMove[], contact: Contact): void;
   guard(centre: GroundPoint, halfSize: GroundPoint, facing: number, contact: Contact): void;
@@ -105,12 +106,13 @@ export class OrderDrag extends OrderGesture {
 
   protected override began(): void {
     if (this.from && !this.tapped_)
-      this.sink.previewOrder({ ...kNothing, moves: planPoint(this.sink.groups(), this.from) });
+      this.sink.previewOrder({ ...kNothing, moves: planPoint(this.sink.groups(), this.from) }, this.start ?? undefined);
   }
 
   protected moved(contacts: readonly Contact[]): void {
-    const plan = this.plan(contacts[contacts.length - 1]!);
-    if (plan) this.sink.previewOrder({ ...kNothing, moves: plan });
+    const contact = contacts[contacts.length - 1]!;
+    const plan = this.plan(contact);
+    if (plan) this.sink.previewOrder({ ...kNothing, moves: plan }, contact);
   }
 
   protected done(contact: Contact): void {
@@ -139,7 +141,7 @@ export class RouteDrag extends OrderGesture {
   protected moved(contacts: readonly Contact[]): void {
     for (const { ground } of contacts) if (ground) this.drawn_.push(ground);
     const moves = planRoute(this.sink.groups(), this.drawn_);
-    this.sink.previewOrder({ ...kNothing, moves, route: this.drawn_ });
+    this.sink.previewOrder({ ...kNothing, moves, route: this.drawn_ }, contacts[contacts.length - 1]);
   }
 
   protected done(contact: Contact): void {

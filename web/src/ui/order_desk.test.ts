@@ -47,7 +47,13 @@ beforeEach(() => {
   said = [];
   store = new StudioStore();
   const scene = {
-    orders: { previewOrder: () => undefined, previewCut: () => undefined },
+    orders: {
+      previewOrder: () => undefined,
+      previewCut: () => undefined,
+      previewForecasts: () => undefined,
+      setWays: () => undefined,
+      setPicked: () => undefined,
+    },
     previewControl: () => undefined,
     worldToScreen: (at: { x: number; y: number }) => at,
   };

@@ -7,14 +7,12 @@ import {
   followEvent,
   guardEvent,
   moveEvent,
-  queueEvent,
   mergeEvent,
   splitByLineEvent,
   type CommandEvent,
+  type GroupEvent,
   type ConductFacts,
   type OrderStyle,
-  type QueueEditWord,
-  type QueueModeWord,
 } from '../model/commands';
 import type { Cut, Cuttable } from '../model/cut';
 import { GroupShapes } from '../model/group_shapes';
@@ -30,10 +28,11 @@ import type { BoxSink } from '../tools/box_select';
 import type { Contact } from '../tools/contact';
 import type { CutPreview, CutSink } from '../tools/cut_tool';
 import type { OrderPreview, OrderSink } from '../tools/order_tools';
+import { QueueDesk, type QueueScene } from './queue_desk';
 
 /** What the desk shows on the scene. */
 export interface DeskScene {
-  readonly orders: {
+  readonly orders: QueueScene & {
     previewOrder(preview: OrderPreview | null): void;
     previewCut(preview: CutPreview | null): void;
   };
@@ -43,6 +42,7 @@ export interface DeskScene {
 
 type Keys = Pick<Contact, 'shift' | 'alt'>;
 
+const kNoKeys: Keys = { shift: false, alt: false };
 /** Behind the middle of the group that is followed [m]. */
 const kFollowGap = 2;
 /** The group of a press is the one whose mesh is this near [m]. */
@@ -50,7 +50,8 @@ const kNear = 1.5;
 
 export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   readonly shapes = new GroupShapes();
-  private readonly history_ = new UnitHistory();
+  readonly queues: QueueDesk;
+  private readonly history_ = new UnitHistory((was, now) => this.queues.copied(was, now));
   private frame_: StudioFrame | null = null;
   private ids_: Uint32Array = new Uint32Array(0);
   private group_: Uint8Array = new Uint8Array(0);
@@ -60,7 +61,9 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     private readonly store_: StudioStore,
     private readonly scene_: DeskScene,
     private readonly say_: (text: string) => void,
-  ) {}
+  ) {
+    this.queues = new QueueDesk(client_, store_, scene_.orders, this.history_, say_);
+  }
 
   setMesh(mesh: GroupMesh): void {
     this.shapes.setMesh(mesh);
@@ -69,6 +72,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   forgetWorld(): void {
     this.shapes.clear();
     this.history_.clear();
+    this.queues.forgetWorld();
     this.store_.set({ canUndo: false, selected: [] });
   }
 
@@ -77,6 +81,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     this.frame_ = frame;
     if (frame.ids.length > 0 || frame.x.length === 0) [this.ids_, this.group_] = [frame.ids, frame.group];
     const made = this.history_.observe(frame.events);
+    this.queues.observe(frame);
     this.chooseParts(made);
     const { canUndo, groups, active, selected } = this.store_.state;
     if (canUndo !== this.history_.canUndo) this.store_.set({ canUndo: this.history_.canUndo });
@@ -142,8 +147,9 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   // ---- What was drawn ----
 
-  previewOrder(preview: OrderPreview | null): void {
+  previewOrder(preview: OrderPreview | null, keys: Keys = kNoKeys): void {
     this.scene_.orders.previewOrder(preview);
+    this.queues.drawn(preview?.moves ?? [], this.styleOf(keys), keys.shift);
   }
 
   previewCut(preview: CutPreview | null): void {
@@ -156,14 +162,13 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   move(moves: readonly PlannedMove[], keys: Keys): void {
     const style = this.styleOf(keys);
-    this.send(moves.map((move) => moveEvent(move.group, move, style)));
-    this.once();
+    this.give(moves.map((move) => moveEvent(move.group, move, style, this.queues.spotOf(move.group, keys.shift))));
   }
 
   guard(centre: GroundPoint, halfSize: GroundPoint, facing: number, keys: Keys): void {
-    const mode = this.modeOf(keys);
-    this.send(this.groups().map(({ id }) => guardEvent(id, centre, halfSize, facing, mode)));
-    this.once();
+    this.give(
+      this.groups().map(({ id }) => guardEvent(id, centre, halfSize, facing, this.queues.spotOf(id, keys.shift))),
+    );
   }
 
   follow(at: GroundPoint, keys: Keys): void {
@@ -177,10 +182,12 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
       x: -this.depths(group.id, leader.group) - kFollowGap,
       y: 0,
     });
-    const mode = this.modeOf(keys);
-    this.send(followers.map((group) => followEvent(group.id, leader.group, behind(group), mode)));
+    this.give(
+      followers.map((group) =>
+        followEvent(group.id, leader.group, behind(group), this.queues.spotOf(group.id, keys.shift)),
+      ),
+    );
     this.say_(`Follows ${this.nameOf(leader.group)}`);
-    this.once();
   }
 
   formations(): readonly Cuttable[] {
@@ -232,25 +239,40 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   }
 
   stop(): void {
-    this.edit('stop');
+    this.queues.edit(this.store_.state.selected, 'stop');
     this.say_('Stop');
   }
 
   toggleHold(): void {
     const held = this.activeUnit()?.held ?? false;
-    this.edit(held ? 'resume' : 'hold');
+    this.queues.edit(this.store_.state.selected, held ? 'resume' : 'hold');
     this.say_(held ? 'Goes on' : 'Holds');
   }
 
   togglePatrol(): void {
     const patrols = this.activeUnit()?.patrols ?? false;
-    this.edit(patrols ? 'endPatrol' : 'patrol');
+    this.queues.edit(this.store_.state.selected, patrols ? 'endPatrol' : 'patrol');
     this.say_(patrols ? 'Ends the patrol' : 'Patrols');
   }
 
+  pickOrder(order: number): void {
+    this.queues.pick(order);
+  }
+
+  insertBefore(order: number): void {
+    this.queues.insertBefore(order);
+  }
+
+  moveOrder(order: number, index: number): void {
+    this.queues.moveTo(order, index);
+  }
+
+  skipOrder(): void {
+    this.queues.skip();
+  }
+
   cancelOrder(order: number): void {
-    const unit = this.activeUnit();
-    if (unit) this.send([queueEvent(unit.id, 'cancel', order)]);
+    this.queues.cancel(order);
   }
 
   setConduct(conduct: Partial<ConductFacts>): void {
@@ -261,17 +283,22 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   undo(): void {
     const { groups } = this.store_.state;
-    const events = this.history_.undo(
-      groups.map(({ id }) => id),
-      (group) => this.membersOf(group),
-    );
+    const events = this.history_.undo({
+      groups: groups.map(({ id }) => id),
+      members: (group) => this.membersOf(group),
+      queue: (group) => this.queues.queue(group),
+    });
     this.say_(events.length > 0 ? 'Undone' : 'There is nothing to undo');
     this.send(events);
     this.store_.set({ canUndo: this.history_.canUndo });
   }
 
-  private edit(edit: QueueEditWord): void {
-    this.send(this.store_.state.selected.map((id) => queueEvent(id, edit)));
+  /** Orders, at most one for each group. */
+  private give(events: readonly GroupEvent[]): void {
+    this.queues.remember(events.map(({ group }) => group));
+    this.send(events);
+    this.once();
+    this.queues.given();
   }
 
   private send(events: readonly CommandEvent[]): void {
@@ -284,13 +311,9 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     if (tool === 'follow' || tool === 'guard') this.store_.set({ tool: 'steer' });
   }
 
-  private modeOf({ shift }: Keys): QueueModeWord {
-    return shift ? 'append' : this.store_.state.style.mode;
-  }
-
   private styleOf(keys: Keys): OrderStyle {
     const { style } = this.store_.state;
-    return { ...style, mode: this.modeOf(keys), manner: keys.alt ? 'free' : style.manner };
+    return { ...style, manner: keys.alt ? 'free' : style.manner };
   }
 
   private activeUnit(): UnitInfo | undefined {

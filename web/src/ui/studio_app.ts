@@ -258,6 +258,7 @@ export class StudioApp {
     client.on('groupMesh', (mesh) => this.showMesh(mesh));
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('overlay', (overlay) => this.showOverlay(overlay));
+    client.on('forecasts', (answers) => this.desk.queues.answered(answers, performance.now()));
     client.on('notice', (notice) => this.noticed(notice));
   }
 
@@ -380,6 +381,7 @@ export class StudioApp {
   private readonly drawn = (): void => {
     requestAnimationFrame(this.drawn);
     this.touches_.flush();
+    this.desk.queues.tick(performance.now());
     if (this.client_.state.phase === 'open') this.attention_.consider(this.view_.attention(), performance.now());
     this.shell_.scale.update(this.view_.pixelsPerMetre());
     this.stats_?.show(this.view_.stats);

@@ -17,6 +17,8 @@ export interface Palette {
   /** White round marks on the ground; near black in dark. */
   readonly casing: string;
   readonly onAccent: string;
+  /** What cannot be. */
+  readonly alarm: string;
   readonly water: string;
   readonly waterLine: string;
   readonly coping: string;
@@ -55,6 +57,7 @@ const kLight: Palette = {
   ink2: '#545C66',
   casing: '#FFFFFF',
   onAccent: '#FFFFFF',
+  alarm: '#C3123A',
   water: '#A8CFDA',
   waterLine: '#2F7896',
   coping: '#D9D1C2',
@@ -92,6 +95,7 @@ const kDark: Palette = {
   ink2: '#B1B9C2',
   casing: '#0E1114',
   onAccent: '#0E1114',
+  alarm: '#FF5C77',
   water: '#1D4A5C',
   waterLine: '#6FB6D2',
   coping: '#3A4148',

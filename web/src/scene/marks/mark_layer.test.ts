@@ -45,6 +45,9 @@ function draw(control: ControlView): void {
     selected: new Set(),
     queues: true,
     drawn: null,
+    forecasts: [],
+    ways: new Map(),
+    picked: 0,
     cut: null,
   };
   layer.draw(marks, scene);

@@ -14,6 +14,8 @@ export interface MarkColours {
 
 const kHandle = 22;
 const kRing = 60;
+/** Half the mean width of a letter of a label [CSS px]. */
+const kLetter = 3.9;
 
 export class MarkPainter {
   private readonly hatch_ = new Map<string, CanvasPattern | null>();
@@ -84,6 +86,31 @@ export class MarkPainter {
     pen.textAlign = 'center';
     pen.textBaseline = 'middle';
     pen.fillText(text, at.x, at.y + 0.5);
+  }
+
+  /** Words on a plate of their own. */
+  label(at: ScreenPoint, text: string, plate: string, ink: string): void {
+    const pen = this.pen_;
+    pen.font = '600 14px "Inter Variable", Inter, system-ui, sans-serif';
+    const half = kLetter * text.length + 10;
+    pen.save();
+    pen.translate(at.x, at.y);
+    this.box(half, 13, 13, withAlpha(plate, 0.94));
+    pen.restore();
+    pen.fillStyle = ink;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'middle';
+    pen.fillText(text, at.x, at.y + 0.5);
+  }
+
+  /** Where a way ends that leads no farther. */
+  cross(at: ScreenPoint, colours: MarkColours): void {
+    const stroke = (dx: number): ScreenPoint[] => [
+      { x: at.x - dx, y: at.y - 6 },
+      { x: at.x + dx, y: at.y + 6 },
+    ];
+    for (const dx of [6, -6]) this.cased(stroke(dx), colours, 0, 7);
+    for (const dx of [6, -6]) this.cased(stroke(dx), { ...colours, casing: colours.accent }, 3.4, 3.4);
   }
 
   /** Two bars on a disc: who waits. */

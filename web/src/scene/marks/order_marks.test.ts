@@ -39,6 +39,9 @@ function draw(groups: readonly GroupView[], queues = true): void {
     selected: new Set([1]),
     queues,
     drawn: null,
+    forecasts: [],
+    ways: new Map(),
+    picked: 0,
     cut: null,
   };
   marks.draw(scene);

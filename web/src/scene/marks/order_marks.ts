@@ -26,6 +26,16 @@ export interface DrawnOrder {
   readonly route: readonly GroundPoint[];
 }
 
+/** What would come of an order that is being drawn. */
+export interface DrawnForecast {
+  readonly index: number;
+  readonly way: readonly GroundPoint[];
+  /** False where the way ends short of the target. */
+  readonly arrives: boolean;
+  /** When it would arrive, or that it would not. */
+  readonly text: string;
+}
+
 /** A stroke of the cutting tool. */
 export interface DrawnCut {
   readonly line: readonly GroundPoint[];
@@ -45,6 +55,11 @@ export interface OrderScene {
   readonly selected: ReadonlySet<number>;
   readonly queues: boolean;
   readonly drawn: DrawnOrder | null;
+  readonly forecasts: readonly DrawnForecast[];
+  /** Ways of orders that wait, by their ids, as far as they are known. */
+  readonly ways: ReadonlyMap<number, readonly GroundPoint[]>;
+  /** The order that is chosen in the list of the queue; 0 for none. */
+  readonly picked: number;
   readonly cut: DrawnCut | null;
 }
 
@@ -56,6 +71,10 @@ const kOthersAlpha = 0.42;
 const kArrowGap = 120;
 /** An order's point is drawn this far from its group, or not at all [m]. */
 const kReached = 0.4;
+/** Round the badge of the picked order, as a share of a finger's ring. */
+const kPickedRing = 0.62;
+/** Labels stand so far above what they tell of [CSS px]. */
+const kLabelGap = 20;
 
 /** A stretch of a way, and the order at its end. */
 interface Leg {
@@ -64,14 +83,17 @@ interface Leg {
   readonly facing: number;
 }
 
-/** The legs of a queue, from where the group stands. */
-export function legsOf(group: GroupView, groups: readonly GroupView[]): Leg[] {
+/** Ways by the ids of orders. */
+type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
+
+/** The legs of a queue, from where the group stands; by straight lines where ways are not known. */
+export function legsOf(group: GroupView, groups: readonly GroupView[], ways: Ways = new Map()): Leg[] {
   let from: GroundPoint = { x: group.x, y: group.y };
   let facing = group.facing;
   return group.orders.map((order, k) => {
     const leader = order.kind === kFollow ? groups.find(({ id }) => id === order.group) : undefined;
     const end = order.kind === kFace ? from : (leader ?? order);
-    const between = k === 0 ? pointsOf(group.way) : pointsOf(order.route);
+    const between = k === 0 ? pointsOf(group.way) : (ways.get(order.id) ?? pointsOf(order.route));
     const points = [from, ...between, { x: end.x, y: end.y }].filter(
       (point, i, all) => i === 0 || distance(point, all[i - 1]!) > 0.05,
     );
@@ -90,6 +112,10 @@ export class OrderMarks {
     for (const group of scene.queues ? scene.groups : []) this.pointsOf(group, scene).forEach(add);
     const { drawn, cut } = scene;
     for (const move of drawn?.moves ?? []) [...move.outline, ...move.front].forEach(add);
+    for (const { index, way } of drawn ? scene.forecasts : []) {
+      way.forEach(add);
+      extent.add(this.labelSpot(index, way, scene));
+    }
     const strokes = [drawn?.rectangle, drawn?.route, cut?.line, cut?.leaving, cut?.onto];
     for (const points of strokes) points?.forEach(add);
   }
@@ -97,7 +123,7 @@ export class OrderMarks {
   /** All that is drawn of a group's queue. */
   private pointsOf(group: GroupView, scene: OrderScene): GroundPoint[] {
     const points: GroundPoint[] = group.held ? [group] : [];
-    for (const leg of legsOf(group, scene.groups)) {
+    for (const leg of legsOf(group, scene.groups, scene.ways)) {
       points.push(...leg.points, ...(this.ghost(group, leg, scene)?.outline ?? []));
       if (leg.order.kind === kGuard) points.push(...rectangleOf(leg.order));
     }
@@ -128,7 +154,7 @@ export class OrderMarks {
   }
 
   private drawQueue(group: GroupView, index: number, scene: OrderScene): void {
-    const legs = legsOf(group, scene.groups);
+    const legs = legsOf(group, scene.groups, scene.ways);
     const colours = this.coloursOf(index, scene);
     const { painter_: painter } = this;
     painter.alpha = scene.selected.has(group.id) ? 1 : kOthersAlpha;
@@ -153,6 +179,7 @@ export class OrderMarks {
       const text = first < k ? `${first + 1}–${k + 1}` : `${k + 1}`;
       first = k + 1;
       const at = scene.camera.worldToScreen(end.x, end.y);
+      if (legs[k]!.order.id === scene.picked) this.painter_.ring(at, colours, kPickedRing);
       if (legs.length > 1 || group.patrols) this.painter_.badge(at, text, colours, scene.palette.onAccent);
       else if (distance(end, group) >= kReached) this.painter_.checkpoint(at, colours, true);
     });
@@ -235,6 +262,7 @@ export class OrderMarks {
       painter.veil(this.screen(rectangle, scene), colours.accent);
       painter.dashed(this.screen(rectangle, scene), colours.accent, 2.2, true);
     }
+    for (const forecast of scene.forecasts) this.drawForecastWay(forecast, scene);
     for (const move of moves) {
       const own = this.coloursOf(move.index, scene);
       const outline = this.screen(move.outline, scene);
@@ -246,6 +274,31 @@ export class OrderMarks {
       }
       this.drawFront(move.front, own, scene);
     }
+    for (const { index, way, text, arrives } of scene.forecasts) {
+      const ink = arrives ? scene.palette.ink : scene.palette.alarm;
+      painter.label(this.labelSpot(index, way, scene), text, scene.palette.panel, ink);
+    }
+  }
+
+  private drawForecastWay({ index, way, arrives }: DrawnForecast, scene: OrderScene): void {
+    const colours = this.coloursOf(index, scene);
+    const at = this.screen(way, scene);
+    const end = at[at.length - 1];
+    if (arrives) {
+      this.painter_.cased(at, colours, 2.2, 5);
+      this.drawArrows(at, colours);
+      return;
+    }
+    this.painter_.dashed(at, colours.accent, 2.2, false);
+    if (end) this.painter_.cross(end, { accent: scene.palette.alarm, casing: colours.casing });
+  }
+
+  /** Above the places that are shown for the group, or the end of its way. */
+  private labelSpot(index: number, way: readonly GroundPoint[], scene: OrderScene): ScreenPoint {
+    const move = scene.drawn?.moves.find((one) => one.index === index);
+    const points = this.screen(move?.outline.length ? move.outline : way, scene);
+    const [left, right] = [Math.min(...points.map(({ x }) => x)), Math.max(...points.map(({ x }) => x))];
+    return { x: (left + right) / 2, y: Math.min(...points.map(({ y }) => y)) - kLabelGap };
   }
 
   private firstChosen({ groups, selected }: OrderScene): number {

@@ -1,0 +1,149 @@
+// Asks the server what would come of orders: of those that are drawn, and of those that wait in queues. One question is
+// out at a time; what is drawn comes first, and an answer to an older question is dropped.
+
+import type { MessageSender } from '../link/studio_client';
+import { forecastOf, queueAsks, type Asker, type Forecast } from '../model/forecast';
+import type { ForecastAsk, Forecasts } from '../protocol/messages';
+
+/** Between two questions, and more for each order asked about [ms]. */
+const kPause = 60;
+const kPausePerOrder = 25;
+/** A server that is slow to answer is asked more rarely: the pause is so many times what the last answer took. */
+const kPatience = 3;
+/** A question without an answer for so long is forgotten [ms]. */
+const kLost = 1000;
+/** Queues are asked about again after so long [ms]. */
+const kRefresh = 4000;
+/** Orders of a queue asked about at once. */
+const kAtOnce = 6;
+/** Groups of a drawn order asked about at once. */
+const kMostDrawn = 12;
+
+/** How far the questions about one queue are. */
+interface Queue {
+  group: Asker;
+  key: string;
+  /** The next order to ask about. */
+  next: number;
+  /** When the last round of questions ended [ms]. */
+  asked: number;
+  /** World time of the answer about the first order [s]. */
+  since: number;
+}
+
+interface Question {
+  readonly number: number;
+  readonly drawn: boolean;
+  readonly asked: number;
+  readonly orders: number;
+}
+
+export class Forecaster {
+  /** Answers about orders that wait, by their ids. */
+  readonly known = new Map<number, Forecast>();
+  private readonly queues_ = new Map<number, Queue>();
+  private drawn_: readonly ForecastAsk[] | null = null;
+  private drawnIsNew_ = false;
+  private open_: Question | null = null;
+  private number_ = 0;
+  private free_ = 0;
+  private time_ = 0;
+
+  /** `drawn`: answers about what is drawn; none where the drawing has ended. `queues`: answers about queues have come. */
+  constructor(
+    private readonly client_: MessageSender,
+    private readonly drawnKnown_: (forecasts: readonly Forecast[]) => void,
+    private readonly queuesKnown_: () => void,
+  ) {}
+
+  clear(): void {
+    this.known.clear();
+    this.queues_.clear();
+    this.open_ = null;
+    this.draw(null);
+  }
+
+  /** What is drawn now; null where the drawing has ended. */
+  draw(asks: readonly ForecastAsk[] | null): void {
+    if (!asks && !this.drawn_) return;
+    this.drawn_ = asks?.slice(0, kMostDrawn) ?? null;
+    this.drawnIsNew_ = asks !== null && asks.length > 0;
+    if (!asks) this.drawnKnown_([]);
+  }
+
+  /** Takes the groups of a frame. `ground`: another value where the ground has changed; `time` of the world [s]. */
+  observe(groups: readonly Asker[], ground: number, time: number): void {
+    this.time_ = time;
+    const there = new Set(groups.map(({ id }) => id));
+    for (const id of this.queues_.keys()) if (!there.has(id)) this.queues_.delete(id);
+    let changed = false;
+    for (const group of groups) {
+      const key = `${ground} ${group.orders.map(({ id }) => id).join()}`;
+      const queue = this.queues_.get(group.id);
+      if (queue?.key === key) {
+        queue.group = group;
+        continue;
+      }
+      changed = true;
+      this.queues_.set(group.id, { group, key, next: 0, asked: -Infinity, since: time });
+    }
+    if (changed) this.forgetDone(groups);
+  }
+
+  /** Asks what is to be asked. `now` [ms]. */
+  tick(now: number): void {
+    if (this.open_ && now - this.open_.asked < kLost) return;
+    if (now < this.free_) return;
+    if (this.drawn_ && this.drawnIsNew_) {
+      this.drawnIsNew_ = false;
+      this.ask(this.drawn_, true, now);
+      return;
+    }
+    for (const queue of this.queues_.values()) if (this.askOf(queue, now)) return;
+  }
+
+  answered({ number, answers }: Forecasts, now: number): void {
+    const question = this.open_;
+    if (question?.number !== number) return;
+    this.open_ = null;
+    const pause = Math.max(kPause + kPausePerOrder * question.orders, kPatience * (now - question.asked));
+    this.free_ = now + pause;
+    const forecasts = answers.map(forecastOf);
+    if (question.drawn) {
+      if (this.drawn_) this.drawnKnown_(forecasts);
+      return;
+    }
+    for (const forecast of forecasts) {
+      this.known.set(forecast.order, forecast);
+      const queue = this.queues_.get(forecast.group);
+      if (queue && queue.group.orders[0]?.id === forecast.order) queue.since = this.time_;
+    }
+    this.queuesKnown_();
+  }
+
+  /** World time at which the forecast of a group's first order was made [s]. */
+  since(group: number): number {
+    return this.queues_.get(group)?.since ?? this.time_;
+  }
+
+  /** Asks about the next orders of a queue, where that is due. */
+  private askOf(queue: Queue, now: number): boolean {
+    if (queue.group.orders.length === 0 || now - queue.asked < kRefresh) return false;
+    const asks = queueAsks(queue.group, this.known).slice(queue.next, queue.next + kAtOnce);
+    if (asks.length < kAtOnce) [queue.asked, queue.next] = [now, 0];
+    else queue.next += kAtOnce;
+    if (asks.length > 0) this.ask(asks, false, now);
+    return asks.length > 0;
+  }
+
+  private ask(asks: readonly ForecastAsk[], drawn: boolean, now: number): void {
+    this.open_ = { number: ++this.number_, drawn, asked: now, orders: asks.length };
+    this.free_ = now + kPause + kPausePerOrder * asks.length;
+    this.client_.send({ type: 'AskForecasts', number: this.number_, asks: [...asks] });
+  }
+
+  private forgetDone(groups: readonly Asker[]): void {
+    const there = new Set(groups.flatMap(({ orders }) => orders.map(({ id }) => id)));
+    for (const id of this.known.keys()) if (!there.has(id)) this.known.delete(id);
+  }
+}

@@ -1,0 +1,257 @@
+// Edits of queues: where new orders go, which ones are moved, cancelled or skipped, and their forecasts.
+
+import type { MessageSender } from '../link/studio_client';
+import {
+  commandText,
+  queueEvent,
+  type CommandEvent,
+  type OrderStyle,
+  type QueueEditWord,
+  type QueueSpot,
+} from '../model/commands';
+import { drawnAsk, formatSpan, secondsUntil, type Forecast } from '../model/forecast';
+import type { PlannedMove } from '../model/order_plan';
+import type { GroundPoint } from '../model/plane';
+import { queueChange, reordered, skipped, type QueueState } from '../model/queue_edit';
+import type { StudioFrame, StudioGroup } from '../model/studio_frame';
+import type { QueueItem, ToolName } from '../model/studio_state';
+import type { StudioStore } from '../model/studio_store';
+import type { UnitHistory } from '../model/unit_history';
+import type { Forecasts } from '../protocol/messages';
+import { Forecaster } from './forecaster';
+
+/** What a drawn order would come to, on the scene. */
+interface ShownForecast {
+  readonly index: number;
+  readonly way: readonly GroundPoint[];
+  readonly arrives: boolean;
+  readonly text: string;
+}
+
+export interface QueueScene {
+  previewForecasts(forecasts: readonly ShownForecast[]): void;
+  setWays(ways: ReadonlyMap<number, readonly GroundPoint[]>): void;
+  setPicked(order: number): void;
+}
+
+const kOrderWords = ['Move', 'Face', 'Follow', 'Guard'];
+
+export class QueueDesk {
+  readonly forecaster: Forecaster;
+  private frame_: StudioFrame | null = null;
+  /** Groups of the drawn order: index into the frame's groups, and the orders that come before. */
+  private drawn_: readonly { readonly id: number; readonly index: number; readonly before: number }[] = [];
+
+  /** In hand before an order was to be inserted. */
+  private toolBefore_: ToolName = 'steer';
+
+  constructor(
+    private readonly client_: MessageSender,
+    private readonly store_: StudioStore,
+    private readonly scene_: QueueScene,
+    private readonly history_: UnitHistory,
+    private readonly say_: (text: string) => void,
+  ) {
+    this.forecaster = new Forecaster(
+      client_,
+      (forecasts) => this.showDrawn(forecasts),
+      () => this.showWays(),
+    );
+    store_.watch(['picked'], ({ picked }) => scene_.setPicked(picked));
+  }
+
+  forgetWorld(): void {
+    this.frame_ = null;
+    this.forecaster.clear();
+    this.showWays();
+    this.store_.set({ queue: [], picked: 0, insertBefore: 0 });
+  }
+
+  observe(frame: StudioFrame): void {
+    this.frame_ = frame;
+    this.forecaster.observe(frame.groups, frame.sceneRevision, frame.time);
+    this.showList();
+  }
+
+  /** Asks what is to be asked. `now` [ms]. */
+  tick(now: number): void {
+    this.forecaster.tick(now);
+  }
+
+  answered(message: Forecasts, now: number): void {
+    this.forecaster.answered(message, now);
+  }
+
+  /** Picked orders and places to insert keep to orders that go on under other ids. */
+  copied(was: number, now: number): void {
+    const { picked, insertBefore } = this.store_.state;
+    if (picked === was) this.store_.set({ picked: now });
+    if (insertBefore === was) this.store_.set({ insertBefore: now });
+  }
+
+  // ---- Where new orders go ----
+
+  /** Where a group's new order goes; `add`: the keys ask for it to come last. */
+  spotOf(group: number, add: boolean): QueueSpot {
+    const { insertBefore, style } = this.store_.state;
+    const index = this.queue(group)?.orders.findIndex(({ id }) => id === insertBefore) ?? -1;
+    if (insertBefore !== 0 && index >= 0) return { mode: 'insert', index };
+    return { mode: add ? 'append' : style.mode };
+  }
+
+  /** The next order comes before this one; again, or 0: it does not. */
+  insertBefore(order: number): void {
+    const { insertBefore, tool, groups, active } = this.store_.state;
+    const group = groups[active];
+    if (order === 0 || order === insertBefore || !group) return this.store_.set({ insertBefore: 0 });
+    const index = this.queue(group.id)?.orders.findIndex(({ id }) => id === order) ?? -1;
+    if (index < 0) return;
+    if (insertBefore === 0) this.toolBefore_ = tool;
+    this.store_.set({
+      insertBefore: order,
+      selected: [group.id],
+      ...(tool === 'steer' || tool === 'cut' ? { tool: 'order' } : {}),
+    });
+    this.say_(`The next order comes before order ${index + 1}`);
+  }
+
+  /** After an order was given. */
+  given(): void {
+    if (this.store_.state.insertBefore !== 0) this.store_.set({ insertBefore: 0, picked: 0, tool: this.toolBefore_ });
+  }
+
+  // ---- Edits ----
+
+  pick(order: number): void {
+    this.store_.set({ picked: this.store_.state.picked === order ? 0 : order, insertBefore: 0 });
+  }
+
+  cancel(order: number): void {
+    const queue = this.activeQueue();
+    const index = queue?.orders.findIndex(({ id }) => id === order) ?? -1;
+    if (!queue || index < 0) return;
+    this.remember([queue.group]);
+    this.send([queueEvent(queue.group, 'cancel', order)]);
+    if (this.store_.state.picked === order) this.store_.set({ picked: 0 });
+    this.say_(`Order ${index + 1} cancelled`);
+  }
+
+  moveTo(order: number, index: number): void {
+    const queue = this.activeQueue();
+    if (!queue || index < 0 || index >= queue.orders.length || queue.orders[index]?.id === order) return;
+    this.change(queue, reordered(queue, order, index));
+    this.say_(`Now order ${index + 1}`);
+  }
+
+  skip(): void {
+    const queue = this.activeQueue();
+    if (!queue || queue.orders.length === 0) return this.say_('There is no order to skip');
+    this.change(queue, skipped(queue));
+    this.say_('Skipped');
+  }
+
+  /** The same edit for several groups. */
+  edit(groups: readonly number[], edit: QueueEditWord): void {
+    this.remember(groups);
+    this.send(groups.map((id) => queueEvent(id, edit)));
+  }
+
+  /** Queues are about to change, and that can be undone. */
+  remember(groups: readonly number[]): void {
+    this.history_.queuesAsked(groups.flatMap((id) => this.queue(id) ?? []));
+  }
+
+  queue(group: number): QueueState | undefined {
+    const found = this.frame_?.groups.find(({ id }) => id === group);
+    return found && { group, orders: found.orders, held: found.held, patrols: found.patrols };
+  }
+
+  private change(now: QueueState, wanted: QueueState): void {
+    const { events, copied } = queueChange(now, wanted);
+    this.remember([now.group]);
+    this.history_.copiesAsked(now.group, copied);
+    this.send(events);
+  }
+
+  private send(events: readonly CommandEvent[]): void {
+    if (events.length > 0) this.client_.send({ type: 'Commands', events: commandText(events) });
+  }
+
+  private activeGroup(): StudioGroup | undefined {
+    const { groups, active } = this.store_.state;
+    const id = groups[active]?.id;
+    return this.frame_?.groups.find((group) => group.id === id);
+  }
+
+  private activeQueue(): QueueState | undefined {
+    const group = this.activeGroup();
+    return group && this.queue(group.id);
+  }
+
+  // ---- Forecasts ----
+
+  /** Asks what would come of moves that are drawn; none where the drawing has ended. */
+  drawn(moves: readonly PlannedMove[], style: OrderStyle, add: boolean): void {
+    this.drawn_ = moves.map(({ group, index }) => ({ id: group, index, before: this.countBefore(group, add) }));
+    const asks = moves.flatMap((move, k) => {
+      const group = this.frame_?.groups[move.index];
+      return group ? [drawnAsk(group, this.drawn_[k]!.before, move, style, this.forecaster.known)] : [];
+    });
+    this.forecaster.draw(moves.length > 0 ? asks : null);
+  }
+
+  /** How many orders a group's new one would come after. */
+  private countBefore(group: number, add: boolean): number {
+    const spot = this.spotOf(group, add);
+    if (spot.mode === 'insert') return spot.index;
+    return spot.mode === 'append' ? (this.queue(group)?.orders.length ?? 0) : 0;
+  }
+
+  private showDrawn(forecasts: readonly Forecast[]): void {
+    const shown = forecasts.flatMap((forecast): ShownForecast[] => {
+      const drawn = this.drawn_.find(({ id }) => id === forecast.group);
+      const group = drawn && this.frame_?.groups[drawn.index];
+      if (!group) return [];
+      const wait = secondsUntil(group, drawn.before, this.forecaster.known);
+      const { arrives, way } = forecast;
+      return [{ index: drawn.index, way, arrives, text: drawnText(forecast, wait) }];
+    });
+    this.scene_.previewForecasts(shown);
+  }
+
+  private showWays(): void {
+    const ways = new Map<number, readonly GroundPoint[]>();
+    for (const { order, way } of this.forecaster.known.values()) if (way.length > 1) ways.set(order, way);
+    this.scene_.setWays(ways);
+    this.showList();
+  }
+
+  /** The active group's queue, with the times until its orders are done. */
+  private showList(): void {
+    const group = this.activeGroup();
+    const { known } = this.forecaster;
+    const gone = group && this.frame_ ? this.frame_.time - this.forecaster.since(group.id) : 0;
+    const items = (group?.orders ?? []).map(({ id, kind }, k): QueueItem => {
+      const seconds = secondsUntil(group!, k + 1, known);
+      const arrives = known.get(id)?.arrives ?? true;
+      const known_ = seconds !== null && Number.isFinite(seconds) && !group!.held;
+      return {
+        id,
+        kind,
+        word: kOrderWords[kind] ?? 'Order',
+        arrives,
+        span: arrives && known_ ? formatSpan(seconds - gone) : '',
+      };
+    });
+    const { queue, picked, insertBefore } = this.store_.state;
+    if (JSON.stringify(items) !== JSON.stringify(queue)) this.store_.set({ queue: items });
+    const there = (order: number): boolean => order === 0 || items.some(({ id }) => id === order);
+    if (!there(picked)) this.store_.set({ picked: 0 });
+    if (!there(insertBefore)) this.store_.set({ insertBefore: 0 });
+  }
+}
+
+function drawnText({ arrives, seconds }: Forecast, wait: number | null): string {
+  if (!arrives) return 'Cannot be reached';
+  return wait === null || !Number.isFinite(wait) ? `takes ${formatSpan(seconds)}` : `in ${formatSpan(wait + seconds)}`;
+}
