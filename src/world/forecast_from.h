@@ -7,8 +7,8 @@
 
 namespace muster {
 
-/// As World::forecast, but from a pose to which another order would have brought the formation. Its position is
-/// moved into the world's box.
+/// As World::forecast, but from a pose to which another order would have brought the formation. Its position
+/// is moved into the world's box.
 OrderForecast forecastFrom(const World& world, GroupId group, const Order& order, const Pose& from);
 
 }  // namespace muster

@@ -13,7 +13,8 @@ using namespace muster::testing;
 
 namespace {
 
-/// A floor of 60 m by 40 m with 16 characters at -20, 0, a wall from the south edge to y = 10, and a house of 12 m.
+/// A floor of 60 m by 40 m with 16 characters at -20, 0, a wall from the south edge to y = 10, and a house of
+/// 12 m.
 Session walledSession() {
     SessionDef def = sessionDef();
     Session session(def);
@@ -73,7 +74,8 @@ TEST_CASE("A forecast tells way and time, and changes nothing") {
 TEST_CASE("A forecast may begin where another order would end, and be of an order in the queue") {
     Session session = walledSession();
     FakeClient client(session);
-    client.send(protocol::Commands{"[" + kEast + R"(,{"kind":"move","group":1,"mode":"append","x":20,"y":15}])"});
+    client.send(
+        protocol::Commands{"[" + kEast + R"(,{"kind":"move","group":1,"mode":"append","x":20,"y":15}])"});
     session.elapse(0.1);
     while (session.stepDue()) session.step();
     client.poll();
@@ -94,7 +96,7 @@ TEST_CASE("A forecast may begin where another order would end, and be of an orde
     CHECK(answer.way[0] == 20.0f);
 }
 
-TEST_CASE("What cannot be reached is told, and what is gone is left out") {
+TEST_CASE("What cannot be reached is said, and what is gone is left out") {
     Session session = walledSession();
     FakeClient client(session);
     const std::string inside = R"({"kind":"move","group":1,"x":22,"y":-12})";  // The middle of the house.

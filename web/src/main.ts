@@ -9,6 +9,7 @@ import './ui/styles/layout_floating.css';
 import './ui/styles/layout_sheet.css';
 import './ui/styles/layout_phone.css';
 import './ui/styles/orders.css';
+import './ui/styles/queue.css';
 
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';

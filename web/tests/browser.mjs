@@ -8,6 +8,7 @@ import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
 import * as overlays from './cases/overlays.mjs';
 import * as people from './cases/people.mjs';
+import * as queue from './cases/queue.mjs';
 import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
 import * as session from './cases/session.mjs';
@@ -53,6 +54,21 @@ const kCases = [
   ],
   ['orders by mouse', orders.ordersByMouse, ['desktop'], { touch: false, room: true }],
   ['orders by touch', orders.ordersByTouch, ['landscape', 'portrait', 'phone'], { room: true }],
+  [
+    'queue: forecast by mouse',
+    queue.forecastByMouse,
+    ['wide'],
+    { touch: false, scenario: 'scenarios/block.json', room: true },
+  ],
+  ['queue: forecast by touch', queue.forecastByTouch, ['landscape'], { scenario: 'scenarios/block.json', room: true }],
+  ['queue: ways', queue.waysOfQueues, ['wide'], { touch: false, scenario: 'scenarios/block.json', room: true }],
+  ['queue: edits', queue.editQueue, ['wide'], { touch: false, scenario: 'scenarios/block.json', room: true }],
+  [
+    'queue: edits by touch',
+    queue.editQueueByTouch,
+    ['landscape', 'portrait', 'phone'],
+    { scenario: 'scenarios/block.json', room: true },
+  ],
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ['paused', feedback.paused, ['desktop'], { room: true }],
   ['refused', feedback.refused, ['desktop', 'phone'], {}],

@@ -18,8 +18,8 @@ public:
     void reset(const WorldState& state) { ways_.update(state); }
     /// One step of all queues; appends what happened to `events`.
     void run(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
-    /// What would come of an order; `from`: where an order before it would have brought the formation, null for
-    /// where it is. Changes nothing but caches.
+    /// What would come of an order; `from`: where an order before it would have brought the formation, null
+    /// for where it is. Changes nothing but caches.
     OrderForecast forecast(WorldState& state, const Group& group, const Order& order,
                            const Pose* from = nullptr);
 

@@ -11,6 +11,8 @@ export interface QueueState {
 }
 
 const kKindWords = ['move', 'face', 'follow', 'guard'] as const;
+/** What an event says beside its order. */
+const kFrameOfEvent = ['t', 'client', 'group', 'mode', 'index'];
 
 /** What commands lead to: events, and whose copies they put into the queue, in the order in which they are given. */
 export interface QueueChange {
@@ -27,10 +29,11 @@ function pairs(numbers: ArrayLike<number>): [number, number][] {
 function contentOf(order: OrderFrame): CommandEvent {
   if (order.event) {
     const file = JSON.parse(order.event) as { events: CommandEvent[] };
-    const { t: _time, client: _client, group: _group, mode: _mode, index: _index, ...rest } = file.events[0]!;
-    return rest as CommandEvent;
+    const rest: Record<string, unknown> = { ...file.events[0] };
+    for (const name of kFrameOfEvent) delete rest[name];
+    return { ...rest, kind: kKindWords[order.kind] };
   }
-  const kind = kKindWords[order.kind]!;
+  const kind = kKindWords[order.kind];
   const moves = order.kind === 0;
   return {
     kind,

@@ -132,14 +132,14 @@ export class UnitHistory {
     });
   }
 
-  private reversed(done: Split | Merge, { groups, members }: Units): CommandEvent[] {
-    const alive = new Set(groups);
+  private reversed(done: Split | Merge, units: Units): CommandEvent[] {
+    const alive = new Set(units.groups);
     if (done.kind === 'split') {
       const parts = [done.group, ...done.parts].filter((id) => alive.has(id));
       return parts.length > 1 ? [mergeEvent(parts, 'asHeld')] : [];
     }
     if (!alive.has(done.into)) return [];
-    const there = new Set(members(done.into));
+    const there = new Set(units.members(done.into));
     const left = done.ids.filter((id) => there.has(id));
     if (left.length === 0) return [];
     this.coming_.push({ from: done.into, was: done.ended });

@@ -12,6 +12,8 @@ const kPausePerOrder = 25;
 const kPatience = 3;
 /** A question without an answer for so long is forgotten [ms]. */
 const kLost = 1000;
+/** What is drawn is asked about again after so long, as the crowd goes on [ms]. */
+const kDrawnAgain = 700;
 /** Queues are asked about again after so long [ms]. */
 const kRefresh = 4000;
 /** Orders of a queue asked about at once. */
@@ -43,7 +45,8 @@ export class Forecaster {
   readonly known = new Map<number, Forecast>();
   private readonly queues_ = new Map<number, Queue>();
   private drawn_: readonly ForecastAsk[] | null = null;
-  private drawnIsNew_ = false;
+  /** When it was asked about; long ago where it is new [ms]. */
+  private drawnAsked_ = -Infinity;
   private open_: Question | null = null;
   private number_ = 0;
   private free_ = 0;
@@ -67,7 +70,7 @@ export class Forecaster {
   draw(asks: readonly ForecastAsk[] | null): void {
     if (!asks && !this.drawn_) return;
     this.drawn_ = asks?.slice(0, kMostDrawn) ?? null;
-    this.drawnIsNew_ = asks !== null && asks.length > 0;
+    this.drawnAsked_ = -Infinity;
     if (!asks) this.drawnKnown_([]);
   }
 
@@ -94,8 +97,8 @@ export class Forecaster {
   tick(now: number): void {
     if (this.open_ && now - this.open_.asked < kLost) return;
     if (now < this.free_) return;
-    if (this.drawn_ && this.drawnIsNew_) {
-      this.drawnIsNew_ = false;
+    if (this.drawn_ && this.drawn_.length > 0 && now - this.drawnAsked_ > kDrawnAgain) {
+      this.drawnAsked_ = now;
       this.ask(this.drawn_, true, now);
       return;
     }

@@ -226,7 +226,8 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   setTool(tool: ToolName): void {
     if (this.store_.state.tool === tool) return;
-    this.store_.set({ tool });
+    // Without a tool in hand nothing is inserted.
+    this.store_.set(tool === 'steer' || tool === 'cut' ? { tool, insertBefore: 0 } : { tool });
     this.say_(kToolWords[tool]);
   }
 

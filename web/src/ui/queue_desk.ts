@@ -234,13 +234,13 @@ export class QueueDesk {
     const items = (group?.orders ?? []).map(({ id, kind }, k): QueueItem => {
       const seconds = secondsUntil(group!, k + 1, known);
       const arrives = known.get(id)?.arrives ?? true;
-      const known_ = seconds !== null && Number.isFinite(seconds) && !group!.held;
+      const isKnown = seconds !== null && Number.isFinite(seconds) && !group!.held;
       return {
         id,
         kind,
         word: kOrderWords[kind] ?? 'Order',
         arrives,
-        span: arrives && known_ ? formatSpan(seconds - gone) : '',
+        span: arrives && isKnown ? formatSpan(seconds - gone) : '',
       };
     });
     const { queue, picked, insertBefore } = this.store_.state;

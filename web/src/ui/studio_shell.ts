@@ -19,6 +19,7 @@ import { ScaleBar } from './panels/scale_bar';
 import { ScenarioPicker } from './panels/scenario_picker';
 import type { OrderActions } from '../model/order_actions';
 import { OrdersPanel } from './panels/orders_panel';
+import { QueueBar } from './panels/queue_bar';
 import type { StudioActions } from '../model/studio_actions';
 import { isLost } from '../model/studio_state';
 import { Tooltip } from './widgets/tooltip';
@@ -60,6 +61,7 @@ export class StudioShell {
     ).root;
     const sheet = element('div', { class: 'sheet' }, this.formations_.root, element('hr'), this.playback_.root);
     this.orders_ = new OrdersPanel(store_, orders).root;
+    const queue = new QueueBar(store_, orders).root;
     const hint = new HintBar(store_, actions).root;
     const legend = new LegendPanel(store_).root;
     const header = element('header', { class: 'contents' }, scenario, groups, layers, phone);
@@ -78,6 +80,7 @@ export class StudioShell {
       hint,
       sheet,
       this.orders_,
+      queue,
       legend,
       this.readout_.root,
       this.scale.root,
@@ -91,7 +94,7 @@ export class StudioShell {
     );
     pressWithExtraFingers(this.page_);
     store_.watch(['link', 'loaded'], (state) => {
-      for (const panel of [scenario, sheet, empty, this.orders_]) panel.inert = isLost(state);
+      for (const panel of [scenario, sheet, empty, this.orders_, queue]) panel.inert = isLost(state);
     });
     this.panels_ = [scenario, groups, layers, phone, sheet, this.readout_.root];
   }

@@ -67,10 +67,11 @@ function orderKeys(orders: OrderActions): Shortcut[] {
     key('S', 'stop', () => orders.stop()),
     key('K', 'hold, or go on', () => orders.toggleHold()),
     key('B', 'patrol, or end it', () => orders.togglePatrol()),
+    key('Y', 'skip to the next order', () => orders.skipOrder()),
     key('A', 'all groups', () => orders.chooseAll()),
     {
       keys: 'Z Ctrl+Z',
-      does: 'undoes a split or a merge',
+      does: 'undoes an order, a split or a merge',
       group: 'Orders',
       match: ['z'],
       ctrl: true,

@@ -75,6 +75,8 @@ const kReached = 0.4;
 const kPickedRing = 0.62;
 /** Labels stand so far above what they tell of [CSS px]. */
 const kLabelGap = 20;
+/** Labels keep below the panels at the upper edge [CSS px]. */
+const kPanels = 88;
 
 /** A stretch of a way, and the order at its end. */
 interface Leg {
@@ -264,7 +266,9 @@ export class OrderMarks {
     }
     for (const forecast of scene.forecasts) this.drawForecastWay(forecast, scene);
     for (const move of moves) {
-      const own = this.coloursOf(move.index, scene);
+      const lost = scene.forecasts.some(({ index, arrives }) => index === move.index && !arrives);
+      const { accent, casing } = this.coloursOf(move.index, scene);
+      const own = { accent: lost ? scene.palette.alarm : accent, casing };
       const outline = this.screen(move.outline, scene);
       painter.veil(outline, own.accent);
       painter.dashed(outline, withAlpha(own.accent, 0.9), 1.6, true);
@@ -298,7 +302,7 @@ export class OrderMarks {
     const move = scene.drawn?.moves.find((one) => one.index === index);
     const points = this.screen(move?.outline.length ? move.outline : way, scene);
     const [left, right] = [Math.min(...points.map(({ x }) => x)), Math.max(...points.map(({ x }) => x))];
-    return { x: (left + right) / 2, y: Math.min(...points.map(({ y }) => y)) - kLabelGap };
+    return { x: (left + right) / 2, y: Math.max(Math.min(...points.map(({ y }) => y)) - kLabelGap, kPanels) };
   }
 
   private firstChosen({ groups, selected }: OrderScene): number {

@@ -77,24 +77,6 @@ it('has the dials of the active group, and sets them', () => {
   expect(calls).toEqual(['setConduct {"cohesion":0.6}', 'setStyle {"mode":"append"}', 'setConduct {"avoids":false}']);
 });
 
-it('lists the queue, and cancels by the id', () => {
-  expect(find('.order-queue').hidden).toBe(true);
-  store.set({
-    units: [
-      {
-        ...unit,
-        orders: [
-          { id: 31, kind: 0 },
-          { id: 32, kind: 3 },
-        ],
-      },
-    ],
-  });
-  expect([...root.querySelectorAll('.order-queue li')].map((one) => one.textContent)).toEqual(['1Move', '2Guard']);
-  find('[aria-label="Cancel order 2, Guard"]').click();
-  expect(calls).toEqual(['cancelOrder 32']);
-});
-
 it('tells the classes of the active group', () => {
   expect(find('.class-legend').hidden).toBe(true);
   store.set({ units: [{ ...unit, classes: [{ unitClass: 2, count: 12 }] }] });

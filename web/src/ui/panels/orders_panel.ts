@@ -1,5 +1,5 @@
-// Tools for orders, buttons for the chosen groups, and what they do meanwhile: manner, turns, stance, cohesion, squeeze,
-// the queue and the classes.
+// Tools for orders, buttons for the chosen groups, and what they do meanwhile: manner, turns, stance, cohesion and squeeze,
+// and the classes.
 
 import { kManners, kStances, kTurns } from '../../model/commands';
 import { classColour } from '../../model/roles';
@@ -41,7 +41,6 @@ const kTools: readonly (Omit<ButtonDef, 'act'> & { readonly tool: ToolName })[] 
   { tool: 'guard', icon: 'guard', label: 'Guard', key: 'U', tip: 'Then drag the rectangle to guard' },
 ];
 
-const kOrderWords = ['Move', 'Face', 'Follow', 'Guard'];
 const kIdle: Omit<UnitInfo, 'id'> = {
   orders: [],
   held: false,
@@ -77,7 +76,6 @@ export class OrdersPanel {
   private readonly tools_ = element('div', { class: 'order-tools' });
   private readonly buttons_ = element('div', { class: 'order-buttons' });
   private readonly legend_ = element('ul', { class: 'class-legend', 'aria-label': 'Classes' });
-  private readonly queue_ = element('ol', { class: 'order-queue', 'aria-label': 'Queue' });
   private readonly bar_ = element(
     'div',
     { class: 'order-bar', role: 'toolbar', 'aria-label': 'Orders' },
@@ -89,7 +87,6 @@ export class OrdersPanel {
   private readonly hold_: HTMLButtonElement;
   private readonly patrol_: HTMLButtonElement;
   private readonly undo_: HTMLButtonElement;
-  private queueKey_ = '';
   private legendKey_ = '';
 
   constructor(
@@ -108,7 +105,7 @@ export class OrdersPanel {
     this.hold_ = button({ ...hold, act: () => actions_.toggleHold() }, true);
     const patrol = { icon: 'patrol', label: 'Patrol', key: 'B', tip: 'Its orders again and again' } as const;
     this.patrol_ = button({ ...patrol, act: () => actions_.togglePatrol() }, true);
-    const undo = { icon: 'undo', label: 'Undo', key: 'Z', tip: 'Takes the last split or merge back' } as const;
+    const undo = { icon: 'undo', label: 'Undo', key: 'Z', tip: 'Takes the last order, split or merge back' } as const;
     this.undo_ = button({ ...undo, act: () => actions_.undo() });
     const more = { icon: 'dials', label: 'Conduct', key: '', tip: 'How orders are carried out' } as const;
     const opener = button({ ...more, act: () => undefined });
@@ -131,7 +128,7 @@ export class OrdersPanel {
   private addDetails(): void {
     const style = this.styleRows();
     const conduct = this.conductRows();
-    this.details_.append(element('h2', {}, 'Orders'), ...style, element('h2', {}, 'Conduct'), ...conduct, this.queue_);
+    this.details_.append(element('h2', {}, 'Orders'), ...style, element('h2', {}, 'Conduct'), ...conduct);
   }
 
   /** How new orders are given. */
@@ -195,27 +192,7 @@ export class OrdersPanel {
     setText(this.hold_.lastElementChild!, unit.held ? 'Go on' : 'Hold');
     setAttribute(this.hold_, 'aria-label', unit.held ? 'Go on' : 'Hold');
     setAttribute(this.undo_, 'aria-disabled', String(!state.canUndo));
-    this.showQueue(unit);
     this.showLegend(unit);
-  }
-
-  private showQueue({ orders }: Omit<UnitInfo, 'id'>): void {
-    const key = JSON.stringify(orders);
-    if (key === this.queueKey_) return;
-    this.queueKey_ = key;
-    this.queue_.hidden = orders.length === 0;
-    this.queue_.replaceChildren(
-      ...orders.map(({ id, kind }, k) => {
-        const word = kOrderWords[kind] ?? 'Order';
-        const cancel = element(
-          'button',
-          { type: 'button', 'aria-label': `Cancel order ${k + 1}, ${word}`, 'data-tip': 'Cancel' },
-          icon('close', 16),
-        );
-        cancel.addEventListener('click', () => this.actions_.cancelOrder(id));
-        return element('li', {}, element('span', { class: 'order-number' }, String(k + 1)), word, cancel);
-      }),
-    );
   }
 
   private showLegend({ classes }: Omit<UnitInfo, 'id'>): void {

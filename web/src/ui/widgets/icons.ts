@@ -47,6 +47,8 @@ const kShapes = {
   guard:
     '<path d="M10 2.800 16 5v4.600c0 3.700-2.500 6.200-6 7.600-3.500-1.400-6-3.900-6-7.600V5Z" stroke-linejoin="round"/>',
   dials: '<path d="M3 6h8 M15 6h2 M3 14h2 M9 14h8"/><circle cx="13" cy="6" r="2"/><circle cx="7" cy="14" r="2"/>',
+  earlier: '<path d="M16 10H5 M9 5.500 4.500 10 9 14.500" stroke-linejoin="round"/>',
+  later: '<path d="M4 10h11 M11 5.500 15.500 10 11 14.500" stroke-linejoin="round"/>',
   close: '<path d="m5 5 10 10 M15 5 5 15"/>',
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',
