@@ -1,6 +1,7 @@
 // Small frames for tests.
 
 import { kRowFloats, rowsLength } from './studio_frame';
+import type { OrderFrame } from '../protocol/messages';
 import type { ControlView, FrameView, GroupView } from './frame_view';
 
 /** What each character plays, and where it faces; what is not given is 0. */
@@ -75,4 +76,26 @@ export const kIdle = {
 
 export function madeGroup(id: number, controls: readonly ControlView[], more: Partial<GroupView> = {}): GroupView {
   return { id, meshVersion: 1, lag: 0, vertices: [], places: [], fit: [], controls, ...kIdle, ...more };
+}
+
+/** A march to a place, or another order. */
+export function madeOrder(id: number, more: Partial<OrderFrame> = {}): OrderFrame {
+  return {
+    id,
+    kind: 0,
+    x: 0,
+    y: 0,
+    hasFacing: false,
+    facing: 0,
+    width: 0,
+    manner: 0,
+    turn: 0,
+    group: 0,
+    character: 0,
+    halfX: 0,
+    halfY: 0,
+    route: new Float32Array(),
+    event: '',
+    ...more,
+  };
 }

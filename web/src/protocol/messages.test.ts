@@ -53,6 +53,11 @@ const everyMessage: ClientMessage[] = [
   { type: 'Commands', events: '[{"kind":"queue","group":1,"edit":"stop"}]' },
   { type: 'FrameAck', frame: 4294967295 },
   { type: 'Ping', time: 1.25 },
+  {
+    type: 'AskForecasts',
+    number: 3,
+    asks: [{ group: 1, order: 0, event: '{"kind":"move"}', placed: true, x: 0.5, y: -1, facing: 3 }],
+  },
 ];
 
 describe('the bytes', () => {

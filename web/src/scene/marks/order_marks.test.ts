@@ -28,7 +28,7 @@ function order(id: number, x: number, y: number, more: Partial<OrderView> = {}):
   return { id, x, y, ...none, ...more };
 }
 
-function draw(groups: readonly GroupView[], queues = true): void {
+function draw(groups: readonly GroupView[], queues = true, more: Partial<OrderScene> = {}): void {
   const scene: OrderScene = {
     camera,
     palette: paletteOf('light'),
@@ -43,6 +43,7 @@ function draw(groups: readonly GroupView[], queues = true): void {
     ways: new Map(),
     picked: 0,
     cut: null,
+    ...more,
   };
   marks.draw(scene);
 }
@@ -91,4 +92,33 @@ it('numbers the orders; those at one place share a badge, and a single one has n
 it('draws no queues where they are switched off', () => {
   draw([madeGroup(1, [], { orders: [order(1, 5, 0), order(2, 9, 0)] })], false);
   expect(badges).toEqual([]);
+});
+
+it('orders that wait are drawn by the ways that are known', () => {
+  const group = madeGroup(1, [], { orders: [order(1, 6, 0), order(2, 0, 8)] });
+  const way = [
+    { x: 6, y: 0 },
+    { x: 9, y: 4 },
+    { x: 0, y: 8 },
+  ];
+  const legs = legsOf(group, [group], new Map([[2, way]]));
+  expect(legs[1]!.points).toEqual(way);
+  expect(legsOf(group, [group])[1]!.points).toEqual([way[0], way[2]]);
+});
+
+it('a drawn order has its way and a label; a way that leads nowhere ends in a cross', () => {
+  const labels: string[] = [];
+  let crosses = 0;
+  vi.spyOn(MarkPainter.prototype, 'label').mockImplementation((_at, text) => void labels.push(text));
+  vi.spyOn(MarkPainter.prototype, 'cross').mockImplementation(() => void ++crosses);
+  const way = [
+    { x: 0, y: 0 },
+    { x: 4, y: 4 },
+  ];
+  const drawn = { moves: [], rectangle: [], route: [] };
+  const group = madeGroup(1, []);
+  draw([group], true, { drawn, forecasts: [{ index: 0, way, arrives: true, text: 'in 0:05' }] });
+  expect([labels, crosses]).toEqual([['in 0:05'], 0]);
+  draw([group], true, { drawn, forecasts: [{ index: 0, way, arrives: false, text: 'Cannot be reached' }] });
+  expect([labels.length, crosses]).toEqual([2, 1]);
 });

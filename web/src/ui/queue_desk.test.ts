@@ -1,0 +1,138 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { CommandEvent } from '../model/commands';
+import type { PlannedMove } from '../model/order_plan';
+import type { StudioFrame } from '../model/studio_frame';
+import { StudioStore } from '../model/studio_store';
+import { kIdle, madeOrder } from '../model/test_frames';
+import { UnitHistory } from '../model/unit_history';
+import { EventKind, type ClientMessage, type EventFrame } from '../protocol/messages';
+import { QueueDesk } from './queue_desk';
+
+let sent: ClientMessage[];
+let shown: unknown[];
+let store: StudioStore;
+let history: UnitHistory;
+let desk: QueueDesk;
+
+/** Group 4 with these orders. */
+function see(ids: readonly number[], events: EventFrame[] = [], more: object = {}): void {
+  const orders = ids.map((id) => madeOrder(id, { x: id, y: 0 }));
+  const frame = { groups: [{ id: 4, ...kIdle, orders, ...more }], sceneRevision: 1, time: 0, events };
+  history.observe(events);
+  desk.observe(frame as unknown as StudioFrame);
+}
+
+function given(id: number): EventFrame {
+  return { kind: EventKind.OrderGiven, subject: 4, value: id, x: 0, y: 0 };
+}
+
+function done(id: number): EventFrame {
+  return { kind: EventKind.OrderDone, subject: 4, value: id, x: 0, y: 0 };
+}
+
+const events = (): CommandEvent[] =>
+  sent.flatMap((one) => (one.type === 'Commands' ? (JSON.parse(one.events) as CommandEvent[]) : []));
+
+function undo(): CommandEvent[] {
+  return history.undo({ groups: [4], members: () => [], queue: (group) => desk.queue(group) });
+}
+
+beforeEach(() => {
+  sent = [];
+  shown = [];
+  store = new StudioStore();
+  history = new UnitHistory((was, now) => desk.copied(was, now));
+  const scene = {
+    previewForecasts: (forecasts: readonly unknown[]) => void (shown = [...forecasts]),
+    setWays: () => undefined,
+    setPicked: () => undefined,
+  };
+  desk = new QueueDesk({ send: (one) => sent.push(one) }, store, scene, history, () => undefined);
+  store.set({ groups: [{ id: 4, name: 'North', colour: 0, count: 3, formation: 'square' }], selected: [4] });
+  see([7, 8, 9]);
+});
+
+describe('QueueDesk', () => {
+  it('puts the next order before the chosen one, with a tool in hand', () => {
+    desk.insertBefore(8);
+    expect([store.state.tool, desk.spotOf(4, false)]).toEqual(['order', { mode: 'insert', index: 1 }]);
+    // It is the first one by now.
+    see([8, 9], [done(7)]);
+    expect(desk.spotOf(4, true)).toEqual({ mode: 'insert', index: 0 });
+    desk.given();
+    expect([store.state.tool, store.state.insertBefore]).toEqual(['steer', 0]);
+    expect([desk.spotOf(4, true), desk.spotOf(4, false)]).toEqual([{ mode: 'append' }, { mode: 'replace' }]);
+    desk.insertBefore(9);
+    see([8]);
+    expect(store.state.insertBefore).toBe(0);
+  });
+
+  it('moves an order, keeps it chosen under its new id, and undoes that', () => {
+    desk.pick(9);
+    desk.moveTo(9, 0);
+    expect(events()).toMatchObject([
+      { kind: 'queue', edit: 'cancel', order: 9 },
+      { kind: 'move', mode: 'insert', index: 0, x: 9 },
+    ]);
+    see([10, 7, 8], [given(10)]);
+    expect(store.state.picked).toBe(10);
+    // What was moved goes by its new id in the queue of before, too.
+    expect(undo()).toMatchObject([{ edit: 'cancel', order: 10 }, { index: 2 }]);
+  });
+
+  it('cancels and skips, and an undo brings back what has not been done since', () => {
+    desk.cancel(8);
+    see([7, 9]);
+    desk.skip();
+    expect(events()).toMatchObject([
+      { edit: 'cancel', order: 8 },
+      { edit: 'cancel', order: 7 },
+    ]);
+    see([9]);
+    see([], [done(9)]);
+    expect(undo()).toMatchObject([{ mode: 'insert', index: 0, x: 7 }]);
+    see([11], [given(11)]);
+    expect(undo()).toMatchObject([{ mode: 'insert', index: 1, x: 8 }]);
+  });
+
+  it('says when a drawn order would arrive, after those that come before', () => {
+    const move = { group: 4, index: 0, target: { x: 5, y: 5 }, facing: null, width: 0, route: [], formation: null };
+    const planned: PlannedMove = {
+      ...move,
+      places: [],
+      outline: [],
+      front: [
+        { x: 0, y: 0 },
+        { x: 1, y: 0 },
+      ],
+    };
+    const answer = (order: number, seconds: number, arrives = true): void => {
+      const last = sent.at(-1) as Extract<ClientMessage, { type: 'AskForecasts' }>;
+      const answers = last.asks.map((ask) => ({
+        group: 4,
+        order: order || ask.order,
+        arrives,
+        seconds,
+        x: 0,
+        y: 0,
+        way: new Float32Array(),
+      }));
+      desk.answered({ type: 'Forecasts', number: last.number, answers }, 0);
+    };
+    desk.tick(0);
+    answer(0, 10);
+    expect(store.state.queue.map(({ span }) => span)).toEqual(['0:10', '0:20', '0:30']);
+    desk.drawn([planned], store.state.style, true);
+    desk.tick(1000);
+    const asked = sent.at(-1) as Extract<ClientMessage, { type: 'AskForecasts' }>;
+    expect(asked.asks[0]).toMatchObject({ group: 4, order: 0, placed: true, x: 9, y: 0 });
+    answer(0, 5);
+    expect(shown).toMatchObject([{ text: 'in 0:35', arrives: true }]);
+    desk.drawn([planned], store.state.style, false);
+    desk.tick(2000);
+    answer(0, Infinity, false);
+    expect(shown).toMatchObject([{ text: 'Cannot be reached', arrives: false }]);
+    desk.drawn([], store.state.style, false);
+    expect(shown).toEqual([]);
+  });
+});
