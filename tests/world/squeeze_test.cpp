@@ -208,6 +208,41 @@ TEST_CASE("a front of a given width: ranks and files take it up, other shapes ke
     }
 }
 
+TEST_CASE("whatever shape follows whatever shape on a march, places stay with the crowd") {
+    const std::vector<FormationKind> kinds{
+        FormationKind::Square, FormationKind::Line,   FormationKind::Column,   FormationKind::Wedge,
+        FormationKind::Ring,   FormationKind::Circle, FormationKind::Crescent, FormationKind::Pacman};
+    for (const FormationKind before : kinds) {
+        for (const FormationKind after : kinds) {
+            CAPTURE(formationName(before));
+            CAPTURE(formationName(after));
+            WorldDef def;
+            def.box = {{100, 80}, {170, 140}};
+            GroupDef group;
+            group.count = 60;
+            group.formation.kind = before;
+            group.position = {120, 100};
+            Order order = Order::move({145, 115});
+            order.formation = FormationDef{.kind = after};
+            group.orders = {Order::move({123, 100}), order};
+            def.groups.push_back(group);
+            World world = World::create(def).value();
+            double farthest = 0.0;
+            for (int s = 0; s < 15 * 60; ++s) {
+                world.step();
+                const GroupView view = world.group(0);
+                for (const Vec2 place : view.placePositions) {
+                    double nearest = 1e9;
+                    for (const Vec2 p : world.characters().position)
+                        nearest = std::min(nearest, distance(p, place));
+                    farthest = std::max(farthest, nearest);
+                }
+            }
+            CHECK(farthest < 2.5);
+        }
+    }
+}
+
 TEST_CASE("five orders over Berlin, one after the other") {
     std::ifstream file(sourceFolder() + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
     std::stringstream text;

@@ -271,6 +271,11 @@ Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlac
         reform.origins[k] = now.origins[match[k]];
     }
     closeRanks(rest, def.spacing, reform.occupants);
+    // Who closed up to a place that nobody held comes with it from where it stands.
+    for (std::size_t k = 0; k < rest.size(); ++k)
+        if (match[k] < 0 && reform.occupants[k] != 0)
+            reform.origins[k].position = state.characters
+                                             .position[state.characters.indexOf(reform.occupants[k])];
     std::vector<Newcomer> newcomers = newcomersTo(state, frame, now, reform.occupants, characters);
     if (newcomers.size() > std::max(kMostHoles, characters.size() / 4)) {
         // Another shape, or another place: who stood in front stays in front as far as that is short.
