@@ -11,6 +11,7 @@ const group: Asker = {
   x: 0,
   y: 0,
   facing: 0.25,
+  patrols: false,
   orders: [
     madeOrder(7, { x: 10, y: 0 }),
     madeOrder(8, { x: 10, y: 5, hasFacing: true, facing: 1 }),

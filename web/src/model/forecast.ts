@@ -1,8 +1,7 @@
 // What would come of orders: questions to the server, and what the page makes of the answers.
 
 import type { ForecastAsk, ForecastFrame, OrderFrame } from '../protocol/messages';
-import { moveEvent, type OrderStyle } from './commands';
-import type { PlannedMove } from './order_plan';
+import type { CommandEvent } from './commands';
 import { pointsOf, type GroundPoint } from './plane';
 
 /** An answer. */
@@ -27,6 +26,7 @@ export interface Stand extends GroundPoint {
 export interface Asker extends Stand {
   readonly id: number;
   readonly orders: readonly OrderFrame[];
+  readonly patrols: boolean;
 }
 
 const kFace = 1;
@@ -80,13 +80,19 @@ export function queueAsks(group: Asker, known: ReadonlyMap<number, Forecast>): F
 export function drawnAsk(
   group: Asker,
   count: number,
-  move: PlannedMove,
-  style: OrderStyle,
+  event: CommandEvent,
   known: ReadonlyMap<number, Forecast>,
 ): ForecastAsk {
   const { x, y, facing } = standAfter(group, count, known);
-  const event = JSON.stringify(moveEvent(group.id, move, style, { mode: 'append' }));
-  return { group: group.id, order: 0, event, placed: count > 0, x, y, facing };
+  return { group: group.id, order: 0, event: JSON.stringify(event), placed: count > 0, x, y, facing };
+}
+
+/** The question about the way of a patrol back to its first order; null where it has no way back. */
+export function returnAsk(group: Asker, known: ReadonlyMap<number, Forecast>): ForecastAsk | null {
+  const first = group.orders[0];
+  if (!group.patrols || group.orders.length < 2 || !first || first.kind === kFollow) return null;
+  const { x, y, facing } = standAfter(group, group.orders.length, known);
+  return { group: group.id, order: first.id, event: '', placed: true, x, y, facing };
 }
 
 /** "0:42", or "12:05"; a dash where it never arrives. */

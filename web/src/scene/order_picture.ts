@@ -6,13 +6,16 @@ import type { GroundPoint } from '../model/plane';
 import type { SceneGroup } from '../protocol/scene';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
 
+type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
+
 export class OrderPicture {
   private readonly shapes_ = new GroupShapes();
   private byId_ = new Map<number, number>();
   private selected_: ReadonlySet<number> = new Set();
   private drawn_: DrawnOrder | null = null;
   private forecasts_: readonly DrawnForecast[] = [];
-  private ways_: ReadonlyMap<number, readonly GroundPoint[]> = new Map();
+  private ways_: Ways = new Map();
+  private returns_: Ways = new Map();
   private picked_ = 0;
   private cut_: DrawnCut | null = null;
   private groups_: readonly GroupView[] = [];
@@ -59,9 +62,10 @@ export class OrderPicture {
     this.changed_();
   }
 
-  /** The ways of orders that wait, by their ids. */
-  setWays(ways: ReadonlyMap<number, readonly GroundPoint[]>): void {
+  /** The ways of orders that wait, by their ids; those of patrols back to their first orders, by groups. */
+  setWays(ways: Ways, returns: Ways): void {
     this.ways_ = ways;
+    this.returns_ = returns;
     this.changed_();
   }
 
@@ -96,6 +100,7 @@ export class OrderPicture {
       drawn: this.drawn_,
       forecasts: this.forecasts_,
       ways: this.ways_,
+      returns: this.returns_,
       picked: this.picked_,
       cut: this.cut_,
     };

@@ -154,8 +154,9 @@ export class RouteDrag extends OrderGesture {
 /** From corner to corner. */
 export class GuardDrag extends OrderGesture {
   protected moved(contacts: readonly Contact[]): void {
-    const to = contacts[contacts.length - 1]!.ground;
-    if (this.from && to) this.sink.previewOrder({ ...kNothing, rectangle: rectangle(this.from, to) });
+    const contact = contacts[contacts.length - 1]!;
+    const to = contact.ground;
+    if (this.from && to) this.sink.previewOrder({ ...kNothing, rectangle: rectangle(this.from, to) }, contact);
   }
 
   protected done(contact: Contact): void {

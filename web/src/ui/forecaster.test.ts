@@ -22,7 +22,7 @@ function reply(question: Question, now: number): void {
 }
 
 function group(id: number, ids: readonly number[]): Asker {
-  return { id, x: 0, y: 0, facing: 0, orders: ids.map((one) => madeOrder(one, { x: one, y: 0 })) };
+  return { id, x: 0, y: 0, facing: 0, patrols: false, orders: ids.map((one) => madeOrder(one, { x: one, y: 0 })) };
 }
 
 beforeEach(() => {
@@ -117,6 +117,18 @@ describe('queues', () => {
     forecaster.draw(null);
     forecaster.tick(2000);
     expect(asked.map(({ asks }) => asks.map(({ order }) => order))).toEqual([[1, 2, 3, 4, 5, 6], [0], [7, 8]]);
+  });
+
+  it('of patrols have a way back to the first order', () => {
+    forecaster.observe([{ ...group(1, [7, 8]), patrols: true }], 1, 0);
+    forecaster.tick(0);
+    reply(asked[0]!, 1);
+    forecaster.tick(500);
+    expect(asked[1]!.asks).toMatchObject([{ order: 7, placed: true, x: 8 }]);
+    reply(asked[1]!, 501);
+    expect([...forecaster.returns.keys()]).toEqual([1]);
+    forecaster.observe([group(1, [7, 8])], 1, 1);
+    expect(forecaster.returns.size).toBe(0);
   });
 
   it('with a question that was lost are asked about again', () => {

@@ -2,7 +2,7 @@
 // out at a time; what is drawn comes first, and an answer to an older question is dropped.
 
 import type { MessageSender } from '../link/studio_client';
-import { forecastOf, queueAsks, type Asker, type Forecast } from '../model/forecast';
+import { forecastOf, queueAsks, returnAsk, type Asker, type Forecast } from '../model/forecast';
 import type { ForecastAsk, Forecasts } from '../protocol/messages';
 
 /** Between two questions, and more for each order asked about [ms]. */
@@ -33,9 +33,13 @@ interface Queue {
   since: number;
 }
 
+/** What a question is about. */
+type Subject = 'drawn' | 'queue' | 'return';
+
 interface Question {
   readonly number: number;
-  readonly drawn: boolean;
+  readonly subject: Subject;
+  readonly group: number;
   readonly asked: number;
   readonly orders: number;
 }
@@ -43,6 +47,8 @@ interface Question {
 export class Forecaster {
   /** Answers about orders that wait, by their ids. */
   readonly known = new Map<number, Forecast>();
+  /** The ways of patrols back to their first orders, by groups. */
+  readonly returns = new Map<number, Forecast>();
   private readonly queues_ = new Map<number, Queue>();
   private drawn_: readonly ForecastAsk[] | null = null;
   /** When it was asked about; long ago where it is new [ms]. */
@@ -61,6 +67,7 @@ export class Forecaster {
 
   clear(): void {
     this.known.clear();
+    this.returns.clear();
     this.queues_.clear();
     this.open_ = null;
     this.draw(null);
@@ -79,9 +86,10 @@ export class Forecaster {
     this.time_ = time;
     const there = new Set(groups.map(({ id }) => id));
     for (const id of this.queues_.keys()) if (!there.has(id)) this.queues_.delete(id);
+    for (const { id, patrols } of groups) if (!patrols) this.returns.delete(id);
     let changed = false;
     for (const group of groups) {
-      const key = `${ground} ${group.orders.map(({ id }) => id).join()}`;
+      const key = `${ground} ${group.patrols} ${group.orders.map(({ id }) => id).join()}`;
       const queue = this.queues_.get(group.id);
       if (queue?.key === key) {
         queue.group = group;
@@ -96,10 +104,11 @@ export class Forecaster {
   /** Asks what is to be asked. `now` [ms]. */
   tick(now: number): void {
     if (this.open_ && now - this.open_.asked < kLost) return;
+    if (this.open_) this.lost(this.open_);
     if (now < this.free_) return;
     if (this.drawn_ && this.drawn_.length > 0 && now - this.drawnAsked_ > kDrawnAgain) {
       this.drawnAsked_ = now;
-      this.ask(this.drawn_, true, now);
+      this.ask(this.drawn_, 'drawn', now);
       return;
     }
     for (const queue of this.queues_.values()) if (this.askOf(queue, now)) return;
@@ -112,11 +121,15 @@ export class Forecaster {
     const pause = Math.max(kPause + kPausePerOrder * question.orders, kPatience * (now - question.asked));
     this.free_ = now + pause;
     const forecasts = answers.map(forecastOf);
-    if (question.drawn) {
+    if (question.subject === 'drawn') {
       if (this.drawn_) this.drawnKnown_(forecasts);
       return;
     }
     for (const forecast of forecasts) {
+      if (question.subject === 'return') {
+        this.returns.set(forecast.group, forecast);
+        continue;
+      }
       this.known.set(forecast.order, forecast);
       const queue = this.queues_.get(forecast.group);
       if (queue && queue.group.orders[0]?.id === forecast.order) queue.since = this.time_;
@@ -133,14 +146,26 @@ export class Forecaster {
   private askOf(queue: Queue, now: number): boolean {
     if (queue.group.orders.length === 0 || now - queue.asked < kRefresh) return false;
     const asks = queueAsks(queue.group, this.known).slice(queue.next, queue.next + kAtOnce);
-    if (asks.length < kAtOnce) [queue.asked, queue.next] = [now, 0];
-    else queue.next += kAtOnce;
-    if (asks.length > 0) this.ask(asks, false, now);
-    return asks.length > 0;
+    if (asks.length > 0) {
+      queue.next += kAtOnce;
+      this.ask(asks, 'queue', now);
+      return true;
+    }
+    [queue.asked, queue.next] = [now, 0];
+    const back = returnAsk(queue.group, this.known);
+    if (back) this.ask([back], 'return', now);
+    return back !== null;
   }
 
-  private ask(asks: readonly ForecastAsk[], drawn: boolean, now: number): void {
-    this.open_ = { number: ++this.number_, drawn, asked: now, orders: asks.length };
+  /** Begins the round of questions about its queue again. */
+  private lost({ subject, group }: Question): void {
+    this.open_ = null;
+    const queue = this.queues_.get(group);
+    if (queue && subject !== 'drawn') [queue.asked, queue.next] = [-Infinity, 0];
+  }
+
+  private ask(asks: readonly ForecastAsk[], subject: Subject, now: number): void {
+    this.open_ = { number: ++this.number_, subject, group: asks[0]!.group, asked: now, orders: asks.length };
     this.free_ = now + kPause + kPausePerOrder * asks.length;
     this.client_.send({ type: 'AskForecasts', number: this.number_, asks: [...asks] });
   }

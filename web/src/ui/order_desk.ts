@@ -42,6 +42,10 @@ export interface DeskScene {
 
 type Keys = Pick<Contact, 'shift' | 'alt'>;
 
+/** Forecasts do not depend on where in the queue an order is said to go. */
+const kFirst = { mode: 'replace' } as const;
+/** Of a rectangle to guard [m]. */
+const kLeastHalf = 0.5;
 const kNoKeys: Keys = { shift: false, alt: false };
 /** Behind the middle of the group that is followed [m]. */
 const kFollowGap = 2;
@@ -149,7 +153,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   previewOrder(preview: OrderPreview | null, keys: Keys = kNoKeys): void {
     this.scene_.orders.previewOrder(preview);
-    this.queues.drawn(preview?.moves ?? [], this.styleOf(keys), keys.shift);
+    this.queues.drawn(preview ? this.eventsOf(preview, keys) : [], keys.shift);
   }
 
   previewCut(preview: CutPreview | null): void {
@@ -310,6 +314,17 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   private once(): void {
     const { tool } = this.store_.state;
     if (tool === 'follow' || tool === 'guard') this.store_.set({ tool: 'steer' });
+  }
+
+  /** The orders that would be given. */
+  private eventsOf({ moves, rectangle }: OrderPreview, keys: Keys): GroupEvent[] {
+    const style = this.styleOf(keys);
+    const [a, , b] = rectangle;
+    if (!a || !b) return moves.map((move) => moveEvent(move.group, move, style, kFirst));
+    const centre = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+    const half = { x: Math.abs(b.x - a.x) / 2, y: Math.abs(b.y - a.y) / 2 };
+    if (half.x < kLeastHalf || half.y < kLeastHalf) return [];
+    return this.groups().map(({ id }) => guardEvent(id, centre, half, 0, kFirst));
   }
 
   private styleOf(keys: Keys): OrderStyle {

@@ -1,12 +1,11 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { CommandEvent } from '../model/commands';
-import type { PlannedMove } from '../model/order_plan';
 import type { StudioFrame } from '../model/studio_frame';
 import { StudioStore } from '../model/studio_store';
 import { kIdle, madeOrder } from '../model/test_frames';
 import { UnitHistory } from '../model/unit_history';
 import { EventKind, type ClientMessage, type EventFrame } from '../protocol/messages';
-import { QueueDesk } from './queue_desk';
+import { arrivalText, QueueDesk } from './queue_desk';
 
 let sent: ClientMessage[];
 let shown: unknown[];
@@ -96,16 +95,7 @@ describe('QueueDesk', () => {
   });
 
   it('says when a drawn order would arrive, after those that come before', () => {
-    const move = { group: 4, index: 0, target: { x: 5, y: 5 }, facing: null, width: 0, route: [], formation: null };
-    const planned: PlannedMove = {
-      ...move,
-      places: [],
-      outline: [],
-      front: [
-        { x: 0, y: 0 },
-        { x: 1, y: 0 },
-      ],
-    };
+    const move = { kind: 'move', group: 4, x: 5, y: 5 };
     const answer = (order: number, seconds: number, arrives = true): void => {
       const last = sent.at(-1) as Extract<ClientMessage, { type: 'AskForecasts' }>;
       const answers = last.asks.map((ask) => ({
@@ -122,17 +112,25 @@ describe('QueueDesk', () => {
     desk.tick(0);
     answer(0, 10);
     expect(store.state.queue.map(({ span }) => span)).toEqual(['0:10', '0:20', '0:30']);
-    desk.drawn([planned], store.state.style, true);
+    desk.drawn([move], true);
     desk.tick(1000);
     const asked = sent.at(-1) as Extract<ClientMessage, { type: 'AskForecasts' }>;
     expect(asked.asks[0]).toMatchObject({ group: 4, order: 0, placed: true, x: 9, y: 0 });
     answer(0, 5);
     expect(shown).toMatchObject([{ text: 'in 0:35', arrives: true }]);
-    desk.drawn([planned], store.state.style, false);
+    desk.drawn([move], false);
     desk.tick(2000);
     answer(0, Infinity, false);
     expect(shown).toMatchObject([{ text: 'Cannot be reached', arrives: false }]);
-    desk.drawn([], store.state.style, false);
+    desk.drawn([], false);
     expect(shown).toEqual([]);
   });
+});
+
+it('tells of several groups in one sentence', () => {
+  expect(arrivalText([12])).toBe('in 0:12');
+  expect(arrivalText([40, 12.2, 12])).toBe('in 0:12 to 0:40');
+  expect(arrivalText([12, Infinity, Infinity])).toBe('in 0:12, 2 cannot');
+  expect(arrivalText([Infinity])).toBe('Cannot be reached');
+  expect(arrivalText([null])).toBe('arrives');
 });

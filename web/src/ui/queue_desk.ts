@@ -5,12 +5,11 @@ import {
   commandText,
   queueEvent,
   type CommandEvent,
-  type OrderStyle,
+  type GroupEvent,
   type QueueEditWord,
   type QueueSpot,
 } from '../model/commands';
 import { drawnAsk, formatSpan, secondsUntil, type Forecast } from '../model/forecast';
-import type { PlannedMove } from '../model/order_plan';
 import type { GroundPoint } from '../model/plane';
 import { queueChange, reordered, skipped, type QueueState } from '../model/queue_edit';
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
@@ -28,9 +27,11 @@ interface ShownForecast {
   readonly text: string;
 }
 
+type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
+
 export interface QueueScene {
   previewForecasts(forecasts: readonly ShownForecast[]): void;
-  setWays(ways: ReadonlyMap<number, readonly GroundPoint[]>): void;
+  setWays(ways: Ways, returns: Ways): void;
   setPicked(order: number): void;
 }
 
@@ -40,7 +41,7 @@ export class QueueDesk {
   readonly forecaster: Forecaster;
   private frame_: StudioFrame | null = null;
   /** Groups of the drawn order: index into the frame's groups, and the orders that come before. */
-  private drawn_: readonly { readonly id: number; readonly index: number; readonly before: number }[] = [];
+  private drawn_: { readonly id: number; readonly index: number; readonly before: number }[] = [];
 
   /** In hand before an order was to be inserted. */
   private toolBefore_: ToolName = 'steer';
@@ -190,14 +191,19 @@ export class QueueDesk {
 
   // ---- Forecasts ----
 
-  /** Asks what would come of moves that are drawn; none where the drawing has ended. */
-  drawn(moves: readonly PlannedMove[], style: OrderStyle, add: boolean): void {
-    this.drawn_ = moves.map(({ group, index }) => ({ id: group, index, before: this.countBefore(group, add) }));
-    const asks = moves.flatMap((move, k) => {
-      const group = this.frame_?.groups[move.index];
-      return group ? [drawnAsk(group, this.drawn_[k]!.before, move, style, this.forecaster.known)] : [];
-    });
-    this.forecaster.draw(moves.length > 0 ? asks : null);
+  /** Asks what would come of orders that are drawn, one for each group; none where the drawing has ended. */
+  drawn(events: readonly GroupEvent[], add: boolean): void {
+    const groups = this.frame_?.groups ?? [];
+    const asks = [];
+    this.drawn_ = [];
+    for (const event of events) {
+      const index = groups.findIndex(({ id }) => id === event.group);
+      const before = this.countBefore(event.group, add);
+      if (index < 0) continue;
+      this.drawn_.push({ id: event.group, index, before });
+      asks.push(drawnAsk(groups[index]!, before, event, this.forecaster.known));
+    }
+    this.forecaster.draw(asks.length > 0 ? asks : null);
   }
 
   /** How many orders a group's new one would come after. */
@@ -208,21 +214,24 @@ export class QueueDesk {
   }
 
   private showDrawn(forecasts: readonly Forecast[]): void {
-    const shown = forecasts.flatMap((forecast): ShownForecast[] => {
-      const drawn = this.drawn_.find(({ id }) => id === forecast.group);
-      const group = drawn && this.frame_?.groups[drawn.index];
-      if (!group) return [];
-      const wait = secondsUntil(group, drawn.before, this.forecaster.known);
-      const { arrives, way } = forecast;
-      return [{ index: drawn.index, way, arrives, text: drawnText(forecast, wait) }];
+    const waits: (number | null)[] = [];
+    const shown = forecasts.flatMap(({ group, arrives, seconds, way }): ShownForecast[] => {
+      const drawn = this.drawn_.find(({ id }) => id === group);
+      const asker = drawn && this.frame_?.groups[drawn.index];
+      if (!asker) return [];
+      const before = secondsUntil(asker, drawn.before, this.forecaster.known);
+      waits.push(arrives ? (before === null ? null : before + seconds) : Infinity);
+      return [{ index: drawn.index, way, arrives, text: '' }];
     });
-    this.scene_.previewForecasts(shown);
+    // One label tells of all.
+    this.scene_.previewForecasts(shown.map((one, k) => (k === 0 ? { ...one, text: arrivalText(waits) } : one)));
   }
 
   private showWays(): void {
+    const { known, returns } = this.forecaster;
     const ways = new Map<number, readonly GroundPoint[]>();
-    for (const { order, way } of this.forecaster.known.values()) if (way.length > 1) ways.set(order, way);
-    this.scene_.setWays(ways);
+    for (const { order, way } of known.values()) if (way.length > 1) ways.set(order, way);
+    this.scene_.setWays(ways, new Map([...returns].map(([group, { way }]) => [group, way])));
     this.showList();
   }
 
@@ -251,7 +260,12 @@ export class QueueDesk {
   }
 }
 
-function drawnText({ arrives, seconds }: Forecast, wait: number | null): string {
-  if (!arrives) return 'Cannot be reached';
-  return wait === null || !Number.isFinite(wait) ? `takes ${formatSpan(seconds)}` : `in ${formatSpan(wait + seconds)}`;
+/** When groups would arrive: null where that is not known, infinite where it never is [s]. */
+export function arrivalText(waits: readonly (number | null)[]): string {
+  const lost = waits.filter((wait) => wait === Infinity).length;
+  if (waits.length > 0 && lost === waits.length) return 'Cannot be reached';
+  const times = waits.filter((wait) => wait !== null && wait !== Infinity) as number[];
+  const spans = [...new Set([Math.min(...times), Math.max(...times)].map(formatSpan))];
+  const when = times.length > 0 ? `in ${spans.join(' to ')}` : 'arrives';
+  return lost > 0 ? `${when}, ${lost} cannot` : when;
 }

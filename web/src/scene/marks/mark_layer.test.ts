@@ -47,6 +47,7 @@ function draw(control: ControlView): void {
     drawn: null,
     forecasts: [],
     ways: new Map(),
+    returns: new Map(),
     picked: 0,
     cut: null,
   };

@@ -95,7 +95,8 @@ export class MarkPainter {
     const half = kLetter * text.length + 10;
     pen.save();
     pen.translate(at.x, at.y);
-    this.box(half, 13, 13, withAlpha(plate, 0.94));
+    this.box(half + 1, 14, 14, withAlpha(ink, 0.2));
+    this.box(half, 13, 13, plate);
     pen.restore();
     pen.fillStyle = ink;
     pen.textAlign = 'center';

@@ -41,6 +41,7 @@ function draw(groups: readonly GroupView[], queues = true, more: Partial<OrderSc
     drawn: null,
     forecasts: [],
     ways: new Map(),
+    returns: new Map(),
     picked: 0,
     cut: null,
     ...more,

@@ -44,6 +44,8 @@ export interface DrawnCut {
   readonly onto: readonly GroundPoint[];
 }
 
+type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
+
 export interface OrderScene {
   readonly camera: CameraController;
   readonly palette: Palette;
@@ -57,7 +59,9 @@ export interface OrderScene {
   readonly drawn: DrawnOrder | null;
   readonly forecasts: readonly DrawnForecast[];
   /** Ways of orders that wait, by their ids, as far as they are known. */
-  readonly ways: ReadonlyMap<number, readonly GroundPoint[]>;
+  readonly ways: Ways;
+  /** Ways of patrols back to their first orders, by groups. */
+  readonly returns: Ways;
   /** The order that is chosen in the list of the queue; 0 for none. */
   readonly picked: number;
   readonly cut: DrawnCut | null;
@@ -75,6 +79,8 @@ const kReached = 0.4;
 const kPickedRing = 0.62;
 /** Labels stand so far above what they tell of [CSS px]. */
 const kLabelGap = 20;
+/** About half as wide as the widest label [CSS px]. */
+const kLabelHalf = 110;
 /** Labels keep below the panels at the upper edge [CSS px]. */
 const kPanels = 88;
 
@@ -84,9 +90,6 @@ interface Leg {
   readonly points: readonly GroundPoint[];
   readonly facing: number;
 }
-
-/** Ways by the ids of orders. */
-type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
 
 /** The legs of a queue, from where the group stands; by straight lines where ways are not known. */
 export function legsOf(group: GroupView, groups: readonly GroupView[], ways: Ways = new Map()): Leg[] {
@@ -113,13 +116,17 @@ export class OrderMarks {
     const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
     for (const group of scene.queues ? scene.groups : []) this.pointsOf(group, scene).forEach(add);
     const { drawn, cut } = scene;
-    for (const move of drawn?.moves ?? []) [...move.outline, ...move.front].forEach(add);
-    for (const { index, way } of drawn ? scene.forecasts : []) {
-      way.forEach(add);
-      extent.add(this.labelSpot(index, way, scene));
-    }
-    const strokes = [drawn?.rectangle, drawn?.route, cut?.line, cut?.leaving, cut?.onto];
-    for (const points of strokes) points?.forEach(add);
+    if (drawn) this.extendDrawn(extent, drawn, scene);
+    for (const points of [cut?.line, cut?.leaving, cut?.onto]) points?.forEach(add);
+  }
+
+  private extendDrawn(extent: MarkExtent, drawn: DrawnOrder, scene: OrderScene): void {
+    const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
+    for (const move of drawn.moves) [...move.outline, ...move.front].forEach(add);
+    for (const points of [drawn.rectangle, drawn.route, ...scene.forecasts.map(({ way }) => way)]) points.forEach(add);
+    if (scene.forecasts.length === 0) return;
+    const { x, y } = this.labelSpot(scene);
+    for (const dx of [-kLabelHalf, kLabelHalf]) extent.add({ x: x + dx, y });
   }
 
   /** All that is drawn of a group's queue. */
@@ -161,7 +168,7 @@ export class OrderMarks {
     const { painter_: painter } = this;
     painter.alpha = scene.selected.has(group.id) ? 1 : kOthersAlpha;
     const last = legs[legs.length - 1];
-    if (group.patrols && legs.length > 1 && last) this.drawReturn(last, legs[0]!, colours, scene);
+    if (group.patrols && legs.length > 1 && last) this.drawReturn(group.id, last, legs[0]!, colours, scene);
     for (const leg of legs) this.drawLeg(leg, colours, scene);
     if (last) this.drawGhost(group, last, colours, scene);
     for (const { order } of legs) if (order.kind === kGuard) this.drawGuard(order, colours, scene);
@@ -211,9 +218,10 @@ export class OrderMarks {
     }
   }
 
-  private drawReturn(last: Leg, first: Leg, colours: MarkColours, scene: OrderScene): void {
+  private drawReturn(group: number, last: Leg, first: Leg, colours: MarkColours, scene: OrderScene): void {
     const ends = [last.points[last.points.length - 1]!, first.points[first.points.length - 1]!];
-    this.painter_.dashed(this.screen(ends, scene), withAlpha(colours.accent, 0.8), 2.2, false);
+    const way = this.screen(scene.returns.get(group) ?? ends, scene);
+    this.painter_.dashed(way, withAlpha(colours.accent, 0.8), 2.2, false);
   }
 
   private ghost(group: GroupView, { order, points, facing }: Leg, { shapes }: OrderScene): StandPreview | null {
@@ -278,10 +286,15 @@ export class OrderMarks {
       }
       this.drawFront(move.front, own, scene);
     }
-    for (const { index, way, text, arrives } of scene.forecasts) {
-      const ink = arrives ? scene.palette.ink : scene.palette.alarm;
-      painter.label(this.labelSpot(index, way, scene), text, scene.palette.panel, ink);
-    }
+    const words = scene.forecasts.find(({ text }) => text !== '');
+    if (!words) return;
+    const lost = scene.forecasts.some(({ arrives }) => !arrives);
+    painter.label(
+      this.labelSpot(scene),
+      words.text,
+      scene.palette.panel,
+      lost ? scene.palette.alarm : scene.palette.ink,
+    );
   }
 
   private drawForecastWay({ index, way, arrives }: DrawnForecast, scene: OrderScene): void {
@@ -297,10 +310,12 @@ export class OrderMarks {
     if (end) this.painter_.cross(end, { accent: scene.palette.alarm, casing: colours.casing });
   }
 
-  /** Above the places that are shown for the group, or the end of its way. */
-  private labelSpot(index: number, way: readonly GroundPoint[], scene: OrderScene): ScreenPoint {
-    const move = scene.drawn?.moves.find((one) => one.index === index);
-    const points = this.screen(move?.outline.length ? move.outline : way, scene);
+  /** Above all that is drawn. */
+  private labelSpot(scene: OrderScene): ScreenPoint {
+    const outlines = scene.drawn?.moves.flatMap(({ outline }) => outline) ?? [];
+    const drawn = outlines.length > 0 ? outlines : (scene.drawn?.rectangle ?? []);
+    const ends = scene.forecasts.flatMap(({ way }) => way.slice(-1));
+    const points = this.screen(drawn.length > 0 ? drawn : ends, scene);
     const [left, right] = [Math.min(...points.map(({ x }) => x)), Math.max(...points.map(({ x }) => x))];
     return { x: (left + right) / 2, y: Math.max(Math.min(...points.map(({ y }) => y)) - kLabelGap, kPanels) };
   }
