@@ -29,6 +29,7 @@ struct March {
         legs;            ///< While it is searched: points that it leads through and that are still ahead [m].
     double speed = 0.0;  ///< Of the middle of the formation [m/s].
     double spin = 0.0;   ///< Rate of turn, counter-clockwise [rad/s].
+    double waited = 0.0;        ///< Time for which it has waited for others [s].
     bool reversed = false;      ///< True: the rear of the formation is its front.
     double facing = 0.0;        ///< Heading of the front at the end [rad].
     bool turns = false;         ///< True where it turns to that; else it faces as it has come.
@@ -46,7 +47,7 @@ struct March {
     /// Ends it where it is.
     void halt() {
         phase = MarchPhase::Idle;
-        speed = spin = 0.0;
+        speed = spin = waited = 0.0;
         searched = 0;
         next = 0;
         way.clear();
@@ -56,8 +57,8 @@ struct March {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(phase, way, next, legs, speed, spin, reversed, facing, turns, last.position, last.rotation.c,
-                last.rotation.s, query, searched, ground);
+        archive(phase, way, next, legs, speed, spin, waited, reversed, facing, turns, last.position,
+                last.rotation.c, last.rotation.s, query, searched, ground);
     }
 };
 

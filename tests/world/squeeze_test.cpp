@@ -243,6 +243,40 @@ TEST_CASE("whatever shape follows whatever shape on a march, places stay with th
     }
 }
 
+TEST_CASE("formations wider than the streets get through a town, however they turn") {
+    for (const Turn turn : {Turn::Wheel, Turn::Reverse, Turn::Keep}) {
+        for (const FormationKind kind : {FormationKind::Line, FormationKind::Square, FormationKind::Ring}) {
+            CAPTURE(static_cast<int>(turn));
+            CAPTURE(formationName(kind));
+            WorldDef def;
+            def.box = {{-50, -35}, {50, 35}};
+            // Three by four houses of 10 m to 16 m, on streets of 5 m; every second column is shifted.
+            for (int x = 0; x < 3; ++x)
+                for (int y = 0; y < 4; ++y) {
+                    const double left = -20.0 + 15.0 * x, low = -34.0 + 17.0 * y + (x % 2) * 6.0;
+                    def.obstacles.push_back(block(left, low, left + 10.0, std::min(34.0, low + 12.0)));
+                }
+            GroupDef group;
+            group.count = 60;
+            group.formation.kind = kind;
+            group.position = {-36, 0};
+            Order order = Order::move({36, 4}, 0.5);
+            order.turn = turn;
+            group.orders = {order};
+            def.groups.push_back(group);
+            World world = World::create(def).value();
+            bool done = false;
+            while (!done && world.time() < 240.0) {
+                world.step();
+                for (const Event& e : world.events()) done = done || e.kind == EventKind::OrderDone;
+                REQUIRE(world.contacts().worstPenetration < 0.1);
+            }
+            MESSAGE("done after ", world.time(), " s");
+            CHECK(done);
+        }
+    }
+}
+
 TEST_CASE("five orders over Berlin, one after the other") {
     std::ifstream file(sourceFolder() + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
     std::stringstream text;

@@ -20,6 +20,10 @@ constexpr double kLagMost = 2.0;              // ... and stands for those above 
 constexpr double kLagShare = 0.95;            // Of the group, whose lag counts.
 constexpr double kWaitedFor = 5.0;            // Who has not got on for so long is not waited for [s].
 constexpr double kLongest = 20.0;             // Nor who has moved to and fro on one spot for so long [s].
+constexpr double kShifted = 1.5;              // Places so far off the formation are not waited for [m].
+constexpr double kWaits = 0.2;                // At a pace below it waits.
+constexpr double kWaitsFor = 10.0;            // From here on, and to twice that, it begins to go on [s]...
+constexpr double kCreeps = 0.3;               // ... at this pace.
 constexpr double kSoonDone = 5.0;             // Following ends so soon where another order waits [s].
 constexpr double kBeside = 0.1;               // Between bodies and walls of a passage [m].
 constexpr double kTight = 0.5;                // Passages narrower by so much are wide enough [m].
@@ -90,6 +94,12 @@ void recentre(Group& group) {
     if (!led) group.orders.march.last = group.mesh.pose();
 }
 
+/// A march that has waited for long creeps on, so that no order lasts for ever.
+double patientPace(March& march, double pace, double dt) {
+    march.waited = pace < kWaits ? march.waited + dt : std::max(0.0, march.waited - 2.0 * dt);
+    return std::max(pace, kCreeps * std::clamp((march.waited - kWaitsFor) / kWaitsFor, 0.0, 1.0));
+}
+
 /// Takes up its own formation again.
 void restoreOwn(WorldState& state, Group& group, ThreadPool& pool) {
     OrderQueue& queue = group.orders;
@@ -126,7 +136,8 @@ OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order)
     return lead;
 }
 
-// By the lag of the last but a few, without those who do not get on.
+// By the lag of the last but a few, without those who do not get on, and those whose places had to leave the
+// formation.
 double OrderStage::paceOf(const WorldState& state, const Group& group) {
     if (!state.parameters.opposing.enabled) return 1.0;
     const Characters& c = state.characters;
@@ -134,7 +145,9 @@ double OrderStage::paceOf(const WorldState& state, const Group& group) {
     lags_.clear();
     for (const std::int32_t i : group.members) {
         if (c.place[i] < 0 || c.driver[i] != Driver::Muster) continue;
-        const double lag = distance(c.position[i], group.places.reachableTargets()[c.place[i]]);
+        const Vec2 target = group.places.reachableTargets()[c.place[i]];
+        const double lag = distance(c.position[i], target);
+        if (lag > kLagFree && distance(target, group.places.targets()[c.place[i]]) > kShifted) continue;
         if (lag <= kLagFree || state.stepCount - c.walk[i].movedAt < patience) lags_.push_back(lag);
     }
     if (lags_.empty()) return 1.0;
@@ -392,7 +405,7 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     if (order.kind == OrderKind::Guard) return guard(state, group);
     const FormationExtent extent = extentOf(group);
     MarchDef def = marchDefOf(state, group, order, extent);
-    def.pace = paceOf(state, group);
+    def.pace = patientPace(queue.march, paceOf(state, group), state.parameters.stepTime);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
     // Led away by fingers, it goes on from where it is.
     if (queue.march.phase == MarchPhase::Idle || !samePose(queue.march.last, group.mesh.pose()))

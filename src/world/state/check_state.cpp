@@ -127,12 +127,12 @@ bool isSane(const WayNeeds& needs) {
 bool isSane(const March& march) {
     const Rotation& r = march.last.rotation;
     return march.phase <= MarchPhase::Stand && arePlaces(march.way) && arePlaces(march.legs) &&
-           march.next <= march.way.size() && std::fabs(march.speed) <= kFastest &&
-           std::fabs(march.spin) <= kFastest && std::fabs(march.facing) <= kMaxCoordinate &&
-           isPlace(march.last.position) && std::fabs(r.c * r.c + r.s * r.s - 1.0) < 1e-6 &&
-           isPlace(march.query.from) && isPlace(march.query.to) && isSane(march.query.needs) &&
-           march.searched >= 0 && march.searched <= 16'000'000 &&
-           (march.phase != MarchPhase::Go || march.next < march.way.size()) &&
+           march.next <= march.way.size() && march.waited >= 0.0 && march.waited <= kFastest &&
+           std::fabs(march.speed) <= kFastest && std::fabs(march.spin) <= kFastest &&
+           std::fabs(march.facing) <= kMaxCoordinate && isPlace(march.last.position) &&
+           std::fabs(r.c * r.c + r.s * r.s - 1.0) < 1e-6 && isPlace(march.query.from) &&
+           isPlace(march.query.to) && isSane(march.query.needs) && march.searched >= 0 &&
+           march.searched <= 16'000'000 && (march.phase != MarchPhase::Go || march.next < march.way.size()) &&
            (march.phase != MarchPhase::Search || !march.way.empty());
 }
 
