@@ -27,15 +27,6 @@ double approach(double from, double to, double most) {
     return from + std::clamp(to - from, -most, most);
 }
 
-double lengthAhead(const March& march, Vec2 from) {
-    double sum = 0.0;
-    for (std::size_t k = march.next; k < march.way.size(); ++k) {
-        sum += distance(from, march.way[k]);
-        from = march.way[k];
-    }
-    return sum;
-}
-
 /// The point at a distance ahead on the way.
 Vec2 pointAhead(const March& march, Vec2 from, double reach) {
     for (std::size_t k = march.next; k < march.way.size(); ++k) {
@@ -97,30 +88,63 @@ double alignment(double error) {
     return std::clamp((cosine(error) - least) / (1.0 - least), 0.0, 1.0);
 }
 
+/// Where its front has to turn [rad], and whether that is its rear.
+struct FrontError {
+    double angle = 0.0;
+    bool reversed = false;
+};
+
+FrontError errorOfFront(const MarchDef& def, const March& march, const Pose& pose) {
+    const Vec2 aim = pointAhead(march, pose.position, std::clamp(0.5 + def.depth, kLeastAim, kMostAim));
+    const Vec2 front = march.front(pose);
+    const Vec2 ahead = normalized(aim - pose.position, front);
+    // Near the end the way says little about where to face.
+    const bool faces = def.turn != Turn::Keep && distance(aim, pose.position) > 0.5 * kLeastAim;
+    const FrontError error{faces ? angleBetween(front, ahead) : 0.0, march.reversed};
+    if (def.turn == Turn::Reverse && std::fabs(error.angle) > kBackwards)
+        return {angleBetween(pose.rotation.apply({march.reversed ? 1.0 : -1.0, 0.0}), ahead), !march.reversed};
+    return error;
+}
+
+double turnToWay(const MarchDef& def, March& march, const Pose& pose) {
+    const FrontError error = errorOfFront(def, march, pose);
+    march.reversed = error.reversed;
+    return error.angle;
+}
+
+double speedAt(const MarchDef& def, const March& march, double error, double left) {
+    const double wheel = std::max(0.0, def.speed - std::fabs(march.spin) * def.reach);
+    const double stops = std::sqrt(2.0 * def.acceleration * left);
+    return std::min({def.speed * def.pace, wheel, def.speed * alignment(error), stops});
+}
+
 }  // namespace
 
 double angleBetween(Vec2 from, Vec2 to) {
     return arcTangent2(cross(from, to), dot(from, to));
 }
 
+double lengthAhead(const March& march, Vec2 from) {
+    double sum = 0.0;
+    for (std::size_t k = march.next; k < march.way.size(); ++k) {
+        sum += distance(from, march.way[k]);
+        from = march.way[k];
+    }
+    return sum;
+}
+
+double wantedSpeed(const MarchDef& def, const March& march, const Pose& pose) {
+    return speedAt(def, march, errorOfFront(def, march, pose).angle, lengthAhead(march, pose.position));
+}
+
 Pose advanceMarch(const MarchDef& def, March& march, const Pose& pose, double dt) {
     if (march.phase == MarchPhase::Turn) return turnAtEnd(def, march, pose, dt);
     if (march.phase != MarchPhase::Go) return pose;
     const double left = lengthAhead(march, pose.position);
-    const Vec2 aim = pointAhead(march, pose.position, std::clamp(0.5 + def.depth, kLeastAim, kMostAim));
-    const Vec2 ahead = normalized(aim - pose.position, march.front(pose));
-    // Near the end the way says little about where to face.
-    const bool faces = def.turn != Turn::Keep && distance(aim, pose.position) > 0.5 * kLeastAim;
-    double error = faces ? angleBetween(march.front(pose), ahead) : 0.0;
-    if (def.turn == Turn::Reverse && std::fabs(error) > kBackwards) {
-        march.reversed = !march.reversed;
-        error = angleBetween(march.front(pose), ahead);
-    }
+    const double error = turnToWay(def, march, pose);
     const double share = std::fabs(error) > kOnTheSpot ? 1.0 : kWheelShare;
     Pose next = turnBy(def, march, pose, error, share, dt);
-    const double wheel = std::max(0.0, def.speed - std::fabs(march.spin) * def.reach);
-    const double stops = std::sqrt(2.0 * def.acceleration * left);
-    const double wanted = std::min({def.speed * def.pace, wheel, def.speed * alignment(error), stops});
+    const double wanted = std::min(speedAt(def, march, error, left), def.limit);
     march.speed = std::clamp(wanted, march.speed - 2.0 * def.acceleration * dt,
                              march.speed + def.acceleration * dt);
     march.speed = std::max(0.0, march.speed);
@@ -129,6 +153,17 @@ Pose advanceMarch(const MarchDef& def, March& march, const Pose& pose, double dt
         if (!march.way.empty()) next.position = march.way.back();
         march.phase = MarchPhase::Turn;
     }
+    return next;
+}
+
+Pose advanceOffWay(const MarchDef& def, March& march, const Pose& pose, Vec2& velocity, Vec2 wanted,
+                   double dt) {
+    const double error = turnToWay(def, march, pose);
+    Pose next = turnBy(def, march, pose, error, kWheelShare, dt);
+    velocity += clampLength(wanted - velocity, def.acceleration * dt);
+    velocity = clampLength(velocity, std::max(0.0, def.speed - std::fabs(march.spin) * def.reach));
+    march.speed = length(velocity);
+    next.position = pose.position + velocity * dt;
     return next;
 }
 

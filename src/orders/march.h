@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -70,7 +71,18 @@ struct MarchDef {
     double reach = 1.0;         ///< From the middle to the farthest place [m], above 0.
     double depth = 1.0;         ///< Half the length of the formation [m].
     double pace = 1.0;          ///< Share of its speed: less where somebody falls behind, [0, 1].
+    double top = 1.9;           ///< Top speed where it has to hurry [m/s], `speed` or more.
+    double limit = std::numeric_limits<double>::infinity();  ///< Of the speed on its way [m/s], 0 or more.
 };
+
+/// The speed that it would have along its way, if it had it already [m/s].
+double wantedSpeed(const MarchDef& def, const March& march, const Pose& pose);
+/// Length of the way ahead [m].
+double lengthAhead(const March& march, Vec2 from);
+/// One step off its way: from `velocity` [m/s], which becomes that of this step, towards the one that is
+/// wanted. The front turns to the way.
+Pose advanceOffWay(const MarchDef& def, March& march, const Pose& pose, Vec2& velocity, Vec2 wanted,
+                   double dt);
 
 /// One step of `dt` [s] along the way, or of the turn at its end: the next pose. Moves on to the next phases.
 Pose advanceMarch(const MarchDef& def, March& march, const Pose& pose, double dt);

@@ -51,6 +51,7 @@ struct Commander {
         } else if (dice == 20) {
             Conduct conduct;
             conduct.squeeze = random.uniform(0, 1);
+            conduct.avoids = random.below(4) > 0;
             (void)give(world, sequence, SetConduct{group, conduct});
         } else if (dice == 30 && !world.obstacleIds().empty()) {
             (void)give(world, sequence, RemoveObstacle{world.obstacleIds().back()});

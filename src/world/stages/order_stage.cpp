@@ -245,6 +245,11 @@ void OrderStage::restart(WorldState& state, Group& group) {
     march.phase = MarchPhase::Search;
 }
 
+void OrderStage::avoid(const WorldState& state, Group& group, const MarchDef& def) {
+    avoids_ = true;
+    group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
+}
+
 void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
@@ -261,6 +266,8 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     const double dt = state.parameters.stepTime;
     if (march.phase == MarchPhase::Search)
         march.speed = std::max(0.0, march.speed - def.acceleration * dt);
+    else if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
+        avoid(state, group, def);
     else
         group.mesh.setPose(advanceMarch(def, march, group.mesh.pose(), dt));
     march.last = group.mesh.pose();
@@ -369,7 +376,10 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
         ways_.advance(state, state.routesOf(group), region, false, needsOf(state, group, order), march,
                       budget_))
         march.phase = MarchPhase::Go;
-    group.mesh.setPose(advanceMarch(def, march, pose, dt));
+    if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
+        avoid(state, group, def);
+    else
+        group.mesh.setPose(advanceMarch(def, march, pose, dt));
     march.last = group.mesh.pose();
     return Outcome::GoesOn;
 }
@@ -440,19 +450,26 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
 void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& events) {
     budget_ = kCellsPerStep;
     ways_.update(state);
+    avoidance_.begin();
     for (Group& group : state.groups) {
+        avoids_ = false;
+        runQueue(state, group, pool, events);
+        if (!avoids_) group.avoidance = {};
+    }
+}
+
+void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
         OrderQueue& queue = group.orders;
         if (queue.orders.empty()) {
             queue.march.speed = queue.march.spin = 0.0;
             if (queue.own && !isHandled(group)) restoreOwn(state, group, pool);
-            continue;
+            return;
         }
         if (queue.held || isHandled(group) || group.members.empty()) {
             queue.march.speed = queue.march.spin = 0.0;
-            continue;
+            return;
         }
         runGroup(state, group, pool, events);
-    }
 }
 
 OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const Order& order,

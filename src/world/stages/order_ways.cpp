@@ -79,7 +79,7 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     }
     MarchDef def;
     def.turn = order.turn;
-    def.speed = kKeepUp * slowest;
+    def.speed = def.top = kKeepUp * slowest;
     if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
     def.acceleration = std::min(kMostAcceleration, least);
     def.reach = std::max(extent.reach, 0.5);

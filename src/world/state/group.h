@@ -10,6 +10,7 @@
 #include "formation/places/place_tracker.h"
 #include "muster/views.h"
 #include "muster/world_def.h"
+#include "orders/avoidance.h"
 #include "planning/plan.h"
 #include "world/state/order_progress.h"
 #include "world/state/order_queue.h"
@@ -43,6 +44,7 @@ struct Group {
     std::int32_t slices = 1;                   ///< Shares into which it was cut.
     OrderProgress order;                       ///< How far it has come with its order.
     OrderQueue orders;                         ///< What it is to do.
+    Avoidance avoidance;                       ///< How its mesh keeps clear of others, if it does.
     /// By checkpoint, the ids of those who have been in it since it was last left, ascending.
     std::vector<std::vector<std::uint32_t>> visitors;
     Settling settling;             ///< Where it settles.
@@ -67,6 +69,7 @@ struct Group {
                 planNow, provisional, assigned, reassigns, lastAssignment, placeClass, slice, slices, order,
                 orders, visitors, settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted,
                 groundClass, room);
+        if (def.conduct.avoids) archive(avoidance);
     }
 };
 

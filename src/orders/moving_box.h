@@ -1,0 +1,36 @@
+// Boxes that move, and when two of them meet.
+#pragma once
+
+#include <limits>
+
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// A box that moves at one velocity for a while. With no size it is a disc of radius `round`.
+struct MovingBox {
+    Vec2 centre;           ///< Where it is at time 0, or would be [m].
+    Vec2 axis{1.0, 0.0};   ///< Direction of its length, of unit length.
+    Vec2 half;             ///< Half its length and half its width [m].
+    double round = 0.0;    ///< Added all round [m].
+    Vec2 velocity;         ///< [m/s]
+    double from = 0.0;     ///< It is there from then [s]...
+    double to = std::numeric_limits<double>::infinity();  ///< ... until then [s].
+
+    /// Radius of the circle about its centre that holds it [m].
+    double reach() const { return length(half) + round; }
+};
+
+/// A span of time [s]; empty where `from` is the larger.
+struct TimeSpan {
+    double from = 0.0;
+    double to = 0.0;
+
+    bool empty() const { return from > to; }  ///< True where there is no such time.
+};
+
+/// While two boxes meet, `margin` [m] added to one of them. Exact by separating axes for boxes without
+/// `round` and for two discs; else corners count as if they were not rounded.
+TimeSpan contactSpan(const MovingBox& a, const MovingBox& b, double margin = 0.0);
+
+}  // namespace muster
