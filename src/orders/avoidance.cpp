@@ -44,10 +44,18 @@ Vec2 velocityOf(const AvoidanceQuery& query, const Manoeuvre& manoeuvre) {
 
 }  // namespace
 
+Avoider::Avoider() {
+    constexpr std::size_t kCandidates = 128;
+    candidates_.reserve(kCandidates);
+    order_.reserve(kCandidates);
+}
+
 // Who is nearer than the margin already has less of it; who overlaps is no neighbour any more.
 void Avoider::readNeighbours(const AvoidanceQuery& query, std::span<const Neighbour> neighbours) {
     near_.clear();
     met_.clear();
+    near_.reserve(neighbours.size());
+    met_.reserve(neighbours.size());
     MovingBox now = query.own;
     now.to = 0.0;
     for (const Neighbour& neighbour : neighbours) {

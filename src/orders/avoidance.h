@@ -103,6 +103,8 @@ public:
     /// Says whether the ground permits to go at a velocity [m/s].
     using HasRoom = FunctionRef<bool(Vec2)>;
 
+    Avoider();  ///< Takes its memory.
+
     /// The manoeuvre that loses least time among those that meet nobody; where there is none, the one that
     /// meets somebody last.
     AvoidanceChoice choose(const AvoidanceQuery& query, std::span<const Neighbour> neighbours,

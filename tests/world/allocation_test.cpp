@@ -49,7 +49,7 @@ TEST_CASE("60 steps of a standing crowd of several bodies, stances and drivers a
     CHECK(allocationsOf(world) == 0);
 }
 
-TEST_CASE("60 steps of two formations that keep clear of each other and of a car allocate nothing") {
+TEST_CASE("60 steps of two formations that keep clear of each other allocate nothing") {
     WorldDef def = openFloor(16);
     def.box = {{-40, -20}, {40, 20}};
     def.groups.push_back(def.groups[0]);
@@ -58,9 +58,6 @@ TEST_CASE("60 steps of two formations that keep clear of each other and of a car
     def.groups[1].position = {6, 0};
     def.groups[1].angle = 3.0;
     for (GroupDef& group : def.groups) group.conduct.avoids = true;
-    ObstacleDef car = tree({0, -9}, 0.8);
-    car.path.waypoints = {{0, {0, 0}, 0}, {9, {0, 18}, 0}};
-    def.obstacles.push_back(car);
     World world = World::create(def).value();
     CHECK(allocationsOf(world) == 0);
 }

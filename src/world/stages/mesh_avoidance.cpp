@@ -130,6 +130,23 @@ void skipPassed(const WayGround& ground, const WayNeeds& needs, March& march, Ve
     }
 }
 
+/// True where the ground permits to go off the way at a velocity: there is as much room as the mesh needs, or
+/// has now, and from there the way goes on.
+bool hasRoom(const WayGround& ground, const WayNeeds& needs, const March& march, const Pose& pose,
+             Vec2 velocity) {
+    const Vec2 at = pose.position, corner = march.way[march.next];
+    const double half = needs.halfAcross(directionOf(march, pose));
+    const double need = std::min(half, ground.clearanceAt(at));
+    for (const double seconds : kLooks)
+        if (ground.clearanceAt(at + velocity * seconds) < need) return false;
+    const Vec2 there = at + velocity * kLooks[1];
+    const double far = distance(there, corner);
+    const Vec2 back = far > kBack ? lerp(there, corner, kBack / far) : corner;
+    const double most = std::max(1.4 * distance(there, back), 1.1 * stretchCost(ground, needs, at, back));
+    return ground.environment().clearStaticLine(at, there, needs.radius) &&
+           stretchCost(ground, needs, there, back) < most;
+}
+
 /// Who gets on no more presses on, for as far as it takes to get past.
 void press(const WorldState& state, double left, double size, Avoidance& avoidance) {
     if (left < avoidance.left - kProgress || !avoidance.hindered) {
@@ -194,6 +211,8 @@ void MeshAvoidance::readMovers(const WorldState& state) {
         const MovingBox box = boxOf(piece);
         readPath(path, now);
         for (std::size_t k = 1; k < times_.size(); ++k) {
+            // A leap is no leg.
+            if (times_[k] - times_[k - 1] < state.parameters.stepTime) continue;
             const double middle = 0.5 * (times_[k - 1] + times_[k]);
             const Waypoint there = path.at(now + middle);
             const double turning = path.angularVelocity(now + middle) * (times_[k] - times_[k - 1]);
@@ -254,20 +273,8 @@ void MeshAvoidance::decide(const WorldState& state, const WayGround& ground, con
     query.last = avoidance.chosen;
     query.last.seconds = std::max(0.0, query.last.seconds - periodOf(state) * state.parameters.stepTime);
     query.hindered = avoidance.hindered;
-    const double half = needs.halfAcross(directionOf(march, pose));
-    const double need = std::min(half, ground.clearanceAt(pose.position));
-    const Vec2 corner = march.way[march.next];
-    const auto hasRoom = [&](Vec2 velocity) {
-        for (const double seconds : kLooks)
-            if (ground.clearanceAt(pose.position + velocity * seconds) < need) return false;
-        const Vec2 there = pose.position + velocity * kLooks[1];
-        const double far = distance(there, corner);
-        const Vec2 back = far > kBack ? lerp(there, corner, kBack / far) : corner;
-        return ground.environment().clearStaticLine(pose.position, there, needs.radius) &&
-               stretchCost(ground, needs, there, back) <
-                   std::max(1.4 * distance(there, back), 1.1 * stretchCost(ground, needs, pose.position, back));
-    };
-    const AvoidanceChoice choice = avoider_.choose(query, neighbours_, std::cref(hasRoom));
+    const auto room = [&](Vec2 velocity) { return hasRoom(ground, needs, march, pose, velocity); };
+    const AvoidanceChoice choice = avoider_.choose(query, neighbours_, std::cref(room));
     avoidance.chosen = choice.manoeuvre;
     avoidance.hindered = choice.hindered;
 }

@@ -197,6 +197,7 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     queue.begunAt = queue.stoodAt = state.stepCount;
     queue.arrived = 0;
     queue.march.phase = MarchPhase::Idle;
+    group.avoidance = {};
     group.controls.clear();
     takeUpFormation(state, group, order, pool);
     group.order.begin(state.stepCount);
