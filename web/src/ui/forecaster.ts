@@ -16,10 +16,8 @@ const kLost = 1000;
 const kDrawnAgain = 700;
 /** Queues are asked about again after so long [ms]. */
 const kRefresh = 4000;
-/** Orders of a queue asked about at once. */
-const kAtOnce = 6;
-/** Groups of a drawn order asked about at once. */
-const kMostDrawn = 12;
+/** Orders asked about at once: the world waits for the answer, which takes up to some 40 ms each in a city of 256 m. */
+const kAtOnce = 3;
 
 /** How far the questions about one queue are. */
 interface Queue {
@@ -51,7 +49,12 @@ export class Forecaster {
   readonly returns = new Map<number, Forecast>();
   private readonly queues_ = new Map<number, Queue>();
   private drawn_: readonly ForecastAsk[] | null = null;
-  /** When it was asked about; long ago where it is new [ms]. */
+  /** The newest answers about what is drawn, by groups. */
+  private readonly answers_ = new Map<number, Forecast>();
+  /** How many groups of what is drawn are to be asked about yet, and the one whose turn it is. */
+  private drawnLeft_ = 0;
+  private drawnNext_ = 0;
+  /** When it was asked about last [ms]. */
   private drawnAsked_ = -Infinity;
   private open_: Question | null = null;
   private number_ = 0;
@@ -76,9 +79,11 @@ export class Forecaster {
   /** What is drawn now; null where the drawing has ended. */
   draw(asks: readonly ForecastAsk[] | null): void {
     if (!asks && !this.drawn_) return;
-    this.drawn_ = asks?.slice(0, kMostDrawn) ?? null;
-    this.drawnAsked_ = -Infinity;
-    if (!asks) this.drawnKnown_([]);
+    this.drawn_ = asks;
+    this.drawnLeft_ = asks?.length ?? 0;
+    if (asks) return;
+    this.answers_.clear();
+    this.drawnKnown_([]);
   }
 
   /** Takes the groups of a frame. `ground`: another value where the ground has changed; `time` of the world [s]. */
@@ -106,11 +111,7 @@ export class Forecaster {
     if (this.open_ && now - this.open_.asked < kLost) return;
     if (this.open_) this.lost(this.open_);
     if (now < this.free_) return;
-    if (this.drawn_ && this.drawn_.length > 0 && now - this.drawnAsked_ > kDrawnAgain) {
-      this.drawnAsked_ = now;
-      this.ask(this.drawn_, 'drawn', now);
-      return;
-    }
+    if (this.askOfDrawn(now)) return;
     for (const queue of this.queues_.values()) if (this.askOf(queue, now)) return;
   }
 
@@ -122,7 +123,9 @@ export class Forecaster {
     this.free_ = now + pause;
     const forecasts = answers.map(forecastOf);
     if (question.subject === 'drawn') {
-      if (this.drawn_) this.drawnKnown_(forecasts);
+      if (!this.drawn_) return;
+      for (const forecast of forecasts) this.answers_.set(forecast.group, forecast);
+      this.drawnKnown_(this.drawn_.flatMap(({ group }) => this.answers_.get(group) ?? []));
       return;
     }
     for (const forecast of forecasts) {
@@ -140,6 +143,20 @@ export class Forecaster {
   /** World time at which the forecast of a group's first order was made [s]. */
   since(group: number): number {
     return this.queues_.get(group)?.since ?? this.time_;
+  }
+
+  /** Asks about the next groups of what is drawn, where that is due. */
+  private askOfDrawn(now: number): boolean {
+    const asks = this.drawn_ ?? [];
+    if (asks.length > 0 && now - this.drawnAsked_ > kDrawnAgain) this.drawnLeft_ = asks.length;
+    const count = Math.min(kAtOnce, this.drawnLeft_);
+    if (count === 0) return false;
+    const next = Array.from({ length: count }, (_, k) => asks[(this.drawnNext_ + k) % asks.length]!);
+    this.drawnNext_ = (this.drawnNext_ + count) % asks.length;
+    this.drawnLeft_ -= count;
+    this.drawnAsked_ = now;
+    this.ask(next, 'drawn', now);
+    return true;
   }
 
   /** Asks about the next orders of a queue, where that is due. */

@@ -5,7 +5,7 @@ import { expect } from '../support/expect.mjs';
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-async function serious(studio, state) {
+export async function serious(studio, state) {
   if (!(await studio.page.evaluate(() => 'axe' in globalThis))) await studio.page.evaluate(axeSource);
   const { violations } = await studio.page.evaluate(() =>
     globalThis.axe.run(document, { resultTypes: ['violations'] }),

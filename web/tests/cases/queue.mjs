@@ -1,5 +1,6 @@
 // Forecasts of orders that are drawn, ways of orders that wait, and edits of queues, by mouse and by touch.
 import { expect, expectBetween } from '../support/expect.mjs';
+import * as look from './look.mjs';
 
 /** In the page: what is shown of the order that is being drawn. */
 const forecasts = () => globalThis.__muster.view.orders.scene(true).forecasts;
@@ -149,6 +150,13 @@ export async function editQueueByTouch(studio) {
   await page.keyboard.press('.');
   await targetsToBe(studio, ['-6,-9', '8,-9', '14,-9', '14,4']);
   await chip(studio, 1).tap();
+  await look.layout(studio);
+  await look.serious(studio, 'queue');
+  await page.keyboard.press('n');
+  await studio.wait(300);
+  await look.serious(studio, 'queue in the dark');
+  await studio.shot('queue-dark');
+  await page.keyboard.press('n');
   await act(studio, 'Insert').tap();
   await studio.pictures(2);
   await studio.shot('queue-insert');

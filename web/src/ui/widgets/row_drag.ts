@@ -1,6 +1,8 @@
 // Drags chips of a list to other places in it, with mouse or finger.
 
 const kStillPx = 10;
+/** The dragged chip hangs above the pointer, so that the chips under it are seen [px]. */
+const kLift = 34;
 
 interface Held {
   readonly chip: HTMLElement;
@@ -57,7 +59,7 @@ export class RowDrag {
       held.chip.setPointerCapture(event.pointerId);
       held.chip.classList.add('dragged');
     }
-    held.chip.style.transform = `translate(${dx}px, ${dy}px)`;
+    held.chip.style.transform = `translate(${dx}px, ${dy - kLift}px)`;
     this.aimAt(event);
   }
 
