@@ -276,6 +276,34 @@ TEST_CASE("formations wider than the streets get through a town, however they tu
     }
 }
 
+TEST_CASE("a free group follows a drawn way, and faces as that ends") {
+    WorldDef def;
+    def.box = {{-30, -25}, {30, 25}};
+    GroupDef group;
+    group.count = 30;
+    group.position = {-20, 0};
+    Order order = Order::go({20, 0});
+    order.route = {{-20, 18}, {20, 18}};
+    group.orders = {order};
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    bool done = false;
+    double high = 0.0, aside = 0.0;
+    while (!done && world.time() < 90.0) {
+        world.step();
+        for (const Event& e : world.events()) done = done || e.kind == EventKind::OrderDone;
+        Vec2 middle;
+        for (const Vec2 p : world.characters().position) middle += p / 30.0;
+        high = std::max(high, middle.y);
+        if (std::fabs(middle.x) < 12.0) aside = std::max(aside, std::fabs(middle.y - 18.0));
+    }
+    CHECK(done);
+    CHECK(high > 17.0);
+    CHECK(aside < 2.0);
+    CHECK(world.time() < 60.0);  // 76 m at 2 m/s, and the start.
+    CHECK(world.group(0).pose.rotation.s == doctest::Approx(-1.0).epsilon(0.01));
+}
+
 TEST_CASE("five orders over Berlin, one after the other") {
     std::ifstream file(sourceFolder() + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
     std::stringstream text;

@@ -223,12 +223,11 @@ void OrderStage::restart(WorldState& state, Group& group) {
         return;
     }
     if (order.kind != OrderKind::Move) return;
-    if (order.manner == Manner::Free) {
+    if (order.manner == Manner::Free && order.route.empty()) {
         Vec2 middle;
         for (const std::int32_t i : group.members) middle += state.characters.position[i];
         middle = middle / std::max(1.0, static_cast<double>(group.members.size()));
-        const Vec2 from = order.route.empty() ? middle : order.route.back();
-        Vec2 front = normalized(queue.target - from, march.front(pose));
+        Vec2 front = normalized(queue.target - middle, march.front(pose));
         if (order.facing) front = {cosine(*order.facing), sine(*order.facing)};
         march.reversed = false;
         group.mesh.setPose(facingPose(queue.target, front));
@@ -237,6 +236,11 @@ void OrderStage::restart(WorldState& state, Group& group) {
         march.speed = march.spin = 0.0;
         queue.stoodAt = state.stepCount;
         return;
+    }
+    if (order.manner == Manner::Free && !march.turns) {
+        const Vec2 last = queue.target - order.route.back();
+        march.turns = length(last) > 0.0;
+        march.facing = arcTangent2(last.y, last.x);
     }
     const std::int32_t region = regionOf(state, group);
     const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
@@ -416,7 +420,9 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     if (order.kind == OrderKind::Guard) return guard(state, group);
     const FormationExtent extent = extentOf(group);
     MarchDef def = marchDefOf(state, group, order, extent);
-    def.pace = patientPace(queue.march, paceOf(state, group), state.parameters.stepTime);
+    // A free group waits for nobody on a drawn way.
+    if (order.manner != Manner::Free)
+        def.pace = patientPace(queue.march, paceOf(state, group), state.parameters.stepTime);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
     // Led away by fingers, it goes on from where it is.
     if (queue.march.phase == MarchPhase::Idle || !samePose(queue.march.last, group.mesh.pose()))
@@ -460,17 +466,17 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
 }
 
 void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
-        OrderQueue& queue = group.orders;
-        if (queue.orders.empty()) {
-            queue.march.speed = queue.march.spin = 0.0;
-            if (queue.own && !isHandled(group)) restoreOwn(state, group, pool);
-            return;
-        }
-        if (queue.held || isHandled(group) || group.members.empty()) {
-            queue.march.speed = queue.march.spin = 0.0;
-            return;
-        }
-        runGroup(state, group, pool, events);
+    OrderQueue& queue = group.orders;
+    if (queue.orders.empty()) {
+        queue.march.speed = queue.march.spin = 0.0;
+        if (queue.own && !isHandled(group)) restoreOwn(state, group, pool);
+        return;
+    }
+    if (queue.held || isHandled(group) || group.members.empty()) {
+        queue.march.speed = queue.march.spin = 0.0;
+        return;
+    }
+    runGroup(state, group, pool, events);
 }
 
 OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const Order& order,

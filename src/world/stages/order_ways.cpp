@@ -78,7 +78,7 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
         least = std::min(least, body.acceleration > 0.0 ? body.acceleration : character.acceleration);
     }
     MarchDef def;
-    def.turn = order.turn;
+    def.turn = order.manner == Manner::Free ? Turn::Keep : order.turn;
     def.speed = def.top = kKeepUp * slowest;
     if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
     def.acceleration = std::min(kMostAcceleration, least);
