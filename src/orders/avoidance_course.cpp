@@ -9,7 +9,6 @@ namespace muster {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kGoesOn = 0.3;      // Before it stops [s].
 constexpr double kTurnTime = 2.0;    // Within which it has turned to its way [s].
 constexpr double kAskew = 0.05;        // It faces along its way within this angle [rad].
 constexpr double kMostTurn = 1.0;    // Larger turns are as wide [rad].

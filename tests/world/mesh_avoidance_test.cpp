@@ -200,6 +200,29 @@ TEST_CASE("in a corridor without room both wait, then press on, and arrive") {
     CHECK(narrow.seconds < 120.0);
 }
 
+TEST_CASE("between walls with room for both they pass, and no mesh is put into a wall") {
+    WorldDef def;
+    def.box = {{-50, -20}, {50, 20}};
+    def.cell = 0.5;
+    def.obstacles = {block(-50, 14, 50, 20), block(-50, -20, 50, -14)};
+    def.groups = {formation({-30, 0}, 0.0, {30, 0}), formation({30, 0}, kPi, {-30, 0})};
+    World world = World::create(def).value();
+    int done = 0;
+    double nearest = 1e9;
+    bool met = false;
+    while (world.time() < 60.0 && done < 2) {
+        world.step();
+        for (const Event& event : world.events()) done += event.kind == EventKind::OrderDone ? 1 : 0;
+        for (std::size_t g = 0; g < 2; ++g)
+            for (const Vec2 p : world.group(g).userMesh) nearest = std::min(nearest, 14.0 - std::fabs(p.y));
+        if (world.stepCount() % 6 == 0) met = met || meshesOverlap(world.group(0), world.group(1));
+    }
+    MESSAGE("street of 28 m: " << world.time() << " s, nearest to a wall " << nearest << " m");
+    CHECK(done == 2);
+    CHECK_FALSE(met);
+    CHECK(nearest > 0.0);
+}
+
 TEST_CASE("saved, restored or rewound amid others it goes on bit for bit, and breaks no number") {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Random random(seed);
