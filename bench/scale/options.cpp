@@ -68,6 +68,7 @@ void describeOrders(CLI::App& orders, OrdersDef& def) {
     orders.add_option("--gaps", def.gaps, "Gaps in a wall through which all walk (0: no wall)")
         ->check(CLI::Range(0, 100));
     orders.add_flag("--moves", def.moves, "Orders to march there instead of poses");
+    orders.add_flag("--weights", def.weights, "Supplies and demands at random, 0.25 to 3 units");
     orders.add_option("--runs", def.runs, "Equal runs; a step's time is its least over them (5)")
         ->check(CLI::Range(1, 50));
     orders.add_option("--seconds", def.seconds, "World time of a run [s] (10)")

@@ -83,6 +83,12 @@ void addWall(const OrdersDef& def, std::vector<ObstacleDef>& obstacles) {
     if (def.gaps > 0) obstacles.push_back(wallPart(from, edge));
 }
 
+void addWeights(Random& random, GroupDef& group) {
+    group.bodies.resize(static_cast<std::size_t>(group.count));
+    for (Body& body : group.bodies) body.supply = 0.25 * (1 + random.below(12));
+    for (std::int32_t k = 0; k < group.count; ++k) group.demands.push_back(0.25 * (1 + random.below(12)));
+}
+
 WorldDef worldOf(const OrdersDef& def) {
     WorldDef world;
     const double away = awayOf(def);
@@ -105,6 +111,7 @@ WorldDef worldOf(const OrdersDef& def) {
         group.formation.spacing = spacingOf(def);
         const double offset = offsetOf(def, k);
         group.position = walksEast(def, k) ? Vec2{-away, offset} : Vec2{offset, -away};
+        if (def.weights) addWeights(random, group);
         world.groups.push_back(group);
     }
     return world;

@@ -15,6 +15,7 @@ struct OrdersDef {
     std::int32_t obstacles = 0;  ///< Discs of 0.5 m strewn over the square, 0 or more.
     std::int32_t gaps = 0;       ///< In a wall through which all walk east, 0 for no wall; up to 100.
     bool moves = false;          ///< Orders to march there instead of poses.
+    bool weights = false;        ///< Supplies and demands at random, from a quarter to three units.
     std::int32_t runs = 5;       ///< Equal runs; the time of a step is its least over them, 1 to 50.
     double seconds = 10.0;       ///< World time of a run [s], up to 120.
     std::uint64_t seed = 1;      ///< Of the obstacles.

@@ -21,20 +21,24 @@ bool stands(const Characters& now, std::int32_t i) {
            lengthSquared(now.velocity[i]) < kStanding * kStanding;
 }
 
-// True where `other` stands in the way of `i`.
+// True where `other` stands in the way of `i`. Those who share a place do not bar each other's way.
 bool bars(const Characters& now, std::int32_t other, std::int32_t i, Vec2 between) {
-    return now.group[other] == now.group[i] && stands(now, other) && now.cost[other] < now.cost[i] &&
-           dot(between, now.direction[i]) > kAhead * length(between);
+    return now.group[other] == now.group[i] && now.place[other] != now.place[i] && stands(now, other) &&
+           now.cost[other] < now.cost[i] && dot(between, now.direction[i]) > kAhead * length(between);
+}
+
+bool isUnderWay(const HandOverDef& def, const Characters& now, std::int32_t i) {
+    return now.place[i] >= 0 && now.cost[i] > kArrived + (def.room.empty() ? 0.0 : def.room[i]);
 }
 
 // True where the character has been on its way for a while without getting on.
-bool isKept(const Characters& now, const PlaceWait& wait, std::int32_t i) {
-    return wait.stood >= kPatience && now.place[i] >= 0 && now.cost[i] > kArrived;
+bool isKept(const HandOverDef& def, const Characters& now, const PlaceWait& wait, std::int32_t i) {
+    return wait.stood >= kPatience && isUnderWay(def, now, i);
 }
 
-void follow(const Characters& now, std::int32_t i, float dt, PlaceWait& wait) {
+void follow(const HandOverDef& def, const Characters& now, std::int32_t i, float dt, PlaceWait& wait) {
     const bool gotOn = lengthSquared(now.position[i] - wait.anchor) > kGotOn * kGotOn;
-    if (gotOn || now.place[i] < 0 || !(now.cost[i] > kArrived)) {
+    if (gotOn || !isUnderWay(def, now, i)) {
         wait.anchor = now.position[i];
         wait.stood = 0.0f;
     } else {
@@ -50,11 +54,11 @@ void updateWaits(const HandOverDef& def, const Characters& now, const CrowdBodie
                  const NeighbourList& neighbours, double dt, std::span<PlaceWait> waits) {
     const auto step = static_cast<float>(dt);
     const auto count = static_cast<std::int32_t>(now.size());
-    for (std::int32_t i = 0; i < count; ++i) follow(now, i, step, waits[i]);
+    for (std::int32_t i = 0; i < count; ++i) follow(def, now, i, step, waits[i]);
     const auto rise = static_cast<float>(def.topSpeed) * step;
     const auto wait = [&](std::int32_t i, std::int32_t other, Vec2 between) {
         PlaceWait& own = waits[i];
-        if (!isKept(now, own, i) || !bars(now, other, i, between)) return;
+        if (!isKept(def, now, own, i) || !bars(now, other, i, between)) return;
         if (own.place != now.place[i]) own.cost = 0.0f;
         own.place = now.place[i];
         own.cost = std::min(kCostliest, own.cost + rise);

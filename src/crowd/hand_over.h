@@ -16,6 +16,9 @@ struct Characters;
 struct HandOverDef {
     double gap = 0.0;       ///< Two characters touch up to this gap between them [m].
     double topSpeed = 0.0;  ///< In the open, of who has none of its own [m/s].
+    /// Per character: by how much farther than others it may stand from a place that it shares [m] >= 0;
+    /// empty for none.
+    std::span<const double> room = {};
 };
 
 /// Updates the waits of all characters for one step of `dt` [s]. `neighbours` lists all pairs that touch; one

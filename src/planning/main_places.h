@@ -10,7 +10,7 @@
 namespace muster {
 
 /// Writes the place to which each character walks: that of its largest flow, of equal ones the first. While
-/// the place that it has gets nearly as much it keeps that, so that it does not turn to and fro between two;
+/// the place that it has gets nearly as much it keeps that, so that it does not waver between two;
 /// -1 where nothing flows. `flows` are ordered by character; `incumbent` is the place of each one, -1 for
 /// none.
 void findMainPlaces(std::span<const Flow> flows, std::span<const std::int32_t> incumbent,

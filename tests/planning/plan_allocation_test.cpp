@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include "assignment/dynamic/assignment_scene.h"
+#include "assignment/dynamic/dynamic_transport.h"
 #include "counting_new.h"
 #include "planning/plan_scene.h"
 
@@ -41,6 +42,29 @@ TEST_CASE("a warm dynamic assignment allocates nothing") {
         const long before = allocations;
         assignment.update(muster_test::lowThresholds(), scene.input(), scene.costs, pool);
         if (k >= 10) inside += allocations - before;
+    }
+    CHECK(inside == 0);
+}
+
+TEST_CASE("a warm transport allocates nothing") {
+    muster_test::AssignmentScene scene(200, 200, 3);
+    scene.costs.wall = true;
+    std::vector<double> supply, demand;
+    for (int k = 0; k < 200; ++k) {
+        supply.push_back(0.25 * (1 + scene.random.below(12)));
+        demand.push_back(0.25 * scene.random.below(13));
+    }
+    muster::ThreadPool pool(1);
+    muster::DynamicTransport transport;
+    std::vector<std::int32_t> place(200, -1);
+    long inside = 0;
+    for (int k = 0; k < 240; ++k) {
+        const muster::AssignmentInput positions = scene.input();
+        const long before = allocations;
+        transport.update({positions, supply, demand, {}, 2.0}, scene.costs, pool);
+        if (k >= 60) inside += allocations - before;
+        for (const muster::Flow& flow : transport.flows()) place[flow.character] = flow.place;
+        scene.step({1.3, 0.2}, 0.05, place);
     }
     CHECK(inside == 0);
 }

@@ -22,7 +22,7 @@ Walk weighted(std::int32_t count, std::uint64_t seed) {
 }
 
 // The objective, and the amount that flows, above what the exact plan finds; as shares of it.
-struct Excess {
+struct Above {
     double cost = 0.0, missing = 0.0, strangers = 0.0;
 };
 
@@ -41,7 +41,7 @@ double strangers(const Walk& scene, const PlanResult& result) {
 }
 
 // Prices the flows by the fields of the exact plan, which knows no commit threshold here.
-Excess excessOf(Walk& scene, const PlanResult& result, ThreadPool& pool) {
+Above aboveOf(Walk& scene, const PlanResult& result, ThreadPool& pool) {
     const std::vector<std::int32_t> incumbent = scene.incumbent;
     scene.incumbent.assign(incumbent.size(), -1);
     const auto exact = makeExactPlan();
@@ -108,11 +108,11 @@ TEST_CASE("with weights the fast plan stays near the exact one while a crowd wal
             scene.walk(*plan, pool, 0.05);
             for (Vec2& p : scene.places) p += Vec2{0.004, 0.006};
             if (step % 60 != 59) continue;
-            const Excess excess = excessOf(scene, scene.plan(*plan, pool), pool);
+            const Above above = aboveOf(scene, scene.plan(*plan, pool), pool);
             INFO("seed " << seed << ", step " << step);
-            CHECK(std::abs(excess.missing) < 1e-5);
-            CHECK(excess.strangers < 1e-5);
-            worst = std::max(worst, excess.cost);
+            CHECK(std::abs(above.missing) < 1e-5);
+            CHECK(above.strangers < 1e-5);
+            worst = std::max(worst, above.cost);
         }
         MESSAGE("seed " << seed << ": worst " << worst << ", changes of place " << turns);
         CHECK(worst < 0.02);
@@ -248,7 +248,7 @@ TEST_CASE("when characters leave or join, the plan goes on from the places that 
     for (std::size_t i = 0; i < held.size(); ++i) changed += held[i] != scene.incumbent[i] ? 1 : 0;
     MESSAGE(changed << " of 99 go elsewhere after one has left");
     CHECK(changed <= 40);
-    const Excess excess = excessOf(scene, result, pool);
-    CHECK(std::abs(excess.missing) < 1e-5);
-    CHECK(excess.cost < 0.02);
+    const Above above = aboveOf(scene, result, pool);
+    CHECK(std::abs(above.missing) < 1e-5);
+    CHECK(above.cost < 0.02);
 }

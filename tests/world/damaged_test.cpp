@@ -20,13 +20,14 @@ std::vector<std::uint8_t> snapshotOf(std::uint64_t seed, int steps) {
 }
 
 /// A small world, so that few bytes are of no account: controls, a detour, a checkpoint, an item.
-std::vector<std::uint8_t> smallSnapshot() {
+std::vector<std::uint8_t> smallSnapshot(bool weights = false) {
     WorldDef def;
     def.box = {{-4, -4}, {4, 4}};
     def.obstacles.push_back(tree({0.5, 0.3}, 0.4));
     def.patches.push_back(rectangle(1, -2, 2, 2, 3));
     def.groups.emplace_back().count = 4;
     def.groups[0].position = {-2, 0};
+    if (weights) def.groups[0].demands = {1.5, 0.5, 0.25, 2.0};
     def.items.push_back({{3, 3}, 0.3});
     def.checkpoints.emplace_back().position = {3, -3};
     World world = World::create(def).value();
@@ -63,12 +64,14 @@ bool goesOn(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-TEST_CASE("one flipped bit anywhere in a small snapshot") {
-    const auto whole = smallSnapshot();
-    REQUIRE(goesOn(whole));
+TEST_CASE("one flipped bit anywhere in a small snapshot, with weights or without") {
+    const auto plain = smallSnapshot(), weighted = smallSnapshot(true);
+    REQUIRE(goesOn(plain));
+    REQUIRE(goesOn(weighted));
     Random random(5);
     int refused = 0;
-    for (int k = 0; k < 700; ++k) {
+    for (int k = 0; k < 1400; ++k) {
+        const auto& whole = k < 700 ? plain : weighted;
         auto bytes = whole;
         const auto head = static_cast<std::uint32_t>(kSnapshotHeadBytes);
         const std::uint32_t at = head + random.below(static_cast<std::uint32_t>(bytes.size()) - head);
@@ -79,7 +82,7 @@ TEST_CASE("one flipped bit anywhere in a small snapshot") {
         CHECK_FALSE(goesOn(bytes));
         refused += goesOn(sealed(bytes)) ? 0 : 1;
     }
-    CHECK(refused > 70);  // Lengths, indices, flags, exponents of numbers.
+    CHECK(refused > 140);  // Lengths, indices, flags, exponents of numbers.
 }
 
 TEST_CASE("many flipped bits, and cut ends") {

@@ -12,8 +12,8 @@ namespace {
 constexpr double kMostUnits = 1125899906842624.0;  // 2^50: sums of units are exact.
 constexpr std::int32_t kTransportNearPlaces = 6;   // Of a character, and of its main place.
 constexpr std::int32_t kTransportNearCharacters = 6;
-constexpr std::int32_t kCharactersPerStep = 300;  // Whose near places are looked at in a step, about.
-constexpr std::int32_t kScannedPairs = 24000;  // Pairs of whole rows and columns that are bounded in a step.
+constexpr std::int32_t kCharactersPerStep = 100;  // Whose near places are looked at in a step, about.
+constexpr std::int32_t kScannedPairs = 12000;  // Pairs of whole rows and columns that are bounded in a step.
 constexpr std::size_t kKeptPerScan = 8;        // Of these, pairs of a row or column that are evaluated.
 constexpr std::int64_t kWork = 250000;         // Nodes and candidates that the pivots of a step may touch.
 constexpr std::size_t kBlock = 64;             // Candidates of which the best one enters.

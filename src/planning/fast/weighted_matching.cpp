@@ -73,23 +73,30 @@ void WeightedMatching::collectIncumbents(const MatchingProblem& problem) {
         claim(problem, i, incumbent[i], amountOf(problem.supply, i));
 }
 
-void WeightedMatching::evaluatePairs(CostOracle& costs, ThreadPool& pool) {
+// Merges both lists.
+void WeightedMatching::evaluatePairs(std::size_t characters, CostOracle& costs, ThreadPool& pool) {
+    const std::span<const Flow> a = incumbents_, b = transport_.flows();
+    const auto pairOf = [](const Flow& flow) { return AssignmentPair{flow.character, flow.place}; };
     pairs_.clear();
-    for (const Flow& flow : incumbents_) pairs_.push_back({flow.character, flow.place});
-    for (const Flow& flow : transport_.flows()) pairs_.push_back({flow.character, flow.place});
-    std::sort(pairs_.begin(), pairs_.end(), before);
-    const auto same = [](const AssignmentPair& a, const AssignmentPair& b) {
-        return a.character == b.character && a.place == b.place;
-    };
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end(), same), pairs_.end());
+    for (std::size_t k = 0, m = 0; k < a.size() || m < b.size();) {
+        const bool first = m == b.size() || (k < a.size() && !before(pairOf(b[m]), pairOf(a[k])));
+        const bool both = first && k < a.size() && m < b.size() && !before(pairOf(a[k]), pairOf(b[m]));
+        pairs_.push_back(pairOf(first ? a[k] : b[m]));
+        k += first ? 1 : 0;
+        m += !first || both ? 1 : 0;
+    }
+    firstPair_.assign(characters + 1, 0);
+    for (const AssignmentPair& pair : pairs_) ++firstPair_[pair.character + 1];
+    for (std::size_t i = 0; i < characters; ++i) firstPair_[i + 1] += firstPair_[i];
     pairCosts_.resize(pairs_.size());
     costs.evaluate(pairs_, pairCosts_, pool);
 }
 
 // One of the evaluated pairs [m].
 float WeightedMatching::costOf(std::int32_t character, std::int32_t place) const {
-    const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), AssignmentPair{character, place}, before);
-    return pairCosts_[at - pairs_.begin()];
+    std::int32_t k = firstPair_[character];
+    while (pairs_[k].place != place) ++k;
+    return pairCosts_[k];
 }
 
 void WeightedMatching::gatherCosts(std::span<const Flow> flows, std::vector<float>& cost) const {
@@ -130,7 +137,7 @@ void WeightedMatching::update(const MatchingProblem& problem, CostOracle& costs,
                        problem.incumbent},
                       costs, pool, effort);
     collectIncumbents(problem);
-    evaluatePairs(costs, pool);
+    evaluatePairs(problem.input.characters.size(), costs, pool);
     commit(problem);
     gatherCosts(flows_, flowCost_);
     publish(problem.incumbent);

@@ -48,7 +48,7 @@ private:
     bool consistent() const;
     void collectIncumbents(const MatchingProblem& problem);
     void claim(const MatchingProblem& problem, std::int32_t character, std::int32_t place, double amount);
-    void evaluatePairs(CostOracle& costs, ThreadPool& pool);
+    void evaluatePairs(std::size_t characters, CostOracle& costs, ThreadPool& pool);
     void commit(const MatchingProblem& problem);
     float costOf(std::int32_t character, std::int32_t place) const;
     void gatherCosts(std::span<const Flow> flows, std::vector<float>& cost) const;
@@ -66,6 +66,7 @@ private:
     std::vector<Flow> incumbents_;                 // Flows that may stay.
     std::vector<double> openSupply_, openDemand_;  // What incumbents leave.
     std::vector<AssignmentPair> pairs_;            // Of both lists, by character, then place.
+    std::vector<std::int32_t> firstPair_;          // Per character, and the end.
     std::vector<float> pairCosts_, optimumCost_;   // [m]
 };
 

@@ -107,7 +107,7 @@ void measureLag(WorldState& state) {
     }
 }
 
-void watchWalks(WorldState& state) {
+void watchWalks(WorldState& state, const SharedPlaces& shared) {
     Characters& c = state.characters;
     const std::uint32_t stayed = stepsIn(state, kStayedFor);
     for (std::size_t i = 0; i < c.size(); ++i) {
@@ -125,7 +125,7 @@ void watchWalks(WorldState& state) {
         const std::int32_t place = c.place[i];
         const bool within = place >= 0 &&
                             distance(c.position[i], state.groups[c.group[i]].places.positions()[place]) <=
-                                kArrivedReach;
+                                kArrivedReach + shared.room(i);
         if (within == walk.within) continue;
         walk.within = within;
         walk.since = state.stepCount;
@@ -208,7 +208,8 @@ void EventStage::run(WorldState& state, std::span<const MotionEvent> changes, st
     collectItems(state, events);
     meetCheckpoints(state, events);
     measureLag(state);
-    watchWalks(state);
+    shared_.find(state);
+    watchWalks(state, shared_);
     for (Group& group : state.groups) watchOrder(state, group, events);
     if (state.stepCount % stepsIn(state, kStuckEvery) == 0) standstill_.raise(state, events);
     movingGates_.raise(state, events);

@@ -8,6 +8,7 @@
 #include "muster/event.h"
 #include "world/stages/moving_gates.h"
 #include "world/stages/standstill.h"
+#include "world/state/shared_places.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -20,6 +21,7 @@ public:
     void run(WorldState& state, std::span<const MotionEvent> changes, std::vector<Event>& events);
 
 private:
+    SharedPlaces shared_;
     Standstill standstill_;
     MovingGates movingGates_;
 };

@@ -95,8 +95,9 @@ void SteeringStage::move(WorldState& state, double dt, ThreadPool& pool) {
     const SteeringInput input{placePosition_, placeVelocity_, facing_, characters.wait, pace_};
     steering_.run(bodies_, characters, input, state.environment, dt, next_.velocity, next_.heading, &pool);
     characters.wanted.assign(steering_.preferred().begin(), steering_.preferred().end());
-    updateWaits({kTouching, state.parameters.character.maxSpeed}, characters, bodies_, steering_.neighbours(),
-                dt, characters.wait);
+    shared_.find(state);
+    updateWaits({kTouching, state.parameters.character.maxSpeed, shared_.rooms()}, characters, bodies_,
+                steering_.neighbours(), dt, characters.wait);
     for (std::size_t i = 0; i < characters.size(); ++i) {
         next_.position[i] = characters.position[i];
         if (!bodies_.isFixed(i)) next_.position[i] += next_.velocity[i] * dt;

@@ -14,6 +14,7 @@
 #include "world/stages/member_arrays.h"
 #include "world/stages/own_routes.h"
 #include "world/stages/way_stage.h"
+#include "world/state/shared_places.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -46,6 +47,7 @@ private:
     void setPaces(const WorldState& state);
 
     Steering steering_;
+    SharedPlaces shared_;
     OwnRoutes ownRoutes_;
     GoRound goRound_;
     CrowdBodies bodies_;

@@ -89,6 +89,10 @@ Status checkNewGroup(const WorldState& state, const GroupDef& def) {
         return invalidArgument(name + ": found " + std::to_string(def.starts.size()) +
                                " starts, expected one for each of its " + std::to_string(def.count) +
                                " characters");
+    if (!def.demands.empty() && std::cmp_not_equal(def.demands.size(), def.count))
+        return invalidArgument(name + ": found " + std::to_string(def.demands.size()) +
+                               " demands, expected one for each of its " + std::to_string(def.count) +
+                               " places");
     return {};
 }
 
@@ -263,6 +267,7 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
     if (!changed.ok()) return changed.within("group '" + group.def.name + "'");
     group.def.formation = def;
     group.def.count = count;
+    if (!group.def.demands.empty()) group.def.demands.resize(static_cast<std::size_t>(count), 1.0);
     group.controls.rebind(controlDef(state.parameters), group.mesh.formation().mesh, group.mesh.userMesh());
     std::vector<Vec2> targets;
     group.mesh.placePositions(targets);

@@ -179,6 +179,23 @@ void orderByMembers(const WorldState& state, const Group& group, Reform& reform)
     reform = std::move(ordered);
 }
 
+// Places take their demands along; those that are new demand one unit.
+std::vector<double> demandsOf(const WorldState& state, const Reform& reform) {
+    std::vector<double> demands;
+    const auto hasNone = [](const Group& group) { return group.def.demands.empty(); };
+    if (std::all_of(state.groups.begin(), state.groups.end(), hasNone)) return demands;
+    for (const PlaceTracker::Origin& origin : reform.origins) {
+        const auto from = std::find_if(state.groups.begin(), state.groups.end(),
+                                       [&](const Group& group) { return &group.places == origin.tracker; });
+        const bool known = from != state.groups.end() && origin.place >= 0 &&
+                           std::cmp_less(origin.place, from->def.demands.size());
+        demands.push_back(known ? from->def.demands[origin.place] : 1.0);
+    }
+    if (std::all_of(demands.begin(), demands.end(), [](double demand) { return demand == 1.0; }))
+        demands.clear();
+    return demands;
+}
+
 // Members take the places of the reform, and forget what they knew of others.
 void takePlaces(WorldState& state, Group& group, const Reform& reform) {
     Characters& characters = state.characters;
@@ -318,6 +335,7 @@ Result<Reform> asHeld(const WorldState& state, const Group& frame, const HeldPla
 
 void applyReform(WorldState& state, Group& group, Reform reform, const FormationMesh& mesh) {
     if (state.parameters.plan.mode == PlanMode::Fixed) orderByMembers(state, group, reform);
+    group.def.demands = demandsOf(state, reform);
     group.places.assemble(reform.origins);
     group.def.count = static_cast<std::int32_t>(group.members.size());
     if (group.def.bodies.size() > 1) {
