@@ -128,6 +128,38 @@ TEST_CASE("a forecast tells way and time, and changes nothing") {
     CHECK(took < 1.4 * forecast.seconds);
 }
 
+TEST_CASE("a forecast counts slow ground") {
+    // A bog of 10 m right across, at 0.4 of the speed.
+    WorldDef def = yard();
+    PatchDef bog;
+    bog.polygon = {{-5, -30}, {5, -30}, {5, 30}, {-5, 30}};
+    bog.speed = 0.4;
+    def.patches.push_back(bog);
+    def.groups[0].position = {-18, 0};
+    World world = World::create(def).value();
+    world.step();
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        Order order = Order::move({18, 0}, 0.0);
+        order.manner = manner;
+        World copy = World::restore(world.snapshot()).value();
+        const double forecast = copy.forecast(copy.group(0).id, order).seconds;
+        std::uint32_t n = 0;
+        Log log;
+        REQUIRE(give(copy, n, GiveOrder{copy.group(0).id, QueueMode::Replace, 0, order}).ok());
+        while (log.count(EventKind::OrderDone) == 0 && copy.time() < 90.0) {
+            copy.step();
+            log.read(copy);
+        }
+        CAPTURE(static_cast<int>(manner));
+        CAPTURE(forecast);
+        CAPTURE(copy.time());
+        CHECK(forecast >
+              24.0);  // Dry: 36 m at 1.94 m/s; 10 m of bog at two fifths of that take 7.7 s longer.
+        CHECK(copy.time() > 0.75 * forecast);
+        CHECK(copy.time() < 1.3 * forecast);
+    }
+}
+
 TEST_CASE("a patrol goes round; hold, resume, cancel and stop") {
     WorldDef def = yard();
     def.groups[0].orders = {Order::move({6, 0}), Order::move({-6, 0})};

@@ -504,11 +504,13 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     forecast.arrives = goal.reachable;
     forecast.end = goal.target;
     forecast.way = march.way;
-    MarchDef def = marchDefOf(state, group, asked, extent);
-    if (asked.manner == Manner::Free) def.turn = Turn::Keep;
+    const MarchDef def = marchDefOf(state, group, asked, extent);
     const auto facing = asked.manner == Manner::Free ? std::nullopt : asked.facing;
-    forecast.seconds = goal.reachable ? marchTime(def, march.way, march.front(pose), facing)
-                                      : std::numeric_limits<double>::infinity();
+    const double slower = slowGround(state.environment, march.way,
+                                     asked.manner == Manner::Free ? 0.0 : extent.depth);
+    forecast.seconds = goal.reachable
+                           ? marchTime(def, march.way, march.front(pose), facing) + slower / def.speed
+                           : std::numeric_limits<double>::infinity();
     return forecast;
 }
 

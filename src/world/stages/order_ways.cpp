@@ -87,6 +87,31 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     return def;
 }
 
+double slowGround(const Environment& environment, std::span<const Vec2> way, double depth) {
+    constexpr double kSample = 0.5;  // [m]
+    const Grid& grid = environment.grid();
+    const RasterView speeds = environment.travelSpeed();
+    std::vector<double> slowness;  // By sample.
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const double part = distance(way[k - 1], way[k]);
+        for (double s = 0.0; s < part; s += kSample) {
+            const Vec2 p = lerp(way[k - 1], way[k], s / part);
+            slowness.push_back(1.0 / speeds[grid.index(grid.nearestCell(p))] - 1.0);
+        }
+    }
+    const auto reach = static_cast<std::ptrdiff_t>(depth / kSample);
+    const auto count = static_cast<std::ptrdiff_t>(slowness.size());
+    double sum = 0.0;
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        double slowest = 0.0;
+        for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, k - reach); j <= std::min(count - 1, k + reach);
+             ++j)
+            slowest = std::max(slowest, slowness[j]);
+        sum += slowest * kSample;
+    }
+    return sum;
+}
+
 void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order, const OrderGoal& goal,
               std::vector<Vec2>& legs) {
     legs.clear();

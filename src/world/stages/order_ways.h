@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "muster/order.h"
@@ -35,6 +36,9 @@ WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order
 /// The bounds of a group's march.
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
                     const FormationExtent& extent);
+/// How much longer a way [m] is for a formation that reaches `depth` [m] before and behind its middle,
+/// because some of it is on slow ground: in metres of good ground.
+double slowGround(const Environment& environment, std::span<const Vec2> way, double depth);
 /// The points through which an order leads, from the first after the group's position to the end: those of a
 /// drawn way on which the group can stand, then the goal [m].
 void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order, const OrderGoal& goal,
