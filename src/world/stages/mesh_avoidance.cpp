@@ -79,12 +79,12 @@ Vec2 meanVelocity(const Group& group) {
 }
 
 /// True where the first order of a group is to stay with the other.
-bool staysWith(const Group& group, const Group& other) {
+bool staysWith(const Group& group, GroupId other) {
     const auto& orders = group.orders.orders;
     if (orders.empty() || (orders.front().order.kind != OrderKind::Follow &&
                            orders.front().order.kind != OrderKind::Guard))
         return false;
-    return orders.front().order.group == other.id;
+    return orders.front().order.group == other;
 }
 
 /// The box of a piece about its longest edge.
@@ -240,8 +240,8 @@ void MeshAvoidance::listNeighbours(const WorldState& state, const Group& group) 
     if (group.avoidance.press > 0) return;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         const Group& other = state.groups[g];
-        if (&other == &group || !bodies_[g].exists || staysWith(group, other) || staysWith(other, group))
-            continue;
+        const bool together = &other == &group || staysWith(group, other.id) || staysWith(other, group.id);
+        if (together || !bodies_[g].exists) continue;
         neighbours_.push_back({bodies_[g].box, kMeshMargin, true, bodies_[g].shares});
     }
 }
