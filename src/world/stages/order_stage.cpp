@@ -289,10 +289,11 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
     const std::uint32_t longest = stepsIn(state, kLongest);
     std::int32_t arrived = 0;
     bool stuck = true;
+    shared_.find(state);
     for (const std::int32_t i : group.members) {
         const std::int32_t place = c.place[i];
         const Vec2 target = place >= 0 ? group.places.reachableTargets()[place] : Vec2{};
-        if (place >= 0 && distance(c.position[i], target) <= kArrivedReach)
+        if (place >= 0 && distance(c.position[i], target) <= kArrivedReach + shared_.room(i))
             ++arrived;
         else
             stuck = stuck && (state.stepCount - c.walk[i].movedAt >= patience ||

@@ -8,6 +8,7 @@
 #include "muster/event.h"
 #include "world/stages/mesh_avoidance.h"
 #include "world/stages/order_ways.h"
+#include "world/state/shared_places.h"
 #include "world/state/world_state.h"
 
 namespace muster {
@@ -52,6 +53,7 @@ private:
     static Lead leadOf(const WorldState& state, const Order& order);
 
     WayFinder ways_;
+    SharedPlaces shared_;
     MeshAvoidance avoidance_;
     bool avoids_ = false;                // The mesh of the present group keeps clear of others.
     std::int32_t budget_ = 0;            // Cells that may be searched in this step.
