@@ -69,7 +69,30 @@ double nearestOnBoundary(const std::array<Vec2, 3>& corner, Vec2 p, std::array<d
     return best;
 }
 
+// Weights of points on the boundary are not less than this, but for rounding.
+constexpr double kSurelyOutside = -1e-3;
+constexpr double kThin = 1e-4;  // Twice the area of a thin triangle, in squares of its longest side.
+
 }  // namespace
+
+double squaredDistance(const std::array<Vec2, 3>& corner, Vec2 p, std::array<double, 3>& weight) {
+    weight = barycentric(corner[0], corner[1], corner[2], p);
+    const bool inside = weight[0] >= 0.0 && weight[1] >= 0.0 && weight[2] >= 0.0 &&
+                        cross(corner[1] - corner[0], corner[2] - corner[0]) != 0.0;
+    return inside ? 0.0 : nearestOnBoundary(corner, p, weight);
+}
+
+bool holds(const std::array<Vec2, 3>& corner, Vec2 p, std::array<double, 3>& weight) {
+    const auto& [a, b, c] = corner;
+    const double whole = cross(b - a, c - a);
+    const double size = std::max({lengthSquared(b - a), lengthSquared(c - b), lengthSquared(a - c)});
+    if (whole > kThin * size) {
+        const double least = kSurelyOutside * whole;
+        if (cross(b - p, c - p) < least || cross(c - p, a - p) < least || cross(a - p, b - p) < least)
+            return false;
+    }
+    return squaredDistance(corner, p, weight) == 0.0;
+}
 
 std::array<double, 3> barycentric(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
     const double whole = cross(b - a, c - a);
@@ -107,14 +130,12 @@ MeshPoint locate(const std::vector<Triangle>& triangles, const std::vector<Vec2>
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::array<Vec2, 3> corner{vertices[triangles[i][0]], vertices[triangles[i][1]],
                                          vertices[triangles[i][2]]};
-        std::array<double, 3> weight = barycentric(corner[0], corner[1], corner[2], p);
-        const bool inside = weight[0] >= 0.0 && weight[1] >= 0.0 && weight[2] >= 0.0 &&
-                            cross(corner[1] - corner[0], corner[2] - corner[0]) != 0.0;
-        const double squared = inside ? 0.0 : nearestOnBoundary(corner, p, weight);
+        std::array<double, 3> weight;
+        const double squared = squaredDistance(corner, p, weight);
         if (squared >= bestSquared) continue;
         bestSquared = squared;
         best = {static_cast<std::int32_t>(i), weight};
-        if (inside) break;
+        if (squared == 0.0) break;
     }
     return best;
 }

@@ -1,13 +1,34 @@
 #include "geometry/predicates.h"
 
-#include <vector>
+#include <array>
+#include <cstddef>
 
 namespace muster {
 namespace {
 
-// A number as a sum of doubles that do not overlap, smallest first (Dekker 1971, Shewchuk 1997).
-// Only the rare undecided determinants get here, so memory from the heap is good enough.
-using Expansion = std::vector<double>;
+// A number as a sum of at most `most` doubles that do not overlap, smallest first (Dekker 1971, Shewchuk
+// 1997).
+template <std::size_t most>
+class Expansion {
+public:
+    static constexpr std::size_t kMost = most;
+
+    std::size_t size() const { return size_; }
+    double operator[](std::size_t k) const { return part_[k]; }
+    void push(double value) {
+        if (value != 0.0) part_[size_++] = value;
+    }
+    // Adds one number, dropping parts that vanish. There must be room for one more.
+    void grow(double value);
+    int sign() const {
+        if (size_ == 0) return 0;
+        return part_[size_ - 1] > 0.0 ? 1 : -1;
+    }
+
+private:
+    std::size_t size_ = 0;
+    std::array<double, most> part_;  // Only the first `size_` have values.
+};
 
 struct Pair {
     double high;
@@ -35,69 +56,70 @@ Pair twoProduct(double a, double b) {
     return {product, error};
 }
 
-// Adds one number, dropping components that vanish.
-void grow(Expansion& sum, double value) {
+template <std::size_t most>
+void Expansion<most>::grow(double value) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        const Pair p = twoSum(value, sum[i]);
-        if (p.low != 0.0) sum[count++] = p.low;
+    for (std::size_t i = 0; i < size_; ++i) {
+        const Pair p = twoSum(value, part_[i]);
+        if (p.low != 0.0) part_[count++] = p.low;
         value = p.high;
     }
-    sum.resize(count);
-    if (value != 0.0) sum.push_back(value);
+    size_ = count;
+    push(value);
 }
 
-Expansion difference(double a, double b) {
+// The difference of two doubles, and sums of two products of such.
+using Difference = Expansion<2>;
+using Products = Expansion<16>;
+
+Difference difference(double a, double b) {
     const Pair p = twoSum(a, -b);
-    Expansion result;
-    if (p.low != 0.0) result.push_back(p.low);
-    if (p.high != 0.0) result.push_back(p.high);
+    Difference result;
+    result.push(p.low);
+    result.push(p.high);
     return result;
 }
 
-void addProduct(Expansion& sum, const Expansion& a, const Expansion& b, double sign) {
-    for (double x : a) {
-        for (double y : b) {
-            const Pair p = twoProduct(x, sign * y);
-            grow(sum, p.low);
-            grow(sum, p.high);
+template <class Sum, class Factor>
+void addProduct(Sum& sum, const Factor& a, const Factor& b, double sign) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const Pair p = twoProduct(a[i], sign * b[j]);
+            if (p.low != 0.0) sum.grow(p.low);
+            sum.grow(p.high);
         }
     }
 }
 
-int signOf(const Expansion& value) {
-    if (value.empty()) return 0;
-    return value.back() > 0.0 ? 1 : -1;
-}
-
-Expansion crossOf(const Expansion& ax, const Expansion& ay, const Expansion& bx, const Expansion& by) {
-    Expansion result;
+Products crossOf(const Difference& ax, const Difference& ay, const Difference& bx, const Difference& by) {
+    Products result;
     addProduct(result, ax, by, 1.0);
     addProduct(result, ay, bx, -1.0);
     return result;
 }
 
-Expansion squareOf(const Expansion& x, const Expansion& y) {
-    Expansion result;
+Products squareOf(const Difference& x, const Difference& y) {
+    Products result;
     addProduct(result, x, x, 1.0);
     addProduct(result, y, y, 1.0);
     return result;
 }
 
 int exactOrientation(Vec2 a, Vec2 b, Vec2 c) {
-    return signOf(
-        crossOf(difference(a.x, c.x), difference(a.y, c.y), difference(b.x, c.x), difference(b.y, c.y)));
+    return crossOf(difference(a.x, c.x), difference(a.y, c.y), difference(b.x, c.x), difference(b.y, c.y))
+        .sign();
 }
 
 int exactInCircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const Expansion ax = difference(a.x, d.x), ay = difference(a.y, d.y);
-    const Expansion bx = difference(b.x, d.x), by = difference(b.y, d.y);
-    const Expansion cx = difference(c.x, d.x), cy = difference(c.y, d.y);
-    Expansion sum;
+    const Difference ax = difference(a.x, d.x), ay = difference(a.y, d.y);
+    const Difference bx = difference(b.x, d.x), by = difference(b.y, d.y);
+    const Difference cx = difference(c.x, d.x), cy = difference(c.y, d.y);
+    // Three products of two numbers of 16 parts, each of two doubles.
+    Expansion<3 * Products::kMost * Products::kMost * 2> sum;
     addProduct(sum, squareOf(ax, ay), crossOf(bx, by, cx, cy), 1.0);
     addProduct(sum, squareOf(bx, by), crossOf(cx, cy, ax, ay), 1.0);
     addProduct(sum, squareOf(cx, cy), crossOf(ax, ay, bx, by), 1.0);
-    return signOf(sum);
+    return sum.sign();
 }
 
 }  // namespace

@@ -23,6 +23,10 @@ public:
     /// was computed of the ground stays.
     virtual void forget() = 0;
 
+    /// True while it goes on from places that it did not choose, after forget(); that takes some steps, and
+    /// nobody changes places meanwhile.
+    virtual bool starting() const { return false; }
+
     /// Writes all that can influence later results: frozen inputs and progress, never the cost fields.
     virtual void save(Writer& archive) const = 0;
     /// Reads what save() wrote, and solves the cost fields again. False where it does not fit.

@@ -22,6 +22,7 @@ struct PlanDef {
     bool geodesic = Parameters::Plan{}.geodesic;
     std::int32_t firstPlans = 1;     ///< Groups whose first plans share the budget of this step >= 1.
     std::int32_t firstPlanRank = 0;  ///< Number of this group among them >= 0.
+    std::int32_t starts = 1;  ///< Groups whose plans go on from other places than before, at once >= 1.
     /// False keeps every incumbent place that is usable (assigned once, fixed places): only paths are
     /// planned.
     bool reassign = true;
@@ -30,7 +31,7 @@ struct PlanDef {
     template <class Archive>
     void visit(Archive& archive) {
         archive(exponent, commitThreshold, commitThresholdShare, bottleneck, geodesic, firstPlans,
-                firstPlanRank, reassign);
+                firstPlanRank, starts, reassign);
     }
 };
 

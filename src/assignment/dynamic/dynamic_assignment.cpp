@@ -14,7 +14,10 @@ constexpr std::int32_t kFarFitDelay = 40;  // The same while the crowd is far an
 }  // namespace
 
 void DynamicAssignment::clear() {
-    *this = {};
+    reset({}, 0, 0);
+    objective_ = dualityGap_ = 0.0;
+    dualSlope_ = {};
+    units_ = 1.0;
 }
 
 void DynamicAssignment::reserve(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places) {
@@ -23,7 +26,7 @@ void DynamicAssignment::reserve(const DynamicAssignmentDef& def, std::size_t cha
 }
 
 void DynamicAssignment::reset(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places) {
-    round_ = stepOfRound_ = fitDelay_ = violatedNodes_ = 0;
+    round_ = stepOfRound_ = fitDelay_ = violatedNodes_ = unstarted_ = 0;
     far_ = near_ = false;
     graph_.reset(static_cast<std::int32_t>(characters), static_cast<std::int32_t>(places));
     searchLimit_ = def.searchLimit;
@@ -53,6 +56,32 @@ void DynamicAssignment::warmStart(const DynamicAssignmentDef& def, const Assignm
     start({def, input, costs, pool}, placeOf);
 }
 
+void DynamicAssignment::beginFrom(const DynamicAssignmentDef& def, const AssignmentInput& input,
+                                  std::span<const std::int32_t> placeOf, CostOracle& costs,
+                                  ThreadPool& pool) {
+    reset(def, input.characters.size(), input.places.size());
+    graph_.assignPlaces(placeOf);
+    publish(graph_.beginStep({def, input, costs, pool}, initialAssignment_));
+    dualityGap_ = objective_;
+    unstarted_ = graph_.count() + 1;
+}
+
+void DynamicAssignment::continueStart(const AssignmentStep& step) {
+    if (unstarted_ > 1) {
+        const std::int32_t first = graph_.count() + 1 - unstarted_;
+        const std::int32_t end = std::min(first + std::max(1, step.def.startNodes), graph_.count());
+        graph_.buildArcs(step, first, end);
+        unstarted_ -= end - first;
+    } else {
+        graph_.indexIncomingArcs();
+        initialDuals_.run(step, graph_);
+        unstarted_ = 0;
+    }
+    publish(step);
+    dualityGap_ = objective_;  // No duals are known yet.
+    if (unstarted_ == 0) measureDualityGap(step);
+}
+
 void DynamicAssignment::coldStart(const DynamicAssignmentDef& def, const AssignmentInput& input,
                                   CostOracle& costs, ThreadPool& pool) {
     const AssignmentStep first = start({def, input, costs, pool}, {});
@@ -74,6 +103,7 @@ void DynamicAssignment::update(const DynamicAssignmentDef& def, const Assignment
         searchLimit_ = def.searchLimit;
         cycleCancelling_.reset(graph_.count(), def.searchLimit);
     }
+    if (unstarted_ > 0) return continueStart(graph_.beginStep({def, input, costs, pool}, initialAssignment_));
     if (stepOfRound_ >= def.stepsPerRound) stepOfRound_ = 0;
     if (stepOfRound_ == 0) ++round_;
     const AssignmentStep step = graph_.beginStep({def, input, costs, pool}, initialAssignment_);

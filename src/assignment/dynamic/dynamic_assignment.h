@@ -29,6 +29,12 @@ public:
     /// These stay until the next update() finds better ones.
     void warmStart(const DynamicAssignmentDef& def, const AssignmentInput& input,
                    std::span<const std::int32_t> placeOf, CostOracle& costs, ThreadPool& pool);
+    /// The same, but the next calls of update() do the work: each chooses the arcs of `def.startNodes` nodes,
+    /// the last one fits the duals. Until then all keep their places, but for those who had none.
+    void beginFrom(const DynamicAssignmentDef& def, const AssignmentInput& input,
+                   std::span<const std::int32_t> placeOf, CostOracle& costs, ThreadPool& pool);
+    /// True while update() has to go on with what beginFrom() began.
+    bool starting() const { return unstarted_ > 0; }
     /// One step: refreshes costs, matches the unmatched while places are free, and repairs. A cold start
     /// where the numbers of characters and places are not those of the last call.
     void update(const DynamicAssignmentDef& def, const AssignmentInput& input, CostOracle& costs,
@@ -49,11 +55,11 @@ public:
     /// Lets an archive read or write all that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(round_, stepOfRound_, fitDelay_, violatedNodes_, far_, graph_, placeOf_, cost_, objective_,
-                dualityGap_, dualSlope_, units_, columnGeneration_);
+        archive(round_, stepOfRound_, fitDelay_, violatedNodes_, unstarted_, far_, graph_, placeOf_, cost_,
+                objective_, dualityGap_, dualSlope_, units_, columnGeneration_);
         if constexpr (Archive::kReading) {
             if (placeOf_.size() != static_cast<std::size_t>(graph_.nodes().characters()) ||
-                cost_.size() != placeOf_.size())
+                cost_.size() != placeOf_.size() || unstarted_ < 0 || unstarted_ > graph_.count() + 1)
                 archive.fail();
             if (!archive.ok()) clear();
             afterReading();
@@ -63,6 +69,7 @@ public:
 private:
     void reset(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places);
     AssignmentStep start(const AssignmentProblem& problem, std::span<const std::int32_t> placeOf);
+    void continueStart(const AssignmentStep& step);
     void refresh(const AssignmentStep& step);
     RefreshSchedule schedule(const DynamicAssignmentDef& def) const;
     void measureDistance(const DynamicAssignmentDef& def);
@@ -75,6 +82,8 @@ private:
     std::int32_t stepOfRound_ = 0;    // Calls of this round so far.
     std::int32_t violatedNodes_ = 0;  // When the last repair began.
     std::int32_t fitDelay_ = 0;       // Repairs until the duals may be fitted again.
+    // While it starts: nodes whose arcs are still to be chosen, the last ones, and one more for the duals.
+    std::int32_t unstarted_ = 0;
     bool far_ = false;                // The mean matched cost was above farCost at the last refresh.
     bool near_ = false;               // It was below nearCost.
     ExchangeGraph graph_;

@@ -33,6 +33,7 @@ struct DynamicAssignmentDef {
     std::int32_t farRetryDelay = 16;  ///< The same while the crowd is far, <= 255 [steps].
     double invalidatingChange = 0.3;  ///< Change of a matched cost that invalidates all arcs of its node [m].
     std::int32_t initialRounds = 3;   ///< Repairs after a cold start.
+    std::int32_t startNodes = 400;    ///< Nodes whose arcs one call of a spread start chooses, >= 1.
     std::int32_t stepsPerRound = 1;   ///< Steps over which one round of refresh and repair is spread, >= 1.
 
     /// Steps at the end of a round that repair. A round of one step refreshes and repairs in it.

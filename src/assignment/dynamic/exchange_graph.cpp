@@ -144,12 +144,13 @@ void ExchangeGraph::invalidateArcs(std::int32_t node) {
     invalidated_[node] = 1;
 }
 
-void ExchangeGraph::rebuildArcs(const AssignmentStep& step) {
+void ExchangeGraph::buildArcs(const AssignmentStep& step, std::int32_t first, std::int32_t end) {
     candidates_.prepare(step, nodes_, dual_, matchedCost_);
     allArcsNodes_.clear();
-    for (std::int32_t node = 0; node < nodes_.count(); ++node) {
+    for (std::int32_t node = first; node < end; ++node) {
         candidates_.chooseHeads(step, nodes_, matchedCost_, node, arcs_);
         headsStale_[node] = 0;
+        invalidated_[node] = 0;  // Its costs were unknown before, and not wrong.
         allArcsNodes_.push_back(node);
     }
     refreshAllArcs(step);

@@ -37,7 +37,9 @@ public:
     AssignmentStep reshifted(const AssignmentStep& step) const { return makeStep(step); }
 
     /// Chooses the heads of all arcs and evaluates their costs.
-    void rebuildArcs(const AssignmentStep& step);
+    void rebuildArcs(const AssignmentStep& step) { buildArcs(step, 0, count()); }
+    /// The same for the nodes from `first` to before `end`.
+    void buildArcs(const AssignmentStep& step, std::int32_t first, std::int32_t end);
     /// Refreshes the arcs of the nodes that are due and of those whose heads are out of date, and once a
     /// round the arcs to invalidated nodes.
     void refreshArcs(const AssignmentStep& step, const RefreshSchedule& schedule);

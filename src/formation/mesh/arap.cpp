@@ -308,7 +308,7 @@ ArapSolver::~ArapSolver() = default;
 ArapSolver::ArapSolver(ArapSolver&&) noexcept = default;
 ArapSolver& ArapSolver::operator=(ArapSolver&&) noexcept = default;
 
-Status ArapSolver::setMesh(const TriangleMesh& rest) {
+Status ArapSolver::checkMesh(const TriangleMesh& rest) {
     const auto count = static_cast<std::int32_t>(rest.vertices.size());
     if (rest.triangles.empty()) return invalidArgument("the mesh has no triangles");
     for (std::size_t v = 0; v < rest.vertices.size(); ++v)
@@ -330,6 +330,11 @@ Status ArapSolver::setMesh(const TriangleMesh& rest) {
     }
     for (std::size_t v = 0; v < used.size(); ++v)
         if (used[v] == 0) return invalidArgument("vertex " + std::to_string(v) + " belongs to no triangle");
+    return {};
+}
+
+Status ArapSolver::setMesh(const TriangleMesh& rest) {
+    if (const Status valid = checkMesh(rest); !valid.ok()) return valid;
     impl_->rest = rest;
     impl_->components = MeshComponents(rest);
     impl_->ready = false;

@@ -30,8 +30,10 @@ public:
     ArapSolver(ArapSolver&&) noexcept;
     ArapSolver& operator=(ArapSolver&&) noexcept;
 
-    /// Sets the rest shape and drops the constraints. Fails with InvalidArgument, naming the vertex or
-    /// triangle, where a triangle is degenerate or runs clockwise, or a vertex is unused or not finite.
+    /// Fails with InvalidArgument, naming the vertex or triangle, where a triangle is degenerate or runs
+    /// clockwise, or a vertex is unused or not finite.
+    static Status checkMesh(const TriangleMesh& rest);
+    /// Sets the rest shape and drops the constraints. Fails as checkMesh().
     Status setMesh(const TriangleMesh& rest);
     /// Sets hard constraints (vertices) and soft ones and factorises; does nothing where both are unchanged.
     /// Needs at least two distinct constrained points. Fails with InvalidArgument on a bad index, a vertex

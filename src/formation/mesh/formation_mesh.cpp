@@ -52,18 +52,16 @@ bool FormationMesh::consistent() const {
     for (const auto* points : {&formation_.mesh.vertices, &user_, &final_, &displacement_, &residual_})
         for (const Vec2 p : *points)
             if (!(std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest)) return false;
-    return goodPose(pose_) && checkPlaces(formation_).ok() && ArapSolver().setMesh(formation_.mesh).ok();
+    return goodPose(pose_) && checkPlaces(formation_).ok() && ArapSolver::checkMesh(formation_.mesh).ok();
 }
 
 Status FormationMesh::reset(const Formation& formation, const Pose& pose) {
     if (!goodPose(pose))
         return invalidArgument("the formation's pose is not finite or its rotation not of unit length");
     Status status = checkPlaces(formation);
-    ArapSolver solver;
-    if (status.ok()) status = solver.setMesh(formation.mesh);
+    if (status.ok()) status = ArapSolver::checkMesh(formation.mesh);
     if (!status.ok()) return status;
-    solver_ = std::move(solver);
-    solverReady_ = true;
+    solverReady_ = false;  // Only controls need it.
     formation_ = formation;
     pose_ = pose;
     applyPose(pose_, formation_.mesh.vertices, user_);

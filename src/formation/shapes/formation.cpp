@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "formation/shapes/formation_shape.h"
-#include "geometry/mesh_locator.h"
 
 namespace muster {
 namespace {
@@ -136,12 +135,8 @@ Result<Formation> makeFormation(const FormationDef& def, std::int32_t count) {
     if (!shape.ok()) return shape.status();
     MUSTER_ASSERT(std::cmp_equal(shape->places.size(), count));
     if (def.kind != FormationKind::Points) centreAndSort(*shape, def.spacing);
-    Result<TriangleMesh> mesh = meshShape(*shape, def.spacing);
-    if (!mesh.ok()) return mesh.status().within(std::string(formationName(def.kind)));
-    Formation formation;
-    formation.mesh = std::move(*mesh);
-    const MeshLocator locator(formation.mesh.triangles, formation.mesh.vertices);
-    for (const Vec2 p : shape->places) formation.places.push_back(locator.locate(p));
+    Result<Formation> formation = meshShape(*shape, def.spacing);
+    if (!formation.ok()) return formation.status().within(std::string(formationName(def.kind)));
     return formation;
 }
 

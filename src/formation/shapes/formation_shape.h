@@ -33,7 +33,7 @@ Polygon grownHull(std::span<const Vec2> points, double margin);
 
 /// Meshes a shape with at most about 400 vertices: a box by a regular grid, another outline by a Delaunay
 /// triangulation. Where an outline leaves a place uncovered or cannot be meshed, the grown hull of the places
-/// is meshed instead.
-Result<TriangleMesh> meshShape(const FormationShape& shape, double spacing);
+/// is meshed instead. Finds the places on the mesh.
+Result<Formation> meshShape(const FormationShape& shape, double spacing);
 
 }  // namespace muster

@@ -1,6 +1,7 @@
 // Meshes of formation shapes.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "formation/shapes/formation_shape.h"
 #include "geometry/mesh_locator.h"
@@ -53,12 +54,22 @@ double perimeter(const Polygon& polygon) {
     return sum;
 }
 
-bool covers(const TriangleMesh& mesh, const std::vector<Vec2>& places, double spacing) {
-    const MeshLocator locator(mesh.triangles, mesh.vertices);
-    return std::all_of(places.begin(), places.end(), [&](Vec2 p) {
-        const MeshPoint point = locator.locate(p);
-        return distance(point.position(mesh.triangles, mesh.vertices), p) <= 1e-9 * spacing;
-    });
+Formation formationOn(TriangleMesh mesh, const std::vector<Vec2>& places) {
+    Formation formation;
+    formation.mesh = std::move(mesh);
+    const MeshLocator locator(formation.mesh.triangles, formation.mesh.vertices);
+    formation.places.reserve(places.size());
+    for (const Vec2 p : places) formation.places.push_back(locator.locate(p));
+    return formation;
+}
+
+// True where the mesh covers the points for which its places stand.
+bool covers(const Formation& formation, const std::vector<Vec2>& points, double spacing) {
+    const TriangleMesh& mesh = formation.mesh;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (distance(formation.places[k].position(mesh.triangles, mesh.vertices), points[k]) > 1e-9 * spacing)
+            return false;
+    return true;
 }
 
 Result<TriangleMesh> outlineMesh(const PolygonWithHoles& outline, double spacing) {
@@ -90,11 +101,17 @@ Polygon grownHull(std::span<const Vec2> points, double margin) {
     return convexHull(grown);
 }
 
-Result<TriangleMesh> meshShape(const FormationShape& shape, double spacing) {
-    if (shape.outline.outline.empty()) return rectangleMesh(shape.places, spacing);
+Result<Formation> meshShape(const FormationShape& shape, double spacing) {
+    if (shape.outline.outline.empty())
+        return formationOn(rectangleMesh(shape.places, spacing), shape.places);
     Result<TriangleMesh> mesh = outlineMesh(shape.outline, spacing);
-    if (mesh.ok() && covers(*mesh, shape.places, spacing)) return mesh;
-    return outlineMesh({grownHull(shape.places, 0.5 * spacing), {}}, spacing);
+    if (mesh.ok()) {
+        Formation formation = formationOn(std::move(*mesh), shape.places);
+        if (covers(formation, shape.places, spacing)) return formation;
+    }
+    mesh = outlineMesh({grownHull(shape.places, 0.5 * spacing), {}}, spacing);
+    if (!mesh.ok()) return mesh.status();
+    return formationOn(std::move(*mesh), shape.places);
 }
 
 }  // namespace muster

@@ -26,6 +26,8 @@ constexpr std::int32_t kMaxStepsPerRound = 6;  // Ten rounds a second.
 constexpr std::int32_t kSearchShare = 3;       // One search may settle this fraction of all nodes.
 constexpr std::int32_t kMaxSearch = 4000;      // Nodes that one search may settle, at most.
 constexpr double kMaxSettled = 40000.0;        // Nodes that all searches of a step may settle.
+constexpr std::int32_t kStartNodes = 400;      // Nodes that a start takes over in a step, all groups together.
+constexpr double kStartSteps = 10.0;           // In so many steps a large crowd is taken over.
 
 }  // namespace
 
@@ -127,6 +129,8 @@ DynamicAssignmentDef FastPlan::assignmentDef(std::size_t characters) const {
     // Where a large formation rotates, the gain of one node is paid for by many others along a long cycle.
     def.searchLimit = std::clamp(static_cast<std::int32_t>(count) / kSearchShare, def.searchLimit,
                                  kMaxSearch);
+    def.startNodes = std::max(kStartNodes, static_cast<std::int32_t>(count / kStartSteps)) /
+                     std::max(1, def_.starts);
     def.stepsPerRound = static_cast<std::int32_t>(
         std::min<std::size_t>(kMaxStepsPerRound, 1 + characters / kCharactersPerStep));
     return def;

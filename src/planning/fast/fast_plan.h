@@ -32,6 +32,7 @@ public:
     std::int32_t waitingPlace(std::int32_t character) const override;
     double costAt(std::int32_t place, Vec2 p) const override;
     void forget() override;
+    bool starting() const override { return assignment_.starting(); }
     void save(Writer& archive) const override;
     bool load(Reader& archive, ThreadPool& pool) override;
     void keepFieldsOf(Plan& before) override;

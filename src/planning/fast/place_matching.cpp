@@ -49,10 +49,11 @@ void PlaceMatching::update(const MatchingProblem& problem, CostOracle& costs, Th
         return classed_.update(problem.def, problem.input, problem.classes, problem.incumbent, costs, pool);
     const auto assigned = assignment_.placeOf();
     const auto& incumbent = problem.incumbent;
-    const bool others = assigned.size() != incumbent.size();
+    // A start with other characters or places is spread over the next steps.
+    if (assigned.size() != incumbent.size())
+        return assignment_.beginFrom(problem.def, problem.input, incumbent, costs, pool);
     if (!std::equal(assigned.begin(), assigned.end(), incumbent.begin(), incumbent.end()))
         assignment_.warmStart(problem.def, problem.input, incumbent, costs, pool);
-    if (others) return;  // A start with other characters or places is enough work for one step.
     assignment_.update(problem.def, problem.input, costs, pool);
 }
 

@@ -30,13 +30,20 @@ public:
         assignment_.reserve(def, characters, places);
     }
     /// Forgets everything.
-    void clear() { *this = {}; }
+    void clear() {
+        kind_ = Kind::Units;
+        assignment_.clear();
+        classed_.clear();
+    }
     /// Starts without incumbents.
     void coldStart(const MatchingProblem& problem, CostOracle& costs, ThreadPool& pool);
     /// One step from the incumbents.
     void update(const MatchingProblem& problem, CostOracle& costs, ThreadPool& pool);
     /// Keeps the incumbents, whose costs are given [m]; does nothing where all flows are of one unit.
     void hold(const MatchingProblem& problem, std::span<const float> cost);
+
+    /// True while update() is still starting from the incumbents of other characters or places.
+    bool starting() const { return kind_ == Kind::Units && assignment_.starting(); }
 
     /// Per character, -1 unmatched.
     std::span<const std::int32_t> placeOf() const {

@@ -110,6 +110,7 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     PlanDef def = planDef(state.parameters);
     group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
     def.reassign = group.reassigns;
+    def.starts = std::max(1, starts_);
     if (group.planNow || group.provisional) {
         def.firstPlans = firstPlans_;
         def.firstPlanRank = firstPlanRank_++;
@@ -213,6 +214,9 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadP
     firstPlans_ = static_cast<std::int32_t>(std::count_if(
         state.groups.begin(), state.groups.end(),
         [](const Group& group) { return !group.members.empty() && (group.planNow || group.provisional); }));
+    starts_ = static_cast<std::int32_t>(
+        std::count_if(state.groups.begin(), state.groups.end(),
+                      [](const Group& group) { return !group.members.empty() && group.plan->starting(); }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {

@@ -39,6 +39,7 @@ private:
 
     std::vector<Assigner*> background_;  // Plans whose work goes on until the next run.
     std::int32_t firstPlans_ = 0;        // Groups whose first plan is not made, or provisional.
+    std::int32_t starts_ = 0;            // Groups whose plans go on from other places than before.
     std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.
     std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
     MemberArrays members_;

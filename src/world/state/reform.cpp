@@ -30,11 +30,12 @@ std::vector<Vec2> restPlacesOf(const Formation& formation) {
     return places;
 }
 
-// Sum of squared distances from some of the places, moved by `shift`, to the nearest points held.
-double misfit(std::span<const Vec2> places, Vec2 shift, std::span<const Vec2> held) {
+// Sum of squared distances from some of the places, moved by `shift`, to the nearest points held. At least
+// `enough` where it would be that much.
+double misfit(std::span<const Vec2> places, Vec2 shift, std::span<const Vec2> held, double enough) {
     const std::size_t stride = std::max<std::size_t>(1, places.size() / kSamples);
     double sum = 0.0;
-    for (std::size_t k = 0; k < places.size(); k += stride) {
+    for (std::size_t k = 0; k < places.size() && sum < enough; k += stride) {
         double nearest = std::numeric_limits<double>::infinity();
         for (const Vec2 h : held) nearest = std::min(nearest, lengthSquared(places[k] + shift - h));
         sum += nearest;
@@ -55,7 +56,7 @@ Vec2 bestShift(std::span<const Vec2> places, std::span<const Vec2> held) {
     Vec2 best;
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2 shift : shifts) {
-        const double sum = misfit(places, shift, held);
+        const double sum = misfit(places, shift, held, kClearlyBetter * least);
         if (sum >= kClearlyBetter * least) continue;
         least = sum;
         best = shift;
