@@ -22,6 +22,12 @@ struct Kind {
     std::function<CommandBody(const World&, std::int32_t round)> make;
 };
 
+std::int32_t squareRoot(std::int32_t count) {
+    std::int32_t root = 1;
+    while (root * root < count) ++root;
+    return root;
+}
+
 Vec2 middleOf(const GroupView& group) {
     Vec2 sum;
     for (const Vec2 v : group.finalMesh) sum += v;
@@ -53,7 +59,17 @@ std::vector<Kind> kindsOf(const CommandsDef& def) {
     const auto merge = [](const World& world, std::int32_t) -> CommandBody {
         return MergeGroups{{world.group(0).id, world.group(1).id}, PartShape::AsHeld};
     };
-    return {{"move", move}, {"death", death}, {"join", join}, {"split", split}, {"merge", merge}};
+    const auto form = [move](const World& world, std::int32_t round) -> CommandBody {
+        const auto files = squareRoot(static_cast<std::int32_t>(world.characters().id.size()));
+        auto order = std::get<GiveOrder>(move(world, round));
+        order.order.formation.emplace();
+        order.order.formation->files = round % 2 == 0 ? files / 2 : 2 * files;
+        return order;
+    };
+    std::vector<Kind> kinds{
+        {"move", move}, {"death", death}, {"join", join}, {"split", split}, {"merge", merge}};
+    if (def.formations) kinds.push_back({"form", form});
+    return kinds;
 }
 
 Result<World> makeWorld(const CommandsDef& def) {

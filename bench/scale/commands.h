@@ -16,6 +16,7 @@ struct CommandsDef {
     double side = 200.0;           ///< Of the ground [m].
     std::int32_t rounds = 6;       ///< How often each kind of command is given, 1 to 100.
     std::int32_t runs = 5;         ///< Equal runs; the time of a step is its least over them, 1 to 50.
+    bool formations = false;       ///< True: further orders ask for narrow and wide formations by turns.
     bool free = false;             ///< True: each walks by the shortest way; false: the formation marches.
 };
 

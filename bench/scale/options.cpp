@@ -57,6 +57,7 @@ void describeCommands(CLI::App& commands, CommandsDef& def) {
     commands.add_option("--rounds", def.rounds, "Commands of each kind (6)")->check(CLI::Range(1, 100));
     commands.add_option("--runs", def.runs, "Equal runs; a step's time is its least over them (5)")
         ->check(CLI::Range(1, 50));
+    commands.add_flag("--formations", def.formations, "Also asks for other formations");
     commands.add_flag("--free", def.free, "Each walks by the shortest way; else the formation marches");
 }
 

@@ -84,6 +84,7 @@ std::int32_t BowyerWatson::findConflict(Vec2 p) const {
 }
 
 void BowyerWatson::collectCavity(std::int32_t start, Vec2 p) {
+    ++insertions_;
     cavity_.assign(1, start);
     rim_.clear();
     faces_[start].alive = false;
@@ -92,7 +93,8 @@ void BowyerWatson::collectCavity(std::int32_t start, Vec2 p) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::int32_t across = face.neighbour[i];
             Face& other = faces_[across];
-            if (!other.alive) continue;
+            if (!other.alive || other.tested == insertions_) continue;
+            other.tested = insertions_;
             if (conflicts(other, p)) {
                 other.alive = false;
                 cavity_.push_back(across);

@@ -20,7 +20,8 @@ public:
     struct Face {
         std::array<std::int32_t, 3> vertex;
         std::array<std::int32_t, 3> neighbour;
-        bool alive = true;  ///< False once its circumcircle has held an inserted point.
+        bool alive = true;        ///< False once its circumcircle has held an inserted point.
+        std::int32_t tested = 0;  ///< Number of the insertion whose point was tested against it last.
     };
 
     /// Starts from three of the points, which must not lie on one line.
@@ -56,7 +57,8 @@ private:
 
     std::vector<Vec2> points_;
     std::vector<Face> faces_;
-    std::vector<std::int32_t> free_;    // Faces that are not alive, for reuse.
+    std::vector<std::int32_t> free_;  // Faces that are not alive, for reuse.
+    std::int32_t insertions_ = 0;
     std::vector<std::int32_t> faceOf_;  // Per point: one of its faces, -1 where not inserted.
     std::vector<std::int32_t> cavity_;  // Faces whose circumcircles hold the point being inserted.
     std::vector<RimEdge> rim_;

@@ -27,7 +27,8 @@ MeshLocator::MeshLocator(const std::vector<Triangle>& triangles, const std::vect
     }
     inCell_.resize(static_cast<std::size_t>(sum));
     for (std::size_t t = 0; t < triangles.size(); ++t)
-        forCells(cells[t], [&](std::size_t cell) { inCell_[cellEnd_[cell]++] = static_cast<std::int32_t>(t); });
+        forCells(cells[t],
+                 [&](std::size_t cell) { inCell_[cellEnd_[cell]++] = static_cast<std::int32_t>(t); });
 }
 
 std::int32_t MeshLocator::cellOf(double along, double low, double size) {

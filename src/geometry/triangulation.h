@@ -12,8 +12,8 @@ namespace muster {
 /// Barycentric coordinates of `p` in the triangle; negative outside.
 std::array<double, 3> barycentric(Vec2 a, Vec2 b, Vec2 c, Vec2 p);
 
-/// Squared distance of `p` from a triangle with these corners [m^2], 0 inside, and the barycentric coordinates
-/// of its nearest point.
+/// Squared distance of `p` from a triangle with these corners [m^2], 0 inside, and the barycentric
+/// coordinates of its nearest point.
 double squaredDistance(const std::array<Vec2, 3>& corner, Vec2 p, std::array<double, 3>& weight);
 /// True where squaredDistance() is exactly 0; quick where it is not. Else `weight` is undefined.
 bool holds(const std::array<Vec2, 3>& corner, Vec2 p, std::array<double, 3>& weight);

@@ -84,8 +84,8 @@ private:
     std::int32_t fitDelay_ = 0;       // Repairs until the duals may be fitted again.
     // While it starts: nodes whose arcs are still to be chosen, the last ones, and one more for the duals.
     std::int32_t unstarted_ = 0;
-    bool far_ = false;                // The mean matched cost was above farCost at the last refresh.
-    bool near_ = false;               // It was below nearCost.
+    bool far_ = false;   // The mean matched cost was above farCost at the last refresh.
+    bool near_ = false;  // It was below nearCost.
     ExchangeGraph graph_;
     std::vector<std::int32_t> placeOf_;  // Per character, -1 unmatched.
     std::vector<float> cost_;            // Per character [m].

@@ -102,8 +102,7 @@ Polygon grownHull(std::span<const Vec2> points, double margin) {
 }
 
 Result<Formation> meshShape(const FormationShape& shape, double spacing) {
-    if (shape.outline.outline.empty())
-        return formationOn(rectangleMesh(shape.places, spacing), shape.places);
+    if (shape.outline.outline.empty()) return formationOn(rectangleMesh(shape.places, spacing), shape.places);
     Result<TriangleMesh> mesh = outlineMesh(shape.outline, spacing);
     if (mesh.ok()) {
         Formation formation = formationOn(std::move(*mesh), shape.places);

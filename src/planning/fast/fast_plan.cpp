@@ -26,8 +26,8 @@ constexpr std::int32_t kMaxStepsPerRound = 6;  // Ten rounds a second.
 constexpr std::int32_t kSearchShare = 3;       // One search may settle this fraction of all nodes.
 constexpr std::int32_t kMaxSearch = 4000;      // Nodes that one search may settle, at most.
 constexpr double kMaxSettled = 40000.0;        // Nodes that all searches of a step may settle.
-constexpr std::int32_t kStartNodes = 400;      // Nodes that a start takes over in a step, all groups together.
-constexpr double kStartSteps = 10.0;           // In so many steps a large crowd is taken over.
+constexpr std::int32_t kStartNodes = 400;  // Nodes that a start takes over in a step, all groups together.
+constexpr double kStartSteps = 10.0;       // In so many steps a large crowd is taken over.
 
 }  // namespace
 
@@ -319,7 +319,8 @@ double FastPlan::costAt(std::int32_t place, Vec2 p) const {
         return kInfiniteCost;
     const Vec2 source = places_[place];
     if (picture_.ground != ground_->version() || !(picture_.place == source)) {
-        picture_.solver.solve(ground_->fineLevel().unitCost(), source, {}, picture_.field);
+        if (!picture_.solver) picture_.solver.emplace();
+        picture_.solver->solve(ground_->fineLevel().unitCost(), source, {}, picture_.field);
         picture_.place = source;
         picture_.ground = ground_->version();
     }

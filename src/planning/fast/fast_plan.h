@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -112,7 +113,7 @@ private:
         Vec2 place;                // [m]
         std::uint32_t ground = 0;  // Version of the ground.
         CostField field;
-        EikonalSolver solver;
+        std::optional<EikonalSolver> solver;  // Made when it is first asked for.
     };
     mutable PictureField picture_;
 };

@@ -456,7 +456,10 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
 }
 
 void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& events) {
-    budget_ = kCellsPerStep;
+    // A step that divides a group has enough to do.
+    const bool divided = std::any_of(events.begin(), events.end(),
+                                     [](const Event& event) { return event.kind == EventKind::GroupAdded; });
+    budget_ = divided ? 0 : kCellsPerStep;
     ways_.update(state);
     avoidance_.begin();
     for (Group& group : state.groups) {

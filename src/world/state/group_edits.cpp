@@ -249,10 +249,7 @@ Status reformGroup(WorldState& state, Group& group, const FormationDef& def) {
     Result<Reform> reform = refit(state, group, held, def, ids);
     if (!reform.ok()) return reform.status().within("group '" + group.def.name + "'");
     // The formation stands where the mesh stands: nothing of the former shape is to be kept.
-    Result<Formation> formation = makeFormation(def, group.def.count);
-    if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");
-    reform->def = def;
-    reform->formation.mesh = std::move(formation->mesh);
+    if (!reform->unmoved.empty()) reform->formation.mesh.vertices = std::move(reform->unmoved);
     applyReform(state, group, std::move(*reform), group.mesh);
     group.refitted = false;
     group.order.begin(state.stepCount);

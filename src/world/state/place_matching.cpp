@@ -5,9 +5,12 @@
 
 #include "assignment/dynamic/cost_oracle.h"
 #include "assignment/dynamic/dynamic_assignment.h"
+#include "assignment/dynamic/initial_assignment.h"
 
 namespace muster {
 namespace {
+
+constexpr std::size_t kRepaired = 128;  // So many are matched near-optimally, more in leaves of a k-d tree.
 
 /// Straight distances.
 class StraightCosts final : public CostOracle {
@@ -56,39 +59,24 @@ std::vector<std::int32_t> matchAll(std::span<const Vec2> to, std::span<const Vec
     std::vector<std::int32_t> match(to.size(), -1);
     if (to.empty() || from.empty()) return match;
     StraightCosts costs(from, to);
-    DynamicAssignment assignment;
     ThreadPool alone;
-    AssignmentInput input;
-    input.characters = from;
-    input.places = to;
-    assignment.coldStart({}, input, costs, alone);
-    const std::span<const std::int32_t> placeOf = assignment.placeOf();
-    for (std::size_t i = 0; i < placeOf.size(); ++i)
-        if (placeOf[i] >= 0) match[placeOf[i]] = static_cast<std::int32_t>(i);
-    return match;
-}
-
-std::vector<std::int32_t> matchNearFirst(std::span<const Vec2> to, std::span<const Vec2> from, double reach) {
-    std::vector<std::int32_t> match = matchNear(to, from, reach);
-    std::vector<std::uint8_t> taken(from.size(), 0);
-    std::vector<std::int32_t> openTo, openFrom;
-    std::vector<Vec2> leftTo, leftFrom;
-    for (std::size_t k = 0; k < to.size(); ++k) {
-        if (match[k] >= 0) {
-            taken[match[k]] = 1;
-        } else {
-            openTo.push_back(static_cast<std::int32_t>(k));
-            leftTo.push_back(to[k]);
-        }
+    const DynamicAssignmentDef def;
+    const AssignmentInput input{from, to, {}, {}};
+    const auto take = [&](std::size_t i, std::int32_t place) {
+        if (place >= 0) match[place] = static_cast<std::int32_t>(i);
+    };
+    if (from.size() > kRepaired) {
+        AssignmentNodes nodes;
+        std::vector<std::int32_t> changed;
+        nodes.reset(static_cast<std::int32_t>(from.size()), static_cast<std::int32_t>(to.size()));
+        nodes.update(input, changed);
+        InitialAssignment().run({def, input, costs, alone}, nodes);
+        for (std::size_t i = 0; i < from.size(); ++i) take(i, nodes.nodeOf(static_cast<std::int32_t>(i)));
+        return match;
     }
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        if (taken[i] != 0) continue;
-        openFrom.push_back(static_cast<std::int32_t>(i));
-        leftFrom.push_back(from[i]);
-    }
-    const std::vector<std::int32_t> rest = matchAll(leftTo, leftFrom);
-    for (std::size_t k = 0; k < rest.size(); ++k)
-        if (rest[k] >= 0) match[openTo[k]] = openFrom[rest[k]];
+    DynamicAssignment assignment;
+    assignment.coldStart(def, input, costs, alone);
+    for (std::size_t i = 0; i < from.size(); ++i) take(i, assignment.placeOf()[i]);
     return match;
 }
 

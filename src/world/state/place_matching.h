@@ -13,11 +13,8 @@ namespace muster {
 /// in [m]. Lower indices choose first.
 std::vector<std::int32_t> matchNear(std::span<const Vec2> to, std::span<const Vec2> from, double reach);
 
-/// For each of `to` one of `from`, -1 for none, so that as many as possible are matched at a near-least sum
-/// of squared distances.
+/// For each of `to` one of `from`, -1 for none, so that as many as possible are matched at a low sum of
+/// squared distances: near the least up to 128 of `from`, roughly where there are more; plans improve that.
 std::vector<std::int32_t> matchAll(std::span<const Vec2> to, std::span<const Vec2> from);
-
-/// matchNear(), and then matchAll() of what that left over.
-std::vector<std::int32_t> matchNearFirst(std::span<const Vec2> to, std::span<const Vec2> from, double reach);
 
 }  // namespace muster

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -93,15 +94,21 @@ std::vector<Newcomer> newcomersTo(const WorldState& state, const Group& frame, c
                                   std::span<const std::uint32_t> characters) {
     std::vector<std::uint32_t> placed(occupants.begin(), occupants.end());
     std::sort(placed.begin(), placed.end());
+    std::vector<std::uint32_t> missing;
+    std::set_difference(characters.begin(), characters.end(), placed.begin(), placed.end(),
+                        std::back_inserter(missing));
     std::vector<Newcomer> newcomers;
-    for (const std::uint32_t id : characters) {
-        if (std::binary_search(placed.begin(), placed.end(), id)) continue;
+    std::vector<std::pair<std::uint32_t, std::size_t>> holders;  // Id, and index of its place.
+    for (std::size_t k = 0; k < held.occupants.size() && !missing.empty(); ++k)
+        holders.emplace_back(held.occupants[k], k);
+    std::sort(holders.begin(), holders.end());
+    for (const std::uint32_t id : missing) {
         const Vec2 stands = state.characters.position[state.characters.indexOf(id)];
         newcomers.push_back({id, frame.mesh.pose().applyInverse(stands), {nullptr, -1, stands}});
-        const auto at = std::find(held.occupants.begin(), held.occupants.end(), id);
-        if (at == held.occupants.end()) continue;
-        newcomers.back().rest = held.rest[at - held.occupants.begin()];
-        newcomers.back().origin = held.origins[at - held.occupants.begin()];
+        const auto at = std::lower_bound(holders.begin(), holders.end(), std::pair{id, std::size_t{0}});
+        if (at == holders.end() || at->first != id) continue;
+        newcomers.back().rest = held.rest[at->second];
+        newcomers.back().origin = held.origins[at->second];
     }
     return newcomers;
 }
@@ -277,6 +284,7 @@ Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlac
     reform.formation = std::move(*formation);
     if (def.kind != FormationKind::Points) {
         const Vec2 shift = bestShift(restPlacesOf(reform.formation), now.rest);
+        reform.unmoved = reform.formation.mesh.vertices;
         for (Vec2& v : reform.formation.mesh.vertices) v += shift;
     }
     const std::vector<Vec2> rest = restPlacesOf(reform.formation);

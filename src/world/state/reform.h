@@ -29,6 +29,7 @@ struct Reform {
     Formation formation;                        ///< In the axes of the mesh; no places where nobody is left.
     std::vector<std::uint32_t> occupants;       ///< Id of the character of each place; 0 for none yet.
     std::vector<PlaceTracker::Origin> origins;  ///< Where each place begins.
+    std::vector<Vec2> unmoved;  ///< Vertices of the mesh before it was moved to fit; empty where it was not.
 };
 
 /// The definition of a group's formation for other characters, whose ids ascend. A square keeps its files, or

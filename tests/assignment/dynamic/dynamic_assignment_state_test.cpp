@@ -68,6 +68,39 @@ TEST_CASE("a dynamic assignment is the same for 1, 2, 3 and 8 threads") {
     }
 }
 
+TEST_CASE("a start that was saved half way goes on bit for bit, and one that cannot be is refused") {
+    AssignmentScene scene = makeScene();
+    muster::ThreadPool pool(1);
+    muster::DynamicAssignmentDef def = lowThresholds();
+    def.startNodes = 50;
+    std::vector<std::int32_t> held(180);
+    for (std::size_t i = 0; i < held.size(); ++i) held[i] = static_cast<std::int32_t>(i);
+    DynamicAssignment assignment;
+    assignment.beginFrom(def, scene.input(), held, scene.costs, pool);
+    assignment.update(def, scene.input(), scene.costs, pool);
+    REQUIRE(assignment.starting());
+    muster::Writer writer;
+    assignment.visit(writer);
+    DynamicAssignment restored;
+    muster::Reader reader(writer.bytes());
+    restored.visit(reader);
+    REQUIRE(reader.ok());
+    CHECK(restored.starting());
+    AssignmentScene twin = scene;
+    for (int k = 0; k < 40; ++k) {
+        advance(scene, assignment, pool);
+        advance(twin, restored, pool);
+        REQUIRE(hashOf(restored) == hashOf(assignment));
+    }
+    // The fifth number: nodes that are still to be started.
+    std::vector<std::uint8_t> bytes(writer.bytes().begin(), writer.bytes().end());
+    bytes[16] = bytes[17] = 0xff;
+    DynamicAssignment wrong;
+    muster::Reader refused(bytes);
+    wrong.visit(refused);
+    CHECK_FALSE(refused.ok());
+}
+
 TEST_CASE("a dynamic assignment that was saved in the middle of a round goes on bit for bit") {
     muster::DynamicAssignmentDef def = lowThresholds();
     def.stepsPerRound = 6;

@@ -207,6 +207,38 @@ TEST_CASE("small cases: nobody, one place for two, two that cross") {
     CHECK(assignment.dualityGap() == doctest::Approx(0.0));
 }
 
+TEST_CASE("a start that is spread over steps keeps all places, then improves as one at once does") {
+    AssignmentScene scene(300, 300, 22);
+    muster::ThreadPool pool(1);
+    muster::DynamicAssignmentDef def = lowThresholds();
+    def.startNodes = 90;
+    DynamicAssignment first;
+    first.coldStart(def, scene.input(), scene.costs, pool);
+    std::vector<std::int32_t> held(first.placeOf().begin(), first.placeOf().end());
+    // Some stand wrong, and two have no place.
+    for (std::size_t i = 0; i + 7 < held.size(); i += 11) std::swap(held[i], held[i + 7]);
+    held[5] = held[17] = -1;
+    DynamicAssignment spread, atOnce;
+    spread.beginFrom(def, scene.input(), held, scene.costs, pool);
+    atOnce.warmStart(def, scene.input(), held, scene.costs, pool);
+    int calls = 0;
+    for (; spread.starting(); ++calls) {
+        REQUIRE(calls < 10);
+        CHECK(scene.valid(spread.placeOf()));
+        for (std::size_t i = 0; i < held.size(); ++i)
+            if (held[i] >= 0) CHECK(spread.placeOf()[i] == held[i]);
+        CHECK(spread.dualityGap() == doctest::Approx(spread.objective()));
+        spread.update(def, scene.input(), scene.costs, pool);
+    }
+    CHECK(calls == 5);  // 300 nodes, 90 in a call, and one for the duals.
+    for (int k = 0; k < 20; ++k) {
+        spread.update(def, scene.input(), scene.costs, pool);
+        atOnce.update(def, scene.input(), scene.costs, pool);
+    }
+    CHECK(scene.gap(spread.placeOf(), def.exponent) < 0.005);
+    CHECK(spread.objective() < 1.005 * atOnce.objective());
+}
+
 TEST_CASE("an exchange that gains too little is not committed") {
     muster::ThreadPool pool(1);
     muster_test::WallCosts costs;
