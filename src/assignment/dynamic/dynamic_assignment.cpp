@@ -70,7 +70,7 @@ void DynamicAssignment::continueStart(const AssignmentStep& step) {
     if (unstarted_ > 1) {
         const std::int32_t first = graph_.count() + 1 - unstarted_;
         const std::int32_t end = std::min(first + std::max(1, step.def.startNodes), graph_.count());
-        graph_.buildArcs(step, first, end);
+        graph_.startArcs(step, first, end);
         unstarted_ -= end - first;
     } else {
         graph_.indexIncomingArcs();

@@ -150,10 +150,14 @@ void ExchangeGraph::buildArcs(const AssignmentStep& step, std::int32_t first, st
     for (std::int32_t node = first; node < end; ++node) {
         candidates_.chooseHeads(step, nodes_, matchedCost_, node, arcs_);
         headsStale_[node] = 0;
-        invalidated_[node] = 0;  // Its costs were unknown before, and not wrong.
         allArcsNodes_.push_back(node);
     }
     refreshAllArcs(step);
+}
+
+void ExchangeGraph::startArcs(const AssignmentStep& step, std::int32_t first, std::int32_t end) {
+    buildArcs(step, first, end);
+    std::fill(invalidated_.begin() + first, invalidated_.begin() + end, std::uint8_t{0});
 }
 
 void ExchangeGraph::refreshAllArcs(const AssignmentStep& step) {

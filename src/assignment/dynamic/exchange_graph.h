@@ -38,8 +38,8 @@ public:
 
     /// Chooses the heads of all arcs and evaluates their costs.
     void rebuildArcs(const AssignmentStep& step) { buildArcs(step, 0, count()); }
-    /// The same for the nodes from `first` to before `end`.
-    void buildArcs(const AssignmentStep& step, std::int32_t first, std::int32_t end);
+    /// The same for the nodes from `first` to before `end`, whose costs were unknown before, and not wrong.
+    void startArcs(const AssignmentStep& step, std::int32_t first, std::int32_t end);
     /// Refreshes the arcs of the nodes that are due and of those whose heads are out of date, and once a
     /// round the arcs to invalidated nodes.
     void refreshArcs(const AssignmentStep& step, const RefreshSchedule& schedule);
@@ -144,6 +144,7 @@ private:
     void evaluateMatchedCosts(const AssignmentStep& step);
     void setMatchedCost(std::int32_t node, float cost, const CostPower& power);
     bool isUnsteady(const AssignmentStep& step, std::int32_t node) const;
+    void buildArcs(const AssignmentStep& step, std::int32_t first, std::int32_t end);
     void refreshAllArcs(const AssignmentStep& step);
     void collectInvalidatedArcs(const RefreshSchedule& schedule);
     double tightMargin(const AssignmentStep& step, std::int32_t node) const;
