@@ -176,6 +176,14 @@ export async function editQueueByTouch(studio) {
   await page.keyboard.press('.');
   // In a patrol what is skipped comes last again.
   await targetsToBe(studio, ['8,-9', '14,-9', '14,4', '-10,-9']);
+  if (studio.size === 'phone') return;
+  await act(studio, 'Add').tap();
+  await page.locator('.order-tile[data-tool="order"]').tap();
+  await studio.fingers.down({ 1: spot });
+  await studio.fingers.up([1]);
+  await page.keyboard.press('.');
+  await targetsToBe(studio, ['8,-9', '14,-9', '14,4', '-10,-9', '-10,-9']);
+  await studio.shot('queue-added');
 }
 
 const kStops = [

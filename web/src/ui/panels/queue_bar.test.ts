@@ -72,6 +72,14 @@ it('offers what can be done with the chosen order', () => {
   expect(['Earlier', 'Later'].map((label) => act(label).getAttribute('aria-disabled'))).toEqual(['true', 'false']);
 });
 
+it('lets new orders come last, as Shift does', () => {
+  act('Add').click();
+  store.set({ style: { ...store.state.style, mode: 'append' } });
+  expect(act('Add').getAttribute('aria-pressed')).toBe('true');
+  act('Add').click();
+  expect(calls).toEqual(['setStyle {"mode":"append"}', 'setStyle {"mode":"replace"}']);
+});
+
 it('says where the next order goes', () => {
   store.set({ picked: 33, insertBefore: 33 });
   expect(acts().textContent).toContain('before 3');

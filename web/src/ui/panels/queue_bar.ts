@@ -41,6 +41,7 @@ export class QueueBar {
   private readonly insert_: HTMLButtonElement;
   private readonly earlier_: HTMLButtonElement;
   private readonly later_: HTMLButtonElement;
+  private readonly add_: HTMLButtonElement;
   private readonly acts_: HTMLElement;
   readonly root: HTMLElement;
   private readonly focus_: ToolbarFocus;
@@ -65,18 +66,24 @@ export class QueueBar {
     this.later_ = act(later, () => this.move(1));
     const cancel = { icon: 'close', label: 'Cancel', tip: 'Takes this order out of the queue' } as const;
     const drop = act(cancel, () => actions_.cancelOrder(store_.state.picked));
+    const add = { icon: 'plus', label: 'Add', tip: 'New orders come last, as with Shift' } as const;
+    this.add_ = act(add, () =>
+      actions_.setStyle({ mode: store_.state.style.mode === 'append' ? 'replace' : 'append' }),
+    );
     const skip = { icon: 'step', label: 'Skip', key: 'Y', tip: 'Goes on to the next order' } as const;
     this.acts_ = element('div', { class: 'queue-acts' }, this.title_, this.insert_, this.earlier_, this.later_, drop);
     const row = element(
       'div',
       { class: 'queue-row' },
       this.chips_,
+      this.add_,
       act(skip, () => actions_.skipOrder()),
     );
     const bar = element('div', { class: 'queue-bar', role: 'toolbar', 'aria-label': 'Queue' }, this.acts_, row);
     this.root = element('section', { class: 'queue panel', 'aria-label': 'Queue of orders' }, bar);
     this.drag_ = new RowDrag(this.chips_, (from, to) => this.dropped(from, to));
     this.focus_ = new ToolbarFocus(bar, store_);
+    store_.watch(['style'], ({ style }) => setPressed(this.add_, style.mode === 'append'));
     store_.watch(['queue', 'picked', 'insertBefore', 'groups', 'active', 'loaded'], (state) => this.show(state));
   }
 
