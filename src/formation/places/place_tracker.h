@@ -45,6 +45,8 @@ public:
     const std::vector<std::uint8_t>& fit() const { return targets_.fit; }
     /// Target of each place in the last reset() or advance(): a point of the final mesh [m].
     const std::vector<Vec2>& targets() const { return asked_; }
+    /// The same, with those that are cut off from the region brought within reach; state [m].
+    const std::vector<Vec2>& targetsWithinReach() const { return targets_.target; }
     /// Reachable target of each place after the last reset() or advance() [m].
     const std::vector<Vec2>& reachableTargets() const { return targets_.reachable; }
 

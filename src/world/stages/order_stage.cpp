@@ -147,7 +147,8 @@ double OrderStage::paceOf(const WorldState& state, const Group& group) {
         if (c.place[i] < 0 || c.driver[i] != Driver::Muster) continue;
         const Vec2 target = group.places.reachableTargets()[c.place[i]];
         const double lag = distance(c.position[i], target);
-        if (lag > kLagFree && distance(target, group.places.targets()[c.place[i]]) > kShifted) continue;
+        if (lag > kLagFree && distance(target, group.places.targetsWithinReach()[c.place[i]]) > kShifted)
+            continue;
         if (lag <= kLagFree || state.stepCount - c.walk[i].movedAt < patience) lags_.push_back(lag);
     }
     if (lags_.empty()) return 1.0;
