@@ -34,6 +34,7 @@ public:
         kind_ = Kind::Units;
         assignment_.clear();
         classed_.clear();
+        weighted_.clear();
     }
     /// Starts without incumbents.
     void coldStart(const MatchingProblem& problem, CostOracle& costs, ThreadPool& pool);
