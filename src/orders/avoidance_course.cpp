@@ -8,12 +8,12 @@
 namespace muster {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kTurnTime = 2.0;    // Within which it has turned to its way [s].
-constexpr double kAskew = 0.05;        // It faces along its way within this angle [rad].
-constexpr double kMostTurn = 1.0;    // Larger turns are as wide [rad].
-constexpr double kCertain = 2.5;     // So long a mesh keeps its velocity, whatever the other does [s].
-constexpr double kCertainStop = 3.5; // The same where this one stops.
+constexpr double kNotInTime = std::numeric_limits<double>::infinity();
+constexpr double kTurnTime = 2.0;     // Within which it has turned to its way [s].
+constexpr double kAskew = 0.05;       // It faces along its way within this angle [rad].
+constexpr double kMostTurn = 1.0;     // Larger turns are as wide [rad].
+constexpr double kCertain = 2.5;      // So long a mesh keeps its velocity, whatever the other does [s].
+constexpr double kCertainStop = 3.5;  // The same where this one stops.
 
 Vec2 turnedBy(Vec2 a, double angle) {
     return Rotation{cosine(angle), sine(angle)}.apply(a);
@@ -23,9 +23,10 @@ Vec2 turnedBy(Vec2 a, double angle) {
 class CourseBuilder {
 public:
     explicit CourseBuilder(const AvoidanceQuery& query)
-        : query_(query), at_(query.middle),
-          offset_(Rotation{query.own.axis.x, query.own.axis.y}.applyInverse(query.own.centre - query.middle)) {
-    }
+        : query_(query),
+          at_(query.middle),
+          offset_(
+              Rotation{query.own.axis.x, query.own.axis.y}.applyInverse(query.own.centre - query.middle)) {}
 
     /// Goes at one velocity until a time, at most to the horizon.
     void go(Vec2 velocity, double until, Vec2 axis, double grown) {
@@ -156,7 +157,7 @@ Course courseOf(const AvoidanceQuery& query, const Manoeuvre& manoeuvre) {
 
 double firstContact(const AvoidanceQuery& query, const Course& course, bool stops, const Neighbour& neighbour,
                     double margin) {
-    const double certain = !neighbour.isMesh ? kMoverHorizon
+    const double certain = !neighbour.isMesh  ? kMoverHorizon
                            : neighbour.shares ? (stops ? kCertainStop : kCertain)
                                               : kMeshHorizon;
     for (std::size_t k = 0; k < course.count; ++k) {
@@ -174,7 +175,7 @@ double firstContact(const AvoidanceQuery& query, const Course& course, bool stop
         const TimeSpan shared = contactSpan(part, other, margin);
         if (!shared.empty() && shared.from <= kMeshHorizon) return shared.from;
     }
-    return kNever;
+    return kNotInTime;
 }
 
 }  // namespace muster

@@ -11,8 +11,8 @@
 namespace muster {
 namespace {
 
-constexpr double kNegligible = 1e-9;  // Share of an amount that counts as nothing.
-constexpr double kMostUnits = 1e9;    // Of a flow, in an archive.
+constexpr double kNegligibleFlow = 1e-9;  // Share of an amount that counts as nothing.
+constexpr double kMostUnits = 1e9;        // Of a flow, in an archive.
 
 bool before(const AssignmentPair& a, const AssignmentPair& b) {
     return a.character != b.character ? a.character < b.character : a.place < b.place;
@@ -47,7 +47,7 @@ void WeightedMatching::claim(const MatchingProblem& problem, std::int32_t i, std
         std::cmp_greater_equal(j, openDemand_.size()))
         return;
     const double most = std::min({amount, openSupply_[i], openDemand_[j]});
-    if (most <= kNegligible * amountOf(problem.supply, i)) return;
+    if (most <= kNegligibleFlow * amountOf(problem.supply, i)) return;
     openSupply_[i] -= most;
     openDemand_[j] -= most;
     incumbents_.push_back({i, j, most});

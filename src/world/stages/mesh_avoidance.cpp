@@ -11,22 +11,23 @@
 namespace muster {
 namespace {
 
-constexpr double kPeriod = 0.2;        // Between two choices of a group [s].
-constexpr double kMeshMargin = 0.5;    // Between two meshes [m].
-constexpr double kMoverMargin = 0.8;   // Between a mesh and a moving obstacle [m].
-constexpr double kStraggler = 2.0;     // Who is farther from their place does not count [m].
-constexpr double kThere = 1.0;         // A mesh is where its places are, if these are so near [m].
-constexpr double kSlow = 0.3;          // Who is slower is not counted upon [m/s].
-constexpr double kStraight = 0.02;     // A smaller turn is none [rad].
-constexpr std::size_t kMostLegs = 8;   // Of a path within the horizon.
-constexpr double kOnWay = 0.1;         // Slower across its way it is on it [m/s].
-constexpr double kOffWay = 0.5;        // Farther it is off it [m].
-constexpr double kProgress = 1.0;      // Less way is none [m].
-constexpr double kMeshPatience = 15.0; // Without progress it presses on, whatever meshes are in the way [s]...
-constexpr double kMoverPatience = 60.0;// ... and moving obstacles [s].
-constexpr double kPressed = 4.0;       // Beyond its own size, before it keeps clear again [m].
+constexpr double kChoiceEvery = 0.2;  // Between two choices of a group [s].
+constexpr double kMeshMargin = 0.5;   // Between two meshes [m].
+constexpr double kMoverMargin = 0.8;  // Between a mesh and a moving obstacle [m].
+constexpr double kStraggler = 2.0;    // Who is farther from their place does not count [m].
+constexpr double kThere = 1.0;        // A mesh is where its places are, if these are so near [m].
+constexpr double kSlow = 0.3;         // Who is slower is not counted upon [m/s].
+constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
+constexpr std::size_t kMostLegs = 8;  // Of a path within the horizon.
+constexpr double kOnWay = 0.1;        // Slower across its way it is on it [m/s].
+constexpr double kOffWay = 0.5;       // Farther it is off it [m].
+constexpr double kProgress = 1.0;     // Less way is none [m].
+constexpr double
+    kMeshPatience = 15.0;  // Without progress it presses on, whatever meshes are in the way [s]...
+constexpr double kMoverPatience = 60.0;       // ... and moving obstacles [s].
+constexpr double kPressed = 4.0;              // Beyond its own size, before it keeps clear again [m].
 constexpr double kLooks[] = {1.0, 2.0, 3.0};  // When it must have room [s].
-constexpr double kBack = 10.0;         // So far towards its way it must have room [m].
+constexpr double kBack = 10.0;                // So far towards its way it must have room [m].
 
 Rotation rotationBy(double angle) {
     return {cosine(angle), sine(angle)};
@@ -81,8 +82,8 @@ Vec2 meanVelocity(const Group& group) {
 /// True where the first order of a group is to stay with the other.
 bool staysWith(const Group& group, GroupId other) {
     const auto& orders = group.orders.orders;
-    if (orders.empty() || (orders.front().order.kind != OrderKind::Follow &&
-                           orders.front().order.kind != OrderKind::Guard))
+    if (orders.empty() ||
+        (orders.front().order.kind != OrderKind::Follow && orders.front().order.kind != OrderKind::Guard))
         return false;
     return orders.front().order.group == other;
 }
@@ -113,7 +114,7 @@ Vec2 directionOf(const March& march, const Pose& pose) {
 }
 
 std::uint32_t periodOf(const WorldState& state) {
-    return std::max(1u, stepsIn(state, kPeriod));
+    return std::max(1u, stepsIn(state, kChoiceEvery));
 }
 
 /// Corners that it has passed off its way are left out.
