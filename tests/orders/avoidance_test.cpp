@@ -143,7 +143,9 @@ Walker walker(Vec2 at, Vec2 goal, bool avoids = true) {
 TEST_CASE("discs meet when the quadratic equation says so") {
     Random random(5);
     for (int k = 0; k < 500; ++k) {
-        const auto any = [&](double most) { return Vec2{random.uniform(-most, most), random.uniform(-most, most)}; };
+        const auto any = [&](double most) {
+            return Vec2{random.uniform(-most, most), random.uniform(-most, most)};
+        };
         const MovingBox a = disc(any(10), random.uniform(0.1, 2), any(3));
         const MovingBox b = disc(any(10), random.uniform(0.1, 2), any(3));
         const TimeSpan span = contactSpan(a, b);
@@ -241,7 +243,8 @@ TEST_CASE("two head-on pass each other, both to the right, and lose little time"
         std::vector<Walker> pair{walker({-25, 0}, {25, 0}), walker({25, off}, {-25, off})};
         const Outcome outcome = play(pair);
         CAPTURE(off);
-        MESSAGE("head-on, off by " << off << ": gap " << outcome.nearest << " m, " << outcome.seconds << " s");
+        MESSAGE("head-on, off by " << off << ": gap " << outcome.nearest << " m, " << outcome.seconds
+                                   << " s");
         CHECK(outcome.nearest > 0.0);
         CHECK(outcome.seconds < 1.15 * 25.5);
     }

@@ -122,7 +122,8 @@ double firstCrossing(double speed, const std::vector<double>& gaps, double most)
             const double to = begun + (side * kLane + 0.9 + halfDepth - kerb) / v;
             for (const double at : lanes[i])
                 // The car passes the box between these two times.
-                meets = meets || (at + speed * to > -halfWidth - 2.25 && at + speed * from < halfWidth + 2.25);
+                meets = meets ||
+                        (at + speed * to > -halfWidth - 2.25 && at + speed * from < halfWidth + 2.25);
         }
         if (!meets) return begun + (16.0 - kerb) / v;
     }
@@ -228,9 +229,11 @@ TEST_CASE("saved, restored or rewound amid others it goes on bit for bit, and br
         Random random(seed);
         WorldDef def = street(true, 8.0, {20, 50, 35});
         def.groups.push_back(formation({0, 16}, -kPi / 2, {random.uniform(-9, 9), -16}));
-        def.groups.push_back(formation({-20, random.uniform(-20, 20)}, 0.0, {30, random.uniform(-20, 20)}, seed != 2));
+        def.groups.push_back(
+            formation({-20, random.uniform(-20, 20)}, 0.0, {30, random.uniform(-20, 20)}, seed != 2));
         for (int k = 0; k < 6; ++k)
-            def.obstacles.push_back(tree({random.uniform(-40, 40), random.uniform(8, 25)}, random.uniform(0.3, 2)));
+            def.obstacles.push_back(
+                tree({random.uniform(-40, 40), random.uniform(8, 25)}, random.uniform(0.3, 2)));
         World world = World::create(def).value();
         const std::uint32_t saved = 200 + 170 * static_cast<std::uint32_t>(seed);
         while (world.stepCount() < saved) world.step();
