@@ -19,22 +19,22 @@ constexpr double kSlowShares[] = {0.75, 0.5, 0.25, 0.0};
 constexpr double kSlowTimes[] = {1.0, 2.0, 4.0, 7.0};
 constexpr double kStopAngles[] = {0, -20, 20, -50, 50};
 constexpr double kStopShares[] = {1.0, 0.5};
-constexpr double kStopsIn = 0.3;       // It goes on for so long before it stops [s].
-constexpr double kHurries = 6.0;       // It goes faster than it would for so long [s].
-constexpr double kWait = 2.5;          // What it costs to wait for moving obstacles, about [s]...
-constexpr double kMeshWait = 4.0;      // ... for a mesh ...
-constexpr double kStandWait = 20.0;    // ... and for what stands.
-constexpr double kFaster = 2.0;        // Of a speed above that which it would have, by its own [s].
-constexpr double kLeftFactor = 1.15;   // To the left it costs more...
-constexpr double kLeft = 0.15;         // ... and as much more [s].
-constexpr double kYieldFactor = 1.5;   // To let somebody pass who has to let it pass costs more...
-constexpr double kYield = 0.5;         // ... and as much more [s].
-constexpr double kChange = 0.3;        // Of a change by its whole speed [s].
-constexpr double kTowards = 4.0;       // Of going into somebody whom it overlaps, at its whole speed [s].
-constexpr double kKept = 0.6;          // Share of the margin to which it goes on with what it does.
-constexpr double kStopMargin = 0.2;    // It stops farther off [m].
-constexpr double kStands = 0.3;        // Who is slower stands [m/s].
-constexpr double kLater = 0.05;         // A contact is later by more than this [s].
+constexpr double kStopsIn = 0.3;      // It goes on for so long before it stops [s].
+constexpr double kHurries = 6.0;      // It goes faster than it would for so long [s].
+constexpr double kWait = 2.5;         // What it costs to wait for moving obstacles, about [s]...
+constexpr double kMeshWait = 4.0;     // ... for a mesh ...
+constexpr double kStandWait = 20.0;   // ... and for what stands.
+constexpr double kFaster = 2.0;       // Of a speed above that which it would have, by its own [s].
+constexpr double kLeftFactor = 1.15;  // To the left it costs more...
+constexpr double kLeft = 0.15;        // ... and as much more [s].
+constexpr double kYieldFactor = 1.5;  // To let somebody pass who has to let it pass costs more...
+constexpr double kYield = 0.5;        // ... and as much more [s].
+constexpr double kChange = 0.3;       // Of a change by its whole speed [s].
+constexpr double kTowards = 4.0;      // Of going into somebody whom it overlaps, at its whole speed [s].
+constexpr double kKept = 0.6;         // Share of the margin to which it goes on with what it does.
+constexpr double kStopMargin = 0.2;   // It stops farther off [m].
+constexpr double kStands = 0.3;       // Who is slower stands [m/s].
+constexpr double kLater = 0.05;       // A contact is later by more than this [s].
 constexpr double kMargins[] = {1.0, 0.75, 0.5, 0.25, 0.0};
 
 Vec2 velocityOf(const AvoidanceQuery& query, const Manoeuvre& manoeuvre) {
@@ -121,7 +121,9 @@ double Avoider::costOf(const AvoidanceQuery& query, const Hindrance& hindrance, 
     const double along = manoeuvre.speed * cosine(manoeuvre.angle);
     double cost = 0.0;
     if (manoeuvre.stops)
-        cost = (hindrance.stands ? kStandWait : hindrance.isMesh ? kMeshWait : kWait) +
+        cost = (hindrance.stands   ? kStandWait
+                : hindrance.isMesh ? kMeshWait
+                                   : kWait) +
                0.5 * (1.0 - along / cruise);
     else
         cost = std::max(0.0, arrivalOf(query, manoeuvre) - alone);

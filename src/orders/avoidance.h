@@ -143,7 +143,7 @@ private:
     std::vector<Vec2> met_;  // Directions to moving obstacles that it overlaps already.
     std::vector<Candidate> candidates_;
     std::vector<std::pair<double, std::int32_t>> order_;  // Of candidates by cost.
-    std::size_t first_ = 0;                               // The neighbour that was met last: it is looked at first.
+    std::size_t first_ = 0;  // The neighbour that was met last: it is looked at first.
 };
 
 }  // namespace muster

@@ -102,7 +102,8 @@ FrontError errorOfFront(const MarchDef& def, const March& march, const Pose& pos
     const bool faces = def.turn != Turn::Keep && distance(aim, pose.position) > 0.5 * kLeastAim;
     const FrontError error{faces ? angleBetween(front, ahead) : 0.0, march.reversed};
     if (def.turn == Turn::Reverse && std::fabs(error.angle) > kBackwards)
-        return {angleBetween(pose.rotation.apply({march.reversed ? 1.0 : -1.0, 0.0}), ahead), !march.reversed};
+        return {angleBetween(pose.rotation.apply({march.reversed ? 1.0 : -1.0, 0.0}), ahead),
+                !march.reversed};
     return error;
 }
 

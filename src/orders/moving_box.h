@@ -9,12 +9,12 @@ namespace muster {
 
 /// A box that moves at one velocity for a while. With no size it is a disc of radius `round`.
 struct MovingBox {
-    Vec2 centre;           ///< Where it is at time 0, or would be [m].
-    Vec2 axis{1.0, 0.0};   ///< Direction of its length, of unit length.
-    Vec2 half;             ///< Half its length and half its width [m].
-    double round = 0.0;    ///< Added all round [m].
-    Vec2 velocity;         ///< [m/s]
-    double from = 0.0;     ///< It is there from then [s]...
+    Vec2 centre;                                          ///< Where it is at time 0, or would be [m].
+    Vec2 axis{1.0, 0.0};                                  ///< Direction of its length, of unit length.
+    Vec2 half;                                            ///< Half its length and half its width [m].
+    double round = 0.0;                                   ///< Added all round [m].
+    Vec2 velocity;                                        ///< [m/s]
+    double from = 0.0;                                    ///< It is there from then [s]...
     double to = std::numeric_limits<double>::infinity();  ///< ... until then [s].
 
     /// Radius of the circle about its centre that holds it [m].

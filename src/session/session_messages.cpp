@@ -236,9 +236,9 @@ public:
         if (!session_.world) return noWorld();
         const SessionLimits& limits = session_.def.limits;
         if (!client_.forecasts.take(session_.realTime, static_cast<double>(message.asks.size()))) {
-            return {StatusCode::LimitExceeded, "more than " +
-                                                   std::to_string(static_cast<int>(limits.forecastsPerSecond)) +
-                                                   " forecasts a second"};
+            return {StatusCode::LimitExceeded,
+                    "more than " + std::to_string(static_cast<int>(limits.forecastsPerSecond)) +
+                        " forecasts a second"};
         }
         const auto answer = answerForecasts(*session_.world, message, limits);
         if (!answer.ok()) return answer.status();

@@ -138,8 +138,8 @@ bool isSane(const March& march) {
 
 bool isSane(const Avoidance& avoidance) {
     return isVelocity(avoidance.velocity) && std::fabs(avoidance.chosen.angle) <= 4.0 &&
-           avoidance.chosen.speed >= 0.0 && avoidance.chosen.speed <= kFastest && avoidance.chosen.seconds >= 0.0 &&
- avoidance.chosen.seconds <= 1e3 && avoidance.left >= 0.0 &&
+           avoidance.chosen.speed >= 0.0 && avoidance.chosen.speed <= kFastest &&
+           avoidance.chosen.seconds >= 0.0 && avoidance.chosen.seconds <= 1e3 && avoidance.left >= 0.0 &&
            avoidance.left <= 1e12 && avoidance.pressTo >= 0.0 && avoidance.pressTo <= 1e12 &&
            avoidance.press <= 2;
 }
@@ -154,9 +154,9 @@ Status checkOrders(const Group& group, std::uint32_t nextOrder) {
     if (queue.own)
         if (Status s = validateFormation(*queue.own); !s.ok()) return s;
     const bool points = queue.own && queue.own->kind == FormationKind::Points;
-    if (!isSane(queue.march) || !isSane(group.avoidance) || !isPlace(queue.target) || queue.arrived < 0 || queue.files < 0 ||
-        !(queue.clearOf >= 0.0 && queue.clearOf <= 1e9) || (queue.begun && queue.orders.empty()) ||
-        (points && std::cmp_less(queue.own->points.size(), 1)))
+    if (!isSane(queue.march) || !isSane(group.avoidance) || !isPlace(queue.target) || queue.arrived < 0 ||
+        queue.files < 0 || !(queue.clearOf >= 0.0 && queue.clearOf <= 1e9) ||
+        (queue.begun && queue.orders.empty()) || (points && std::cmp_less(queue.own->points.size(), 1)))
         return wrong("an order that contradicts itself");
     for (const std::vector<std::uint32_t>& visitors : group.visitors)
         if (!std::is_sorted(visitors.begin(), visitors.end())) return wrong("numbers out of order");
