@@ -72,8 +72,9 @@ bool Geodesics::Impl::solveRequested(ThreadPool& pool) {
         middle.solveRequested(scaledBudget(def.middlePerStep), pool);
         return far.solveRequested(def.farPerStep, pool) > 0;
     }
+    if ((step + turnRank) % turnPeriod != 0) return false;
     std::int32_t left = places.size() < kFewPlaces ? 1 : def.finePerStep;
-    if (step % 2 == 0) {
+    if ((step + turnRank) / turnPeriod % 2 == 0) {
         left -= fine.solveRequested(left, pool);
         left -= middle.solveRequested(left, pool);
         return far.solveRequested(left, pool) > 0;
@@ -142,6 +143,11 @@ void Geodesics::Impl::requestFarWhereUnknown(std::span<const Vec2> from) {
                     farRequests.add(j);
 }
 
+void Geodesics::takeTurns(std::int32_t period, std::int32_t rank) {
+    impl_->turnPeriod = static_cast<std::uint32_t>(period);
+    impl_->turnRank = period > 1 ? static_cast<std::uint32_t>(rank) : 0;
+}
+
 bool Geodesics::prefetch(std::span<const Vec2> from, bool thorough, std::int64_t& cells, ThreadPool& pool) {
     Impl& s = *impl_;
     if (s.ground->open()) return true;
@@ -151,12 +157,12 @@ bool Geodesics::prefetch(std::span<const Vec2> from, bool thorough, std::int64_t
     for (LocalCosts* local : {&s.fine, &s.middle}) {
         local->updateLandmarks(false);
         const std::int64_t most = std::min<std::int64_t>(s.scaledBudget(kPrefetchFactor * s.def.finePerStep),
-                                                         cells / kLocalCells);
+                                                         std::max<std::int64_t>(0, cells) / kLocalCells);
         cells -= kLocalCells * local->solveRequested(static_cast<std::int32_t>(most), pool);
         local->updateLandmarks(false);
     }
     const std::int64_t each = s.far.cellsOfField();
-    const auto most = static_cast<std::int32_t>(std::min<std::int64_t>(cells / each, 1000));
+    const auto most = static_cast<std::int32_t>(std::clamp<std::int64_t>(cells / each, 0, 1000));
     if (thorough || s.step % kUnknownPeriod == 0) s.requestFarWhereUnknown(from);
     s.updateFarStencils(true);
     const std::int32_t solved = s.far.solveRequested(most, pool);

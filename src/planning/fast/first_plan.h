@@ -34,7 +34,9 @@ public:
     /// Cells of far fields that may be solved now; the caller takes off those that were.
     std::int64_t& cells(const PlanDef& def, std::size_t characters) {
         const std::int64_t budget = std::max(kCells, kCellsEach * static_cast<std::int64_t>(characters));
-        cells_ += budget / (first_ ? kFirstShare : 1) / std::max(1, def.firstPlans);
+        const std::int64_t own = budget / std::max(1, def.firstPlans);
+        // One group after the other comes to a field, else all would in one step.
+        cells_ += first_ ? own / kFirstShare - own * rankOf(def) : own;
         return cells_;
     }
     /// True where all missing fields are to be looked for. With many groups only where decide() would start
