@@ -72,9 +72,9 @@ bool Geodesics::Impl::solveRequested(ThreadPool& pool) {
         middle.solveRequested(scaledBudget(def.middlePerStep), pool);
         return far.solveRequested(def.farPerStep, pool) > 0;
     }
-    if ((step + turnRank) % turnPeriod != 0) return false;
+    if ((step + shareRank) % sharePeriod != 0) return false;
     std::int32_t left = places.size() < kFewPlaces ? 1 : def.finePerStep;
-    if ((step + turnRank) / turnPeriod % 2 == 0) {
+    if ((step + shareRank) / sharePeriod % 2 == 0) {
         left -= fine.solveRequested(left, pool);
         left -= middle.solveRequested(left, pool);
         return far.solveRequested(left, pool) > 0;
@@ -143,9 +143,9 @@ void Geodesics::Impl::requestFarWhereUnknown(std::span<const Vec2> from) {
                     farRequests.add(j);
 }
 
-void Geodesics::takeTurns(std::int32_t period, std::int32_t rank) {
-    impl_->turnPeriod = static_cast<std::uint32_t>(period);
-    impl_->turnRank = period > 1 ? static_cast<std::uint32_t>(rank) : 0;
+void Geodesics::shareSteps(std::int32_t period, std::int32_t rank) {
+    impl_->sharePeriod = static_cast<std::uint32_t>(period);
+    impl_->shareRank = period > 1 ? static_cast<std::uint32_t>(rank) : 0;
 }
 
 bool Geodesics::prefetch(std::span<const Vec2> from, bool thorough, std::int64_t& cells, ThreadPool& pool) {

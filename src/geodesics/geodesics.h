@@ -87,7 +87,7 @@ public:
                 ThreadPool& pool);
     /// From the next update on fields are solved in one step out of `period`, 1 or more; `rank` says in
     /// which. So several geodesics share a budget.
-    void takeTurns(std::int32_t period, std::int32_t rank);
+    void shareSteps(std::int32_t period, std::int32_t rank);
     /// Solves fields that queries from these points would request, for a first plan: local ones, then far
     /// ones, with at most `cells` cells in all (local fields count more), which are taken off. True where no
     /// far field is missing any more. Only a `thorough` call looks for all that is missing; others do so in

@@ -64,10 +64,10 @@ struct Geodesics::Impl {
     // Per place: 1 where its stencil was made since it was requested.
     std::vector<std::uint8_t> farStencilKnown;
     std::uint32_t step = 0;
-    std::uint32_t turnPeriod = 1, turnRank = 0;  // Fields are solved in one step out of so many.
-    SharedWays ways;                             // Found by findRoutes().
-    std::uint32_t nextRoute = 0;                 // Character at which the round robin of routes begins.
-    bool loaded = false;                         // An archive was read whose fields are not solved yet.
+    std::uint32_t sharePeriod = 1, shareRank = 0;  // Fields are solved in one step out of so many.
+    SharedWays ways;                               // Found by findRoutes().
+    std::uint32_t nextRoute = 0;                   // Character at which the round robin of routes begins.
+    bool loaded = false;                           // An archive was read whose fields are not solved yet.
 
     explicit Impl(const GeodesicsDef& d);
 

@@ -94,7 +94,7 @@ void FastPlan::updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<con
                                std::span<const Vec2> places) {
     geodesics_.retainFields(targets_);
     // Groups whose first plans are made together solve two fields in a step.
-    geodesics_.takeTurns(std::max(1, (def_.firstPlans + 1) / kFieldsOfGroups), def_.firstPlanRank);
+    geodesics_.shareSteps(std::max(1, (def_.firstPlans + 1) / kFieldsOfGroups), def_.firstPlanRank);
     geodesics_.update(costs.staticGround(), costs.dynamicCost(), places, pool);
     if (RouteGraph* const routes = costs.routes()) geodesics_.findRoutes(*routes, characters, targets_);
 }
