@@ -1,20 +1,12 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it } from 'vitest';
-import type { OrderActions } from '../../model/order_actions';
 import type { UnitInfo } from '../../model/studio_state';
 import { StudioStore } from '../../model/studio_store';
 import { OrdersPanel } from './orders_panel';
+import { recordingActions } from './test_support';
 
 const calls: string[] = [];
-const actions = new Proxy(
-  {},
-  {
-    get:
-      (_, name) =>
-      (...values: unknown[]) =>
-        calls.push([name, ...values.map((value) => JSON.stringify(value))].map(String).join(' ')),
-  },
-) as OrderActions;
+const actions = recordingActions(calls);
 let store: StudioStore;
 let root: HTMLElement;
 const find = (selector: string): HTMLElement => root.querySelector<HTMLElement>(selector)!;

@@ -1,20 +1,12 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it, vi } from 'vitest';
-import type { OrderActions } from '../../model/order_actions';
 import type { QueueItem } from '../../model/studio_state';
 import { StudioStore } from '../../model/studio_store';
 import { QueueBar } from './queue_bar';
+import { recordingActions } from './test_support';
 
 const calls: string[] = [];
-const actions = new Proxy(
-  {},
-  {
-    get:
-      (_, name) =>
-      (...values: unknown[]) =>
-        calls.push([name, ...values.map((value) => JSON.stringify(value))].map(String).join(' ')),
-  },
-) as OrderActions;
+const actions = recordingActions(calls);
 let store: StudioStore;
 let root: HTMLElement;
 const chips = (): HTMLElement[] => [...root.querySelectorAll<HTMLElement>('.queue-chip')];
