@@ -29,6 +29,21 @@ void advance(AssignmentScene& scene, DynamicAssignment& assignment, muster::Thre
     assignment.update(lowThresholds(), scene.input(), scene.costs, pool);
 }
 
+std::vector<std::uint8_t> bytesOf(DynamicAssignment& assignment) {
+    muster::Writer writer;
+    assignment.visit(writer);
+    return {writer.bytes().begin(), writer.bytes().end()};
+}
+
+DynamicAssignment restoredFrom(const std::vector<std::uint8_t>& bytes) {
+    DynamicAssignment restored;
+    muster::Reader reader(bytes);
+    restored.visit(reader);
+    REQUIRE(reader.ok());
+    REQUIRE(reader.remaining() == 0);
+    return restored;
+}
+
 }  // namespace
 
 TEST_CASE("a dynamic assignment that was saved and restored goes on bit for bit") {
@@ -38,13 +53,7 @@ TEST_CASE("a dynamic assignment that was saved and restored goes on bit for bit"
         DynamicAssignment assignment;
         assignment.coldStart(lowThresholds(), scene.input(), scene.costs, pool);
         for (int k = 0; k < saved; ++k) advance(scene, assignment, pool);
-        muster::Writer writer;
-        assignment.visit(writer);
-        DynamicAssignment restored;
-        muster::Reader reader(writer.bytes());
-        restored.visit(reader);
-        REQUIRE(reader.ok());
-        REQUIRE(reader.remaining() == 0);
+        DynamicAssignment restored = restoredFrom(bytesOf(assignment));
         CHECK(hashOf(restored) == hashOf(assignment));
         AssignmentScene twin = scene;
         for (int k = 0; k < 80; ++k) {
@@ -79,12 +88,8 @@ TEST_CASE("a start that was saved half way goes on bit for bit, and one that can
     assignment.beginFrom(def, scene.input(), held, scene.costs, pool);
     assignment.update(def, scene.input(), scene.costs, pool);
     REQUIRE(assignment.starting());
-    muster::Writer writer;
-    assignment.visit(writer);
-    DynamicAssignment restored;
-    muster::Reader reader(writer.bytes());
-    restored.visit(reader);
-    REQUIRE(reader.ok());
+    std::vector<std::uint8_t> bytes = bytesOf(assignment);
+    DynamicAssignment restored = restoredFrom(bytes);
     CHECK(restored.starting());
     AssignmentScene twin = scene;
     for (int k = 0; k < 40; ++k) {
@@ -93,7 +98,6 @@ TEST_CASE("a start that was saved half way goes on bit for bit, and one that can
         REQUIRE(hashOf(restored) == hashOf(assignment));
     }
     // The fifth number: nodes that are still to be started.
-    std::vector<std::uint8_t> bytes(writer.bytes().begin(), writer.bytes().end());
     bytes[16] = bytes[17] = 0xff;
     DynamicAssignment wrong;
     muster::Reader refused(bytes);
