@@ -1,3 +1,4 @@
+// Answers to commands that name what there is not.
 #pragma once
 
 #include <string>

@@ -73,12 +73,6 @@ MovingBox boxOf(const WorldState& state, const Group& group) {
     return bounds.box(pose);
 }
 
-Vec2 meanVelocity(const Group& group) {
-    Vec2 sum;
-    for (const Vec2 v : group.places.velocities()) sum += v;
-    return sum / std::max(1.0, static_cast<double>(group.places.velocities().size()));
-}
-
 /// True where the first order of a group is to stay with the other.
 bool staysWith(const Group& group, GroupId other) {
     const auto& orders = group.orders.orders;

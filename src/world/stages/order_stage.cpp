@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/maths.h"
-#include "orders/rim_places.h"
+#include "world/stages/order_formations.h"
 #include "world/stages/standstill.h"
 #include "world/state/ground_class.h"
 #include "world/state/group_edits.h"
@@ -15,21 +15,8 @@ namespace muster {
 namespace {
 
 constexpr std::int32_t kCellsPerStep = 1000;  // Of searches for ways.
-constexpr double kLagFree = 0.6;              // The mesh does not wait for lags below [m]...
-constexpr double kLagMost = 2.0;              // ... and stands for those above [m].
-constexpr double kLagShare = 0.95;            // Of the group, whose lag counts.
-constexpr double kWaitedFor = 5.0;            // Who has not got on for so long is not waited for [s].
-constexpr double kLongest = 20.0;             // Nor who has moved to and fro on one spot for so long [s].
-constexpr double kShifted = 1.5;              // Places so far off the formation are not waited for [m].
-constexpr double kWaits = 0.2;                // At a pace below it waits.
-constexpr double kWaitsFor = 10.0;            // From here on, and to twice that, it begins to go on [s]...
-constexpr double kCreeps = 0.3;               // ... at this pace.
-constexpr double kSoonDone = 5.0;             // Following ends so soon where another order waits [s].
-constexpr double kBeside = 0.1;               // Between bodies and walls of a passage [m].
-constexpr double kTight = 0.5;                // Passages narrower by so much are wide enough [m].
-constexpr double kPassagesAhead = 8.0;        // For passages [m].
-constexpr std::uint32_t kSqueezeEvery = 10;   // Steps between looks for passages,
-constexpr std::uint32_t kWidenEvery = 120;    // and between those that widen a formation again.
+constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
+constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
 
 /// True while fingers hold the mesh, or their ways are followed.
 bool isHandled(const Group& group) {
@@ -51,64 +38,12 @@ void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::
     events.push_back({kind, group.id.value, value, group.mesh.pose().position});
 }
 
-bool isSame(const FormationDef& a, const FormationDef& b) {
-    return a.kind == b.kind && a.spacing == b.spacing && a.opening == b.opening && a.files == b.files &&
-           a.points == b.points && a.outline.outline == b.outline.outline &&
-           a.outline.holes == b.outline.holes;
-}
-
-/// Square, line or column: how many stand abreast.
-std::int32_t filesOf(const FormationDef& def, std::int32_t count, double width) {
-    if (def.kind == FormationKind::Square && def.files > 0) return std::min(def.files, count);
-    return std::clamp(static_cast<std::int32_t>(std::floor(2.0 * width / def.spacing + 0.5)) + 1, 1, count);
-}
-
-/// Formations of ranks and files take up a front of any width; other shapes keep theirs.
-void takeWidth(FormationDef& def, double width, std::int32_t count) {
-    if (def.kind != FormationKind::Square && def.kind != FormationKind::Line &&
-        def.kind != FormationKind::Column)
-        return;
-    const double files = std::min(1e6, std::floor(width / def.spacing + 1e-9)) + 1.0;
-    def.kind = FormationKind::Square;
-    def.files = std::clamp(static_cast<std::int32_t>(files), 1, count);
-}
-
-/// Gives a group another formation where it stands; it goes on with its order.
-void exchangeFormation(WorldState& state, Group& group, const FormationDef& def, ThreadPool& pool) {
-    pool.wait();  // Background work reads the plan.
-    if (group.orders.march.reversed) {
-        Pose pose = group.mesh.pose();
-        pose.rotation = {-pose.rotation.c, -pose.rotation.s};
-        group.mesh.setPose(pose);
-        group.orders.march.reversed = false;
-    }
-    (void)reformGroup(state, group, def);
-    group.orders.march.last = group.mesh.pose();
-}
-
 /// Where somebody has joined or left, the middle of the formation goes the way.
 void recentre(Group& group) {
     if (!group.refitted) return;
     const bool led = !samePose(group.orders.march.last, group.mesh.pose());
     recentreFormation(group);
     if (!led) group.orders.march.last = group.mesh.pose();
-}
-
-/// A march that has waited for long creeps on, so that no order lasts for ever.
-double patientPace(March& march, double pace, double dt) {
-    march.waited = pace < kWaits ? march.waited + dt : std::max(0.0, march.waited - 2.0 * dt);
-    return std::max(pace, kCreeps * std::clamp((march.waited - kWaitsFor) / kWaitsFor, 0.0, 1.0));
-}
-
-/// Takes up its own formation again.
-void restoreOwn(WorldState& state, Group& group, ThreadPool& pool) {
-    OrderQueue& queue = group.orders;
-    if (!queue.own) return;
-    const FormationDef own = *queue.own;
-    queue.own.reset();
-    queue.files = 0;
-    queue.stoodAt = state.stepCount;
-    exchangeFormation(state, group, own, pool);
 }
 
 }  // namespace
@@ -128,55 +63,10 @@ OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order)
     }
     for (const Group& group : state.groups) {
         if (group.id != order.group) continue;
-        lead = {true, group.mesh.pose().position, group.orders.march.front(group.mesh.pose()), {}};
-        for (const Vec2 v : group.places.velocities()) lead.velocity += v;
-        if (!group.places.velocities().empty())
-            lead.velocity = lead.velocity / static_cast<double>(group.places.velocities().size());
+        lead = {true, group.mesh.pose().position, group.orders.march.front(group.mesh.pose()),
+                meanVelocity(group)};
     }
     return lead;
-}
-
-// By the lag of the last but a few, without those who do not get on, and those whose places had to leave the
-// formation.
-double OrderStage::paceOf(const WorldState& state, const Group& group) {
-    if (!state.parameters.opposing.enabled) return 1.0;
-    const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kWaitedFor);
-    lags_.clear();
-    for (const std::int32_t i : group.members) {
-        if (c.place[i] < 0 || c.driver[i] != Driver::Muster) continue;
-        const Vec2 target = group.places.reachableTargets()[c.place[i]];
-        const double lag = distance(c.position[i], target);
-        if (lag > kLagFree && distance(target, group.places.targetsWithinReach()[c.place[i]]) > kShifted)
-            continue;
-        if (lag <= kLagFree || state.stepCount - c.walk[i].movedAt < patience) lags_.push_back(lag);
-    }
-    if (lags_.empty()) return 1.0;
-    const auto at = lags_.begin() +
-                    static_cast<std::ptrdiff_t>(kLagShare * static_cast<double>(lags_.size() - 1));
-    std::nth_element(lags_.begin(), at, lags_.end());
-    return std::clamp((kLagMost - *at) / (kLagMost - kLagFree), 0.0, 1.0);
-}
-
-void OrderStage::takeUpFormation(WorldState& state, Group& group, const Order& order, ThreadPool& pool) {
-    OrderQueue& queue = group.orders;
-    if (order.kind == OrderKind::Guard) {
-        FormationDef rim = group.def.formation;
-        if (!queue.own) queue.own = group.def.formation;
-        rim.kind = FormationKind::Points;
-        rim.outline = {};
-        const double spacing = std::max(rim.spacing, 2.1 * state.parameters.character.radius);
-        rim.points = rimPlaces(group.def.count, order.halfSize, spacing);
-        exchangeFormation(state, group, rim, pool);
-        return;
-    }
-    const bool asked = order.formation || order.width > 0.0;
-    if (!asked) return restoreOwn(state, group, pool);
-    FormationDef wanted = order.formation ? *order.formation : queue.own ? *queue.own : group.def.formation;
-    if (order.width > 0.0) takeWidth(wanted, order.width, group.def.count);
-    queue.own.reset();
-    queue.files = 0;
-    if (!isSame(wanted, group.def.formation)) exchangeFormation(state, group, wanted, pool);
 }
 
 OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPool& pool,
@@ -286,11 +176,11 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
         return false;
     }
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kWaitedFor);
+    const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
     const std::uint32_t longest = stepsIn(state, kLongest);
     std::int32_t arrived = 0;
     bool stuck = true;
-    shared_.find(state);
+    shared_.find(state, group);
     for (const std::int32_t i : group.members) {
         const std::int32_t place = c.place[i];
         const Vec2 target = place >= 0 ? group.places.reachableTargets()[place] : Vec2{};
@@ -309,42 +199,6 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
     const std::uint32_t quiet = state.stepCount - queue.stoodAt;
     if (quiet > 1 && arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9))) return true;
     return stuck && quiet >= patience;
-}
-
-// Narrows before passages, as far as they ask, and widens behind them.
-void OrderStage::squeeze(WorldState& state, Group& group, const FormationExtent& extent, ThreadPool& pool) {
-    OrderQueue& queue = group.orders;
-    const March& march = queue.march;
-    const double share = group.def.conduct.squeeze;
-    if (queue.files > 0 && march.phase > MarchPhase::Go) return restoreOwn(state, group, pool);
-    if (share <= 0.0 || march.phase != MarchPhase::Go || state.stepCount % kSqueezeEvery != 0 ||
-        group.def.count < 2)
-        return;
-    const Vec2 ahead = normalized(march.way[march.next] - group.mesh.pose().position);
-    if (dot(ahead, march.front(group.mesh.pose())) < 0.7) return;
-    const FormationDef own = queue.own ? *queue.own : group.def.formation;
-    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
-    const double spacing = group.def.formation.spacing;
-    if (queue.files == 0) queue.clearOf = extent.width;
-    const double full = 2.0 * (queue.clearOf + radius + kBeside);
-    const double room = ways_.narrowest(march, group.mesh.pose().position, extent.depth + 1.0,
-                                        extent.depth + kPassagesAhead, full);
-    const std::int32_t most = filesOf(own, group.def.count, queue.clearOf);
-    const auto least = std::clamp(static_cast<std::int32_t>(std::ceil(most * (1.0 - share) - 1e-9)), 1, most);
-    const double inner = std::max(0.0, room - 2.0 * (radius + kBeside));
-    const auto fit = static_cast<std::int32_t>(std::floor(inner / spacing + 1e-9)) + 1;
-    const std::int32_t files = room >= full - kTight ? most : std::clamp(fit, least, most);
-    const std::int32_t now = queue.files > 0 ? queue.files : most;
-    if (files == now || (files > now && state.stepCount % kWidenEvery != 0)) return;
-    if (files == most) return restoreOwn(state, group, pool);
-    FormationDef narrow = own;
-    narrow.kind = FormationKind::Square;
-    narrow.outline = {};
-    narrow.points.clear();
-    narrow.files = files;
-    queue.own = own;
-    queue.files = files;
-    exchangeFormation(state, group, narrow, pool);
 }
 
 OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const MarchDef& def) {
@@ -423,15 +277,14 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     const FormationExtent extent = extentOf(group);
     MarchDef def = marchDefOf(state, group, order, extent);
     // A free group waits for nobody on a drawn way.
-    if (order.manner != Manner::Free)
-        def.pace = patientPace(queue.march, paceOf(state, group), state.parameters.stepTime);
+    if (order.manner != Manner::Free) def.pace = pace_.of(state, group);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
     // Led away by fingers, it goes on from where it is.
     if (queue.march.phase == MarchPhase::Idle || !samePose(queue.march.last, group.mesh.pose()))
         restart(state, group);
     goOn(state, group, def);
     if (order.kind == OrderKind::Move && order.manner == Manner::March && order.turn != Turn::Keep)
-        squeeze(state, group, extent, pool);
+        squeeze(state, group, extent, ways_, pool);
     return isDone(state, group) ? Outcome::Done : Outcome::GoesOn;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "muster/event.h"
+#include "world/stages/march_pace.h"
 #include "world/stages/mesh_avoidance.h"
 #include "world/stages/order_ways.h"
 #include "world/state/shared_places.h"
@@ -39,25 +40,22 @@ private:
     void runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     Outcome begin(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
-    void takeUpFormation(WorldState& state, Group& group, const Order& order, ThreadPool& pool);
     void restart(WorldState& state, Group& group);
     Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
     void goOn(WorldState& state, Group& group, const MarchDef& def);
     void avoid(const WorldState& state, Group& group, const MarchDef& def);
-    void squeeze(WorldState& state, Group& group, const FormationExtent& extent, ThreadPool& pool);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
     Outcome guard(WorldState& state, Group& group);
     bool isDone(const WorldState& state, Group& group);
-    double paceOf(const WorldState& state, const Group& group);
     std::int32_t regionOf(WorldState& state, const Group& group);
     static Lead leadOf(const WorldState& state, const Order& order);
 
     WayFinder ways_;
+    MarchPace pace_;
     SharedPlaces shared_;
     MeshAvoidance avoidance_;
     bool avoids_ = false;                // The mesh of the present group keeps clear of others.
     std::int32_t budget_ = 0;            // Cells that may be searched in this step.
-    std::vector<double> lags_;           // Of one group [m].
     std::vector<std::int32_t> regions_;  // Members of one group by region.
 };
 

@@ -33,6 +33,12 @@ FormationExtent extentOf(const Group& group) {
     return extent;
 }
 
+Vec2 meanVelocity(const Group& group) {
+    Vec2 sum;
+    for (const Vec2 v : group.places.velocities()) sum += v;
+    return sum / std::max(1.0, static_cast<double>(group.places.velocities().size()));
+}
+
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target) {
     if (region < 0) return {target, target, true};
     const std::int32_t at = routes.region(target);

@@ -29,6 +29,8 @@ struct OrderGoal {
 
 /// The extent of a group's formation.
 FormationExtent extentOf(const Group& group);
+/// Mean velocity of the places of a group; zero where it has none [m/s].
+Vec2 meanVelocity(const Group& group);
 /// Where a group in a region comes by an order to go to `target` [m].
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
 /// The room that a group needs on its way.

@@ -297,11 +297,6 @@ Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlac
         reform.origins[k] = now.origins[match[k]];
     }
     closeRanks(rest, def.spacing, reform.occupants);
-    // Who closed up to a place that nobody held comes with it from where it stands.
-    for (std::size_t k = 0; k < rest.size(); ++k)
-        if (match[k] < 0 && reform.occupants[k] != 0)
-            reform.origins[k].position = state.characters
-                                             .position[state.characters.indexOf(reform.occupants[k])];
     std::vector<Newcomer> newcomers = newcomersTo(state, frame, now, reform.occupants, characters);
     if (newcomers.size() > std::max(kMostHoles, characters.size() / 4)) {
         // Another shape, or another place: who stood in front stays in front as far as that is short.
@@ -310,9 +305,13 @@ Result<Reform> refit(const WorldState& state, const Group& frame, const HeldPlac
         newcomers = newcomersTo(state, frame, now, reform.occupants, characters);
     }
     placeNewcomers(rest, newcomers, reform);
-    for (std::size_t k = 0; k < rest.size(); ++k)
-        if (reform.origins[k].tracker == nullptr && reform.origins[k].place < 0 && reform.occupants[k] == 0)
-            reform.origins[k].position = frame.mesh.pose().apply(rest[k]);
+    // New places begin where those stand who get them.
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+        if (reform.origins[k].tracker != nullptr) continue;
+        const std::uint32_t id = reform.occupants[k];
+        reform.origins[k].position = id != 0 ? state.characters.position[state.characters.indexOf(id)]
+                                             : frame.mesh.pose().apply(rest[k]);
+    }
     return reform;
 }
 

@@ -14,6 +14,8 @@ class SharedPlaces {
 public:
     /// Looks at all groups that have weights.
     void find(const WorldState& state);
+    /// Looks at one group only; for members of others there is no room.
+    void find(const WorldState& state, const Group& group);
 
     /// By how much farther than others a character may stand from its place [m] >= 0.
     double room(std::size_t character) const { return room_.empty() ? 0.0 : room_[character]; }
@@ -21,6 +23,8 @@ public:
     std::span<const double> rooms() const { return room_; }
 
 private:
+    void add(const WorldState& state, const Group& group);
+
     std::vector<double> room_;         // Per character [m].
     std::vector<std::int32_t> count_;  // Characters of each place of a group.
 };
