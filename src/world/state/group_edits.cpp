@@ -58,7 +58,7 @@ void addCharacter(WorldState& state, const Group& group, std::uint32_t groupInde
 
 // Drops the marked entries of all arrays of characters; an archive, as far as visits go.
 struct Compaction {
-    static constexpr bool kReading = false;
+    [[maybe_unused]] static constexpr bool kReading = false;
     std::span<const std::uint8_t> leaves;
 
     template <class... Arrays>

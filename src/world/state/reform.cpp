@@ -154,9 +154,11 @@ std::vector<Vec2> pointsFor(const HeldPlaces& held, double spacing, std::size_t 
     if (points.size() == count) return points;
     const Box box = points.empty() ? Box{} : boundsOf(points);
     const double middle = 0.5 * (box.min.y + box.max.y);
-    for (std::int32_t k = 0; points.size() < count; ++k)
-        points.push_back({box.min.x - spacing * (1 + k / kAddedRank),
-                          middle + spacing * (k % kAddedRank - 0.5 * (kAddedRank - 1))});
+    for (std::int32_t k = 0; points.size() < count; ++k) {
+        const std::int32_t rank = 1 + k / kAddedRank;
+        points.push_back(
+            {box.min.x - spacing * rank, middle + spacing * (k % kAddedRank - 0.5 * (kAddedRank - 1))});
+    }
     return points;
 }
 
@@ -268,7 +270,7 @@ FormationDef resized(const Group& group, const HeldPlaces& held, std::span<const
     if (!scaled)
         def.files = files;
     else if (def.files > 0)
-        def.files = std::max(1, static_cast<std::int32_t>(files * growth + 0.5));
+        def.files = std::max(1, static_cast<std::int32_t>(std::floor(files * growth + 0.5)));
     return def;
 }
 
