@@ -25,6 +25,9 @@ enum class OrderKind : std::uint8_t {
 enum class Manner : std::uint8_t {
     March,  ///< In formation: the shape goes along the way and waits for the last.
     Free,   ///< Each by the shortest way; the shape at the end.
+    /// All to `target` itself, by one cost field that the crowd raises (Treuille et al. 2006): no shape, no
+    /// places. Those who have come near stand where there is room.
+    Continuum,
 };
 
 /// How a marching formation takes its turns.
