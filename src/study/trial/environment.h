@@ -18,11 +18,11 @@ inline constexpr std::int32_t kEnvironmentVersion = 1;
 
 /// One of the paper's four environments, with our own measures.
 struct StudyEnvironment {
-    std::string_view name;           ///< "single-block", "corridor", "multiple-paths", "four-blocks".
-    std::string_view title;          ///< "Single Block"...
-    std::string_view description;    ///< One or two sentences.
-    Vec2 start;                      ///< Centre of the crowd at the start [m].
-    std::vector<Polygon> obstacles;  ///< Corners, counter-clockwise [m].
+    std::string_view name;         ///< "single-block", "corridor", "multiple-paths", "four-blocks".
+    std::string_view title;        ///< "Single Block"...
+    std::string_view description;  ///< One or two sentences.
+    Vec2 start;                    ///< Centre of the crowd at the start [m].
+    std::vector<Box> blocks;       ///< Its obstacles [m].
 };
 
 /// What is the same in all environments; printed in every report.
@@ -32,7 +32,7 @@ struct StudyRules {
     double itemRadius = 0.5;      ///< A character whose centre comes so near collects an item [m].
     double itemClearance = 0.75;  ///< Least distance from an item's centre to an obstacle or the border [m].
     double itemSpacing = 1.5;     ///< Least distance between items [m].
-    double startClearance = 1.0;  ///< Least distance from an item to a place of the start formation [m].
+    double startFree = 5.5;       ///< Half the side of the square round the start that holds no items [m].
     double spacing = 1.0;         ///< Between neighbouring places of the start formation, a square [m].
     double limit = 300.0;         ///< A trial that is not done by then is censored [s].
     double width = 1920.0, height = 1080.0;  ///< Of the display [px].
