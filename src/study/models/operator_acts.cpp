@@ -1,0 +1,247 @@
+// How an operator model moves its hands for what it has decided.
+#include <algorithm>
+#include <cmath>
+
+#include "study/models/operator_model.h"
+
+namespace muster {
+namespace {
+
+constexpr double kTarget = 1.0;       // What is aimed at is as large as an item's reach [m].
+constexpr double kBoxMargin = 0.45;   // A box is drawn so far round those whom it shall select [m].
+constexpr double kTwoFingers = 0.04;  // Between two fingers that come down together [s].
+constexpr double kGripShare = 0.8;    // They come down within the crowd [m].
+constexpr double kLeastSelected = 0.5;
+constexpr std::size_t kNoCharge = static_cast<std::size_t>(-1);
+
+}  // namespace
+
+// When a hand has got from where it is to `to` [s], and notes that it is there.
+double OperatorModel::reachHand(double now, Vec2 to, double width, std::size_t hand) {
+    const double start = std::max(now, handFree_[hand]);
+    const double there = start + noisy(motor_.point(millimetres(handAt_[hand], to), width * mmPerMetre_));
+    handAt_[hand] = to;
+    return there;
+}
+
+void OperatorModel::perform(double now, const Task& task) {
+    switch (task.act) {
+        case Act::Cut:
+            return cut(now, cuts_[task.index]);
+        case Act::Send:
+            adopt(charges_[task.index], scene(now));
+            return send(now, charges_[task.index]);
+        case Act::Point: {
+            Charge& charge = charges_[task.index];
+            double at = now;
+            if (selected_ != task.index) {
+                select(at, charge);
+                return;
+            }
+            at += noisy(motor_.factor() * parameters_.decideNext);
+            point(at, charge, false);
+            busyUntil_ = at;
+            note("send", now, at, "next point");
+            return;
+        }
+    }
+}
+
+void OperatorModel::cut(double now, const std::array<Vec2, 2>& line) {
+    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    double at = now + noisy(motor_.factor() * parameters_.decideNext);
+    at = reachHand(at, line[0], kTarget, hand) + motor_.press();
+    const double seconds = noisy(motor_.drag(millimetres(line[0], line[1]), kTarget * mmPerMetre_));
+    const PathLeg leg{line[1], seconds, 0.0};
+    busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at, line[0], std::span(&leg, 1),
+                              kTarget * mmPerMetre_, script_);
+    handAt_[hand] = line[1];
+    handFree_[hand] = busyUntil_ + motor_.factor() * motor_.device().handOff;
+    ++commands_;
+    note("cut", now, busyUntil_, "");
+}
+
+// After a cut those who are seen to belong together are one part.
+void OperatorModel::adopt(Charge& charge, const SeenScene& seen) {
+    if (!repertoire_.draws || cuts_.empty()) return;
+    std::vector<std::uint32_t> groups;
+    for (std::size_t i = 0; i < seen.ids.size(); ++i)
+        if (std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), seen.ids[i]))
+            groups.push_back(seen.groups[i]);
+    if (groups.empty()) return;
+    std::sort(groups.begin(), groups.end());
+    std::uint32_t best = groups[0];
+    std::ptrdiff_t most = 0;
+    for (const std::uint32_t group : groups) {
+        const std::ptrdiff_t count = std::count(groups.begin(), groups.end(), group);
+        if (count <= most) continue;
+        most = count;
+        best = group;
+    }
+    std::vector<std::uint32_t> ids;
+    for (std::size_t i = 0; i < seen.ids.size(); ++i)
+        if (seen.groups[i] == best) ids.push_back(seen.ids[i]);
+    if (ids != charge.plan.part.ids) charge.plan.part.ids = std::move(ids);
+}
+
+void OperatorModel::send(double now, Charge& charge) {
+    if (charge.plan.way.empty()) return;
+    ++commands_;
+    if (repertoire_.draws) return charge.plan.width > 0.0 ? sweep(now, charge) : draw(now, charge);
+    double at = now + noisy(motor_.factor() * parameters_.attention);
+    select(at, charge);
+}
+
+// A finger or the mouse takes a formation and draws its way.
+void OperatorModel::draw(double now, Charge& charge) {
+    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    const double chosen = now + noisy(motor_.factor() * (parameters_.attention + parameters_.decideNext));
+    const SeenPart about = seen(charge, chosen + 0.5);
+    const double width = std::max(kTarget, std::min(about.bounds.width(), about.bounds.height()));
+    const double at = reachHand(chosen, about.centre, width, hand) + motor_.press();
+    const Vec2 from = seen(charge, at).centre;
+    std::vector<PathLeg> legs;
+    Vec2 last = from;
+    // The way was planned for where the part was; it moves on meanwhile.
+    for (const Vec2 p : charge.plan.way) {
+        const double mm = millimetres(last, p);
+        const double pause = noisy(motor_.factor() * parameters_.decideNext);
+        legs.push_back({p, noisy(motor_.draw(mm, kTarget * mmPerMetre_)), pause});
+        last = p;
+    }
+    busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at, from, legs, width * mmPerMetre_,
+                              script_);
+    charge.sentAt = busyUntil_;
+    charge.point = charge.plan.way.size();
+    handAt_[hand] = last;
+    handFree_[hand] = busyUntil_ + motor_.factor() * motor_.device().handOff;
+    note("draw", now, busyUntil_, std::to_string(charge.plan.stops.size()) + " stops");
+}
+
+// Two fingers take the crowd by its sides, spread it, and draw two ways beside each other.
+void OperatorModel::sweep(double now, Charge& charge) {
+    const double chosen = now + noisy(motor_.factor() * (parameters_.attention + parameters_.decideNext +
+                                                         parameters_.secondHand));
+    const SeenPart part = seen(charge, chosen + 0.5);
+    const Vec2 across = perpendicular(charge.plan.along);
+    double low = 0.0;
+    double high = 0.0;
+    for (const Vec2 p : part.positions) {
+        low = std::min(low, dot(p - part.centre, across));
+        high = std::max(high, dot(p - part.centre, across));
+    }
+    const std::array<Vec2, 2> grips{part.centre + across * (kGripShare * low),
+                                    part.centre + across * (kGripShare * high)};
+    const double at = std::max(reachHand(chosen, grips[0], kTarget, 0),
+                               reachHand(chosen, grips[1], kTarget, 1));
+    const double half = 0.5 * charge.plan.width;
+    const double spread = noisy(motor_.drag(half * mmPerMetre_, kTarget * mmPerMetre_));
+    std::vector<PathLeg> common;
+    Vec2 last = part.centre;
+    for (const Vec2 p : charge.plan.way) {
+        const double seconds = noisy(motor_.draw(millimetres(last, p), 2.0 * kTarget * mmPerMetre_));
+        common.push_back({p, seconds, noisy(motor_.factor() * parameters_.decideNext)});
+        last = p;
+    }
+    std::vector<ScriptedInput> both;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec2 side = across * (i == 0 ? -half : half);
+        std::vector<PathLeg> legs{{part.centre + side, spread, 0.0}};
+        for (const PathLeg& leg : common) legs.push_back({leg.to + side, leg.seconds, leg.pause});
+        busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at + (i == 0 ? 0.0 : kTwoFingers),
+                                  grips[i], legs, kTarget * mmPerMetre_, both);
+        handAt_[i] = legs.back().to;
+        handFree_[i] = busyUntil_ + motor_.factor() * motor_.device().handOff;
+    }
+    std::stable_sort(both.begin(), both.end(),
+                     [](const ScriptedInput& a, const ScriptedInput& b) { return a.time < b.time; });
+    script_.insert(script_.end(), both.begin(), both.end());
+    charge.sentAt = busyUntil_;
+    charge.point = charge.plan.way.size();
+    note("sweep", now, busyUntil_, std::to_string(static_cast<int>(charge.plan.width)) + " m wide");
+}
+
+// Selects a part: by its digit where it has been kept, else by a box round it. What it got is looked at then.
+void OperatorModel::select(double& at, Charge& charge) {
+    const auto index = static_cast<std::size_t>(&charge - charges_.data());
+    const double begun = at;
+    const bool kept = charge.digit != 0 && charge.sentAt >= 0.0;
+    if (selected_ != index) {
+        if (kept) {
+            at += noisy(motor_.factor() *
+                        (parameters_.chooseBase + parameters_.chooseSlope * 2.0 + parameters_.key));
+            hand_.key(charge.digit, {}, at, script_);
+        } else {
+            const Box box = seen(charge, at + 0.7).bounds.grown(kBoxMargin);
+            const Vec2 first{box.min.x, box.max.y};
+            const Vec2 second{box.max.x, box.min.y};
+            at = reachHand(at, first, kTarget, 0) + motor_.press();
+            const PathLeg leg{second, noisy(motor_.drag(millimetres(first, second), kTarget * mmPerMetre_)),
+                              0.0};
+            const bool paper = scheme_.kind == SchemeKind::MousePaper;
+            at = hand_.stroke(1, paper ? PointerButton::Right : PointerButton::Left, {}, at, first,
+                              std::span(&leg, 1), kTarget * mmPerMetre_, script_);
+            handAt_[0] = second;
+            if (charge.digit != 0) {
+                at += noisy(motor_.factor() * 2.0 * parameters_.key);
+                hand_.key(charge.digit, {false, true, false}, at, script_);
+            }
+        }
+        note("select", begun, at, "");
+    }
+    // The next movement goes on at once; what was selected is seen on the way.
+    selected_ = index;
+    checkSelection_ = index;
+    checkAt_ = at + motor_.device().latency + 0.05;
+    busyUntil_ = at;
+}
+
+// Goes by what is seen to be selected.
+void OperatorModel::adoptSelected(double now, Charge& charge) {
+    checkSelection_ = kNoCharge;
+    const std::vector<std::uint32_t>& found = memory_.at(now - motor_.device().latency).selected;
+    const std::vector<std::uint32_t>& ids = charge.plan.part.ids;
+    std::ptrdiff_t common = 0;
+    for (const std::uint32_t id : found) common += std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0;
+    if (static_cast<double>(common) < kLeastSelected * static_cast<double>(ids.size())) {
+        ++misses_;
+        selected_ = kNoCharge;
+        const auto index = static_cast<std::size_t>(&charge - charges_.data());
+        charge.digit = charge.sentAt < 0.0 ? charge.digit : std::uint8_t{0};
+        tasks_.push_back({charge.point == 0 ? Act::Send : Act::Point, index});
+        note("again", now, now, "the selection was missed");
+        return;
+    }
+    // Who was selected with them belongs to them from now on.
+    for (Charge& other : charges_) {
+        if (&other == &charge) continue;
+        std::erase_if(other.plan.part.ids,
+                      [&](std::uint32_t id) { return std::binary_search(found.begin(), found.end(), id); });
+    }
+    charge.plan.part.ids = found;
+    double at = now;
+    const std::size_t last = repertoire_.queues ? charge.plan.way.size() : charge.point + 1;
+    const std::size_t first = charge.point;
+    while (charge.point < last) {
+        at += noisy(motor_.factor() * parameters_.decideNext);
+        point(at, charge, charge.point > first);
+    }
+    busyUntil_ = at;
+    note("send", now, at, std::to_string(last - first) + " points");
+}
+
+// Clicks on the next point of a part's way.
+void OperatorModel::point(double& at, Charge& charge, bool add) {
+    const Vec2 to = charge.plan.way[charge.point];
+    at = reachHand(at, to, kTarget, 0) + motor_.press();
+    const bool paper = scheme_.kind == SchemeKind::MousePaper;
+    Modifiers modifiers;
+    modifiers.shift = add;
+    at = hand_.click(paper ? PointerButton::Left : PointerButton::Right, modifiers, at, to,
+                     kTarget * mmPerMetre_, script_);
+    ++charge.point;
+    ++commands_;
+    charge.sentAt = at;
+}
+
+}  // namespace muster

@@ -1,0 +1,312 @@
+// When an operator model decides, and what it sees.
+#include "study/models/operator_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/maths.h"
+
+namespace muster {
+namespace {
+
+constexpr double kWayMargin = 0.8;      // Ways keep so far off blocks [m].
+constexpr double kSpeed = 2.0;          // At which people are known to walk [m/s].
+constexpr double kStandingSpeed = 0.3;  // Who is seen slower stands [m/s].
+constexpr double kIdleLook = 0.4;       // For so long one looks whether a part stands [s].
+constexpr double kIdleGrace = 1.2;      // After an order nobody expects movement for so long [s].
+constexpr double kNear = 1.3;           // A point is reached when a part's middle is so near [m].
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+std::vector<Box> blocksOf(const Trial& trial) {
+    std::vector<Box> blocks;
+    for (const ObstacleId id : trial.world().obstacleIds()) {
+        const Polygon outline = trial.world().obstacle(id).outline;
+        Box box{outline[0], outline[0]};
+        for (const Vec2 p : outline) {
+            box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+            box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+        }
+        blocks.push_back(box);
+    }
+    return blocks;
+}
+
+std::vector<Vec2> itemsOf(const Trial& trial) {
+    std::vector<Vec2> items;
+    for (const ItemDef& item : trial.world().items()) items.push_back(item.position);
+    return items;
+}
+
+// Hashes apart, so that one model's factor of time and its later draws do not depend on each other.
+double ownFactor(const OperatorParameters& parameters, std::uint64_t seed) {
+    return Chance(seed * 2 + 1).logNormal(parameters.between);
+}
+
+}  // namespace
+
+OperatorModel::OperatorModel(const Trial& trial, const OperatorParameters& parameters, std::uint64_t seed)
+    : parameters_(parameters),
+      chance_(seed * 2),
+      motor_(parameters, repertoireOf(namedScheme(trial.def().scheme).value().def).touch,
+             ownFactor(parameters, seed)),
+      repertoire_(repertoireOf(namedScheme(trial.def().scheme).value().def)),
+      scheme_(namedScheme(trial.def().scheme).value().def),
+      view_(trial.view()),
+      ground_(blocksOf(trial), studyRules().box, kWayMargin),
+      tours_(ground_, itemsOf(trial)),
+      hand_(view_, motor_, chance_) {
+    const Vec2 a = view_.screenOf({0.0, 0.0}).value();
+    const Vec2 b = view_.screenOf({1.0, 0.0}).value();
+    mmPerMetre_ = distance(a, b) * view_.mmPerPixel;
+    PlannerDef def;
+    def.repertoire = repertoire_;
+    def.parameters = parameters;
+    def.mmPerMetre = mmPerMetre_;
+    def.itemRadius = studyRules().itemRadius;
+    def.speed = kSpeed;
+    def.spacing = studyRules().spacing;
+    def.border = studyRules().box.grown(-0.5);
+    planner_ = std::make_unique<Planner>(def, tours_, motor_);
+    // Hands begin beside the crowd.
+    handAt_ = {Vec2{0.0, -6.0}, Vec2{0.0, -8.0}};
+}
+
+OperatorModel::~OperatorModel() = default;
+
+double OperatorModel::delay() const {
+    return motor_.device().latency + motor_.factor() * parameters_.reaction;
+}
+
+void OperatorModel::note(const char* kind, double from, double to, std::string text) {
+    decisions_.push_back({step_, kind, to - from, std::move(text)});
+    busySeconds_ += to - from;
+}
+
+void OperatorModel::direct(Trial& trial) {
+    step_ = trial.world().stepCount();
+    memory_.look(trial);
+    const double now = trial.world().time();
+    if (now >= busyUntil_) think(now);
+    play(trial);
+}
+
+// Makes the events that are due.
+void OperatorModel::play(Trial& trial) {
+    const double now = trial.world().time() + 1e-9;
+    for (; played_ < script_.size() && script_[played_].time <= now; ++played_)
+        if (!trial.input(script_[played_].event).ok()) ++misses_;
+    if (played_ < script_.size()) return;
+    script_.clear();
+    played_ = 0;
+}
+
+void OperatorModel::think(double now) {
+    const SeenScene& seen = scene(now);
+    if (!begun_) {
+        begin(now, seen);
+    } else if (checkSelection_ != kNone) {
+        if (now >= checkAt_) adoptSelected(now, charges_[checkSelection_]);
+    } else if (!tasks_.empty()) {
+        const Task task = tasks_.back();
+        tasks_.pop_back();
+        perform(now, task);
+    } else {
+        watch(now, seen);
+    }
+}
+
+// Takes in the scene and makes the first plan.
+void OperatorModel::begin(double now, const SeenScene& seen) {
+    begun_ = true;
+    const std::vector<std::int32_t> open = openItems(seen);
+    const OperatorPlan plan = planner_->plan(seenPart(seen.ids, seen.positions), open, chance_);
+    cuts_ = plan.cuts;
+    for (const PlannedPart& part : plan.parts) {
+        Charge charge;
+        charge.plan = part;
+        charge.meant = sweptBy(part, open);
+        if (repertoire_.keepsGroups && plan.parts.size() > 1)
+            charge.digit = static_cast<std::uint8_t>('1' + charges_.size());
+        charges_.push_back(std::move(charge));
+    }
+    for (std::size_t i = charges_.size(); i-- > 0;)
+        if (!charges_[i].plan.way.empty()) tasks_.push_back({Act::Send, i});
+    if (repertoire_.draws)
+        for (std::size_t i = cuts_.size(); i-- > 0;) tasks_.push_back({Act::Cut, i});
+    const double takeIn = parameters_.takeIn + parameters_.takeInItem * static_cast<double>(open.size());
+    busyUntil_ = now + noisy(motor_.factor() * takeIn) + noisy(motor_.factor() * parameters_.decide);
+    nextPlan_ = busyUntil_ + parameters_.replan;
+    nextLook_ = busyUntil_ + parameters_.lookRound;
+    char text[96];
+    std::snprintf(text, sizeof(text), "%s, %.1f s expected", plan.text.c_str(), plan.seconds);
+    note("plan", now, busyUntil_, text);
+}
+
+std::vector<std::int32_t> OperatorModel::openItems(const SeenScene& seen) const {
+    std::vector<std::int32_t> open;
+    for (std::size_t i = 0; i < seen.collected.size(); ++i)
+        if (seen.collected[i] == 0) open.push_back(static_cast<std::int32_t>(i));
+    return open;
+}
+
+std::vector<std::int32_t> OperatorModel::sweptBy(const PlannedPart& part,
+                                                 std::span<const std::int32_t> open) const {
+    std::vector<std::int32_t> swept = part.stops;
+    if (part.way.empty()) return swept;
+    const Sweep sweep = planner_->sweepOf(part.part);
+    for (const std::int32_t item : open) {
+        if (std::find(swept.begin(), swept.end(), item) != swept.end()) continue;
+        Vec2 at = part.part.centre;
+        bool found = part.width > 0.0;  // A sweep is meant for all.
+        for (const Vec2 to : part.way) {
+            found = found || sweep.collects(at, to, tours_.items()[item]);
+            at = to;
+        }
+        if (found) swept.push_back(item);
+    }
+    return swept;
+}
+
+// Where a part is seen at the time `at`: its picture, moved on as it was seen to move.
+SeenPart OperatorModel::seen(const Charge& charge, double at) const {
+    const double latest = at - delay();
+    const SeenScene& now = memory_.at(latest);
+    const SeenScene& before = memory_.at(now.time - 0.2);
+    std::vector<std::uint32_t> ids;
+    std::vector<Vec2> positions;
+    Vec2 moved;
+    for (std::size_t i = 0; i < now.ids.size(); ++i) {
+        if (!std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), now.ids[i]))
+            continue;
+        ids.push_back(now.ids[i]);
+        positions.push_back(now.positions[i]);
+        moved += now.positions[i] - before.positions[i];
+    }
+    if (ids.empty()) return charge.plan.part;
+    const double passed = now.time - before.time;
+    const double ahead = std::clamp(at - now.time, 0.0, 1.5);
+    const Vec2 shift = passed > 0.0 ? moved / static_cast<double>(ids.size()) * (ahead / passed) : Vec2{};
+    for (Vec2& p : positions) p += shift;
+    return seenPart(std::move(ids), std::move(positions));
+}
+
+bool OperatorModel::idle(const Charge& charge, const SeenScene& now, const SeenScene& before) const {
+    const double passed = now.time - before.time;
+    if (passed <= 0.5 * kIdleLook || now.time < charge.sentAt + kIdleGrace) return false;
+    Vec2 moved;
+    double count = 0.0;
+    for (std::size_t i = 0; i < now.ids.size(); ++i) {
+        if (!std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), now.ids[i]))
+            continue;
+        moved += now.positions[i] - before.positions[i];
+        count += 1.0;
+    }
+    return count == 0.0 || length(moved) / count / passed < kStandingSpeed;
+}
+
+// Whether a part that has to be led from point to point is where the next one can be given.
+bool OperatorModel::due(const Charge& charge, const SeenScene& seen) const {
+    if (repertoire_.draws || repertoire_.queues || charge.point == 0) return false;
+    if (charge.point >= charge.plan.way.size()) return false;
+    const Vec2 target = charge.plan.way[charge.point - 1];
+    const std::int32_t stop = charge.plan.stops[charge.point - 1];
+    if (seen.collected[stop] != 0) return true;
+    Vec2 centre;
+    double count = 0.0;
+    for (std::size_t i = 0; i < seen.ids.size(); ++i) {
+        if (!std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), seen.ids[i]))
+            continue;
+        centre += seen.positions[i];
+        count += 1.0;
+    }
+    return count > 0.0 && distance(centre / count, target) < kNear;
+}
+
+// One part after the other is looked at: who is due gets its next point, who is idle a new way.
+void OperatorModel::watch(double now, const SeenScene& seen) {
+    for (std::size_t i = 0; i < charges_.size(); ++i) {
+        Charge& charge = charges_[i];
+        if (!due(charge, seen)) continue;
+        // Points whose items have gone in the meantime are passed over.
+        while (charge.point + 1 < charge.plan.way.size() &&
+               seen.collected[charge.plan.stops[charge.point]] != 0)
+            ++charge.point;
+        if (seen.collected[charge.plan.stops[charge.point]] != 0) {
+            charge.point = charge.plan.way.size();
+            continue;
+        }
+        tasks_.push_back({Act::Point, i});
+        return;
+    }
+    if (now < nextPlan_) return;
+    renew(now, seen);
+}
+
+// New ways for those who stand although items are left.
+void OperatorModel::renew(double now, const SeenScene& seen) {
+    const SeenScene& before = memory_.at(seen.time - kIdleLook);
+    std::vector<std::size_t> idles;
+    for (std::size_t i = 0; i < charges_.size(); ++i)
+        if (idle(charges_[i], seen, before)) idles.push_back(i);
+    if (idles.empty()) return;
+    std::vector<std::int32_t> open = openItems(seen);
+    std::vector<std::int32_t> left;
+    const auto active = [&](std::size_t i) {
+        return std::find(idles.begin(), idles.end(), i) == idles.end();
+    };
+    for (const std::int32_t item : open) {
+        bool meant = false;
+        for (std::size_t i = 0; i < charges_.size(); ++i)
+            meant = meant ||
+                    (active(i) && std::count(charges_[i].meant.begin(), charges_[i].meant.end(), item) > 0);
+        if (!meant) left.push_back(item);
+    }
+    if (left.empty()) {
+        // Help who has most left: the second half of what it was meant to collect.
+        std::size_t most = kNone;
+        std::size_t count = 2;
+        for (std::size_t i = 0; i < charges_.size(); ++i) {
+            std::vector<std::int32_t>& meant = charges_[i].meant;
+            std::erase_if(meant, [&](std::int32_t item) { return seen.collected[item] != 0; });
+            if (!active(i) || meant.size() < count) continue;
+            count = meant.size() + 1;
+            most = i;
+        }
+        if (most == kNone) return;
+        std::vector<std::int32_t>& meant = charges_[most].meant;
+        const auto half = static_cast<std::ptrdiff_t>((meant.size() + 1) / 2);
+        left.assign(meant.begin() + half, meant.end());
+        meant.erase(meant.begin() + half, meant.end());
+    }
+    std::vector<std::vector<std::int32_t>> shares(charges_.size());
+    for (const std::int32_t item : left) {
+        std::size_t nearest = idles[0];
+        double least = 1e9;
+        for (const std::size_t i : idles) {
+            const double away = ground_.distance(this->seen(charges_[i], now).centre, tours_.items()[item]);
+            if (away >= least) continue;
+            least = away;
+            nearest = i;
+        }
+        shares[nearest].push_back(item);
+    }
+    for (const std::size_t i : idles) {
+        if (shares[i].empty()) continue;
+        Charge& charge = charges_[i];
+        misses_ += static_cast<std::int32_t>(
+            std::count_if(shares[i].begin(), shares[i].end(), [&](std::int32_t item) {
+                return std::count(charge.meant.begin(), charge.meant.end(), item) > 0;
+            }));
+        charge.plan = planner_->next(this->seen(charge, now), shares[i], chance_);
+        charge.meant = sweptBy(charge.plan, shares[i]);
+        charge.point = 0;
+        tasks_.push_back({Act::Send, i});
+    }
+    if (tasks_.empty()) return;
+    busyUntil_ = now + noisy(motor_.factor() * parameters_.decide);
+    nextPlan_ = busyUntil_ + parameters_.replan;
+    note("plan", now, busyUntil_,
+         std::to_string(left.size()) + " items for " + std::to_string(tasks_.size()) + " idle parts");
+}
+
+}  // namespace muster

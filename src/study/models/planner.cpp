@@ -1,0 +1,370 @@
+#include "study/models/planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+#include "base/maths.h"
+
+namespace muster {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kTargetMetres = 1.0;   // What is aimed at is as large as an item's reach [m].
+constexpr double kPackedRadius = 0.28;  // Of those who gather, times the root of their number [m].
+constexpr double kCutBeyond = 1.2;      // A cut begins and ends so far beyond the crowd [m].
+constexpr double kLaneMargin = 1.0;     // A lane goes on so far behind its last item [m].
+// Shapes of divisions: columns and rows.
+constexpr std::array<std::array<std::int32_t, 2>, 9> kDivisions{
+    {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {4, 1}, {1, 4}, {3, 2}}};
+constexpr std::array<double, 4> kWidths{8.0, 12.0, 16.0, 20.0};
+
+double median(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+    const std::size_t i = std::clamp<std::size_t>(at, 1, values.size() - 1);
+    return 0.5 * (values[i - 1] + values[i]);
+}
+
+double wayLength(Vec2 from, std::span<const Vec2> way) {
+    double sum = 0.0;
+    for (const Vec2 p : way) {
+        sum += distance(from, p);
+        from = p;
+    }
+    return sum;
+}
+
+}  // namespace
+
+SeenPart seenPart(std::vector<std::uint32_t> ids, std::vector<Vec2> positions) {
+    SeenPart part{std::move(ids), std::move(positions), {}, {}};
+    if (part.positions.empty()) return part;
+    part.bounds = {part.positions[0], part.positions[0]};
+    for (const Vec2 p : part.positions) {
+        part.centre += p / static_cast<double>(part.positions.size());
+        part.bounds.min = {std::min(part.bounds.min.x, p.x), std::min(part.bounds.min.y, p.y)};
+        part.bounds.max = {std::max(part.bounds.max.x, p.x), std::max(part.bounds.max.y, p.y)};
+    }
+    return part;
+}
+
+Planner::Planner(const PlannerDef& def, const TourFinder& tours, const Motor& motor)
+    : def_(def), tours_(&tours), motor_(&motor) {}
+
+Sweep Planner::sweepOf(const SeenPart& part) const {
+    Sweep sweep;
+    sweep.reach = def_.itemRadius;
+    const std::size_t n = part.positions.size();
+    if (def_.repertoire.keepsShape) {
+        for (const Vec2 p : part.positions) sweep.offsets.push_back(p - part.centre);
+    } else {
+        // A packed disc, by the sunflower's angle.
+        for (std::size_t i = 0; i < n; ++i) {
+            const double r = kPackedRadius * std::sqrt(static_cast<double>(i) + 0.5);
+            const double angle = 2.399963229728653 * static_cast<double>(i);
+            sweep.offsets.push_back({r * cosine(angle), r * sine(angle)});
+        }
+    }
+    for (const Vec2 offset : sweep.offsets)
+        if (lengthSquared(offset) < lengthSquared(sweep.aim) || sweep.aim == Vec2{}) sweep.aim = offset;
+    return sweep;
+}
+
+// Leads a part over items in this order, but for those that it sweeps up beside its way.
+void Planner::lead(PlannedPart& planned, std::span<const std::int32_t> order) const {
+    const Sweep sweep = sweepOf(planned.part);
+    planned.stops = tours_->thinned(planned.part.centre, order, sweep);
+    planned.way.clear();
+    Vec2 at = planned.part.centre;
+    for (const std::int32_t stop : planned.stops) {
+        const Vec2 to = def_.border.clamp(tours_->items()[stop] - sweep.aim);
+        if (def_.repertoire.draws)
+            tours_->ground().appendWay(at, to, planned.way);
+        else
+            planned.way.push_back(to);
+        at = to;
+    }
+}
+
+double Planner::cutSeconds() const {
+    const double mm = def_.mmPerMetre;
+    return motor_->point(6.0 * mm, kTargetMetres * mm) + motor_->drag(8.0 * mm, kTargetMetres * mm) +
+           motor_->device().handOff + motor_->factor() * def_.parameters.decideNext + 2.0 * motor_->press();
+}
+
+double Planner::selectSeconds(const PlannedPart& planned) const {
+    const double mm = def_.mmPerMetre;
+    const double size = distance(planned.part.bounds.min, planned.part.bounds.max);
+    double seconds = motor_->point(8.0 * mm, kTargetMetres * mm) +
+                     motor_->drag(size * mm, kTargetMetres * mm);
+    seconds += 2.0 * motor_->press();
+    return seconds + motor_->factor() * def_.parameters.attention;
+}
+
+double Planner::clickSeconds(double metres) const {
+    const double mm = def_.mmPerMetre;
+    return motor_->point(metres * mm, kTargetMetres * mm) + 2.0 * motor_->press() +
+           motor_->factor() * def_.parameters.decideNext;
+}
+
+double Planner::sendSeconds(const PlannedPart& planned) const {
+    const double mm = def_.mmPerMetre;
+    const double next = motor_->factor() * def_.parameters.decideNext;
+    if (!def_.repertoire.draws) {
+        double seconds = selectSeconds(planned);
+        Vec2 at = planned.part.centre;
+        for (const Vec2 p : planned.way) {
+            seconds += clickSeconds(distance(at, p));
+            at = p;
+        }
+        return seconds;
+    }
+    const double across = std::min(planned.part.bounds.width(), planned.part.bounds.height()) + 1.0;
+    const double wide = std::max(across, kTargetMetres) * mm;
+    double seconds = motor_->point(8.0 * mm, wide) + motor_->factor() * def_.parameters.attention;
+    const double stops = std::max<double>(1.0, static_cast<double>(planned.stops.size()));
+    seconds += motor_->draw(wayLength(planned.part.centre, planned.way) * mm, kTargetMetres * mm) +
+               next * stops;
+    if (planned.width > 0.0)
+        seconds += motor_->factor() * def_.parameters.secondHand +
+                   motor_->drag(0.5 * planned.width * mm, kTargetMetres * mm);
+    return seconds + 2.0 * motor_->press();
+}
+
+double Planner::walkSeconds(const PlannedPart& planned) const {
+    Vec2 at = planned.part.centre;
+    double metres = 0.0;
+    for (const Vec2 p : planned.way) {
+        metres += def_.repertoire.draws ? distance(at, p) : tours_->ground().distance(at, p);
+        at = p;
+    }
+    return metres / def_.speed;
+}
+
+// Parts that go on by themselves once they are sent.
+double Planner::estimateQueued(const OperatorPlan& plan) const {
+    double now = cutSeconds() * static_cast<double>(plan.cuts.size());
+    if (!def_.repertoire.draws) now = 0.0;
+    double last = 0.0;
+    for (const PlannedPart& planned : plan.parts) {
+        if (planned.way.empty()) continue;
+        const double send = sendSeconds(planned);
+        const double first = def_.repertoire.draws ? 0.3 * send : selectSeconds(planned) + clickSeconds(5.0);
+        last = std::max({last, now + first + walkSeconds(planned), now + send});
+        now += send;
+    }
+    return last;
+}
+
+// Parts that wait for their next point until the operator comes back to them.
+double Planner::estimateAttended(const OperatorPlan& plan) const {
+    const std::size_t n = plan.parts.size();
+    std::vector<double> due(n, 0.0);
+    std::vector<std::size_t> next(n, 0);
+    double now = 0.0;
+    double last = 0.0;
+    std::size_t before = n;
+    for (;;) {
+        std::size_t chosen = n;
+        for (std::size_t i = 0; i < n; ++i)
+            if (next[i] < plan.parts[i].way.size() && (chosen == n || due[i] < due[chosen])) chosen = i;
+        if (chosen == n) return last;
+        const PlannedPart& planned = plan.parts[chosen];
+        const Vec2 from = next[chosen] == 0 ? planned.part.centre : planned.way[next[chosen] - 1];
+        const Vec2 to = planned.way[next[chosen]];
+        now = std::max(now, due[chosen] + (next[chosen] > 0 ? def_.parameters.reaction : 0.0));
+        if (chosen != before) now += selectSeconds(planned);
+        now += clickSeconds(distance(from, to));
+        due[chosen] = now + tours_->ground().distance(from, to) / def_.speed;
+        last = std::max(last, due[chosen]);
+        ++next[chosen];
+        before = chosen;
+    }
+}
+
+double Planner::estimate(const OperatorPlan& plan) const {
+    return def_.repertoire.draws || def_.repertoire.queues ? estimateQueued(plan) : estimateAttended(plan);
+}
+
+// Divides the crowd by lines into cells of about as many people, and the tour into as many stretches.
+OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_t> tour, std::int32_t columns,
+                              std::int32_t rows, Chance& chance) const {
+    OperatorPlan plan;
+    char text[64];
+    std::snprintf(text, sizeof(text), "%d x %d parts", columns, rows);
+    plan.text = text;
+    std::vector<double> xs, ys;
+    for (const Vec2 p : crowd.positions) {
+        xs.push_back(p.x);
+        ys.push_back(p.y);
+    }
+    std::vector<double> xCuts, yCuts;
+    const Box around = crowd.bounds.grown(kCutBeyond);
+    for (std::int32_t i = 1; i < columns; ++i) {
+        xCuts.push_back(median(xs, static_cast<double>(i) / columns));
+        plan.cuts.push_back({Vec2{xCuts.back(), around.min.y}, Vec2{xCuts.back(), around.max.y}});
+    }
+    for (std::int32_t i = 1; i < rows; ++i) {
+        yCuts.push_back(median(ys, static_cast<double>(i) / rows));
+        plan.cuts.push_back({Vec2{around.min.x, yCuts.back()}, Vec2{around.max.x, yCuts.back()}});
+    }
+    const std::int32_t count = columns * rows;
+    std::vector<std::vector<std::uint32_t>> ids(count);
+    std::vector<std::vector<Vec2>> positions(count);
+    for (std::size_t i = 0; i < crowd.ids.size(); ++i) {
+        const Vec2 p = crowd.positions[i];
+        const auto column = std::count_if(xCuts.begin(), xCuts.end(), [&](double x) { return p.x > x; });
+        const auto row = std::count_if(yCuts.begin(), yCuts.end(), [&](double y) { return p.y > y; });
+        ids[row * columns + column].push_back(crowd.ids[i]);
+        positions[row * columns + column].push_back(p);
+    }
+    for (std::int32_t i = 0; i < count; ++i) {
+        if (ids[i].empty()) return {{}, {}, kInfinite, plan.text};
+        plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, {}});
+    }
+    // Stretches of the tour end where what has been walked exceeds the part's share, counted with the way
+    // there.
+    std::vector<std::vector<std::int32_t>> stretches;
+    double low = 0.0;
+    double high = tours_->length(crowd.centre, tour) + 1.0;
+    for (std::int32_t round = 0; round < 24; ++round) {
+        const double most = 0.5 * (low + high);
+        std::vector<std::vector<std::int32_t>> found(1);
+        double walked = 0.0;
+        for (const std::int32_t item : tour) {
+            const double there = tours_->ground().distance(crowd.centre, tours_->items()[item]);
+            const double more = found.back().empty() ? there : tours_->between(found.back().back(), item);
+            if (!found.back().empty() && walked + more > most) {
+                found.emplace_back();
+                walked = there;
+            } else {
+                walked += more;
+            }
+            found.back().push_back(item);
+        }
+        if (std::ssize(found) <= count) {
+            high = most;
+            stretches = std::move(found);
+        } else {
+            low = most;
+        }
+    }
+    stretches.resize(count);
+    // Each stretch goes to the part that is nearest to one of its ends; long ones choose first.
+    std::vector<std::uint8_t> taken(count, 0);
+    std::vector<std::int32_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+        return stretches[a].size() > stretches[b].size();
+    });
+    for (const std::int32_t s : order) {
+        std::vector<std::int32_t>& stretch = stretches[s];
+        std::int32_t best = -1;
+        double least = kInfinite;
+        for (std::int32_t p = 0; p < count; ++p) {
+            if (taken[p] != 0) continue;
+            const Vec2 centre = plan.parts[p].part.centre;
+            const auto near = [&](std::int32_t item) { return distance(centre, tours_->items()[item]); };
+            const double away = stretch.empty() ? 0.0 : std::min(near(stretch.front()), near(stretch.back()));
+            if (away >= least) continue;
+            least = away;
+            best = p;
+        }
+        taken[best] = 1;
+        if (stretch.empty()) continue;
+        lead(plan.parts[best], tours_->tour(plan.parts[best].part.centre, stretch, 0.0, chance));
+    }
+    // Those who have farthest to go are sent first.
+    std::stable_sort(plan.parts.begin(), plan.parts.end(), [&](const PlannedPart& a, const PlannedPart& b) {
+        return walkSeconds(a) > walkSeconds(b);
+    });
+    plan.seconds = estimate(plan);
+    return plan;
+}
+
+// Lanes side by side, as wide as the front, from the end that is nearer.
+OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t> open, Vec2 along,
+                            double width) const {
+    OperatorPlan plan;
+    char text[64];
+    std::snprintf(text, sizeof(text), "sweep %.0f m wide", width);
+    plan.text = text;
+    const Vec2 across = perpendicular(along);
+    double low = kInfinite;
+    double high = -kInfinite;
+    for (const std::int32_t i : open) {
+        low = std::min(low, dot(tours_->items()[i], across));
+        high = std::max(high, dot(tours_->items()[i], across));
+    }
+    const double reach = width + 2.0 * 0.8 * def_.itemRadius;
+    const auto lanes = static_cast<std::int32_t>(std::max(1.0, std::ceil((high - low) / reach)));
+    PlannedPart planned{crowd, {}, {}, width, along};
+    const double start = dot(crowd.centre, across);
+    const bool upwards = std::abs(start - low) <= std::abs(start - high);
+    const double lane = (high - low) / lanes;
+    bool forward = true;
+    Vec2 at = crowd.centre;
+    for (std::int32_t k = 0; k < lanes; ++k) {
+        const std::int32_t number = upwards ? k : lanes - 1 - k;
+        const double middle = low + (number + 0.5) * lane;
+        double first = kInfinite;
+        double last = -kInfinite;
+        for (const std::int32_t i : open) {
+            const Vec2 p = tours_->items()[i];
+            if (std::abs(dot(p, across) - middle) > 0.5 * lane + 1e-9) continue;
+            first = std::min(first, dot(p, along));
+            last = std::max(last, dot(p, along));
+        }
+        if (first > last) continue;
+        if (k == 0) forward = true;
+        const double from = forward ? first - kLaneMargin : last + kLaneMargin;
+        const double to = forward ? last + kLaneMargin : first - kLaneMargin;
+        const double begin = k == 0 && forward ? std::min(from, dot(crowd.centre, along)) : from;
+        for (const double s : {begin, to}) {
+            const Vec2 p = def_.border.clamp(along * s + across * middle);
+            if (distance(at, p) < 0.5) continue;
+            planned.way.push_back(p);
+            at = p;
+        }
+        forward = !forward;
+    }
+    plan.parts.push_back(std::move(planned));
+    const double own = std::max(crowd.bounds.width(), crowd.bounds.height());
+    plan.seconds = estimate(plan) + 0.5 * std::abs(width - own) / def_.speed;
+    return plan;
+}
+
+OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> open, Chance& chance) const {
+    const std::vector<std::int32_t> tour = tours_->tour(
+        crowd.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance);
+    OperatorPlan best;
+    best.seconds = kInfinite;
+    const auto most = static_cast<std::int32_t>(def_.parameters.groupsInMind + 0.5);
+    const auto consider = [&](OperatorPlan&& plan) {
+        if (plan.seconds < best.seconds) best = std::move(plan);
+    };
+    for (const auto& [columns, rows] : kDivisions) {
+        if (columns * rows > most || (columns * rows > 1 && !def_.repertoire.divides)) continue;
+        if (std::ssize(crowd.ids) < 2 * columns * rows) continue;
+        consider(divided(crowd, tour, columns, rows, chance));
+    }
+    if (!def_.repertoire.spreads) return best;
+    for (const double width : kWidths) {
+        if (width > def_.spacing * static_cast<double>(crowd.ids.size())) continue;
+        for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}})
+            consider(swept(crowd, open, along, width));
+    }
+    return best;
+}
+
+PlannedPart Planner::next(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const {
+    PlannedPart planned{part, {}, {}, 0.0, {}};
+    lead(planned,
+         tours_->tour(part.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance));
+    return planned;
+}
+
+}  // namespace muster

@@ -1,0 +1,39 @@
+// The ground as an operator sees it: blocks, and shortest ways round them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// Shortest ways of a crowd's middle among boxes. They keep a margin, and go straight where they can.
+class SeenGround {
+public:
+    /// `margin`: how far ways stay off blocks [m].
+    SeenGround(std::span<const Box> blocks, const Box& border, double margin);
+
+    /// True where the straight line keeps off all blocks; a point within the margin counts as outside it.
+    bool clear(Vec2 a, Vec2 b) const;
+    /// Length of the shortest way [m].
+    double distance(Vec2 a, Vec2 b) const;
+    /// Appends the corners of the shortest way behind `a`, `b` included.
+    void appendWay(Vec2 a, Vec2 b, std::vector<Vec2>& way) const;
+
+private:
+    struct Best {
+        double length = 0.0;
+        std::ptrdiff_t first = -1;  // Corner behind `a`, and the one before `b`; -1 for a straight line.
+        std::ptrdiff_t last = -1;
+    };
+    Best best(Vec2 a, Vec2 b) const;
+    void joinCorners();
+
+    std::vector<Box> blocks_;           // Grown by a little less than the margin.
+    std::vector<Vec2> corners_;         // Of blocks grown by the margin, inside the border.
+    std::vector<double> lengths_;       // Between all corners, row-major.
+    std::vector<std::ptrdiff_t> next_;  // The corner after the row's on the way to the column's.
+};
+
+}  // namespace muster
