@@ -1,24 +1,22 @@
 #include "gestures/control_scheme.h"
 
+#include "gestures/mouse_mesh.h"
+#include "gestures/mouse_strategy.h"
+#include "gestures/touch_scheme.h"
+
 namespace muster {
-namespace {
 
-// Does nothing.
-class NoScheme final : public ControlScheme {
-public:
-    void input(const InputEvent&, const World&, std::vector<CommandBody>&) override {}
-    void beforeStep(const World&, std::vector<CommandBody>&) override {}
-    const SchemeMarks& marks() const override { return marks_; }
-    bool busy() const override { return false; }
-
-private:
-    SchemeMarks marks_;
-};
-
-}  // namespace
-
-std::unique_ptr<ControlScheme> makeControlScheme(const SchemeDef&) {
-    return std::make_unique<NoScheme>();
+std::unique_ptr<ControlScheme> makeControlScheme(const SchemeDef& def) {
+    switch (def.kind) {
+        case SchemeKind::Touch:
+            return std::make_unique<TouchScheme>(def);
+        case SchemeKind::MouseMesh:
+            return std::make_unique<MouseMesh>(def);
+        case SchemeKind::MousePaper:
+        case SchemeKind::MouseFull:
+            break;
+    }
+    return std::make_unique<MouseStrategy>(def);
 }
 
 }  // namespace muster

@@ -1,0 +1,94 @@
+#include "gestures/touch_scheme.h"
+
+#include <algorithm>
+
+#include "gestures/ground_strokes.h"
+#include "gestures/group_lookup.h"
+#include "gestures/reaches.h"
+
+namespace muster {
+namespace {
+
+constexpr double kLeastReach = 0.3;  // A fingertip reaches at least so far on the ground [m]...
+constexpr double kMostReach = 1.5;   // ...and at most so far.
+
+}  // namespace
+
+void TouchScheme::input(const InputEvent& event, const World& world, std::vector<CommandBody>& commands) {
+    if (const auto* view = std::get_if<GroundView>(&event)) view_ = *view;
+    const auto* pointer = std::get_if<PointerEvent>(&event);
+    if (pointer == nullptr) return;
+    const auto ground = view_.groundAt(pointer->screen);
+    switch (pointer->phase) {
+        case PointerPhase::Down:
+            if (ground) down(*pointer, *ground, world, commands);
+            return;
+        case PointerPhase::Move:
+            if (!ground) return;
+            std::erase_if(presses_, [&](const Press& press) {
+                return press.pointer == pointer->pointer &&
+                       distance(press.screen, pointer->screen) * view_.mmPerPixel > travelOf(pointer->device);
+            });
+            hands_.move(pointer->pointer, *ground, pointer->time, world, commands);
+            if (strokeBy_ == pointer->pointer + 1) marks_.stroke.push_back(*ground);
+            return;
+        case PointerPhase::Up:
+        case PointerPhase::Cancel:
+            up(*pointer, world, commands);
+            return;
+    }
+}
+
+void TouchScheme::down(const PointerEvent& event, Vec2 ground, const World& world,
+                       std::vector<CommandBody>& commands) {
+    if (hands_.has(event.pointer) || strokeBy_ == event.pointer + 1) return;
+    marks_.notice.clear();
+    const double reach = std::clamp(metresFor(view_, event.screen, reachOf(event.device)), kLeastReach,
+                                    kMostReach);
+    const GroupId group = groupAt(world, ground, reach);
+    if (group) {
+        presses_.push_back({event.pointer, event.screen, event.time, group});
+        hands_.down(event.pointer, group, ground, event.time, world, commands);
+        return;
+    }
+    if (!def_.splits || strokeBy_ != 0 || (def_.oneFinger && hands_.any())) return;
+    strokeBy_ = event.pointer + 1;
+    marks_.stroke.assign(1, ground);
+}
+
+void TouchScheme::up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands) {
+    const bool cancelled = event.phase == PointerPhase::Cancel;
+    if (strokeBy_ == event.pointer + 1) {
+        if (!cancelled) marks_.notice = finishStroke(world, marks_.stroke, commands);
+        marks_.stroke.clear();
+        strokeBy_ = 0;
+    }
+    const auto press = std::find_if(presses_.begin(), presses_.end(),
+                                    [&](const Press& p) { return p.pointer == event.pointer; });
+    const bool tap = !cancelled && press != presses_.end() && event.time - press->time < kTapTime;
+    const GroupId group = press != presses_.end() ? press->group : GroupId{};
+    if (press != presses_.end()) presses_.erase(press);
+    hands_.up(event.pointer, event.time, cancelled || tap, commands);
+    if (tap) tapped(event, group, world, commands);
+}
+
+// Two taps after each other give a formation its square back.
+void TouchScheme::tapped(const PointerEvent& event, GroupId group, const World& world,
+                         std::vector<CommandBody>& commands) {
+    const bool again = group == lastTap_ && event.time - lastTapTime_ < kDoubleTime;
+    lastTap_ = group;
+    lastTapTime_ = event.time;
+    const std::int32_t index = groupIndex(world, group);
+    if (!again || !def_.shapes || index < 0) return;
+    SetFormation set{group, world.groupDef(static_cast<std::size_t>(index)).formation};
+    set.formation.kind = FormationKind::Square;
+    set.formation.files = 0;
+    commands.emplace_back(std::move(set));
+    lastTap_ = {};
+}
+
+void TouchScheme::beforeStep(const World& world, std::vector<CommandBody>&) {
+    hands_.beforeStep(world);
+}
+
+}  // namespace muster

@@ -1,0 +1,46 @@
+// Directing a crowd with fingers.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gestures/control_scheme.h"
+#include "gestures/mesh_hands.h"
+
+namespace muster {
+
+/// Fingers on formations move, bend, widen and divide them; strokes on free ground cut and join them.
+class TouchScheme final : public ControlScheme {
+public:
+    explicit TouchScheme(const SchemeDef& def) : def_(def), hands_({def.oneFinger, def.shapes, def.splits}) {}
+
+    void input(const InputEvent& event, const World& world, std::vector<CommandBody>& commands) override;
+    void beforeStep(const World& world, std::vector<CommandBody>& commands) override;
+    const SchemeMarks& marks() const override { return marks_; }
+    bool busy() const override { return hands_.any() || strokeBy_ != 0; }
+
+private:
+    void down(const PointerEvent& event, Vec2 ground, const World& world, std::vector<CommandBody>& commands);
+    void up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
+    void tapped(const PointerEvent& event, GroupId group, const World& world,
+                std::vector<CommandBody>& commands);
+
+    /// A finger that has just come down and not moved.
+    struct Press {
+        std::uint32_t pointer = 0;
+        Vec2 screen;
+        double time = 0.0;
+        GroupId group;
+    };
+
+    SchemeDef def_;
+    MeshHands hands_;
+    SchemeMarks marks_;
+    GroundView view_;
+    std::uint32_t strokeBy_ = 0;  // Pointer that draws on free ground, and 1; 0 for none.
+    std::vector<Press> presses_;
+    GroupId lastTap_;
+    double lastTapTime_ = -1e9;
+};
+
+}  // namespace muster
