@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kTearStretch = 1.6;      // Of the distance at which both fingers came down.
 constexpr double kTearSpacings = 2.0;     // More than that distance, in spacings.
+constexpr double kWidenTime = 0.15;       // Between two changes of a formation's width [s].
+constexpr double kWidenReach = 3.0;       // The middle of the fingers is so near the people's [m].
 constexpr double kFilesHysteresis = 0.7;  // The number of files changes once it is wrong by so much.
 
 // Perpendicular bisector of two points.
@@ -18,6 +20,22 @@ std::vector<Vec2> bisector(Vec2 a, Vec2 b) {
     const Vec2 middle = (a + b) * 0.5;
     const Vec2 across = perpendicular(normalized(b - a, {1.0, 0.0}));
     return {middle - across, middle + across};
+}
+
+// How many files a formation should have for two fingers that are `span` apart and came down `first` apart
+// [m]; 0 for as many as it has.
+std::int32_t filesFor(const GroupDef& def, const Pose& pose, Vec2 span, Vec2 first) {
+    const double fit = 1.0 + length(span) / def.formation.spacing;
+    const double n = def.count;
+    const double now = def.formation.files > 0 ? def.formation.files : std::ceil(std::sqrt(n));
+    // Fingers beside each other set the files; fingers behind each other the ranks.
+    const Vec2 local = pose.rotation.applyInverse(first);
+    const bool abreast = std::abs(local.y) >= std::abs(local.x);
+    const double held = abreast ? now : std::ceil(n / now);
+    if (std::abs(std::clamp(fit, 1.0, n) - held) < kFilesHysteresis) return 0;
+    const double wanted = std::clamp(std::floor(fit + 0.5), 1.0, n);
+    const auto files = static_cast<std::int32_t>(abreast ? wanted : std::ceil(n / wanted));
+    return files == static_cast<std::int32_t>(now) ? 0 : files;
 }
 
 bool ours(const Control& control) {
@@ -83,7 +101,7 @@ void MeshHands::move(std::uint32_t pointer, Vec2 ground, double time, const Worl
     Finger* finger = find(pointer);
     if (finger == nullptr) return;
     finger->at = ground;
-    commands.emplace_back(TouchMove{finger->touch, ground, time});
+    if (finger->held) commands.emplace_back(TouchMove{finger->touch, ground, time});
     if (def_.shapes && finger->paired) spread(*finger, world, commands);
     if (def_.splits && !finger->paired) tear(*finger, world, commands);
 }
@@ -91,9 +109,9 @@ void MeshHands::move(std::uint32_t pointer, Vec2 ground, double time, const Worl
 void MeshHands::up(std::uint32_t pointer, double time, bool cancelled, std::vector<CommandBody>& commands) {
     const Finger* finger = find(pointer);
     if (finger == nullptr) return;
-    if (cancelled)
+    if (finger->held && cancelled)
         commands.emplace_back(TouchCancel{finger->touch});
-    else
+    else if (finger->held)
         commands.emplace_back(TouchUp{finger->touch, time});
     fingers_.erase(fingers_.begin() + (finger - fingers_.data()));
 }
@@ -101,30 +119,50 @@ void MeshHands::up(std::uint32_t pointer, double time, bool cancelled, std::vect
 // The front gets as many files as fit between two fingers, so that people keep their distance from each
 // other.
 void MeshHands::spread(const Finger& moved, const World& world, std::vector<CommandBody>& commands) {
-    if (count(moved.group) != 2) return;
-    const Finger& other = *std::find_if(fingers_.begin(), fingers_.end(), [&](const Finger& f) {
+    if (count(moved.group) != 2 || !moved.held) return;
+    Finger& other = *std::find_if(fingers_.begin(), fingers_.end(), [&](const Finger& f) {
         return f.group == moved.group && f.pointer != moved.pointer;
     });
     const std::int32_t index = groupIndex(world, moved.group);
-    if (index < 0 || !other.paired) return;
+    if (index < 0 || !other.paired || world.time() < widenedTime_ + kWidenTime) return;
     const GroupDef def = world.groupDef(static_cast<std::size_t>(index));
     if (def.formation.kind != FormationKind::Square || def.count < 2) return;
-    const Vec2 span = moved.at - other.at;
     const Pose& pose = world.group(static_cast<std::size_t>(index)).pose;
-    const Vec2 first = pose.rotation.applyInverse(moved.from - other.from);
-    const double fit = 1.0 + length(span) / def.formation.spacing;
-    const double n = def.count;
-    const double now = def.formation.files > 0 ? def.formation.files : std::ceil(std::sqrt(n));
-    // Fingers beside each other set the files; fingers behind each other the ranks.
-    const bool abreast = std::abs(first.y) >= std::abs(first.x);
-    const double held = abreast ? now : std::ceil(n / now);
-    if (std::abs(std::clamp(fit, 1.0, n) - held) < kFilesHysteresis) return;
-    const double wanted = std::clamp(std::floor(fit + 0.5), 1.0, n);
-    const auto files = static_cast<std::int32_t>(abreast ? wanted : std::ceil(n / wanted));
-    if (files == static_cast<std::int32_t>(now)) return;
+    // Fingers that have drawn a way ahead of the crowd no longer hold its sides.
+    const Vec2 middle = (moved.at + other.at) * 0.5;
+    if (distance(middle, middleOf(world, index)) > kWidenReach) return;
+    const std::int32_t files = filesFor(def, pose, moved.at - other.at, moved.from - other.from);
+    if (files <= 0) return;
     SetFormation set{moved.group, def.formation};
     set.formation.files = files;
     commands.emplace_back(std::move(set));
+    commands.emplace_back(TouchCancel{moved.touch});  // The line ends as a whole.
+    for (Finger& finger : fingers_) {
+        if (finger.group != moved.group) continue;
+        finger.held = false;
+    }
+    widenedStep_ = world.stepCount() + 1;
+    widenedTime_ = world.time();
+}
+
+// Fingers take the ends of a formation that was widened.
+void MeshHands::takeAgain(const World& world, std::vector<CommandBody>& commands) {
+    if (widenedStep_ == 0 || world.stepCount() < widenedStep_) return;
+    widenedStep_ = 0;
+    AddControl line;
+    line.kind = ControlKind::Line;
+    line.time = world.time();
+    for (Finger& finger : fingers_) {
+        if (finger.held) continue;
+        finger.held = true;
+        finger.touch = ++lastTouch_;
+        line.group = finger.group;
+        line.touches.push_back(finger.touch);
+        line.positions.push_back(finger.at);
+    }
+    if (line.touches.size() == 1)
+        commands.emplace_back(TouchDown{line.touches[0], line.positions[0], line.time, line.group});
+    if (line.touches.size() == 2) commands.emplace_back(std::move(line));
 }
 
 // Two fingers that came down one after the other tear a formation once they are far enough apart.
@@ -154,7 +192,8 @@ void MeshHands::tear(const Finger& moved, const World& world, std::vector<Comman
     }
 }
 
-void MeshHands::beforeStep(const World& world) {
+void MeshHands::beforeStep(const World& world, std::vector<CommandBody>& commands) {
+    takeAgain(world, commands);
     for (Finger& finger : fingers_) {
         for (std::size_t g = 0; g < world.groupCount(); ++g) {
             const GroupView group = world.group(g);

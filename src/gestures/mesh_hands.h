@@ -29,8 +29,9 @@ public:
               std::vector<CommandBody>& commands);
     /// It lifts; what it drew is still followed, unless `cancelled`.
     void up(std::uint32_t pointer, double time, bool cancelled, std::vector<CommandBody>& commands);
-    /// Call before every step: learns to which part a finger belongs after its formation was divided.
-    void beforeStep(const World& world);
+    /// Call before every step: learns to which part a finger belongs after its formation was divided, and
+    /// takes a formation that was widened by its new ends.
+    void beforeStep(const World& world, std::vector<CommandBody>& commands);
     /// True while a finger is down.
     bool any() const { return !fingers_.empty(); }
     /// True for a finger that is on a formation.
@@ -47,16 +48,20 @@ private:
         Vec2 at;              // Where it is [m].
         double time = 0.0;    // When it came down [s].
         bool paired = false;  // It came down together with another one on its formation.
+        bool held = true;     // Its touch is down in the world.
     };
     void endOldWays(GroupId group, const World& world, std::vector<CommandBody>& commands) const;
     void spread(const Finger& moved, const World& world, std::vector<CommandBody>& commands);
+    void takeAgain(const World& world, std::vector<CommandBody>& commands);
     void tear(const Finger& moved, const World& world, std::vector<CommandBody>& commands);
     Finger* find(std::uint32_t pointer);
 
     MeshHandsDef def_;
     std::vector<Finger> fingers_;  // In the order in which they came down.
     std::uint32_t lastTouch_ = 0;
-    std::uint32_t tornStep_ = 0;  // The step before which a formation was last torn, and 1.
+    std::uint32_t tornStep_ = 0;     // The step before which a formation was last torn, and 1.
+    std::uint32_t widenedStep_ = 0;  // The same for one that was widened.
+    double widenedTime_ = -1e9;      // When that was [s].
 };
 
 }  // namespace muster

@@ -136,8 +136,8 @@ void MouseMesh::key(const KeyEvent& event, const World& world, std::vector<Comma
 }
 
 // Forgets what the world has ended.
-void MouseMesh::beforeStep(const World& world, std::vector<CommandBody>&) {
-    hands_.beforeStep(world);
+void MouseMesh::beforeStep(const World& world, std::vector<CommandBody>& commands) {
+    hands_.beforeStep(world, commands);
     if (!held_.empty() && groupIndex(world, held_.front().group) < 0) held_.clear();
 }
 

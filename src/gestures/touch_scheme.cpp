@@ -87,8 +87,8 @@ void TouchScheme::tapped(const PointerEvent& event, GroupId group, const World& 
     lastTap_ = {};
 }
 
-void TouchScheme::beforeStep(const World& world, std::vector<CommandBody>&) {
-    hands_.beforeStep(world);
+void TouchScheme::beforeStep(const World& world, std::vector<CommandBody>& commands) {
+    hands_.beforeStep(world, commands);
 }
 
 }  // namespace muster

@@ -13,6 +13,7 @@ constexpr double kWayMargin = 0.8;      // Ways keep so far off blocks [m].
 constexpr double kSpeed = 2.0;          // At which people are known to walk [m/s].
 constexpr double kStandingSpeed = 0.3;  // Who is seen slower stands [m/s].
 constexpr double kIdleLook = 0.4;       // For so long one looks whether a part stands [s].
+constexpr double kStuckLook = 2.0;      // For so long where it has a way ahead [s].
 constexpr double kIdleGrace = 1.2;      // After an order nobody expects movement for so long [s].
 constexpr double kNear = 1.3;           // A point is reached when a part's middle is so near [m].
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -190,9 +191,16 @@ SeenPart OperatorModel::seen(const Charge& charge, double at) const {
     return seenPart(std::move(ids), std::move(positions));
 }
 
-bool OperatorModel::idle(const Charge& charge, const SeenScene& now, const SeenScene& before) const {
+bool OperatorModel::idle(const Charge& charge, const SeenScene& now) const {
+    if (now.time < charge.sentAt + kIdleGrace) return false;
+    // Who has a way ahead is stuck only where it has stood for longer.
+    bool waits = true;
+    for (std::size_t i = 0; i < now.ids.size() && waits; ++i)
+        if (std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), now.ids[i]))
+            waits = std::binary_search(now.busy.begin(), now.busy.end(), now.groups[i]);
+    const SeenScene& before = memory_.at(now.time - (waits ? kStuckLook : kIdleLook));
     const double passed = now.time - before.time;
-    if (passed <= 0.5 * kIdleLook || now.time < charge.sentAt + kIdleGrace) return false;
+    if (passed <= 0.5 * kIdleLook || (waits && now.time < charge.sentAt + kStuckLook)) return false;
     Vec2 moved;
     double count = 0.0;
     for (std::size_t i = 0; i < now.ids.size(); ++i) {
@@ -244,10 +252,9 @@ void OperatorModel::watch(double now, const SeenScene& seen) {
 
 // New ways for those who stand although items are left.
 void OperatorModel::renew(double now, const SeenScene& seen) {
-    const SeenScene& before = memory_.at(seen.time - kIdleLook);
     std::vector<std::size_t> idles;
     for (std::size_t i = 0; i < charges_.size(); ++i)
-        if (idle(charges_[i], seen, before)) idles.push_back(i);
+        if (idle(charges_[i], seen)) idles.push_back(i);
     if (idles.empty()) return;
     std::vector<std::int32_t> open = openItems(seen);
     std::vector<std::int32_t> left;

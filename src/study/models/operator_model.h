@@ -65,7 +65,7 @@ private:
     void renew(double now, const SeenScene& scene);
     void adopt(Charge& charge, const SeenScene& scene);
     void adoptSelected(double now, Charge& charge);
-    bool idle(const Charge& charge, const SeenScene& now, const SeenScene& before) const;
+    bool idle(const Charge& charge, const SeenScene& now) const;
     bool due(const Charge& charge, const SeenScene& scene) const;
     SeenPart seen(const Charge& charge, double at) const;
     std::vector<std::int32_t> openItems(const SeenScene& scene) const;

@@ -15,6 +15,7 @@ struct SeenScene {
     std::vector<Vec2> positions;          ///< Of all characters, in the order of ids [m].
     std::vector<std::uint32_t> ids;       ///< Their ids.
     std::vector<std::uint32_t> groups;    ///< Per character, the id of its formation.
+    std::vector<std::uint32_t> busy;      ///< Ids of formations with a drawn way or a queue ahead, ascending.
     std::vector<std::uint8_t> collected;  ///< Per item: 1 once it has gone.
     std::vector<std::uint32_t> selected;  ///< Ids of the selected.
 };

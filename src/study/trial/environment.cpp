@@ -127,6 +127,8 @@ Result<WorldDef> studyWorld(const StudyEnvironment& environment, std::int32_t cr
     def.description = std::string(environment.description);
     def.box = studyRules().box;
     def.seed = seed;
+    def.parameters.control.speed = studyRules().speed;
+    def.parameters.character.maxSpeed = studyRules().speed;
     for (const Box& block : environment.blocks) {
         Box placed = block;
         if (mirrored) {

@@ -34,6 +34,7 @@ struct StudyRules {
     double itemSpacing = 1.5;     ///< Least distance between items [m].
     double startFree = 5.5;       ///< Half the side of the square round the start that holds no items [m].
     double spacing = 1.0;         ///< Between neighbouring places of the start formation, a square [m].
+    double speed = 2.0;           ///< Top speed of characters, and of control points [m/s].
     double limit = 300.0;         ///< A trial that is not done by then is censored [s].
     double width = 1920.0, height = 1080.0;  ///< Of the display [px].
     double mmPerPixel = 0.2767;              ///< Of the display.
