@@ -103,6 +103,11 @@ void Subcommand::footer(const std::string& text) {
     app_->footer(text);
 }
 
+Subcommand Subcommand::add(const std::string& name, const std::string& about) {
+    app_->require_subcommand(1);
+    return Subcommand(app_->add_subcommand(name, about), exitCode_);
+}
+
 void Subcommand::run(std::function<int()> action) {
     app_->callback([action = std::move(action), exitCode = exitCode_] { *exitCode = action(); });
 }

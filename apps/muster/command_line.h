@@ -70,6 +70,8 @@ public:
     Option flag(const std::string& name, bool& value, const std::string& about);
     /// Sets the text below the options in the help text.
     void footer(const std::string& text);
+    /// Adds a command of its own; one of these must be named then.
+    Subcommand add(const std::string& name, const std::string& about);
     /// Sets the function of the command; it returns the exit code.
     void run(std::function<int()> action);
 

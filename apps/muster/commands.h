@@ -16,5 +16,10 @@ void addMotionCommand(CommandLine& line);
 void addExportCommand(CommandLine& line);
 void addReproduceCommand(CommandLine& line);
 void addSweepCommand(CommandLine& line);
+void addStudyCommand(CommandLine& line);
+
+// Commands of `muster study`.
+void addStudyReportCommand(Subcommand& study);
+void addStudyExportCommand(Subcommand& study);
 
 }  // namespace muster

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
     addExportCommand(line);
     addReproduceCommand(line);
     addSweepCommand(line);
+    addStudyCommand(line);
     return line.run(argc, argv);
 }
 

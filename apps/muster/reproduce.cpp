@@ -14,7 +14,7 @@
 #include "folders.h"
 #include "options.h"
 #include "report.h"
-#include "reproduce/report/markup.h"
+#include "report/markup.h"
 #include "reproduce/reproduce.h"
 
 namespace muster {

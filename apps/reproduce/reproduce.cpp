@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "reproduce/report/markup.h"
+#include "report/markup.h"
 
 namespace muster {
 namespace {

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "picture/xml.h"
-#include "reproduce/report/axis.h"
-#include "reproduce/report/marks.h"
+#include "report/axis.h"
+#include "report/marks.h"
 #include "reproduce/report/strip_plot.h"
 
 using namespace muster;

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "picture/xml.h"
+#include "report/svg_picture.h"
 #include "reproduce/fake.h"
-#include "reproduce/report/svg_picture.h"
 
 using namespace muster;
 using muster::testing::Element;

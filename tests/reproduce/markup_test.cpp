@@ -1,5 +1,5 @@
 // Text and numbers of the report.
-#include "reproduce/report/markup.h"
+#include "report/markup.h"
 
 #include <doctest.h>
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reproduce/report/axis.h"
-#include "reproduce/report/marks.h"
-#include "reproduce/report/markup.h"
+#include "report/axis.h"
+#include "report/marks.h"
+#include "report/markup.h"
 
 namespace muster {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reproduce/report/markup.h"
-#include "reproduce/report/svg_picture.h"
+#include "report/markup.h"
+#include "report/svg_picture.h"
 
 namespace muster {
 namespace {

@@ -1,6 +1,7 @@
 // The report's page.
+#include "report/markup.h"
+#include "report/page_style.h"
 #include "reproduce/report/html_parts.h"
-#include "reproduce/report/markup.h"
 #include "reproduce/reproduce.h"
 
 namespace muster {

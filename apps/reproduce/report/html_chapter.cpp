@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/markup.h"
+#include "report/svg_picture.h"
 #include "reproduce/report/chart.h"
 #include "reproduce/report/film_strip.h"
 #include "reproduce/report/html_parts.h"
-#include "reproduce/report/markup.h"
 #include "reproduce/report/strip_plot.h"
-#include "reproduce/report/svg_picture.h"
 
 namespace muster {
 namespace {

@@ -63,7 +63,5 @@ std::string stripPlots(const ExperimentResult& experiment);
 std::string films(const ExperimentResult& experiment);
 /// All about one experiment.
 std::string chapter(const ExperimentResult& experiment, std::int32_t seeds);
-/// The style sheet.
-std::string pageStyle();
 
 }  // namespace muster

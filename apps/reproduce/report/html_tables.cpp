@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "report/markup.h"
 #include "reproduce/report/html_parts.h"
-#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {

@@ -3,8 +3,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "report/markup.h"
 #include "reproduce/report/html_parts.h"
-#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {

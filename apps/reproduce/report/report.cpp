@@ -5,8 +5,8 @@
 #include "base/json.h"
 #include "base/text_file.h"
 #include "muster/scenario.h"
+#include "report/markup.h"
 #include "reproduce/report/film_strip.h"
-#include "reproduce/report/markup.h"
 #include "reproduce/reproduce.h"
 
 namespace muster {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/axis.h"
+#include "report/marks.h"
+#include "report/markup.h"
 #include "reproduce/experiments/samples.h"
-#include "reproduce/report/axis.h"
-#include "reproduce/report/marks.h"
-#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {

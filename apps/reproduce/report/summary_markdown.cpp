@@ -1,6 +1,6 @@
 // The summary as Markdown.
+#include "report/markup.h"
 #include "reproduce/report/html_parts.h"
-#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {

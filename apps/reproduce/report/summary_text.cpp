@@ -1,8 +1,8 @@
 // The verdicts for a terminal or a log.
 #include <algorithm>
 
+#include "report/markup.h"
 #include "reproduce/report/html_parts.h"
-#include "reproduce/report/markup.h"
 
 namespace muster {
 namespace {

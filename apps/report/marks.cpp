@@ -1,6 +1,6 @@
-#include "reproduce/report/marks.h"
+#include "report/marks.h"
 
-#include "reproduce/report/markup.h"
+#include "report/markup.h"
 
 namespace muster {
 namespace {

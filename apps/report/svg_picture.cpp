@@ -1,10 +1,10 @@
-#include "reproduce/report/svg_picture.h"
+#include "report/svg_picture.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
-#include "reproduce/report/markup.h"
+#include "report/markup.h"
 
 namespace muster {
 namespace {

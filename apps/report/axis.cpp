@@ -1,11 +1,11 @@
-#include "reproduce/report/axis.h"
+#include "report/axis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 
-#include "reproduce/report/markup.h"
+#include "report/markup.h"
 
 namespace muster {
 namespace {

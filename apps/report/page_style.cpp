@@ -1,6 +1,6 @@
 // The report's style sheet: the studio's colours and letters, for screens, phones, dark surroundings and A4.
-#include "reproduce/report/html_parts.h"
-#include "reproduce/report/marks.h"
+#include "report/page_style.h"
+#include "report/marks.h"
 
 namespace muster {
 namespace {

@@ -1,4 +1,4 @@
-#include "reproduce/report/markup.h"
+#include "report/markup.h"
 
 #include <algorithm>
 #include <cmath>

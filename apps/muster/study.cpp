@@ -1,0 +1,16 @@
+// muster study
+#include "commands.h"
+
+namespace muster {
+
+void addStudyCommand(CommandLine& line) {
+    Subcommand study = line.add("study", "The study of touch and mouse (the paper's section 7.5).");
+    addStudyReportCommand(study);
+    addStudyExportCommand(study);
+    study.footer(
+        "All commands share one database file. Operator models are no people: reports never mix them.\n"
+        "Example:\n"
+        "  muster study report --db study.db -o report");
+}
+
+}  // namespace muster

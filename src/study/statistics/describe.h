@@ -1,0 +1,45 @@
+// Medians, quantiles and their ratios.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace muster::statistics {
+
+/// A value with an interval.
+struct Estimate {
+    double value = 0.0;  ///< NaN where there is none.
+    double low = 0.0;    ///< Lower end.
+    double high = 0.0;   ///< Upper end.
+};
+
+/// The p-quantile by linear interpolation at (n - 1) p (type 7 of Hyndman & Fan 1996, R's default); NaN for
+/// no values.
+double quantile(std::vector<double> values, double p);
+/// The quantile of one half.
+double median(const std::vector<double>& values);
+
+/// What a box plot shows (Tukey 1977): whiskers end at the outermost values within 1.5 interquartile ranges
+/// of the box.
+struct BoxSummary {
+    double low = 0.0, lower = 0.0, middle = 0.0, upper = 0.0,
+           high = 0.0;           ///< Whisker, box, median, box, whisker.
+    std::vector<double> beyond;  ///< Values beyond the whiskers.
+};
+/// Of at least one value.
+BoxSummary boxSummary(const std::vector<double>& values);
+
+/// Ratio of the geometric means of a and b, with the 95 % interval by the paired t distribution of log ratios
+/// (Sauro & Lewis 2010). Of pairs of positive values; NaN for none, an infinite interval for one.
+Estimate geometricMeanRatio(std::span<const double> a, std::span<const double> b);
+
+/// Ratio of the medians of a and b with the 95 % percentile interval of that many resamples of the pairs
+/// (Efron & Tibshirani 1993, chapter 13). The same seed gives the same interval. NaN for no pairs.
+Estimate ratioOfMedians(std::span<const double> a, std::span<const double> b, std::uint64_t seed = 1,
+                        int resamples = 4000);
+
+/// Adjusted p-values of several tests (Holm 1979), in the order given.
+std::vector<double> holm(std::span<const double> p);
+
+}  // namespace muster::statistics
