@@ -2,7 +2,8 @@
 
 #include <utility>
 
-// SUS, NASA-TLX, UEQ-S and the CR10 scale are quoted verbatim with their sources; all else is our own wording.
+// SUS, NASA-TLX, UEQ-S and the CR10 scale are quoted verbatim with their sources; all else is our own
+// wording.
 
 namespace muster {
 namespace {
@@ -70,43 +71,44 @@ Form paperLike() {
 }
 
 Form sus() {
-    return {"sus",
-            "Usability",
-            "The system is the control that you have just used.",
-            "Brooke, J. (1996). SUS: a quick and dirty usability scale.",
-            true,
-            {agree("sus-1", "I think that I would like to use this system frequently"),
-             agree("sus-2", "I found the system unnecessarily complex"),
-             agree("sus-3", "I thought the system was easy to use"),
-             agree("sus-4",
-                   "I think that I would need the support of a technical person to be able to use this system"),
-             agree("sus-5", "I found the various functions in this system were well integrated"),
-             agree("sus-6", "I thought there was too much inconsistency in this system"),
-             agree("sus-7", "I would imagine that most people would learn to use this system very quickly"),
-             agree("sus-8", "I found the system very cumbersome to use"),
-             agree("sus-9", "I felt very confident using the system"),
-             agree("sus-10", "I needed to learn a lot of things before I could get going with this system")}};
+    return {
+        "sus",
+        "Usability",
+        "The system is the control that you have just used.",
+        "Brooke, J. (1996). SUS: a quick and dirty usability scale.",
+        true,
+        {agree("sus-1", "I think that I would like to use this system frequently"),
+         agree("sus-2", "I found the system unnecessarily complex"),
+         agree("sus-3", "I thought the system was easy to use"),
+         agree("sus-4",
+               "I think that I would need the support of a technical person to be able to use this system"),
+         agree("sus-5", "I found the various functions in this system were well integrated"),
+         agree("sus-6", "I thought there was too much inconsistency in this system"),
+         agree("sus-7", "I would imagine that most people would learn to use this system very quickly"),
+         agree("sus-8", "I found the system very cumbersome to use"),
+         agree("sus-9", "I felt very confident using the system"),
+         agree("sus-10", "I needed to learn a lot of things before I could get going with this system")}};
 }
 
 Form tlx() {
-    return {"tlx",
-            "Workload",
-            "",
-            "Hart, S. G., & Staveland, L. E. (1988). Development of NASA-TLX; raw, without weights.",
-            true,
-            {load("mental", "Mental Demand: How mentally demanding was the task?", "Very Low", "Very High"),
-             load("physical", "Physical Demand: How physically demanding was the task?", "Very Low", "Very High"),
-             load("temporal", "Temporal Demand: How hurried or rushed was the pace of the task?", "Very Low",
-                  "Very High"),
-             load("performance",
-                  "Performance: How successful were you in accomplishing what you were asked to do?", "Perfect",
-                  "Failure"),
-             load("effort",
-                  "Effort: How hard did you have to work to accomplish your level of performance?", "Very Low",
-                  "Very High"),
-             load("frustration",
-                  "Frustration: How insecure, discouraged, irritated, stressed, and annoyed were you?",
-                  "Very Low", "Very High")}};
+    return {
+        "tlx",
+        "Workload",
+        "",
+        "Hart, S. G., & Staveland, L. E. (1988). Development of NASA-TLX; raw, without weights.",
+        true,
+        {load("mental", "Mental Demand: How mentally demanding was the task?", "Very Low", "Very High"),
+         load("physical", "Physical Demand: How physically demanding was the task?", "Very Low", "Very High"),
+         load("temporal", "Temporal Demand: How hurried or rushed was the pace of the task?", "Very Low",
+              "Very High"),
+         load("performance",
+              "Performance: How successful were you in accomplishing what you were asked to do?", "Perfect",
+              "Failure"),
+         load("effort", "Effort: How hard did you have to work to accomplish your level of performance?",
+              "Very Low", "Very High"),
+         load("frustration",
+              "Frustration: How insecure, discouraged, irritated, stressed, and annoyed were you?",
+              "Very Low", "Very High")}};
 }
 
 Form ueq() {

@@ -64,7 +64,7 @@ Status checkForm(const Form& form, std::span<const StudyAnswer> answers) {
         for (const StudyAnswer& answer : answers) answered |= answer.item == question.name;
         if (!answered)
             return invalidArgument("The question '" + std::string(form.instrument) + "' '" +
-                                                         std::string(question.name) + "' is not answered.");
+                                   std::string(question.name) + "' is not answered.");
     }
     return {};
 }

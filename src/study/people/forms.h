@@ -21,16 +21,16 @@ enum class QuestionKind : std::uint8_t {
 
 /// One question.
 struct Question {
-    std::string_view name;                  ///< As it is stored: "sus-1".
-    std::string_view text;                  ///< As it is asked.
+    std::string_view name;                    ///< As it is stored: "sus-1".
+    std::string_view text;                    ///< As it is asked.
     QuestionKind kind = QuestionKind::Scale;  ///< How it is answered.
-    double low = 1.0;                       ///< Least answer.
-    double high = 5.0;                      ///< Greatest answer.
-    double step = 1.0;                      ///< Between the marks of a scale.
-    std::string_view lowLabel;              ///< The pole at `low`.
-    std::string_view highLabel;             ///< The pole at `high`.
-    std::vector<std::string_view> choices;  ///< Of a choice.
-    bool needed = true;                     ///< False: it may be left out.
+    double low = 1.0;                         ///< Least answer.
+    double high = 5.0;                        ///< Greatest answer.
+    double step = 1.0;                        ///< Between the marks of a scale.
+    std::string_view lowLabel;                ///< The pole at `low`.
+    std::string_view highLabel;               ///< The pole at `high`.
+    std::vector<std::string_view> choices;    ///< Of a choice.
+    bool needed = true;                       ///< False: it may be left out.
 };
 
 /// Questions that are asked together.

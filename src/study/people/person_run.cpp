@@ -118,7 +118,8 @@ Status PersonRun::input(const InputEvent& event) {
 
 Status PersonRun::step() {
     if (stage_ != RunStage::Trial) return misplaced("A step");
-    // A trial that is over, but whose result could not be stored, makes no more steps: storing is tried again.
+    // A trial that is over, but whose result could not be stored, makes no more steps: storing is tried
+    // again.
     const auto over = [this] {
         return trial_->over() || (stored_.practice && trial_->world().time() >= kPracticeMost);
     };

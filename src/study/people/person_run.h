@@ -37,7 +37,8 @@ public:
     static Result<PersonRun> begin(StudyStore& store, const PeopleSettings& settings, RunKind kind,
                                    const std::string& started, const std::string& version);
 
-    /// Answers the form that waits, as a whole, and goes on. Fails, changing nothing, where it is not complete.
+    /// Answers the form that waits, as a whole, and goes on. Fails, changing nothing, where it is not
+    /// complete.
     Status answer(std::span<const StudyAnswer> answers);
     /// Begins the trial that waits.
     Status start();
@@ -51,12 +52,12 @@ public:
     /// Stops the run for good; what there is is kept.
     Status breakOff();
 
-    RunStage stage() const { return stage_; }                    ///< Where it stands.
-    const StudyRun& run() const { return run_; }                 ///< As it is stored.
-    const PeoplePlan& plan() const { return plan_; }             ///< All its trials.
-    const Form* form() const;                                    ///< The form that waits; null for none.
-    std::string formScheme() const;                              ///< Whom it is about; empty for none.
-    const PlannedTrial* planned() const;                         ///< The trial that waits or goes on, or null.
+    RunStage stage() const { return stage_; }         ///< Where it stands.
+    const StudyRun& run() const { return run_; }      ///< As it is stored.
+    const PeoplePlan& plan() const { return plan_; }  ///< All its trials.
+    const Form* form() const;                         ///< The form that waits; null for none.
+    std::string formScheme() const;                   ///< Whom it is about; empty for none.
+    const PlannedTrial* planned() const;              ///< The trial that waits or goes on, or null.
     const Trial* trial() const { return trial_ ? &*trial_ : nullptr; }  ///< The one that goes on, or null.
 
 private:
@@ -70,11 +71,11 @@ private:
     PeoplePlan plan_;
     StudyRun run_;
     RunStage stage_ = RunStage::Form;
-    std::size_t form_ = 0;         // Index of the form that waits.
-    std::size_t next_ = 0;         // Index of the trial that waits or goes on.
-    StudyTrial stored_;            // It, as it is stored.
-    std::size_t storedInputs_ = 0; // How many of its inputs are.
-    double storedTime_ = 0.0;      // When they were stored last [s].
+    std::size_t form_ = 0;          // Index of the form that waits.
+    std::size_t next_ = 0;          // Index of the trial that waits or goes on.
+    StudyTrial stored_;             // It, as it is stored.
+    std::size_t storedInputs_ = 0;  // How many of its inputs are.
+    double storedTime_ = 0.0;       // When they were stored last [s].
     std::optional<Trial> trial_;
 };
 

@@ -15,11 +15,13 @@ constexpr std::uint64_t kFirstPracticeSeed = 2'000'000'000;
 
 Status check(const PeopleSettings& settings, std::int64_t number) {
     if (number < 0 || number > 100'000'000)
-        return invalidArgument("The run's number is " + std::to_string(number) + "; it must be 0 to 100000000.");
+        return invalidArgument("The run's number is " + std::to_string(number) +
+                               "; it must be 0 to 100000000.");
     const auto scheme = namedScheme(settings.mouse);
     if (!scheme.ok()) return scheme.status();
     if (scheme.value().def.kind == SchemeKind::Touch)
-        return invalidArgument("'" + settings.mouse + "' is no mouse; touch is compared with one of the mice.");
+        return invalidArgument("'" + settings.mouse +
+                               "' is no mouse; touch is compared with one of the mice.");
     if (settings.crowd < 1 || settings.crowd > 400)
         return invalidArgument("The crowd is " + std::to_string(settings.crowd) + "; it must be 1 to 400.");
     return {};
@@ -42,13 +44,14 @@ Result<PeoplePlan> planPeople(const PeopleSettings& settings, std::int64_t numbe
         const std::string& scheme = plan.schemes[static_cast<std::size_t>(period - 1)];
         const bool mirrored = (scheme == "touch") == touchMirrored;
         const auto run = static_cast<std::uint64_t>(number);
-        plan.trials.push_back({{std::string(environments[0].name), settings.crowd, scheme,
-                                kFirstPracticeSeed + run, mirrored},
-                               true,
-                               period,
-                               0});
+        plan.trials.push_back(
+            {{std::string(environments[0].name), settings.crowd, scheme, kFirstPracticeSeed + run, mirrored},
+             true,
+             period,
+             0});
         for (std::int32_t place = 0; place < 4; ++place) {
-            const auto index = static_cast<std::size_t>((kFirstRow[static_cast<std::size_t>(place)] + row) % 4);
+            const auto index = static_cast<std::size_t>((kFirstRow[static_cast<std::size_t>(place)] + row) %
+                                                        4);
             plan.trials.push_back({{std::string(environments[index].name), settings.crowd, scheme,
                                     kFirstSeed + 4 * run + index, mirrored},
                                    false,

@@ -27,7 +27,7 @@ struct PlannedTrial {
 
 /// All trials of one run.
 struct PeoplePlan {
-    std::int32_t order = 0;              ///< 0 to 7: the row of the square, and 4 more where the mouse is first.
+    std::int32_t order = 0;  ///< 0 to 7: the row of the square, and 4 more where the mouse is first.
     std::array<std::string, 2> schemes;  ///< The two controls, in the order of their blocks.
     std::vector<PlannedTrial> trials;    ///< For each control its practice, then its four trials.
 };

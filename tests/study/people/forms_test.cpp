@@ -16,8 +16,8 @@ const Form& formOf(std::string_view instrument) {
 }
 
 StudyAnswer least(const Form& form, const Question& question) {
-    StudyAnswer answer{form.perScheme ? "touch" : "", std::string(form.instrument), std::string(question.name),
-                       "", question.low};
+    StudyAnswer answer{form.perScheme ? "touch" : "", std::string(form.instrument),
+                       std::string(question.name), "", question.low};
     if (!question.choices.empty()) answer.text = question.choices[0];
     return answer;
 }
@@ -68,7 +68,8 @@ TEST_CASE("missing, double and foreign answers are refused by name") {
 TEST_CASE("answers outside their range, scale or choices are refused") {
     const double none = std::numeric_limits<double>::quiet_NaN();
     CHECK(checkAnswer({"touch", "borg", "arm", "", 0.5}).ok());
-    for (const double number : {none, -0.5, 10.5, 0.25}) CHECK(!checkAnswer({"touch", "borg", "arm", "", number}).ok());
+    for (const double number : {none, -0.5, 10.5, 0.25})
+        CHECK(!checkAnswer({"touch", "borg", "arm", "", number}).ok());
     CHECK(!checkAnswer({"", "borg", "arm", "", 1.0}).ok());
     CHECK(!checkAnswer({"touch", "before", "age", "", 30.0}).ok());
     CHECK(!checkAnswer({"", "before", "age", "", 17.0}).ok());

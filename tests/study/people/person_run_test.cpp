@@ -36,8 +36,8 @@ PersonRun beginOf(StudyStore& store, RunKind kind = RunKind::Test) {
 void answerForm(PersonRun& run) {
     std::vector<StudyAnswer> answers;
     for (const Question& question : run.form()->questions) {
-        StudyAnswer answer{run.formScheme(), std::string(run.form()->instrument), std::string(question.name), "",
-                           question.low};
+        StudyAnswer answer{run.formScheme(), std::string(run.form()->instrument), std::string(question.name),
+                           "", question.low};
         if (!question.choices.empty()) answer.text = question.choices[0];
         answers.push_back(answer);
     }
@@ -54,17 +54,17 @@ void steps(PersonRun& run, int count) {
 void drag(PersonRun& run) {
     const TrialDef def = run.planned()->def;
     const Vec2 start = studyEnvironment(def.environment).value().start;
-    const Vec2 from =
-        run.trial()->view().screenOf({start.x, def.mirrored ? -start.y : start.y}).value_or(Vec2{});
+    const Vec2
+        from = run.trial()->view().screenOf({start.x, def.mirrored ? -start.y : start.y}).value_or(Vec2{});
     const double way = start.x > 0.0 ? -10.0 : 10.0;
-    const auto device =
-        def.scheme == "touch" ? PointerDevice::Touch : PointerDevice::Mouse;
+    const auto device = def.scheme == "touch" ? PointerDevice::Touch : PointerDevice::Mouse;
     for (int i = 0; i <= 30; ++i) {
         const PointerPhase phase = i == 0    ? PointerPhase::Down
                                    : i == 30 ? PointerPhase::Up
                                              : PointerPhase::Move;
-        PointerEvent event{phase, device, PointerButton::Left, 1, {from.x + way * i, from.y},
-                           run.trial()->world().time(), {}};
+        PointerEvent event{
+            phase, device, PointerButton::Left, 1, {from.x + way * i, from.y}, run.trial()->world().time(),
+            {}};
         if (device == PointerDevice::Mouse && i < 30) event.button = PointerButton::Right;
         REQUIRE(run.input(event).ok());
         steps(run, 2);
@@ -93,11 +93,12 @@ TEST_CASE("a run goes from consent to thanks, and is stored whole") {
         }
     }
     const std::string mouse = "mouse-full-free";
-    CHECK(seen == std::vector<std::string>{"consent", "before", "practice", "trial", "trial", "trial", "trial",
-                                           "papertouch", "sustouch", "tlxtouch", "ueq-stouch", "borgtouch",
-                                           "practice", "trial", "trial", "trial", "trial", "paper" + mouse,
-                                           "sus" + mouse, "tlx" + mouse, "ueq-s" + mouse, "borg" + mouse,
-                                           "preference"});
+    CHECK(seen == std::vector<std::string>{"consent",       "before",        "practice",    "trial",
+                                           "trial",         "trial",         "trial",       "papertouch",
+                                           "sustouch",      "tlxtouch",      "ueq-stouch",  "borgtouch",
+                                           "practice",      "trial",         "trial",       "trial",
+                                           "trial",         "paper" + mouse, "sus" + mouse, "tlx" + mouse,
+                                           "ueq-s" + mouse, "borg" + mouse,  "preference"});
     const auto runs = store.runs();
     REQUIRE(runs.ok());
     CHECK(runs.value()[0].state == RunState::Complete);
