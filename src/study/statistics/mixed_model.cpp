@@ -222,7 +222,7 @@ std::vector<double> freedoms(const Design& design, const std::vector<double>& pa
     return dfs;
 }
 
-/// The best parameters: the simplex from several places, each begun anew until it stands still.
+/// The best parameters: the simplex from several places, each begun again until it stands still.
 std::vector<double> bestTheta(const Design& design) {
     const auto value = [&](const std::vector<double>& theta) { return criterion(design, theta); };
     std::vector<double> best;
