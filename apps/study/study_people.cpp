@@ -4,6 +4,7 @@
 
 #include "report/markup.h"
 #include "study/statistics/mixed_model.h"
+#include "study/statistics/questionnaires.h"
 #include "study/statistics/rank_tests.h"
 #include "study/study_parts.h"
 
@@ -105,6 +106,19 @@ std::string robust(const Cells& cells) {
     return html + "</tbody></table></div>\n";
 }
 
+/// Scores of published questionnaires of one person and control, where all items were answered.
+void addScores(const std::string& instrument, const std::vector<double>& numbers, const std::string& scheme,
+               std::map<std::string, std::map<std::string, std::vector<double>>>& values) {
+    const auto add = [&](const char* name, double score) {
+        if (std::isfinite(score)) values[name][scheme].push_back(score);
+    };
+    if (instrument == "sus") add("SUS score, 0 to 100", statistics::susScore(numbers));
+    if (instrument == "tlx") add("Raw NASA-TLX, 0 to 100", statistics::rawTlx(numbers));
+    if (instrument != "ueq-s") return;
+    add("UEQ-S pragmatic, -3 to 3", statistics::ueqShort(numbers).pragmatic);
+    add("UEQ-S hedonic, -3 to 3", statistics::ueqShort(numbers).hedonic);
+}
+
 /// Every question that has numbers, as box plots by control.
 std::string questionnaires(const StudyData& data, const std::vector<std::int64_t>& runs) {
     std::map<std::string, std::map<std::string, std::vector<double>>> values;
@@ -112,12 +126,15 @@ std::string questionnaires(const StudyData& data, const std::vector<std::int64_t
     for (const std::int64_t run : runs) {
         const auto answers = data.answers.find(run);
         if (answers == data.answers.end()) continue;
+        std::map<std::pair<std::string, std::string>, std::vector<double>> sheets;
         for (const StudyAnswer& answer : answers->second) {
+            if (!answer.scheme.empty()) sheets[{answer.instrument, answer.scheme}].push_back(answer.number);
             if (answer.instrument == "preference")
                 reasons += "<li>" + escaped(answer.item + ": " + answer.text) + "</li>\n";
             else if (std::isfinite(answer.number) && !answer.scheme.empty())
                 values[answer.instrument + ", " + answer.item][answer.scheme].push_back(answer.number);
         }
+        for (const auto& [sheet, numbers] : sheets) addScores(sheet.first, numbers, sheet.second, values);
     }
     if (values.empty() && reasons.empty()) return "<p class=\"none\">There are no answers of people.</p>\n";
     std::string html = "<div class=\"plots charts\">\n";
