@@ -13,6 +13,10 @@ namespace {
 
 using Cells = std::map<CellKey, Cell>;
 
+std::string pText(double p) {
+    return p < 0.0001 ? "below 0.0001" : fixedNumber(p, 4);
+}
+
 /// The mouse control that people had.
 std::string mouseOf(const Cells& cells) {
     for (const auto& [key, cell] : cells)
@@ -64,7 +68,7 @@ std::string mainAnalysis(const Cells& cells) {
                 escaped(studyEnvironments()[static_cast<std::size_t>(effect.environment)].title) +
                 "</td><td>" + fixedNumber(effect.ratio.value, 2) + "</td><td>" +
                 fixedNumber(effect.ratio.low, 2) + " to " + fixedNumber(effect.ratio.high, 2) + "</td><td>" +
-                fixedNumber(effect.df, 1) + "</td><td>" + fixedNumber(effect.holm, 4) + "</td></tr>\n";
+                fixedNumber(effect.df, 1) + "</td><td>" + pText(effect.holm) + "</td></tr>\n";
     return html + "</tbody></table></div>\n";
 }
 
@@ -99,9 +103,9 @@ std::string robust(const Cells& cells) {
         const statistics::SignedRank test = statistics::signedRank(differences);
         const statistics::Estimate middle = statistics::hodgesLehmann(differences);
         html += "<tr><td>" + escaped(environment.title) + "</td><td>" + std::to_string(differences.size()) +
-                "</td><td>" + fixedNumber(test.p, 4) + "</td><td>" + fixedNumber(test.rankBiserial, 2) +
-                "</td><td>" + fixedNumber(middle.value, 1) + "</td><td>" + fixedNumber(middle.low, 1) +
-                " to " + fixedNumber(middle.high, 1) + "</td></tr>\n";
+                "</td><td>" + pText(test.p) + "</td><td>" + fixedNumber(test.rankBiserial, 2) + "</td><td>" +
+                fixedNumber(middle.value, 1) + "</td><td>" + fixedNumber(middle.low, 1) + " to " +
+                fixedNumber(middle.high, 1) + "</td></tr>\n";
     }
     return html + "</tbody></table></div>\n";
 }
@@ -142,7 +146,8 @@ std::string questionnaires(const StudyData& data, const std::vector<std::int64_t
         std::vector<BoxRow> rows;
         std::size_t most = 0;
         for (const auto& [scheme, numbers] : schemes) {
-            rows.push_back({schemeTitle(scheme), rows.size(), numbers});
+            rows.push_back(
+                {schemeTitle(scheme), scheme == "touch" ? std::size_t{0} : std::size_t{3}, numbers});
             most = std::max(most, numbers.size());
         }
         const std::string title = question + ": people, n = " + std::to_string(most);
